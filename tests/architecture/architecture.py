@@ -1,0 +1,272 @@
+#!/usr/bin/env python3
+"""architecture.py ROOT: checks that the source tree keeps the architecture it shows.
+
+A rule is a function that takes a file and yields its violations as (line number, sentence); rules of folders
+take the folder and its files. They read text, not C++: includes, macros, sizes. architecture_test.py shows what
+each of them catches.
+"""
+
+import os
+import re
+import sys
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path, PurePosixPath
+
+MAX_LINES = 450
+MAX_FUNCTION_LINES = 60
+MAX_FILES = 20
+
+# Folders of core/tendon from the bottom up. A folder may include those of the rows below its own.
+CORE_ROWS = (("base",), ("lockfree", "payload"), ("state",), ("interface",), ("task",), ("manager",))
+NETWORK_ROWS = (("middleware",), ("proxy",), ("process",), ("gcm",))
+ROWS = (*CORE_ROWS, *NETWORK_ROWS, ("ice",))
+HEIGHT = {folder: height for height, row in enumerate(ROWS) for folder in row}
+CORE = {folder for row in CORE_ROWS for folder in row}
+
+# What each part of the tree may include of the others.
+PARTS = {
+    "core": {"core"},
+    "components": {"core", "components"},
+    "lcm": {"core", "lcm"},
+    "gcm_console": {"core", "gcm_console"},
+    "gcm_gui": {"core", "gcm_console", "gcm_gui"},
+}
+
+ICE = re.compile(r"(Ice\w*|Glacier2)/")
+QT = re.compile(r"Q[A-Za-z]\w*(/.*)?$|q\w+\.h$")
+OPERATING_SYSTEM = re.compile(
+    r"(sys|linux|netinet|arpa|net|mach|asm|bits)/"
+    r"|(unistd|fcntl|poll|pthread|sched|semaphore|signal|dlfcn|netdb|ifaddrs|pwd|grp|dirent|termios|spawn"
+    r"|execinfo|syslog|windows|winsock2|io)\.h$")
+ICE_HOMES = ("core/tendon/ice", "tests/core/ice")
+QT_HOMES = ("gcm_gui", "tests/gcm_gui", "tests/system")
+ATOMIC_HOMES = ("core/tendon/lockfree", "core/tendon/state", "core/tendon/base/os")
+
+INCLUDE = re.compile(r'\s*#\s*include\s*[<"]([^>"]+)[>"]')
+OPENS_BODY = re.compile(r"^(?! *//).*[)\w>&*] \{$|^ *\{$")
+ENDS_STATEMENT = re.compile(r"[;{}]$|^\s*$|^\s*(//|#|(public|protected|private|signals|.* slots):$)")
+NO_FUNCTION = re.compile(r"\s*(inline namespace|namespace|class|struct|enum|union|extern|export)\b")
+LEFT_OVER = re.compile(r"\b(TO[D]O|FIX[M]E|HAC[K]|XX[X])\b")
+
+CODE = {".h", ".cpp"}
+TEXT = CODE | {".py", ".cmake", ".ice", ".sh", ".md"}
+SKIPPED = {"build", "resources", "__pycache__"}
+
+
+@dataclass(frozen=True)
+class Include:
+    line: int
+    name: str  # as written
+    target: str  # a path from the root where it is a file of ours, else the name
+
+    def is_of(self, part):
+        return self.target.startswith(part + "/")
+
+
+class SourceFile:
+    def __init__(self, root, path):
+        self.root = root
+        self.path = path  # from the root, with slashes
+        self.name = PurePosixPath(path).name
+        self.suffix = PurePosixPath(path).suffix
+        self.part = path.split("/")[0]
+        self.lines = (root / path).read_text(encoding="utf-8", errors="replace").split("\n")
+
+    def is_under(self, *folders):
+        return any(self.path.startswith(folder + "/") for folder in folders)
+
+    @property
+    def is_code(self):
+        return self.suffix in CODE
+
+    @property
+    def is_test(self):
+        return self.part == "tests" or self.name.endswith("_test.cpp")
+
+    @property
+    def core_folder(self):
+        """`state` for core/tendon/state/column.h, None outside of core/tendon."""
+        return self.path.split("/")[2] if self.is_under("core/tendon") else None
+
+    @cached_property
+    def includes(self):
+        if not self.is_code:
+            return []
+        found = ((number, INCLUDE.match(line)) for number, line in enumerate(self.lines, 1))
+        return [Include(number, match[1], self._target(match[1])) for number, match in found if match]
+
+    def _target(self, name):
+        if name.startswith("tendon/"):
+            return "core/" + name
+        beside = os.path.normpath(os.path.join(os.path.dirname(self.path), name))
+        return next((p for p in (beside, name) if (self.root / p).is_file()), name)
+
+
+def ice_stays_in_its_folder(file):
+    if not file.is_under(*ICE_HOMES):
+        for include in file.includes:
+            if ICE.match(include.target):
+                yield include.line, f"<{include.name}> belongs in core/tendon/ice alone; go through the middleware"
+
+
+def qt_stays_in_the_window(file):
+    if not file.is_under(*QT_HOMES):
+        for include in file.includes:
+            if QT.match(include.target):
+                yield include.line, f"<{include.name}> belongs in gcm_gui alone"
+
+
+def parts_include_what_they_may(file):
+    allowed = PARTS.get(file.part)
+    if allowed is None or file.is_test:
+        return
+    for include in file.includes:
+        part = include.target.split("/")[0]
+        if part in {*PARTS, "tests"} - allowed:
+            yield include.line, f"{file.part} may not include <{include.name}>, only: {', '.join(sorted(allowed))}"
+
+
+def components_need_core_alone(file):
+    if file.part != "components" or file.is_test:
+        return
+    for include in file.includes:
+        in_core = any(include.is_of(f"core/tendon/{folder}") for folder in CORE)
+        standard = "/" not in include.name and "." not in include.name
+        if not (in_core or standard or include.is_of("components") or include.name.startswith("Eigen/")):
+            yield include.line, f"a component needs tendon::core alone, not <{include.name}>"
+    if file.name == "CMakeLists.txt":
+        for number, line in enumerate(file.lines, 1):
+            if match := re.search(r"\b(tendon::(?!core\b)|Ice::|Qt\d?::|Qwt::)\w+", line):
+                yield number, f"a component links tendon::core alone, not {match[0]}"
+
+
+def layers_look_down(file):
+    above = file.core_folder
+    if above is None or not file.is_code:
+        return
+    if above not in HEIGHT:
+        yield 1, f"core/tendon/{above} is no layer; the layers are: {', '.join(HEIGHT)}"
+        return
+    for include in file.includes:
+        below = include.target.split("/")[2] if include.is_of("core/tendon") else above
+        if below != above and HEIGHT.get(below, len(ROWS)) >= HEIGHT[above]:
+            yield include.line, f"{above} may not include <{include.name}>, which is not below it"
+
+
+def core_headers_need_the_standard_library_alone(file):
+    if file.core_folder not in CORE or file.suffix != ".h":
+        return
+    for include in file.includes:
+        ours = include.is_of("core/tendon")
+        opt_in = include.name.startswith("Eigen/") and file.name.startswith("eigen")
+        forward = include.name == "nlohmann/json_fwd.hpp"
+        if not (ours or opt_in or forward) and ("/" in include.name or "." in include.name):
+            yield include.line, f"a header of tendon::core needs the standard library alone, not <{include.name}>"
+
+
+def the_operating_system_stays_in_base_os(file):
+    if file.is_test or file.is_under("core/tendon/base/os"):
+        return
+    for include in file.includes:
+        if OPERATING_SYSTEM.match(include.target):
+            yield include.line, f"<{include.name}> belongs in core/tendon/base/os, behind a call of ours"
+
+
+def atomics_stay_in_lockfree_and_state(file):
+    if file.part not in PARTS or file.is_test or file.is_under(*ATOMIC_HOMES) or not file.is_code:
+        return
+    for number, line in enumerate(file.lines, 1):
+        if re.search(r"<atomic>|\bstd::atomic", line.split("//")[0]):
+            yield number, "atomics live in core/tendon/lockfree and state; use the classes there"
+
+
+def code_has_no_macros(file):
+    if not file.is_code:
+        return
+    for number, line in enumerate(file.lines, 1):
+        if match := re.match(r"\s*#\s*define\s+(\w+)", line):
+            yield number, f"{match[1]} is a macro; a template, a constant or a function says the same"
+
+
+def headers_are_included_once(file):
+    if file.suffix == ".h" and "#pragma once" not in file.lines:
+        yield 1, "a header needs #pragma once"
+
+
+def nothing_is_left_over(file):
+    for number, line in enumerate(file.lines, 1):
+        if match := LEFT_OVER.search(line):
+            yield number, f"{match[0]}: do it, or open an issue"
+
+
+def files_are_short(file):
+    length = len(file.lines) - (file.lines[-1] == "")
+    if length > MAX_LINES:
+        yield length, f"{length} lines, over {MAX_LINES}; look for the second concept"
+
+
+def functions_are_short(file):
+    """Relies on clang-format: a body ends at the first brace in the column where its signature begins."""
+    if not file.is_code:
+        return
+    head, end = 1, None  # where the current statement begins; what ends the current function
+    for number, line in enumerate(file.lines, 1):
+        if end is not None:
+            if line.startswith(end):
+                if number - head >= MAX_FUNCTION_LINES:
+                    yield head, f"a function of {number - head + 1} lines, over {MAX_FUNCTION_LINES}"
+                head, end = number + 1, None
+            continue
+        if OPENS_BODY.search(line) and not any(map(NO_FUNCTION.match, file.lines[head - 1 : number])):
+            end = re.match(r" *", file.lines[head - 1])[0] + "}"
+        elif ENDS_STATEMENT.search(line):
+            head = number + 1
+
+
+def folders_are_small(folder, files):
+    if len(files) > MAX_FILES:
+        yield f"{folder}: {len(files)} files, over {MAX_FILES}; look for the second folder"
+
+
+FILE_RULES = (
+    ice_stays_in_its_folder, qt_stays_in_the_window, parts_include_what_they_may, components_need_core_alone,
+    layers_look_down, core_headers_need_the_standard_library_alone, the_operating_system_stays_in_base_os,
+    atomics_stay_in_lockfree_and_state, code_has_no_macros, headers_are_included_once, nothing_is_left_over,
+    files_are_short, functions_are_short)
+FOLDER_RULES = (folders_are_small,)
+
+
+def folders_of(root):
+    """Yields each folder of the tree with its files; build trees, hidden folders and resources are left out."""
+    for current, folders, files in os.walk(root):
+        folders[:] = sorted(f for f in folders if f not in SKIPPED and (f[0] != "." or f == ".ci"))
+        yield Path(current).relative_to(root).as_posix(), sorted(files)
+
+
+def is_source(folder, name):
+    return PurePosixPath(name).suffix in TEXT or name == "CMakeLists.txt" or folder in {"tools", ".ci"}
+
+
+def violations(root):
+    root = Path(root)
+    for folder, names in folders_of(root):
+        for rule in FOLDER_RULES:
+            yield from rule(folder, names)
+        for name in names:
+            if is_source(folder, name):
+                file = SourceFile(root, name if folder == "." else f"{folder}/{name}")
+                for rule in FILE_RULES:
+                    yield from (f"{file.path}:{line}: {sentence}" for line, sentence in rule(file))
+
+
+def main():
+    found = list(violations(sys.argv[1]))
+    for violation in found:
+        print(violation)
+    print(f"{len(found)} violations of the architecture" if found else "The tree keeps its architecture.")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

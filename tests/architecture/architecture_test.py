@@ -1,0 +1,178 @@
+#!/usr/bin/env python3
+"""Shows, on small trees made for it, what each rule of architecture.py catches and what it lets pass."""
+
+import tempfile
+import unittest
+from pathlib import Path
+
+import architecture
+
+# A word which must not stand in this file either.
+LEFT_OVER = "TO" + "DO"
+
+
+def include(*names):
+    return "#pragma once\n" + "".join(f"#include <{name}>\n" for name in names)
+
+
+def function(lines, indent=""):
+    """A function of that many lines, its signature being two of them."""
+    text = ["Result<int> Run(int first,", "                int last) {", *["  Step();"] * (lines - 3), "}"]
+    return "".join(f"{indent}{line}\n" for line in text)
+
+
+# For each rule: trees that break it, each with the place and a part of the sentence, and trees that keep it.
+BROKEN = {
+    "ice_stays_in_its_folder": [
+        ({"lcm/main.cpp": include("string", "Ice/Ice.h")}, "lcm/main.cpp:3", "core/tendon/ice alone"),
+        ({"core/tendon/gcm/a.cpp": include("IceSSL/IceSSL.h")}, "core/tendon/gcm/a.cpp:2", "core/tendon/ice alone"),
+        ({"tests/system/a_test.cpp": include("Ice/Ice.h")}, "tests/system/a_test.cpp:2", "core/tendon/ice alone"),
+    ],
+    "qt_stays_in_the_window": [
+        ({"gcm_console/a.cpp": include("QString")}, "gcm_console/a.cpp:2", "gcm_gui alone"),
+        ({"core/tendon/gcm/a.cpp": include("QtCore/QObject")}, "core/tendon/gcm/a.cpp:2", "gcm_gui alone"),
+        ({"tests/core/a_test.cpp": include("qwt_plot.h")}, "tests/core/a_test.cpp:2", "gcm_gui alone"),
+    ],
+    "parts_include_what_they_may": [
+        ({"core/tendon/gcm/a.cpp": include("gcm_console/table.h"), "gcm_console/table.h": include()},
+         "core/tendon/gcm/a.cpp:2", "core may not include"),
+        ({"lcm/main.cpp": '#include "../gcm_gui/session.h"\n', "gcm_gui/session.h": include()},
+         "lcm/main.cpp:1", "lcm may not include"),
+        ({"gcm_gui/a.cpp": include("components/arm/arm.h"), "components/arm/arm.h": include()},
+         "gcm_gui/a.cpp:2", "gcm_gui may not include"),
+        ({"core/tendon/base/a.cpp": include("tests/support/fake.h"), "tests/support/fake.h": include()},
+         "core/tendon/base/a.cpp:2", "core may not include"),
+    ],
+    "components_need_core_alone": [
+        ({"components/arm/arm.h": include("tendon/process/process.h")}, "components/arm/arm.h:2", "tendon::core alone"),
+        ({"components/arm/arm.h": include("spdlog/spdlog.h")}, "components/arm/arm.h:2", "tendon::core alone"),
+        ({"components/arm/CMakeLists.txt": "target_link_libraries(arm PRIVATE tendon::core tendon::network)\n"},
+         "components/arm/CMakeLists.txt:1", "not tendon::network"),
+    ],
+    "layers_look_down": [
+        ({"core/tendon/base/a.h": include("tendon/lockfree/b.h")}, "core/tendon/base/a.h:2", "not below it"),
+        ({"core/tendon/payload/a.h": include("tendon/lockfree/b.h")}, "core/tendon/payload/a.h:2", "not below it"),
+        ({"core/tendon/state/a.cpp": include("tendon/interface/b.h")}, "core/tendon/state/a.cpp:2", "not below it"),
+        ({"core/tendon/manager/a.cpp": include("tendon/middleware/b.h")}, "core/tendon/manager/a.cpp:2", "not below"),
+        ({"core/tendon/gcm/a.cpp": include("tendon/ice/b.h")}, "core/tendon/gcm/a.cpp:2", "not below it"),
+        ({"core/tendon/task/a.cpp": '#include "../manager/b.h"\n', "core/tendon/manager/b.h": include()},
+         "core/tendon/task/a.cpp:1", "not below it"),
+        ({"core/tendon/task/a.cpp": include("tendon/helpers/b.h")}, "core/tendon/task/a.cpp:2", "not below it"),
+        ({"core/tendon/helpers/a.h": include()}, "core/tendon/helpers/a.h:1", "is no layer"),
+    ],
+    "core_headers_need_the_standard_library_alone": [
+        ({"core/tendon/base/log.h": include("spdlog/spdlog.h")}, "core/tendon/base/log.h:2", "standard library alone"),
+        ({"core/tendon/payload/a.h": include("Eigen/Core")}, "core/tendon/payload/a.h:2", "standard library alone"),
+        ({"core/tendon/base/os/a.h": include("pthread.h")}, "core/tendon/base/os/a.h:2", "standard library alone"),
+    ],
+    "the_operating_system_stays_in_base_os": [
+        ({"core/tendon/middleware/tcp.cpp": include("sys/socket.h")}, "core/tendon/middleware/tcp.cpp:2", "base/os"),
+        ({"lcm/main.cpp": include("unistd.h")}, "lcm/main.cpp:2", "base/os"),
+        ({"components/monitor/a.cpp": include("netinet/in.h")}, "components/monitor/a.cpp:2", "base/os"),
+    ],
+    "atomics_stay_in_lockfree_and_state": [
+        ({"core/tendon/task/a.h": include("atomic")}, "core/tendon/task/a.h:2", "atomics live in"),
+        ({"gcm_gui/a.cpp": "std::atomic<int> count;\n"}, "gcm_gui/a.cpp:1", "atomics live in"),
+    ],
+    "code_has_no_macros": [
+        ({"lcm/a.cpp": "#define TWICE(x) ((x) + (x))\n"}, "lcm/a.cpp:1", "TWICE is a macro"),
+        ({"tests/support/a.h": "#pragma once\n  #  define LIMIT 3\n"}, "tests/support/a.h:2", "LIMIT is a macro"),
+    ],
+    "headers_are_included_once": [
+        ({"lcm/a.h": "// nothing\n"}, "lcm/a.h:1", "#pragma once"),
+    ],
+    "nothing_is_left_over": [
+        ({"lcm/a.cpp": f"// {LEFT_OVER}: later\n"}, "lcm/a.cpp:1", "do it, or open an issue"),
+        ({"tools/setup": f"\n# {LEFT_OVER}\n"}, "tools/setup:2", "do it, or open an issue"),
+    ],
+    "files_are_short": [
+        ({"lcm/a.cpp": "\n" * 451}, "lcm/a.cpp:451", "451 lines"),
+    ],
+    "functions_are_short": [
+        ({"lcm/a.cpp": function(61)}, "lcm/a.cpp:1", "a function of 61 lines"),
+        ({"lcm/a.cpp": "class A {\n public:\n" + function(61, "  ") + "};\n"}, "lcm/a.cpp:3", "a function of 61 lines"),
+        ({"lcm/a.cpp": function(20) + "\n" + function(70)}, "lcm/a.cpp:22", "a function of 70 lines"),
+    ],
+    "folders_are_small": [
+        ({f"lcm/part_{number}.cpp": "" for number in range(21)}, "lcm", "21 files"),
+    ],
+}
+KEPT = {
+    "ice_stays_in_its_folder": [
+        {"core/tendon/ice/a.cpp": include("Ice/Ice.h"), "tests/core/ice/a_test.cpp": include("Ice/Ice.h")},
+    ],
+    "qt_stays_in_the_window": [
+        {"gcm_gui/plot/a.cpp": include("QString", "qwt_plot.h"), "tests/gcm_gui/a_test.cpp": include("QTest")},
+        {"lcm/a.cpp": include("queue"), "lcm/queue.h": include(), "lcm/b.cpp": '#include "queue.h"\n'},
+    ],
+    "parts_include_what_they_may": [
+        {"gcm_gui/a.cpp": include("gcm_console/table.h"), "gcm_console/table.h": include("tendon/gcm/catalog.h")},
+        {"tests/gcm_gui/a_test.cpp": include("gcm_gui/session.h"), "gcm_gui/session.h": include()},
+    ],
+    "components_need_core_alone": [
+        {"components/arm/arm.cpp": include("vector", "Eigen/Core", "tendon/task/periodic_task.h", "components/arm/a.h"),
+         "components/arm/a.h": include(),
+         "components/arm/CMakeLists.txt": "target_link_libraries(arm PRIVATE tendon::core)\n"},
+    ],
+    "layers_look_down": [
+        {"core/tendon/state/a.h": include("tendon/base/b.h", "tendon/lockfree/b.h", "tendon/state/b.h"),
+         "core/tendon/ice/a.h": include("tendon/gcm/b.h", "tendon/middleware/b.h")},
+    ],
+    "core_headers_need_the_standard_library_alone": [
+        {"core/tendon/base/log.cpp": include("spdlog/spdlog.h"), "core/tendon/payload/eigen.h": include("Eigen/Core")},
+    ],
+    "the_operating_system_stays_in_base_os": [
+        {"core/tendon/base/os/a.cpp": include("unistd.h"), "tests/support/a.cpp": include("sys/wait.h")},
+    ],
+    "atomics_stay_in_lockfree_and_state": [
+        {"core/tendon/lockfree/a.h": include("atomic"), "tests/a_test.cpp": include("atomic"),
+         "lcm/a.cpp": "Load();  // unlike std::atomic, this waits\n"},
+    ],
+    "code_has_no_macros": [{"lcm/a.cpp": "#ifdef __linux__\n#endif\n"}],
+    "headers_are_included_once": [{"lcm/a.h": "#pragma once\n"}],
+    "nothing_is_left_over": [{"lcm/a.cpp": f"// {LEFT_OVER}_list is one word\n"}],
+    "files_are_short": [{"lcm/a.cpp": "\n" * 450}],
+    "functions_are_short": [
+        {"lcm/a.cpp": function(60)},
+        {"lcm/a.cpp": "template <typename T,\n          typename U>\nclass A {\n" + "  int a;\n" * 80 + "};\n"},
+        {"lcm/a.cpp": "constexpr int kTable[] = {\n" + "    1,\n" * 80 + "};\n"},
+        {"lcm/a.cpp": "//   void Example() {\n" + "int a;\n" * 80},
+    ],
+    "folders_are_small": [
+        {f"lcm/part_{number}.cpp": "" for number in range(20)},
+        {f"build/dev/{number}.cpp": "" for number in range(21)},
+    ],
+}
+
+
+class ArchitectureTest(unittest.TestCase):
+    def violations(self, tree):
+        with tempfile.TemporaryDirectory() as root:
+            for path, text in tree.items():
+                file = Path(root, path)
+                file.parent.mkdir(parents=True, exist_ok=True)
+                file.write_text(text)
+            return list(architecture.violations(root))
+
+    def test_every_rule_is_shown_broken_and_kept(self):
+        rules = {rule.__name__ for rule in (*architecture.FILE_RULES, *architecture.FOLDER_RULES)}
+
+        self.assertEqual(rules, set(BROKEN))
+        self.assertEqual(rules, set(KEPT))
+
+    def test_a_broken_rule_is_reported_at_its_place(self):
+        for rule, cases in BROKEN.items():
+            for tree, place, sentence in cases:
+                with self.subTest(rule=rule, place=place):
+                    found = self.violations(tree)
+                    self.assertTrue(any(v.startswith(place + ":") and sentence in v for v in found), found)
+
+    def test_a_kept_rule_is_silent(self):
+        for rule, trees in KEPT.items():
+            for tree in trees:
+                with self.subTest(rule=rule, files=list(tree)):
+                    self.assertEqual(self.violations(tree), [])
+
+
+if __name__ == "__main__":
+    unittest.main()

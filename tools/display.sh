@@ -1,0 +1,36 @@
+# Sourced by tools/demo: a virtual display with a window manager, real mouse clicks, screenshots.
+# Needs processes.sh.
+# shellcheck shell=bash disable=SC2154
+
+# True where a window can be shown to somebody.
+has_display() {
+  [[ -n ${WAYLAND_DISPLAY:-} ]] || { [[ -n ${DISPLAY:-} ]] && xdpyinfo >/dev/null 2>&1; }
+}
+
+# start_display WIDTH HEIGHT: the server takes the first free number and says which.
+start_display() {
+  local answer=$RUN_FOLDER/display
+  # shellcheck disable=SC2016  # expanded by sh
+  start display sh -c 'exec Xvfb -displayfd 3 -screen 0 "$2x$3x24" -nolisten tcp 3>"$1"' - "$answer" "$1" "$2"
+  wait_until "the virtual display" test -s "$answer"
+  DISPLAY=:$(<"$answer")
+  export DISPLAY
+  unset WAYLAND_DISPLAY
+  start window-manager openbox --sm-disable
+  wait_until "the window manager" window_manager_is_up
+}
+
+window_manager_is_up() { [[ $(xprop -root _NET_SUPPORTING_WM_CHECK) == *"window id"* ]]; }
+
+# window_of NAME: the identifier of the visible window of that process.
+window_of() { xdotool search --onlyvisible --pid "${process_ids[$1]}" | tail -n 1; }
+has_window() { [[ -n $(window_of "$1") ]]; }
+
+# click WINDOW X Y: moves the pointer there and presses its left button; pixels from the window's top left corner.
+click() { xdotool mousemove --window "$1" "$2" "$3" click 1; }
+
+# key WINDOW KEY...: as typed on the keyboard, for instance ctrl+z.
+key() { xdotool windowfocus --sync "$1" key "${@:2}"; }
+
+# screenshot WINDOW FILE
+screenshot() { import -window "$1" "$2"; }

@@ -1,0 +1,48 @@
+# Sourced by tools/demo: the processes of a run, started, waited for and stopped together.
+# shellcheck shell=bash
+
+declare -A process_ids=()
+process_order=()
+RUN_FOLDER=$(mktemp -d)  # logs, and what the processes leave behind
+
+# start NAME COMMAND...: in the background, its output in a log of that name.
+start() {
+  local name=$1
+  shift
+  "$@" >"$RUN_FOLDER/$name.log" 2>&1 &
+  process_ids[$name]=$!
+  process_order=("$name" "${process_order[@]}")
+}
+
+is_running() { kill -0 "${process_ids[$1]}" 2>/dev/null; }
+
+# wait_until WHAT COMMAND...: until the command succeeds; gives up after 30 s, or as soon as a process has ended.
+wait_until() {
+  local what=$1 deadline=$((SECONDS + 30)) name
+  shift
+  until "$@" >/dev/null 2>&1; do
+    for name in "${process_order[@]}"; do
+      is_running "$name" || fail_with_log "$name" "$name ended while waiting for $what; its last words:"
+    done
+    ((SECONDS < deadline)) || fail_with_log "${process_order[0]}" "Waited 30 s in vain for $what; the last words of ${process_order[0]}:"
+    sleep 0.1
+  done
+}
+
+fail_with_log() {
+  say "$2" >&2
+  tail -n 15 "$RUN_FOLDER/$1.log" >&2
+  exit 1
+}
+
+# Asks all to end, the last one started first, and insists after 5 s each.
+stop_all() {
+  local name
+  for name in "${process_order[@]}"; do
+    kill "${process_ids[$name]}" 2>/dev/null || continue
+    timeout 5 tail -s 0.05 --pid="${process_ids[$name]}" -f /dev/null || kill -KILL "${process_ids[$name]}" 2>/dev/null || true
+    wait "${process_ids[$name]}" 2>/dev/null || true
+  done
+  process_order=()
+  rm -rf "$RUN_FOLDER"
+}

@@ -1,0 +1,109 @@
+#!/usr/bin/env python3
+"""Drives the window gcm-gui as a person would: looks at what it describes of itself, moves the mouse, presses keys.
+
+    ui.py FILE wait EXPRESSION [SECONDS]   until the expression over the description holds
+    ui.py FILE show EXPRESSION             prints its value
+    ui.py FILE click|double|ctrl-click GROUP NAME
+                                           GROUP: widgets, rows, nodes or ports
+    ui.py FILE drag GROUP NAME GROUP NAME  from the middle of one thing to that of another
+    ui.py FILE key KEY...                  such as ctrl+z
+    ui.py FILE type TEXT
+
+FILE is what `gcm-gui --describe-ui FILE` writes. An expression is Python in which the description's parts (facts, ports,
+rows, widgets, nodes) are names. Exit code 1 and one sentence when something is not there or does not come true.
+"""
+import json
+import subprocess
+import sys
+import time
+
+PATIENCE = 30.0  # s
+
+
+class Missing(Exception):
+    pass
+
+
+def description(file):
+    with open(file, encoding="utf-8") as stream:
+        return json.load(stream)
+
+
+def holds(file, expression):
+    """The expression's value, or False while a part of it is not there yet."""
+    try:
+        return eval(expression, {"__builtins__": {"abs": abs, "all": all, "len": len, "any": any, "set": set}},
+                    description(file))
+    except (KeyError, IndexError, TypeError, OSError, ValueError):
+        return False
+
+
+def wait(file, expression, seconds=PATIENCE):
+    deadline = time.monotonic() + float(seconds)
+    while not holds(file, expression):
+        if time.monotonic() >= deadline:
+            raise Missing(f"in {seconds} s the window never showed: {expression}")
+        time.sleep(0.1)
+
+
+def middle(file, group, name):
+    """Where a thing is once it stands still."""
+    wait(file, f"{name!r} in {group}")
+    last = None
+    while True:
+        thing = description(file)[group].get(name)
+        if thing is None:
+            raise Missing(f"{name} of {group} has gone")
+        left, top, width, height = thing["rect"] if isinstance(thing, dict) else thing
+        place = (left + width // 2, top + height // 2)
+        if place == last:
+            return place
+        last = place
+        time.sleep(0.3)
+
+
+def xdotool(*words):
+    subprocess.run(["xdotool", *map(str, words)], check=True)
+
+
+def click(file, group, name, repeat=1, modifier=None):
+    x, y = middle(file, group, name)
+    xdotool("mousemove", "--sync", x, y)
+    if modifier:
+        xdotool("keydown", modifier)
+    xdotool("click", "--repeat", repeat, "--delay", 60, 1)
+    if modifier:
+        xdotool("keyup", modifier)
+
+
+def drag(file, from_group, from_name, to_group, to_name):
+    start, end = middle(file, from_group, from_name), middle(file, to_group, to_name)
+    xdotool("mousemove", "--sync", *start, "mousedown", 1)
+    for step in range(1, 11):
+        xdotool("mousemove", "--sync", *(a + (b - a) * step // 10 for a, b in zip(start, end)))
+        time.sleep(0.02)
+    xdotool("mouseup", 1)
+
+
+def main(file, verb, *words):
+    if verb == "wait":
+        wait(file, *words)
+    elif verb == "show":
+        print(json.dumps(holds(file, words[0])))
+    elif verb in ("click", "double", "ctrl-click"):
+        click(file, *words, repeat=2 if verb == "double" else 1, modifier="ctrl" if verb == "ctrl-click" else None)
+    elif verb == "drag":
+        drag(file, *words)
+    elif verb == "key":
+        xdotool("key", "--clearmodifiers", *words)
+    elif verb == "type":
+        xdotool("type", "--delay", 15, *words)
+    else:
+        raise Missing(f"no verb {verb}")
+
+
+if __name__ == "__main__":
+    try:
+        main(*sys.argv[1:])
+    except Missing as missing:
+        sys.exit(f"ui: {missing}")
