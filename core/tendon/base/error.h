@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace tendon {
+
+/// What sort of failure it is; a program chooses its exit code by it, a viewer its next step.
+enum class ErrorCode : std::int32_t {
+  kFailed,        ///< the operation was refused or failed
+  kInvalid,       ///< an argument, a file or a message is malformed
+  kUnreachable,   ///< nobody answers at an address
+  kNotFound,      ///< no such process, component, interface, member, file
+  kExists,        ///< the name or the address is taken
+  kIncompatible,  ///< two ends do not fit
+  kTimeout,       ///< no answer in time; the outcome is unknown
+  kDenied,        ///< the role does not allow it
+};
+
+/// Why a request was refused: one sentence that says what, where, and what to do next.
+struct Error {
+  ErrorCode code = ErrorCode::kFailed;
+  std::string message;
+
+  bool operator==(const Error&) const = default;
+};
+
+/// "failed", "not found", ...
+[[nodiscard]] std::string_view ToString(ErrorCode code) noexcept;
+
+/// A wiring mistake in a program: a second interface of a name, a bad period. Thrown while a
+/// component is being built, never in a cycle.
+class ConfigurationError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace tendon

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <tendon/base/os/socket.h>
+
+#include <chrono>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace tendon::os {
+
+/// Waits for any of many sockets. All functions but Wait() may be called from any thread.
+class Poller {
+ public:
+  struct Event {
+    std::uint64_t key = 0;
+    bool readable = false;  ///< or ended: a read will tell
+    bool writable = false;
+  };
+  enum class Watch { kNothing, kReads, kReadsAndWrites };
+
+  Poller();
+  Poller(const Poller&) = delete;
+  Poller& operator=(const Poller&) = delete;
+
+  /// `key` must not be 0. The socket must be removed before it is closed.
+  void Add(const Socket& socket, std::uint64_t key, Watch watch);
+  void Change(const Socket& socket, std::uint64_t key, Watch watch);
+  void Remove(const Socket& socket);
+
+  /// The sockets that are ready; none when woken or when `timeout` has passed. Valid until the next
+  /// call.
+  std::span<const Event> Wait(std::chrono::milliseconds timeout);
+  void Wake();
+
+ private:
+  Socket poll_;  // descriptors of their own kinds, owned alike
+  Socket wake_;
+  std::vector<Event> events_;
+};
+
+}  // namespace tendon::os

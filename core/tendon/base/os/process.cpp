@@ -1,0 +1,65 @@
+#include <sys/random.h>
+#include <tendon/base/os/process.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdlib>
+#include <random>
+
+namespace tendon::os {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path MadeFolder(const fs::path& folder) {
+  std::error_code ignored;
+  fs::create_directories(folder, ignored);
+  fs::permissions(folder, fs::perms::owner_all, ignored);
+  return folder;
+}
+
+/// $NAME/tendon, else the fallback.
+fs::path FolderFromEnvironment(const char* name, const fs::path& fallback) {
+  const char* base = std::getenv(name);  // NOLINT(concurrency-mt-unsafe): read only
+  return base != nullptr && *base != '\0' ? fs::path(base) / "tendon" : fallback;
+}
+
+}  // namespace
+
+std::int64_t ProcessId() noexcept { return getpid(); }
+
+std::string HostName() {
+  std::array<char, 256> name{};
+  if (gethostname(name.data(), name.size() - 1) != 0) return "localhost";
+  return name.data();
+}
+
+std::uint64_t RandomNumber() {
+  std::uint64_t number = 0;
+  if (getrandom(&number, sizeof(number), 0) != sizeof(number)) {
+    std::random_device device;
+    number = (std::uint64_t{device()} << 32U) | device();
+  }
+  return number;
+}
+
+fs::path RuntimeFolder() {
+  std::error_code ignored;
+  const fs::path fallback =
+      fs::temp_directory_path(ignored) / ("tendon-" + std::to_string(getuid()));
+  return MadeFolder(FolderFromEnvironment("XDG_RUNTIME_DIR", fallback));
+}
+
+fs::path StateFolder() {
+  const char* home = std::getenv("HOME");  // NOLINT(concurrency-mt-unsafe): read only
+  const fs::path fallback =
+      fs::path(home != nullptr ? home : "/tmp") / ".local" / "state" / "tendon";
+  return MadeFolder(FolderFromEnvironment("XDG_STATE_HOME", fallback));
+}
+
+fs::path ProgramFolder() {
+  std::error_code ignored;
+  return fs::read_symlink("/proc/self/exe", ignored).parent_path();
+}
+
+}  // namespace tendon::os

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace tendon::os {
+
+[[nodiscard]] std::int64_t ProcessId() noexcept;
+
+[[nodiscard]] std::string HostName();
+
+/// 64 bits that nobody can guess, from the kernel.
+[[nodiscard]] std::uint64_t RandomNumber();
+
+/// The user's folder for sockets and cookies, mode 0700; made when missing.
+[[nodiscard]] std::filesystem::path RuntimeFolder();
+
+/// The user's folder for what survives a restart, such as history; made when missing.
+[[nodiscard]] std::filesystem::path StateFolder();
+
+/// Where this program lies, without its own name.
+[[nodiscard]] std::filesystem::path ProgramFolder();
+
+}  // namespace tendon::os

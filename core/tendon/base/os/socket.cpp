@@ -1,0 +1,235 @@
+#include <arpa/inet.h>
+#include <netdb.h>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <tendon/base/os/socket.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <sstream>
+#include <system_error>
+#include <utility>
+
+namespace tendon::os {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string TextOf(int failure) { return std::generic_category().message(failure); }
+
+std::string Name(const std::string& host, std::uint16_t port) {
+  const bool is_ipv6 = host.find(':') != std::string::npos;
+  return (is_ipv6 ? "[" + host + "]" : host) + ":" + std::to_string(port);
+}
+
+using Addresses = std::unique_ptr<addrinfo, decltype(&freeaddrinfo)>;
+
+Result<Addresses> Resolve(const std::string& host, std::uint16_t port) {
+  addrinfo hints{};
+  hints.ai_family = AF_UNSPEC;
+  hints.ai_socktype = SOCK_STREAM;
+  hints.ai_flags = AI_NUMERICSERV;
+  addrinfo* found = nullptr;
+  const int failure = getaddrinfo(host.c_str(), std::to_string(port).c_str(), &hints, &found);
+  if (failure != 0) {
+    return Error{ErrorCode::kUnreachable,
+                 "host '" + host + "' is unknown (" + gai_strerror(failure) + ")"};
+  }
+  return Addresses(found, &freeaddrinfo);
+}
+
+Socket NewSocket(const addrinfo& address) {
+  return Socket(socket(address.ai_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
+}
+
+void Set(const Socket& socket, int level, int option) {
+  const int on = 1;
+  setsockopt(socket.descriptor(), level, option, &on, sizeof(on));
+}
+
+/// 0, or why the connection did not come about.
+int WaitUntilConnected(const Socket& socket, std::chrono::steady_clock::time_point deadline) {
+  while (true) {
+    const auto left =
+        std::chrono::ceil<std::chrono::milliseconds>(deadline - std::chrono::steady_clock::now());
+    if (left.count() <= 0) return ETIMEDOUT;
+    pollfd wait{socket.descriptor(), POLLOUT, 0};
+    const int ready = poll(&wait, 1, static_cast<int>(left.count()));
+    if (ready < 0 && errno == EINTR) continue;
+    if (ready <= 0) return ready == 0 ? ETIMEDOUT : errno;
+    int failure = 0;
+    socklen_t size = sizeof(failure);
+    getsockopt(socket.descriptor(), SOL_SOCKET, SO_ERROR, &failure, &size);
+    return failure;
+  }
+}
+
+template <typename Query>
+std::string AddressOf(const Socket& socket, Query query) {
+  sockaddr_storage address{};
+  socklen_t size = sizeof(address);
+  std::array<char, NI_MAXHOST> host{};
+  std::array<char, NI_MAXSERV> port{};
+  auto* const raw = reinterpret_cast<sockaddr*>(&address);
+  if (query(socket.descriptor(), raw, &size) != 0 ||
+      getnameinfo(raw, size, host.data(), host.size(), port.data(), port.size(),
+                  NI_NUMERICHOST | NI_NUMERICSERV) != 0) {
+    return "unknown";
+  }
+  const std::string text = host.data();
+  return (address.ss_family == AF_INET6 ? "[" + text + "]:" : text + ":") + port.data();
+}
+
+/// The kernel's number of the socket that listens at `port`, as text.
+std::optional<std::string> InodeOfListener(const char* table, std::uint16_t port) {
+  constexpr int kHex = 16;
+  std::ifstream lines(table);
+  std::string line;
+  while (std::getline(lines, line)) {
+    std::istringstream words(line);
+    std::string skipped;
+    std::string local;
+    std::string state;
+    std::string inode;
+    words >> skipped >> local >> skipped >> state;
+    for (int i = 0; i < 6; ++i) words >> inode;
+    const auto colon = local.rfind(':');
+    if (state != "0A" || colon == local.npos) continue;  // 0A: listening
+    unsigned number = 0;
+    std::from_chars(local.data() + colon + 1, local.data() + local.size(), number, kHex);
+    if (number == port) return inode;
+  }
+  return std::nullopt;
+}
+
+bool HoldsSocket(const fs::path& process, const std::string& inode) {
+  std::error_code ignored;
+  const std::string link = "socket:[" + inode + "]";
+  for (fs::directory_iterator file(process / "fd", ignored), end; file != end;
+       file.increment(ignored)) {
+    if (fs::read_symlink(*file, ignored).native() == link) return true;
+  }
+  return false;
+}
+
+/// "pid 812 (gcm)"
+std::string ListenerAt(std::uint16_t port) {
+  auto inode = InodeOfListener("/proc/net/tcp", port);
+  if (!inode) inode = InodeOfListener("/proc/net/tcp6", port);
+  std::error_code ignored;
+  for (fs::directory_iterator process("/proc", ignored), end; inode && process != end;
+       process.increment(ignored)) {
+    const std::string pid = process->path().filename();
+    if (pid.find_first_not_of("0123456789") != pid.npos) continue;
+    if (!HoldsSocket(process->path(), *inode)) continue;
+    std::string program;
+    std::getline(std::ifstream(process->path() / "comm"), program);
+    return "pid " + pid + " (" + program + ")";
+  }
+  return "another program";
+}
+
+}  // namespace
+
+Socket::Socket(Socket&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
+
+Socket& Socket::operator=(Socket&& other) noexcept {
+  std::swap(descriptor_, other.descriptor_);
+  return *this;
+}
+
+Socket::~Socket() {
+  if (descriptor_ >= 0) close(descriptor_);
+}
+
+Result<Socket> ListenAt(const std::string& host, std::uint16_t port) {
+  const auto addresses = Resolve(host, port);
+  if (!addresses) return addresses.error();
+  const addrinfo& address = **addresses;
+  Socket socket = NewSocket(address);
+  Set(socket, SOL_SOCKET, SO_REUSEADDR);
+  if (bind(socket.descriptor(), address.ai_addr, address.ai_addrlen) != 0 ||
+      listen(socket.descriptor(), SOMAXCONN) != 0) {
+    if (errno == EADDRINUSE) return AddressInUse(host, port);
+    return Error{ErrorCode::kDenied, "cannot listen at " + Name(host, port) + ": " + TextOf(errno)};
+  }
+  return socket;
+}
+
+Result<Socket> ConnectTo(const std::string& host, std::uint16_t port,
+                         std::chrono::milliseconds timeout) {
+  const auto deadline = std::chrono::steady_clock::now() + timeout;
+  const auto addresses = Resolve(host, port);
+  if (!addresses) return addresses.error();
+  int failure = 0;
+  for (const addrinfo* address = addresses->get(); address != nullptr; address = address->ai_next) {
+    Socket socket = NewSocket(*address);
+    const bool is_ready = socket.descriptor() >= 0 &&
+                          connect(socket.descriptor(), address->ai_addr, address->ai_addrlen) == 0;
+    failure = is_ready ? 0 : errno;
+    if (failure == EINPROGRESS) failure = WaitUntilConnected(socket, deadline);
+    // A connection from a free port to the same port finds itself.
+    if (failure == 0 && LocalAddress(socket) == PeerAddress(socket)) failure = ECONNREFUSED;
+    if (failure != 0) continue;
+    Set(socket, IPPROTO_TCP, TCP_NODELAY);
+    return socket;
+  }
+  if (failure == ETIMEDOUT) {
+    return Error{ErrorCode::kTimeout, "no answer from " + Name(host, port) + " within " +
+                                          std::to_string(timeout.count()) + " ms"};
+  }
+  return Error{ErrorCode::kUnreachable,
+               "nobody answers at " + Name(host, port) + " (" + TextOf(failure) + ")"};
+}
+
+Accepted Accept(const Socket& listening, Socket& connection) {
+  while (true) {
+    Socket socket(accept4(listening.descriptor(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
+    if (socket.descriptor() >= 0) {
+      Set(socket, IPPROTO_TCP, TCP_NODELAY);
+      connection = std::move(socket);
+      return Accepted::kOne;
+    }
+    if (errno == EAGAIN) return Accepted::kWouldBlock;
+    if (errno != EINTR && errno != ECONNABORTED) return Accepted::kFailed;
+  }
+}
+
+std::optional<std::size_t> SendSome(const Socket& socket, std::span<const std::byte> bytes) {
+  while (true) {
+    const ssize_t sent = send(socket.descriptor(), bytes.data(), bytes.size(), MSG_NOSIGNAL);
+    if (sent >= 0) return static_cast<std::size_t>(sent);
+    if (errno == EAGAIN) return 0;
+    if (errno != EINTR) return std::nullopt;
+  }
+}
+
+std::optional<std::span<const std::byte>> ReceiveSome(const Socket& socket,
+                                                      std::span<std::byte> buffer) {
+  while (true) {
+    const ssize_t size = recv(socket.descriptor(), buffer.data(), buffer.size(), 0);
+    if (size > 0) return buffer.first(static_cast<std::size_t>(size));
+    if (size == 0) return std::nullopt;
+    if (errno == EAGAIN) return std::span<const std::byte>();
+    if (errno != EINTR) return std::nullopt;
+  }
+}
+
+void ShutDownSending(const Socket& socket) { shutdown(socket.descriptor(), SHUT_WR); }
+
+std::string LocalAddress(const Socket& socket) { return AddressOf(socket, getsockname); }
+
+std::string PeerAddress(const Socket& socket) { return AddressOf(socket, getpeername); }
+
+Error AddressInUse(const std::string& host, std::uint16_t port) {
+  return {ErrorCode::kExists, Name(host, port) + " is in use by " + ListenerAt(port)};
+}
+
+}  // namespace tendon::os

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <tendon/base/result.h>
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+
+namespace tendon::os {
+
+/// Owns one descriptor of a stream socket over TCP; never blocks and is not inherited by child
+/// processes.
+class Socket {
+ public:
+  Socket() = default;
+  explicit Socket(int descriptor) : descriptor_(descriptor) {}
+  Socket(Socket&& other) noexcept;
+  Socket& operator=(Socket&& other) noexcept;
+  Socket(const Socket&) = delete;
+  Socket& operator=(const Socket&) = delete;
+  ~Socket();
+
+  [[nodiscard]] int descriptor() const { return descriptor_; }
+
+ private:
+  int descriptor_ = -1;
+};
+
+/// Listens at a host (a name or a number) and port, where 0 is any. Errors: kExists with the holder
+/// of the port, kUnreachable for an unknown host, kDenied.
+Result<Socket> ListenAt(const std::string& host, std::uint16_t port);
+
+/// Blocks for at most `timeout`, but for asking for a host's name. Errors: kUnreachable, kTimeout.
+Result<Socket> ConnectTo(const std::string& host, std::uint16_t port,
+                         std::chrono::milliseconds timeout);
+
+/// The next connection that waits at a listening socket. kWouldBlock: none; kFailed: out of
+/// descriptors or memory.
+enum class Accepted { kOne, kWouldBlock, kFailed };
+Accepted Accept(const Socket& listening, Socket& connection);
+
+/// Sends what can be sent without waiting: the number of bytes, or nothing when the connection is
+/// broken.
+std::optional<std::size_t> SendSome(const Socket& socket, std::span<const std::byte> bytes);
+
+/// Receives what is there: its part of `buffer`, which is empty when nothing is, or nothing when
+/// the connection has ended.
+std::optional<std::span<const std::byte>> ReceiveSome(const Socket& socket,
+                                                      std::span<std::byte> buffer);
+
+/// Tells the peer that nothing more will come.
+void ShutDownSending(const Socket& socket);
+
+/// As numbers, with brackets around IPv6; "unknown" where the kernel does not know any more.
+[[nodiscard]] std::string LocalAddress(const Socket& socket);
+[[nodiscard]] std::string PeerAddress(const Socket& socket);
+
+/// An error of code kExists: "127.0.0.1:10705 is in use by pid 812 (gcm)", or "by another program"
+/// where /proc does not show whom.
+[[nodiscard]] Error AddressInUse(const std::string& host, std::uint16_t port);
+
+}  // namespace tendon::os

@@ -1,0 +1,99 @@
+#include <gtest/gtest.h>
+#include <tendon/base/name.h>
+#include <tendon/base/path.h>
+
+#include <vector>
+
+namespace {
+
+using tendon::CheckName;
+using tendon::MatchesGlob;
+using tendon::ParseInterfaceName;
+using tendon::ParsePath;
+
+std::string Refusal(const std::string& name) {
+  const auto checked = CheckName("component", name);
+  return checked ? "allowed" : checked.error().message;
+}
+
+TEST(Name, ARefusalSaysWhatWhereAndWhatIsAllowed) {
+  EXPECT_EQ(Refusal("arm_2-left"), "allowed");
+  EXPECT_EQ(Refusal(""), "component name is empty");
+  EXPECT_EQ(Refusal("a b"),
+            "component name 'a b' has ' ' at 2; allowed: letters digits _ - (max 64)");
+  EXPECT_EQ(Refusal("a/b"),
+            "component name 'a/b' has '/' at 2; allowed: letters digits _ - (max 64)");
+  EXPECT_EQ(Refusal("a\x1b[2J"),
+            "component name 'a\\x1b[2J' has '\\x1b' at 2; allowed: letters digits _ - (max 64)");
+  EXPECT_EQ(Refusal(std::string(300, 'x')),
+            "component name 'xxxxxxxxxxxxxxxxxxxx...' has 300 "
+            "characters; allowed: letters digits _ - (max 64)");
+}
+
+TEST(Name, TheNearestIsSuggestedWhenItIsNear) {
+  const std::vector<std::string> known = {"arm", "camera", "teleoperation"};
+
+  EXPECT_EQ(tendon::DidYouMean("arn", known), "; did you mean 'arm'?");
+  EXPECT_EQ(tendon::DidYouMean("telopertaion", known), "; did you mean 'teleoperation'?");
+  EXPECT_EQ(tendon::DidYouMean("gripper", known), "");
+}
+
+TEST(InterfaceName, IsReadAndWritten) {
+  const auto name = ParseInterfaceName("robot/arm/Control");
+
+  ASSERT_TRUE(name.ok());
+  EXPECT_EQ(*name, tendon::InterfaceName("robot", "arm", "Control"));
+  EXPECT_EQ(ToString(*name), "robot/arm/Control");
+  EXPECT_EQ(ToString(tendon::InterfaceName("arm", "Control")), "arm/Control");
+}
+
+TEST(InterfaceName, OfAnotherShapeIsRefused) {
+  for (const char* text : {"", "robot", "robot/arm", "robot/arm/Control/x", "robot//Control"}) {
+    EXPECT_FALSE(ParseInterfaceName(text).ok()) << text;
+  }
+}
+
+TEST(Path, AllPartsAreRead) {
+  const auto path = ParsePath("robot/arm/state.Joints.position[0]");
+
+  ASSERT_TRUE(path.ok());
+  EXPECT_EQ(path->process, "robot");
+  EXPECT_EQ(path->component, "arm");
+  EXPECT_EQ(path->interface, "state");
+  EXPECT_EQ(path->member, "Joints");
+  EXPECT_EQ(path->field, ".position[0]");
+  EXPECT_EQ(ToString(*path), "robot/arm/state.Joints.position[0]");
+}
+
+TEST(Path, LaterPartsMayBeMissing) {
+  for (const char* text : {"robot", "robot/arm", "robot/arm/state", "robot/arm/state.Joints"}) {
+    const auto path = ParsePath(text);
+    ASSERT_TRUE(path.ok()) << text;
+    EXPECT_EQ(ToString(*path), text);
+  }
+}
+
+TEST(Path, MistakesAreNamed) {
+  EXPECT_FALSE(ParsePath("").ok());
+  EXPECT_FALSE(ParsePath("ro bot/arm").ok());
+  const auto path = ParsePath("robot/arm/state.");
+  ASSERT_FALSE(path.ok());
+  EXPECT_EQ(path.error().message,
+            "'robot/arm/state.' is no path: nothing follows the '.'; expected "
+            "process/component/interface.member");
+}
+
+TEST(Glob, OneStarStaysWithinAName) {
+  EXPECT_TRUE(MatchesGlob("robot/*/state", "robot/arm/state"));
+  EXPECT_FALSE(MatchesGlob("robot/*", "robot/arm/state"));
+  EXPECT_FALSE(MatchesGlob("*/arm", "robot/leg"));
+  EXPECT_TRUE(MatchesGlob("a*m", "arm"));
+}
+
+TEST(Glob, TwoStarsCrossNames) {
+  EXPECT_TRUE(MatchesGlob("**.position*", "robot/arm/state.position[0]"));
+  EXPECT_TRUE(MatchesGlob("**", ""));
+  EXPECT_FALSE(MatchesGlob("**x", "robot/arm"));
+}
+
+}  // namespace
