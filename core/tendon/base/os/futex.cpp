@@ -20,6 +20,10 @@ const std::uint32_t* Address(const std::atomic<std::uint32_t>& word) {
   return reinterpret_cast<const std::uint32_t*>(&word);
 }
 
+/// When the library is loaded: with several threads running it takes 10 ms.
+const bool kBarrierRegistered =
+    syscall(SYS_membarrier, MEMBARRIER_CMD_REGISTER_PRIVATE_EXPEDITED, 0, 0) == 0;
+
 }  // namespace
 
 void FutexWait(const std::atomic<std::uint32_t>& word, std::uint32_t expected,
@@ -33,9 +37,7 @@ void FutexWake(const std::atomic<std::uint32_t>& word) noexcept {
 }
 
 void ProcessBarrier() noexcept {
-  static const bool kRegistered =
-      syscall(SYS_membarrier, MEMBARRIER_CMD_REGISTER_PRIVATE_EXPEDITED, 0, 0) == 0;
-  if (!kRegistered || syscall(SYS_membarrier, MEMBARRIER_CMD_PRIVATE_EXPEDITED, 0, 0) != 0) {
+  if (!kBarrierRegistered || syscall(SYS_membarrier, MEMBARRIER_CMD_PRIVATE_EXPEDITED, 0, 0) != 0) {
     std::atomic_thread_fence(std::memory_order_seq_cst);
   }
 }

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <tendon/payload/cdr.h>
+#include <tendon/payload/schema.h>
+
+#include <cstddef>
+#include <cstdint>
+
+/// Reading a body by its schema. Bounded like Decode(): recursion by the depth of the schema, loops
+/// by the bytes that are there.
+namespace tendon::payload {
+
+/// Calls `visit(zero)` with a zero of the C++ type of a number, and returns what it returns.
+template <typename Visitor>
+auto WithNumber(Schema::Kind kind, Visitor&& visit) {
+  switch (kind) {
+    case Schema::Kind::kBool:
+      return visit(false);
+    case Schema::Kind::kInt8:
+      return visit(std::int8_t{0});
+    case Schema::Kind::kUint8:
+      return visit(std::uint8_t{0});
+    case Schema::Kind::kInt16:
+      return visit(std::int16_t{0});
+    case Schema::Kind::kUint16:
+      return visit(std::uint16_t{0});
+    case Schema::Kind::kUint32:
+      return visit(std::uint32_t{0});
+    case Schema::Kind::kInt64:
+      return visit(std::int64_t{0});
+    case Schema::Kind::kUint64:
+      return visit(std::uint64_t{0});
+    case Schema::Kind::kFloat32:
+      return visit(float{0});
+    case Schema::Kind::kFloat64:
+      return visit(double{0});
+    default:
+      return visit(std::int32_t{0});  // enums too
+  }
+}
+
+[[nodiscard]] inline bool ReadDuration(CdrReader& reader, CdrDuration& duration) {
+  return reader.Read(duration.sec) && reader.Read(duration.nanosec) &&
+         duration.nanosec < 1'000'000'000;
+}
+
+/// Steps over `count` values in a row.
+[[nodiscard]] bool SkipValues(const Schema& schema, std::size_t count, CdrReader& reader);
+
+/// Reads the number of elements of an array or a sequence; that of an array is not in the body.
+[[nodiscard]] inline bool ReadElementCount(const Schema& list, CdrReader& reader,
+                                           std::uint32_t& count) {
+  if (list.kind() == Schema::Kind::kSequence) {
+    return reader.ReadLength(count, list.element().minimum_size());
+  }
+  count = list.length();
+  return true;
+}
+
+}  // namespace tendon::payload

@@ -1,0 +1,143 @@
+#pragma once
+
+#include <tendon/base/error.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <tuple>
+
+namespace tendon {
+
+/// The primary template of kPayload: nothing is known about the type.
+struct NotDescribed {};
+
+/// Describes a user's type once, beside the type; codec, fingerprint, schema, plot channels and
+/// JSON follow from it. Specialise it with Describe(...) or DescribeEnum(...).
+template <typename T>
+inline constexpr auto kPayload = NotDescribed{};
+
+/// One named member of a structure. `unit` is part of the type: rad does not connect to deg.
+template <typename Owner, typename Member>
+struct Field {
+  using Type = Member;
+
+  std::string_view name;
+  Member Owner::*member;
+  std::string_view unit = {};
+};
+template <typename Owner, typename Member>
+Field(std::string_view, Member Owner::*, std::string_view = {}) -> Field<Owner, Member>;
+
+/// A structure: its name on the network and its fields, in wire order.
+template <typename... Fields>
+struct Description {
+  std::string_view name;
+  std::tuple<Fields...> fields;
+};
+
+/// One named value of an enum.
+template <typename Enum>
+struct Enumerator {
+  std::string_view name;
+  Enum value;
+};
+template <typename Enum>
+Enumerator(std::string_view, Enum) -> Enumerator<Enum>;
+
+/// An enum: its name on the network and the only values it may take.
+template <typename Enum, std::size_t kCount>
+struct EnumDescription {
+  std::string_view name;
+  std::array<Enumerator<Enum>, kCount> enumerators;
+};
+
+namespace payload {
+
+constexpr std::size_t kMaxTypeName = 128;
+constexpr std::size_t kMaxFieldName = 64;
+constexpr std::size_t kMaxUnit = 32;
+
+constexpr bool IsLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+constexpr bool IsDigit(char c) { return c >= '0' && c <= '9'; }
+
+/// Letters, digits and '_', beginning with no digit: fields and enumerators.
+constexpr bool IsIdentifier(std::string_view name) {
+  if (name.empty() || name.size() > kMaxFieldName || IsDigit(name.front())) return false;
+  return std::ranges::all_of(name, [](char c) { return IsLetter(c) || IsDigit(c) || c == '_'; });
+}
+
+/// Identifiers joined by dots, as in "arm.JointState".
+constexpr bool IsTypeName(std::string_view name) {
+  if (name.size() > kMaxTypeName) return false;
+  for (auto dot = name.find('.'); dot != std::string_view::npos; dot = name.find('.')) {
+    if (!IsIdentifier(name.substr(0, dot))) return false;
+    name.remove_prefix(dot + 1);
+  }
+  return IsIdentifier(name);
+}
+
+/// Any printable text without spaces at its ends; it may be empty.
+constexpr bool IsUnit(std::string_view unit) {
+  if (unit.size() > kMaxUnit) return false;
+  const auto printable = [](char c) { return static_cast<unsigned char>(c) >= ' ' && c != '\x7f'; };
+  if (!std::ranges::all_of(unit, printable)) return false;
+  return unit.empty() || (unit.front() != ' ' && unit.back() != ' ');
+}
+
+template <std::size_t kCount>
+constexpr bool AreDistinct(const std::array<std::string_view, kCount>& names) {
+  for (std::size_t i = 0; i < kCount; ++i) {
+    for (std::size_t j = i + 1; j < kCount; ++j) {
+      if (names[i] == names[j]) return false;
+    }
+  }
+  return true;
+}
+
+template <typename Enum>
+constexpr bool FitsInt32(Enum value) {
+  return static_cast<Enum>(static_cast<std::int32_t>(value)) == value;
+}
+
+}  // namespace payload
+
+/// Describes a structure. A mistake in it does not compile.
+template <typename... Owner, typename... Member>
+consteval auto Describe(std::string_view name, Field<Owner, Member>... fields) {
+  if (!payload::IsTypeName(name)) throw ConfigurationError("a type is named like arm.JointState");
+  if (!(payload::IsIdentifier(fields.name) && ...)) {
+    throw ConfigurationError("a field's name has letters, digits and '_' only");
+  }
+  if (!(payload::IsUnit(fields.unit) && ...)) {
+    throw ConfigurationError("a unit is a short printable text");
+  }
+  if (!payload::AreDistinct(std::array<std::string_view, sizeof...(fields)>{fields.name...})) {
+    throw ConfigurationError("two fields have one name");
+  }
+  return Description<Field<Owner, Member>...>{name, {fields...}};
+}
+
+/// Describes an enum. On the wire it is an int32; a value without a name does not decode.
+template <typename Enum, typename... More>
+consteval auto DescribeEnum(std::string_view name, Enumerator<Enum> first, More... more) {
+  using All = std::array<Enumerator<Enum>, 1 + sizeof...(more)>;
+  if (!payload::IsTypeName(name)) throw ConfigurationError("a type is named like arm.Mode");
+  const EnumDescription<Enum, 1 + sizeof...(more)> description{name, All{first, more...}};
+  for (std::size_t i = 0; i < description.enumerators.size(); ++i) {
+    const auto& one = description.enumerators[i];
+    if (!payload::IsIdentifier(one.name)) throw ConfigurationError("an enumerator's name is bad");
+    if (!payload::FitsInt32(one.value)) throw ConfigurationError("an enumerator exceeds int32");
+    for (std::size_t j = 0; j < i; ++j) {
+      const auto& other = description.enumerators[j];
+      if (one.name == other.name || one.value == other.value) {
+        throw ConfigurationError("two enumerators have one name or one value");
+      }
+    }
+  }
+  return description;
+}
+
+}  // namespace tendon

@@ -1,0 +1,193 @@
+#pragma once
+
+#include <tendon/payload/codec.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+/// Eigen types as payloads; link tendon::eigen. Decoding allocates only where a dynamic size
+/// changes. A default-constructed Eigen object holds whatever was in memory.
+///
+///     Vector of fixed size     float64[6]
+///     Matrix of fixed size     float64[cols][rows]: rows one after the other, as one writes it
+///     Vector of dynamic size   float64[]
+///     Matrix of dynamic size   struct tendon.MatrixFloat64: rows, cols, data row after row
+///     Quaterniond, Isometry3d  geometry_msgs.Quaternion (x y z w), geometry_msgs.Transform
+namespace tendon {
+
+namespace payload {
+
+template <int kRows, int kCols>
+concept FixedVector = (kRows == 1 && kCols > 0) || (kCols == 1 && kRows > 0);
+template <int kRows, int kCols>
+concept FixedMatrix = kRows >
+1 && kCols > 1;
+template <int kRows, int kCols>
+concept DynamicVector = (kRows == 1 && kCols == Eigen::Dynamic) ||
+                        (kCols == 1 && kRows == Eigen::Dynamic);
+template <int kRows, int kCols>
+concept DynamicMatrix = (kRows == Eigen::Dynamic && kCols != 1) ||
+                        (kCols == Eigen::Dynamic && kRows != 1);
+
+template <typename Scalar, int kRows, int kCols, int kOptions>
+requires FixedVector<kRows, kCols>
+struct ArrayTraits<Eigen::Matrix<Scalar, kRows, kCols, kOptions>> {
+  using Element = Scalar;
+  static constexpr std::size_t kLength = kRows * kCols;
+};
+
+template <typename Scalar, int kRows, int kCols, int kOptions>
+requires DynamicVector<kRows, kCols>
+struct SequenceTraits<Eigen::Matrix<Scalar, kRows, kCols, kOptions>> {
+  using Element = Scalar;
+};
+
+template <typename Scalar, int kRows, int kCols, int kOptions>
+requires FixedMatrix<kRows, kCols>
+struct SubstituteFor<Eigen::Matrix<Scalar, kRows, kCols, kOptions>> {
+  using Matrix = Eigen::Matrix<Scalar, kRows, kCols, kOptions>;
+  using RowMajor = Eigen::Matrix<Scalar, kRows, kCols, Eigen::RowMajor>;
+  using Type = std::array<std::array<Scalar, kCols>, kRows>;
+
+  static Type From(const Matrix& matrix) {
+    Type rows;
+    Eigen::Map<RowMajor>(rows.front().data()) = matrix;
+    return rows;
+  }
+  static bool Into(const Type& rows, Matrix& matrix) {
+    matrix = Eigen::Map<const RowMajor>(rows.front().data());
+    return true;
+  }
+};
+
+/// The type on the wire of a matrix of dynamic size.
+template <typename Scalar>
+struct MatrixOnWire {
+  std::uint32_t rows = 0;
+  std::uint32_t cols = 0;
+  std::vector<Scalar> data;
+};
+
+template <typename Scalar, int kRows, int kCols, int kOptions>
+requires DynamicMatrix<kRows, kCols>
+struct SubstituteFor<Eigen::Matrix<Scalar, kRows, kCols, kOptions>> {
+  using Matrix = Eigen::Matrix<Scalar, kRows, kCols, kOptions>;
+  using Type = MatrixOnWire<Scalar>;
+
+  static std::size_t EndOf(const Matrix& matrix, std::size_t start) {
+    const std::size_t data = AlignUp(start, 4) + 12;
+    if (matrix.size() == 0) return data;
+    return AlignUp(data, sizeof(Scalar)) + static_cast<std::size_t>(matrix.size()) * sizeof(Scalar);
+  }
+
+  static void Write(CdrWriter& writer, const Matrix& matrix) {
+    writer.Write(static_cast<std::uint32_t>(matrix.rows()));
+    writer.Write(static_cast<std::uint32_t>(matrix.cols()));
+    writer.Write(static_cast<std::uint32_t>(matrix.size()));
+    if (matrix.size() == 0) return;
+    for (Eigen::Index row = 0; row < matrix.rows(); ++row) {
+      for (Eigen::Index col = 0; col < matrix.cols(); ++col) writer.Write(matrix(row, col));
+    }
+  }
+
+  static bool Read(CdrReader& reader, Matrix& matrix) {
+    std::uint32_t rows = 0;
+    std::uint32_t cols = 0;
+    std::uint32_t size = 0;
+    if (!reader.Read(rows) || !reader.Read(cols) || !reader.ReadLength(size, sizeof(Scalar))) {
+      return false;
+    }
+    if (std::uint64_t{rows} * cols != size) return false;
+    if (kRows != Eigen::Dynamic && kRows != Eigen::Index{rows}) return false;
+    if (kCols != Eigen::Dynamic && kCols != Eigen::Index{cols}) return false;
+    matrix.resize(rows, cols);
+    if (size == 0) return true;
+    for (Eigen::Index row = 0; row < matrix.rows(); ++row) {
+      for (Eigen::Index col = 0; col < matrix.cols(); ++col) {
+        if (!reader.Read(matrix(row, col))) return false;
+      }
+    }
+    return true;
+  }
+};
+
+struct Vector3OnWire {
+  double x = 0;
+  double y = 0;
+  double z = 0;
+};
+
+struct QuaternionOnWire {
+  double x = 0;
+  double y = 0;
+  double z = 0;
+  double w = 1;
+};
+
+struct TransformOnWire {
+  Vector3OnWire translation;
+  QuaternionOnWire rotation;
+};
+
+template <>
+struct SubstituteFor<Eigen::Quaterniond> {
+  using Type = QuaternionOnWire;
+
+  static Type From(const Eigen::Quaterniond& q) { return {q.x(), q.y(), q.z(), q.w()}; }
+  static bool Into(const Type& wire, Eigen::Quaterniond& quaternion) {
+    quaternion = Eigen::Quaterniond(wire.w, wire.x, wire.y, wire.z);
+    return true;
+  }
+};
+
+template <>
+struct SubstituteFor<Eigen::Isometry3d> {
+  using Type = TransformOnWire;
+
+  static Type From(const Eigen::Isometry3d& isometry) {
+    const auto place = isometry.translation();
+    return {{place.x(), place.y(), place.z()},
+            SubstituteFor<Eigen::Quaterniond>::From(Eigen::Quaterniond(isometry.linear()))};
+  }
+  /// Normalises the rotation; refuses the quaternion of zeros, which is none.
+  static bool Into(const Type& wire, Eigen::Isometry3d& isometry) {
+    Eigen::Quaterniond rotation;
+    SubstituteFor<Eigen::Quaterniond>::Into(wire.rotation, rotation);
+    if (rotation.squaredNorm() == 0) return false;
+    isometry = Eigen::Translation3d(wire.translation.x, wire.translation.y, wire.translation.z) *
+               rotation.normalized();
+    return true;
+  }
+};
+
+}  // namespace payload
+
+template <>
+inline constexpr auto kPayload<payload::MatrixOnWire<double>> =
+    Describe("tendon.MatrixFloat64", Field{"rows", &payload::MatrixOnWire<double>::rows},
+             Field{"cols", &payload::MatrixOnWire<double>::cols},
+             Field{"data", &payload::MatrixOnWire<double>::data});
+template <>
+inline constexpr auto kPayload<payload::MatrixOnWire<float>> =
+    Describe("tendon.MatrixFloat32", Field{"rows", &payload::MatrixOnWire<float>::rows},
+             Field{"cols", &payload::MatrixOnWire<float>::cols},
+             Field{"data", &payload::MatrixOnWire<float>::data});
+template <>
+inline constexpr auto kPayload<payload::Vector3OnWire> =
+    Describe("geometry_msgs.Vector3", Field{"x", &payload::Vector3OnWire::x},
+             Field{"y", &payload::Vector3OnWire::y}, Field{"z", &payload::Vector3OnWire::z});
+template <>
+inline constexpr auto kPayload<payload::QuaternionOnWire> =
+    Describe("geometry_msgs.Quaternion", Field{"x", &payload::QuaternionOnWire::x},
+             Field{"y", &payload::QuaternionOnWire::y}, Field{"z", &payload::QuaternionOnWire::z},
+             Field{"w", &payload::QuaternionOnWire::w});
+template <>
+inline constexpr auto kPayload<payload::TransformOnWire> = Describe(
+    "geometry_msgs.Transform", Field{"translation", &payload::TransformOnWire::translation},
+    Field{"rotation", &payload::TransformOnWire::rotation});
+
+}  // namespace tendon

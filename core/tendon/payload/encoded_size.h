@@ -1,0 +1,112 @@
+#pragma once
+
+#include <tendon/payload/cdr.h>
+#include <tendon/payload/payload.h>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace tendon {
+
+namespace payload {
+
+/// Where a value of a fixed type ends that begins (before alignment) at `start`.
+template <typename T>
+constexpr std::size_t EndOf(std::size_t start) {
+  if constexpr (IsPlain<T>()) {
+    return AlignUp(start, PlainAlignment<T>()) + sizeof(T);
+  } else if constexpr (Number<T>) {
+    return start + sizeof(T);  // bool
+  } else if constexpr (Enum<T>) {
+    return AlignUp(start, 4) + 4;
+  } else if constexpr (TimeSpan<T>) {
+    return AlignUp(start, 4) + 8;
+  } else if constexpr (Array<T>) {
+    for (std::size_t i = 0; i < ArrayTraits<T>::kLength; ++i) start = EndOf<ElementOf<T>>(start);
+    return start;
+  } else if constexpr (Substituted<T>) {
+    return EndOf<SubstituteOf<T>>(start);
+  } else {
+    return WithFields<T>([&](const auto&... field) {
+      if constexpr (sizeof...(field) == 0) return start + 1;
+      ((start = EndOf<TypeOf<decltype(field)>>(start)), ...);
+      return start;
+    });
+  }
+}
+
+/// The same for a value of any type.
+template <typename T>
+std::size_t EndOf(const T& value, std::size_t start) {
+  if constexpr (IsFixed<T>()) {
+    return EndOf<T>(start);
+  } else if constexpr (Text<T>) {
+    return AlignUp(start, 4) + 4 + value.size() + 1;
+  } else if constexpr (Array<T>) {
+    for (std::size_t i = 0; i < ArrayTraits<T>::kLength; ++i) start = EndOf(value.data()[i], start);
+    return start;
+  } else if constexpr (Sequence<T>) {
+    using Item = ItemOf<T>;
+    const auto length = static_cast<std::size_t>(value.size());
+    start = AlignUp(start, 4) + 4;
+    if (length == 0) return start;
+    if constexpr (IsPlain<Item>()) {
+      return AlignUp(start, PlainAlignment<Item>()) + length * sizeof(Item);
+    } else {
+      if constexpr (IsFixed<Item>()) {
+        // From the second item on, each begins where it would in a body of its own.
+        if (EndOf<Item>(0) % kMaxAlignment == 0) {
+          return EndOf<Item>(start) + (length - 1) * EndOf<Item>(0);
+        }
+      }
+      for (const Item& item : value) start = EndOf(item, start);
+      return start;
+    }
+  } else if constexpr (SelfWritten<T>) {
+    return SubstituteFor<T>::EndOf(value, start);
+  } else if constexpr (Substituted<T>) {
+    return EndOf(SubstituteFor<T>::From(value), start);
+  } else {
+    return WithFields<T>([&](const auto&... field) {
+      ((start = EndOf(value.*field.member, start)), ...);
+      return start;
+    });
+  }
+}
+
+/// The fewest bytes a value can take; at least 1.
+template <typename T>
+consteval std::size_t MinimumSize() {
+  if constexpr (Number<T>) {
+    return sizeof(T);
+  } else if constexpr (Array<T>) {
+    return ArrayTraits<T>::kLength * MinimumSize<ElementOf<T>>();
+  } else if constexpr (Substituted<T>) {
+    return MinimumSize<SubstituteOf<T>>();
+  } else if constexpr (Structure<T>) {
+    return WithFields<T>([](const auto&... field) {
+      const std::size_t sum = (std::size_t{0} + ... + MinimumSize<TypeOf<decltype(field)>>());
+      return sum == 0 ? 1 : sum;
+    });
+  } else {
+    return Enum<T> || Sequence<T> ? 4 : Text<T> ? 5 : 8;  // 8: a time span
+  }
+}
+
+}  // namespace payload
+
+/// Bytes of any value of a fixed type on the wire. A multiple of nothing in particular.
+template <FixedPayload T>
+inline constexpr std::size_t kEncodedSize = payload::EndOf<T>(0);
+
+/// Bytes of `value` on the wire. Walks strings and sequences; constant for a fixed type.
+template <Payload T>
+[[nodiscard]] std::size_t EncodedSize(const T& value) {
+  if constexpr (FixedPayload<T>) {
+    return kEncodedSize<T>;
+  } else {
+    return payload::EndOf(value, 0);
+  }
+}
+
+}  // namespace tendon

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <tendon/payload/payload.h>
+#include <tendon/payload/schema.h>
+
+#include <compare>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace tendon {
+
+/// Identifies a payload's type between processes: XXH3, 128 bits, of its canonical schema text.
+struct Fingerprint {
+  std::uint64_t high = 0;
+  std::uint64_t low = 0;
+
+  auto operator<=>(const Fingerprint&) const = default;
+};
+template <>
+inline constexpr auto kPayload<Fingerprint> = Describe("tendon.Fingerprint",
+                                                       Field{"high", &Fingerprint::high},
+                                                       Field{"low", &Fingerprint::low});
+
+/// 32 hexadecimal digits.
+[[nodiscard]] std::string ToString(Fingerprint fingerprint);
+
+[[nodiscard]] Fingerprint FingerprintOf(std::string_view canonical_schema_text);
+
+namespace payload {
+/// Returns its fingerprint; FindSchema() finds it from now on.
+Fingerprint Remember(const Schema& schema);
+}  // namespace payload
+
+/// Computed at the first call. Thread-safe.
+template <Payload T>
+[[nodiscard]] const Fingerprint& FingerprintOf() {
+  static const Fingerprint fingerprint = payload::Remember(SchemaOf<T>());
+  return fingerprint;
+}
+
+/// The schema of any type whose FingerprintOf() this process has computed. Thread-safe.
+[[nodiscard]] std::optional<Schema> FindSchema(Fingerprint fingerprint);
+
+}  // namespace tendon

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <tendon/base/result.h>
+#include <tendon/payload/codec.h>
+#include <tendon/payload/schema.h>
+
+#include <cassert>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// JSON for people and scripts, made from a schema alone. A structure is an object with its fields
+/// in order, an enum the name of its value, a duration a number of seconds, None is null. Numbers
+/// have the shortest form that reads back the same; those which JSON lacks are "nan", "inf" and
+/// "-inf".
+namespace tendon {
+
+/// The error says what is wrong with the body. An enum's value without a name is shown as a number,
+/// so that a viewer shows what is there.
+[[nodiscard]] Result<std::string> ToJson(const Schema& schema, std::span<const std::byte> body);
+
+/// The body of a value. Every field must be there. The error names the place, what was expected
+/// and what was found: "goal.position[3]: expected a number (rad), got string 'x'".
+[[nodiscard]] Result<std::vector<std::byte>> FromJson(const Schema& schema,
+                                                      std::string_view json_text);
+
+template <Payload T>
+[[nodiscard]] std::string ToJson(const T& value) {
+  std::vector<std::byte> body;
+  Encode(value, body);
+  auto json = ToJson(SchemaOf<T>(), body);
+  assert(json);
+  return std::move(*json);
+}
+
+template <Payload T>
+[[nodiscard]] Result<T> FromJson(std::string_view json_text) {
+  const auto body = FromJson(SchemaOf<T>(), json_text);
+  if (!body) return body.error();
+  T value{};
+  if (!Decode(*body, value)) {
+    return Error{ErrorCode::kInvalid, SchemaOf<T>().TypeName() + " cannot hold this value"};
+  }
+  return value;
+}
+
+}  // namespace tendon

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <tendon/payload/payload.h>
+
+#include <cstdint>
+#include <memory>
+
+namespace tendon {
+
+/// How a payload lies in memory, as one number: size, alignment, the place of every field, and the
+/// library's binary interface. Two plug-ins whose type has one fingerprint and one layout may hand
+/// values over by pointer. 0 stands for "no layout": a proxy, which has only bytes.
+using Layout = std::uint64_t;
+
+namespace layout {
+
+inline constexpr Layout kNone = 0;
+
+constexpr Layout Mix(Layout hash, std::uint64_t value) {
+  constexpr std::uint64_t kPrime = 0x100000001b3;  // of FNV-1a
+  return (hash ^ value) * kPrime;
+}
+
+template <Payload T>
+Layout Of(Layout hash) {
+  hash = Mix(Mix(hash, sizeof(T)), alignof(T));
+  if constexpr (payload::Structure<T>) {
+    const auto probe = std::make_unique<T>();
+    const auto* base = reinterpret_cast<const std::byte*>(probe.get());
+    payload::WithFields<T>([&](const auto&... field) {
+      ((hash = Mix(hash, static_cast<std::uint64_t>(
+                             reinterpret_cast<const std::byte*>(&((*probe).*field.member)) - base)),
+        hash = Of<payload::TypeOf<decltype(field)>>(hash)),
+       ...);
+    });
+  } else if constexpr (payload::Array<T>) {
+    hash = Of<payload::ElementOf<T>>(hash);
+  } else if constexpr (payload::Sequence<T>) {
+    hash = Of<payload::ItemOf<T>>(hash);
+  }
+  return hash;
+}
+
+}  // namespace layout
+
+/// Computed once a type; allocates one T.
+template <Payload T>
+Layout LayoutOf() {
+  static const Layout kLayout = [] {
+    constexpr std::uint64_t kSeed = 0xcbf29ce484222325;  // of FNV-1a
+    const Layout seed = layout::Mix(layout::Mix(kSeed, __GXX_ABI_VERSION), _GLIBCXX_USE_CXX11_ABI);
+    return layout::Of<T>(seed) | 1U;  // never kNone
+  }();
+  return kLayout;
+}
+
+}  // namespace tendon

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <tendon/payload/description.h>
+#include <tendon/payload/traits.h>
+
+#include <concepts>
+#include <string_view>
+
+namespace tendon {
+
+/// Anything that can travel through a command, an event or a state table: bool, integers, float,
+/// double, enums, std::string, std::array, std::vector, std::chrono::duration and structures with
+/// a description, in any nesting. It has a default value and can be copied.
+template <typename T>
+concept Payload = std::same_as<T, std::remove_cvref_t<T>> &&
+    payload::IsPayload<T>() && std::semiregular<T>;
+
+/// A structure or an enum with a kPayload of its own.
+template <typename T>
+concept Described = !std::same_as<payload::DescriptionOf<T>, NotDescribed>;
+
+/// A payload of which every value takes the same number of bytes on the wire.
+template <typename T>
+concept FixedPayload = Payload<T> && payload::IsFixed<T>();
+
+/// Call it first in a template that takes a payload: one sentence instead of a failed constraint.
+template <typename T>
+consteval void RequirePayload() {
+  static_assert(Payload<T>, "T is not described: write kPayload<T> beside it");
+}
+
+/// Stands for no argument or no result. On the wire it is one zero byte, as in ROS 2.
+struct None {
+  bool operator==(const None&) const = default;
+};
+template <>
+inline constexpr auto kPayload<None> = Describe("tendon.None");
+
+/// The name of a described enum's value, or "?" when it has none.
+template <payload::NamedEnum T>
+[[nodiscard]] constexpr std::string_view NameOf(T value) {
+  for (const auto& enumerator : kPayload<T>.enumerators) {
+    if (enumerator.value == value) return enumerator.name;
+  }
+  return "?";
+}
+
+}  // namespace tendon

@@ -1,0 +1,198 @@
+#pragma once
+
+#include <tendon/base/result.h>
+#include <tendon/payload/encoded_size.h>
+#include <tendon/payload/payload.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+namespace tendon {
+
+struct Fingerprint;
+
+/// A payload's type at run time, for programs that were built without it. Immutable; a copy costs
+/// one reference count; may be shared between threads.
+class Schema {
+ public:
+  enum class Kind : std::int32_t {
+    kBool,
+    kInt8,
+    kUint8,
+    kInt16,
+    kUint16,
+    kInt32,
+    kUint32,
+    kInt64,
+    kUint64,
+    kFloat32,
+    kFloat64,
+    kString,
+    kDuration,  ///< int32 seconds, uint32 nanoseconds
+    kEnum,      ///< int32 with a name for each value
+    kArray,     ///< of fixed length
+    kSequence,  ///< of varying length
+    kStructure,
+  };
+  struct Field;
+  struct Enumerator {
+    std::string name;
+    std::int32_t value = 0;
+
+    bool operator==(const Enumerator&) const = default;
+  };
+
+  /// The schema of None.
+  Schema();
+  /// A number, a string or a duration.
+  explicit Schema(Kind simple);
+  /// Names, lengths and shapes are taken as they are; a text from outside goes through Parse().
+  static Schema Enum(std::string name, std::vector<Enumerator> enumerators);
+  static Schema Array(Schema element, std::uint32_t length);
+  static Schema Sequence(Schema element);
+  static Schema Structure(std::string name, std::vector<Field> fields);
+
+  [[nodiscard]] Kind kind() const;
+  /// Of a structure or an enum, else empty.
+  [[nodiscard]] const std::string& name() const;
+  /// In wire order; empty unless a structure.
+  [[nodiscard]] const std::vector<Field>& fields() const;
+  [[nodiscard]] const std::vector<Enumerator>& enumerators() const;
+  /// Of an array or a sequence.
+  [[nodiscard]] const Schema& element() const;
+  /// Of an array.
+  [[nodiscard]] std::uint32_t length() const;
+
+  /// bool, an integer, a float or a double.
+  [[nodiscard]] bool is_number() const { return kind() <= Kind::kFloat64; }
+  /// A structure without fields: nothing to say, one byte on the wire.
+  [[nodiscard]] bool is_none() const { return kind() == Kind::kStructure && fields().empty(); }
+  /// The fewest bytes a value takes on the wire; at least 1.
+  [[nodiscard]] std::size_t minimum_size() const;
+  /// One word for tables and errors: "arm.JointState", "float64[7]", "string[]".
+  [[nodiscard]] std::string TypeName() const;
+
+  /// The canonical text: all that two ends must agree on, and nothing else.
+  ///
+  ///     struct arm.JointState {
+  ///       position: float64[7] in rad
+  ///       mode: enum arm.Mode {
+  ///         off = 0
+  ///       }
+  ///     }
+  [[nodiscard]] std::string Text() const;
+  /// Reads a text of any origin: at most 1 MiB, 64 levels, values of at least at most 2 GiB. The
+  /// error names line and column.
+  static Result<Schema> Parse(std::string_view text);
+  /// Computed from the text each time; include fingerprint.h.
+  [[nodiscard]] Fingerprint fingerprint() const;
+
+  /// Whether the texts are equal.
+  bool operator==(const Schema& other) const;
+
+ private:
+  struct Node;
+  explicit Schema(std::shared_ptr<const Node> node);
+
+  std::shared_ptr<const Node> node_;
+};
+
+/// `unit` is empty where the field has none; it holds for all numbers in `schema`.
+struct Schema::Field {
+  std::string name;
+  std::string unit;
+  Schema schema;
+};
+
+/// "bool", "int8" ... "float64", "string", "duration", "enum", "array", "sequence", "struct".
+[[nodiscard]] std::string_view ToString(Schema::Kind kind);
+
+/// The definition as a ROS 2 message, nested ones appended as in MCAP; enums are int32 with
+/// constants. A schema that is no structure becomes a message with the field `data`.
+[[nodiscard]] std::string RosMessage(const Schema& schema);
+/// "arm/msg/JointState" for a structure, as RosMessage() calls it.
+[[nodiscard]] std::string RosTypeName(const Schema& schema);
+
+/// Where two types differ first, or nothing: "position of arm.JointState: float64[7] in rad needed,
+/// float64[7] in deg offered".
+[[nodiscard]] std::optional<std::string> FirstDifference(const Schema& needed,
+                                                         const Schema& offered);
+
+namespace payload {
+
+template <typename T>
+consteval Schema::Kind KindOf() {
+  using Kind = Schema::Kind;
+  if constexpr (std::same_as<T, bool>) {
+    return Kind::kBool;
+  } else if constexpr (std::same_as<T, std::byte>) {
+    return Kind::kUint8;
+  } else if constexpr (std::is_floating_point_v<T>) {
+    return sizeof(T) == 4 ? Kind::kFloat32 : Kind::kFloat64;
+  } else {
+    constexpr bool kSigned = std::is_signed_v<T>;
+    switch (sizeof(T)) {
+      case 1:
+        return kSigned ? Kind::kInt8 : Kind::kUint8;
+      case 2:
+        return kSigned ? Kind::kInt16 : Kind::kUint16;
+      case 4:
+        return kSigned ? Kind::kInt32 : Kind::kUint32;
+      default:
+        return kSigned ? Kind::kInt64 : Kind::kUint64;
+    }
+  }
+}
+
+template <typename T>
+Schema BuildSchema();
+
+}  // namespace payload
+
+/// Built at the first call. Thread-safe.
+template <Payload T>
+[[nodiscard]] const Schema& SchemaOf() {
+  static const Schema schema = payload::BuildSchema<T>();
+  return schema;
+}
+
+template <typename T>
+Schema payload::BuildSchema() {
+  if constexpr (Number<T>) {
+    return Schema(KindOf<T>());
+  } else if constexpr (NamedEnum<T>) {
+    std::vector<Schema::Enumerator> enumerators;
+    for (const auto& one : kPayload<T>.enumerators) {
+      enumerators.push_back({std::string(one.name), static_cast<std::int32_t>(one.value)});
+    }
+    return Schema::Enum(std::string(kPayload<T>.name), std::move(enumerators));
+  } else if constexpr (payload::Enum<T>) {
+    return Schema(Schema::Kind::kInt32);
+  } else if constexpr (Text<T>) {
+    return Schema(Schema::Kind::kString);
+  } else if constexpr (TimeSpan<T>) {
+    return Schema(Schema::Kind::kDuration);
+  } else if constexpr (payload::Array<T>) {
+    return Schema::Array(SchemaOf<ElementOf<T>>(), std::uint32_t{ArrayTraits<T>::kLength});
+  } else if constexpr (payload::Sequence<T>) {
+    return Schema::Sequence(SchemaOf<ItemOf<T>>());
+  } else if constexpr (Substituted<T>) {
+    return SchemaOf<SubstituteOf<T>>();
+  } else {
+    std::vector<Schema::Field> fields;
+    WithFields<T>([&](const auto&... field) {
+      (fields.push_back(
+           {std::string(field.name), std::string(field.unit), SchemaOf<TypeOf<decltype(field)>>()}),
+       ...);
+    });
+    return Schema::Structure(std::string(kPayload<T>.name), std::move(fields));
+  }
+}
+
+}  // namespace tendon

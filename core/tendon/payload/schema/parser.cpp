@@ -1,0 +1,218 @@
+#include <tendon/payload/schema.h>
+
+#include <algorithm>
+#include <charconv>
+#include <unordered_set>
+
+namespace tendon {
+namespace {
+
+constexpr std::size_t kMaxText = std::size_t{1} << 20;
+constexpr std::size_t kMaxValue = std::size_t{1} << 31;  // bytes
+constexpr int kMaxDepth = 64;
+
+/// A schema and how many levels it is high.
+struct Parsed {
+  Schema schema;
+  int height = 1;
+};
+
+/// Recursive descent; the first mistake is kept and ends it.
+class Parser {
+ public:
+  explicit Parser(std::string_view text) : text_(text) {}
+
+  Result<Schema> Parse() {
+    Parsed parsed = ParseType(1);
+    SkipSpace();
+    if (!failed() && position_ < text_.size()) Fail("expected the end");
+    if (failed()) return *error_;
+    return std::move(parsed.schema);
+  }
+
+ private:
+  Parsed ParseType(int depth) {
+    if (depth > kMaxDepth) return Fail("more than 64 levels");
+    const std::string_view word = Word();
+    Parsed parsed;
+    if (word == "struct") {
+      parsed = ParseStructure(depth);
+    } else if (word == "enum") {
+      parsed = ParseEnum();
+    } else if (const auto kind = SimpleKind(word)) {
+      parsed.schema = Schema(*kind);
+    } else {
+      position_ -= word.size();
+      return Fail("expected a type");
+    }
+    while (!failed() && Accept('[')) parsed = ParseSuffix(std::move(parsed), depth);
+    return parsed;
+  }
+
+  /// What follows '[': a length for an array, nothing for a sequence.
+  Parsed ParseSuffix(Parsed element, int depth) {
+    const int height = element.height + 1;
+    if (depth + height > kMaxDepth + 1) return Fail("more than 64 levels");
+    if (Accept(']')) return {Schema::Sequence(std::move(element.schema)), height};
+    const auto length = Number<std::uint32_t>();
+    if (failed() || !Expect(']')) return {};
+    if (length == 0) return Fail("an array has at least one element");
+    if (length > kMaxValue / element.schema.minimum_size()) return Fail("values of over 2 GiB");
+    return {Schema::Array(std::move(element.schema), length), height};
+  }
+
+  Parsed ParseStructure(int depth) {
+    std::string name = TypeName();
+    std::vector<Schema::Field> fields;
+    std::unordered_set<std::string_view> names;
+    int height = 0;
+    std::size_t size = 0;
+    Expect('{');
+    while (!failed() && !Accept('}')) {
+      const std::string_view field = Identifier("a field's name or '}'");
+      if (!names.insert(field).second) Fail("a second field of this name");
+      Expect(':');
+      if (failed()) return {};
+      Parsed parsed = ParseType(depth + 1);
+      const std::string_view unit = Unit();
+      height = std::max(height, parsed.height);
+      size += parsed.schema.minimum_size();
+      if (size > kMaxValue) return Fail("values of over 2 GiB");
+      fields.push_back({std::string(field), std::string(unit), std::move(parsed.schema)});
+    }
+    if (failed()) return {};
+    return {Schema::Structure(std::move(name), std::move(fields)), height + 1};
+  }
+
+  Parsed ParseEnum() {
+    std::string name = TypeName();
+    std::vector<Schema::Enumerator> enumerators;
+    std::unordered_set<std::string_view> names;
+    std::unordered_set<std::int32_t> values;
+    Expect('{');
+    while (!failed() && !Accept('}')) {
+      const std::string_view enumerator = Identifier("an enumerator's name or '}'");
+      Expect('=');
+      const auto value = Number<std::int32_t>();
+      if (!names.insert(enumerator).second) Fail("a second enumerator of this name");
+      if (!values.insert(value).second) Fail("a second enumerator of this value");
+      enumerators.push_back({std::string(enumerator), value});
+    }
+    if (enumerators.empty()) Fail("an enum has at least one enumerator");
+    if (failed()) return {};
+    return {Schema::Enum(std::move(name), std::move(enumerators)), 1};
+  }
+
+  /// " in rad" up to the end of the line, or nothing.
+  std::string_view Unit() {
+    if (!text_.substr(position_).starts_with(" in ")) return {};
+    const std::size_t start = position_ + 4;
+    const std::size_t end = std::min(text_.find('\n', start), text_.size());
+    const std::string_view unit = text_.substr(start, end - start);
+    if (unit.empty() || !payload::IsUnit(unit)) Fail("expected a unit");
+    position_ = end;
+    return unit;
+  }
+
+  std::string TypeName() {
+    const std::string_view name = Word();
+    if (!payload::IsTypeName(name)) {
+      position_ -= name.size();
+      Fail("expected a type's name, like arm.JointState");
+    }
+    return std::string(name);
+  }
+
+  std::string_view Identifier(const char* what) {
+    const std::string_view name = Word();
+    if (!payload::IsIdentifier(name)) {
+      position_ -= name.size();
+      Fail(std::string("expected ") + what);
+    }
+    return name;
+  }
+
+  /// The letters, digits, dots and '_' that come next.
+  std::string_view Word() {
+    SkipSpace();
+    const std::size_t start = position_;
+    while (position_ < text_.size() && IsWordCharacter(text_[position_])) ++position_;
+    return text_.substr(start, position_ - start);
+  }
+
+  template <typename Integer>
+  Integer Number() {
+    SkipSpace();
+    Integer value = 0;
+    const char* const start = text_.data() + position_;
+    const auto [end, code] = std::from_chars(start, text_.data() + text_.size(), value);
+    if (code != std::errc{}) Fail("expected a number of 32 bits");
+    position_ += static_cast<std::size_t>(end - start);
+    return value;
+  }
+
+  bool Accept(char wanted) {
+    const std::size_t before = position_;
+    SkipSpace();
+    if (position_ < text_.size() && text_[position_] == wanted) {
+      ++position_;
+      return true;
+    }
+    position_ = before;
+    return false;
+  }
+
+  bool Expect(char wanted) {
+    if (!failed() && !Accept(wanted)) {
+      SkipSpace();
+      Fail(std::string("expected '") + wanted + "'");
+    }
+    return !failed();
+  }
+
+  void SkipSpace() {
+    while (position_ < text_.size() && (text_[position_] == ' ' || text_[position_] == '\n')) {
+      ++position_;
+    }
+  }
+
+  Parsed Fail(const std::string& what) {
+    if (failed()) return {};
+    const std::string_view before = text_.substr(0, position_);
+    const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+    const std::size_t column = position_ - (before.rfind('\n') + 1) + 1;
+    error_ = Error{ErrorCode::kInvalid, "schema line " + std::to_string(line) + " column " +
+                                            std::to_string(column) + ": " + what};
+    return {};
+  }
+
+  static bool IsWordCharacter(char c) {
+    return payload::IsLetter(c) || payload::IsDigit(c) || c == '_' || c == '.';
+  }
+
+  static std::optional<Schema::Kind> SimpleKind(std::string_view word) {
+    for (auto i = 0; i <= static_cast<int>(Schema::Kind::kDuration); ++i) {
+      const auto kind = static_cast<Schema::Kind>(i);
+      if (ToString(kind) == word) return kind;
+    }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] bool failed() const { return error_.has_value(); }
+
+  std::string_view text_;
+  std::size_t position_ = 0;
+  std::optional<Error> error_;
+};
+
+}  // namespace
+
+Result<Schema> Schema::Parse(std::string_view text) {
+  if (text.size() > kMaxText) {
+    return Error{ErrorCode::kInvalid, "schema: " + std::to_string(text.size()) +
+                                          " bytes of text; at most 1048576 are read"};
+  }
+  return Parser(text).Parse();
+}
+
+}  // namespace tendon

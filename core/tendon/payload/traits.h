@@ -1,0 +1,180 @@
+#pragma once
+
+#include <tendon/payload/description.h>
+
+#include <array>
+#include <chrono>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <ratio>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+/// Sorts the types that can travel. Every type is at most one of: Number, Enum, Text, TimeSpan,
+/// Array, Sequence, Structure, Substituted.
+namespace tendon::payload {
+
+template <typename T>
+concept Character = std::same_as<T, char> || std::same_as<T, wchar_t> || std::same_as<T, char8_t> ||
+    std::same_as<T, char16_t> || std::same_as<T, char32_t>;
+
+/// bool, std::byte, integers of 8 to 64 bits, float and double. Not `char`, whose sign depends on
+/// the machine.
+template <typename T>
+concept Number = (std::integral<T> && !Character<T> && sizeof(T) <= sizeof(std::uint64_t)) ||
+                 std::same_as<T, float> || std::same_as<T, double> || std::same_as<T, std::byte>;
+
+/// An int32 on the wire, whatever it is in memory.
+template <typename T>
+concept Enum = std::is_enum_v<T> && !std::same_as<T, std::byte> && sizeof(T) <= sizeof(int);
+
+template <typename T>
+concept Text = std::same_as<T, std::string>;
+
+template <typename T>
+struct IsTimeSpan : std::false_type {};
+template <typename Count, typename Period>
+struct IsTimeSpan<std::chrono::duration<Count, Period>>
+    : std::bool_constant<std::is_floating_point_v<Count> ||
+                         std::ratio_greater_equal_v<Period, std::nano>> {};
+
+/// A std::chrono::duration, no finer than nanoseconds if it counts in integers.
+template <typename T>
+concept TimeSpan = IsTimeSpan<T>::value;
+
+/// A type that is always the same number of equal elements in a row. Specialise for a container
+/// with data().
+template <typename T>
+struct ArrayTraits {
+  static constexpr std::size_t kLength = 0;
+};
+template <typename T, std::size_t kCount>
+struct ArrayTraits<std::array<T, kCount>> {
+  using Element = T;
+  static constexpr std::size_t kLength = kCount;
+};
+template <typename T>
+concept Array = (ArrayTraits<T>::kLength > 0);
+
+/// A type that is a varying number of equal elements in a row. Specialise for a container with
+/// data(), size() and resize().
+template <typename T>
+struct SequenceTraits {};
+template <typename T, typename Allocator>
+struct SequenceTraits<std::vector<T, Allocator>> {
+  using Element = T;
+};
+template <typename T>
+concept Sequence = requires {
+  typename SequenceTraits<T>::Element;
+};
+
+/// A type that travels as another payload, `Type`. Specialise with `static Type From(const T&)` and
+/// `static bool Into(const Type&, T&)`, which says whether the value was acceptable; or, where
+/// `Type` would have to allocate, with Write, Read and EndOf as in codec.h.
+template <typename T>
+struct SubstituteFor {};
+template <typename T>
+concept Substituted = requires {
+  typename SubstituteFor<T>::Type;
+};
+template <typename T>
+concept SelfWritten = Substituted<T> && requires(const T& value, std::size_t start) {
+  SubstituteFor<T>::EndOf(value, start);
+};
+
+template <typename T>
+struct IsStructureDescription : std::false_type {};
+template <typename... Fields>
+struct IsStructureDescription<Description<Fields...>> : std::true_type {};
+
+template <typename T>
+using DescriptionOf = std::remove_cvref_t<decltype(kPayload<T>)>;
+
+template <typename T>
+concept Structure = std::is_class_v<T> && IsStructureDescription<DescriptionOf<T>>::value;
+
+template <typename T>
+concept NamedEnum = Enum<T> && !std::same_as<DescriptionOf<T>, NotDescribed>;
+
+template <Array T>
+using ElementOf = typename ArrayTraits<T>::Element;
+template <Sequence T>
+using ItemOf = typename SequenceTraits<T>::Element;
+template <Substituted T>
+using SubstituteOf = typename SubstituteFor<T>::Type;
+template <typename AField>
+using TypeOf = typename std::remove_cvref_t<AField>::Type;
+
+/// Calls `visit(field...)` with all fields of a structure at once. Needs no value.
+template <Structure T, typename Visitor>
+constexpr decltype(auto) WithFields(Visitor&& visit) {
+  return std::apply(std::forward<Visitor>(visit), kPayload<T>.fields);
+}
+
+template <typename T>
+consteval bool IsPayload();
+
+template <typename T>
+consteval bool FieldIsPayload() {
+  static_assert(IsPayload<T>(), "T is not described: write kPayload<T> beside it");
+  return true;
+}
+
+/// A structure with a field that cannot travel is a mistake, not merely no payload.
+template <typename T>
+consteval bool IsPayload() {
+  if constexpr (Array<T>) {
+    return IsPayload<ElementOf<T>>();
+  } else if constexpr (Sequence<T>) {
+    return IsPayload<ItemOf<T>>();
+  } else if constexpr (Substituted<T>) {
+    return IsPayload<SubstituteOf<T>>();
+  } else if constexpr (Structure<T>) {
+    return WithFields<T>(
+        [](const auto&... field) { return (FieldIsPayload<TypeOf<decltype(field)>>() && ...); });
+  } else {
+    return Number<T> || Enum<T> || Text<T> || TimeSpan<T>;
+  }
+}
+
+/// Whether every value of T takes the same number of bytes.
+template <typename T>
+consteval bool IsFixed() {
+  if constexpr (Array<T>) {
+    return IsFixed<ElementOf<T>>();
+  } else if constexpr (Substituted<T>) {
+    return IsFixed<SubstituteOf<T>>();
+  } else if constexpr (Structure<T>) {
+    return WithFields<T>(
+        [](const auto&... field) { return (IsFixed<TypeOf<decltype(field)>>() && ...); });
+  } else {
+    return Number<T> || Enum<T> || TimeSpan<T>;
+  }
+}
+
+/// Whether T lies in memory exactly as on the wire, so that many are one memcpy. Not bool, which
+/// is checked on the way in.
+template <typename T>
+consteval bool IsPlain() {
+  if constexpr (Array<T>) {
+    return IsPlain<ElementOf<T>>() && sizeof(T) == ArrayTraits<T>::kLength * sizeof(ElementOf<T>);
+  } else {
+    return Number<T> && !std::same_as<T, bool>;
+  }
+}
+
+/// The alignment of a plain type: the size of the number it is made of.
+template <typename T>
+consteval std::size_t PlainAlignment() {
+  if constexpr (Array<T>) {
+    return PlainAlignment<ElementOf<T>>();
+  } else {
+    return sizeof(T);
+  }
+}
+
+}  // namespace tendon::payload
