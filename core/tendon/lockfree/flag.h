@@ -1,0 +1,27 @@
+#pragma once
+
+#include <atomic>
+#include <type_traits>
+
+namespace tendon {
+
+/// A small value that threads set and look at; what was written before Set() is seen after a Get()
+/// that sees it. Wait-free.
+template <typename T>
+requires std::is_trivially_copyable_v<T>
+class Published {
+ public:
+  explicit Published(T value = {}) : value_(value) {}
+
+  void Set(T value) noexcept { value_.store(value, std::memory_order_release); }  // (A)
+  [[nodiscard]] T Get() const noexcept {
+    return value_.load(std::memory_order_acquire);  // pairs with (A)
+  }
+
+ private:
+  std::atomic<T> value_;
+};
+
+using Flag = Published<bool>;
+
+}  // namespace tendon

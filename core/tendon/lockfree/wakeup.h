@@ -1,0 +1,53 @@
+#pragma once
+
+#include <tendon/lockfree/atomics.h>
+
+#include <atomic>
+#include <cstdint>
+
+namespace tendon {
+
+/// Lets one thread sleep until others have something for it. Posters pay a fence and a look at a
+/// flag (some 5 ns) while it is awake, a system call when it sleeps.
+///
+/// No wake-up is lost: the poster publishes, then looks at the flag; the sleeper raises the flag,
+/// then looks for work. With a full fence between the two steps on both sides, at least one of them
+/// sees the other.
+///
+/// Thread safety: any thread may Notify(); one thread may WaitUntil().
+template <typename Atomics = StdAtomics>
+class Wakeup {
+ public:
+  /// After publishing what the sleeper waits for. Wait-free but for the system call.
+  void Notify() noexcept {
+    Atomics::Fence(std::memory_order_seq_cst);  // (A) the work is out before the flag is read
+    if (asleep_.load(std::memory_order_relaxed) == kAwake) return;
+    if (asleep_.exchange(kAwake, std::memory_order_relaxed) == kAsleep) Atomics::Wake(asleep_);
+  }
+
+  /// Sleeps until `ready()` or until `deadline`; returns what `ready()` said last. `ready` looks,
+  /// in this thread, for what posters publish before they notify; it runs a few times more than
+  /// needed.
+  template <typename Predicate>
+  bool WaitUntil(Predicate ready, SteadyTime deadline) {
+    while (!ready()) {
+      const SteadyTime now = Atomics::Now();
+      if (now >= deadline) return false;
+      asleep_.store(kAsleep, std::memory_order_relaxed);
+      Atomics::Fence(std::memory_order_seq_cst);  // (B) the flag is up before work is looked for
+      const bool is_ready = ready();
+      if (!is_ready) Atomics::Sleep(asleep_, kAsleep, deadline - now);
+      asleep_.store(kAwake, std::memory_order_relaxed);
+      if (is_ready) break;
+    }
+    return true;
+  }
+
+ private:
+  static constexpr std::uint32_t kAwake = 0;
+  static constexpr std::uint32_t kAsleep = 1;
+
+  typename Atomics::template Atomic<std::uint32_t> asleep_{kAwake};
+};
+
+}  // namespace tendon

@@ -1,0 +1,128 @@
+#pragma once
+
+#include <tendon/payload/encoded_size.h>
+#include <tendon/payload/payload.h>
+#include <tendon/state/row_ring.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <type_traits>
+#include <utility>
+
+namespace tendon {
+
+/// Where a column's cell lies in a row. A cell is the CDR body of a value; before that of a dynamic
+/// type stands a word with the body's length, or kAbsent.
+struct CellLayout {
+  static constexpr std::uint64_t kAbsent = ~std::uint64_t{0};
+
+  std::size_t offset = 0;  ///< in words
+  std::size_t words = 0;   ///< with the length word
+  std::size_t bytes = 0;   ///< of the body; the most there may be where the type is dynamic
+  bool is_dynamic = false;
+
+  bool operator==(const CellLayout&) const = default;
+};
+
+/// Whether a value of T lies in memory exactly as on the wire: numbers without gaps, in the order
+/// of the description. A constant for the optimiser, which knows where members lie.
+template <FixedPayload T>
+bool LiesAsOnWire(const T& value) noexcept {
+  if constexpr (!std::is_trivially_copyable_v<T> || sizeof(T) != kEncodedSize<T>) {
+    return false;
+  } else if constexpr (payload::Structure<T>) {
+    const auto* position = reinterpret_cast<const std::byte*>(&value);
+    const auto is_next = [&](const auto& member) {
+      const bool is_here = reinterpret_cast<const std::byte*>(&member) == position;
+      position += sizeof(member);
+      return is_here && LiesAsOnWire(member);
+    };
+    return payload::WithFields<T>([&](const auto&... field) {
+      return sizeof...(field) > 0 && (is_next(value.*field.member) && ...);
+    });
+  } else {
+    return payload::IsPlain<T>();
+  }
+}
+
+inline void LoadWord(const RowRing<>::Word& word, std::byte* bytes) noexcept {
+  const std::uint64_t value = word.load(std::memory_order_relaxed);
+  std::memcpy(bytes, &value, sizeof(value));
+}
+
+/// Loads words one by one, without a loop.
+template <std::size_t... kIndex>
+void LoadWords(const RowRing<>::Word* words, std::byte* bytes,
+               std::index_sequence<kIndex...> /*indices*/) noexcept {
+  (LoadWord(words[kIndex], bytes + kIndex * sizeof(std::uint64_t)), ...);
+}
+template <>
+inline void LoadWords(const RowRing<>::Word* /*words*/, std::byte* /*bytes*/,
+                      std::index_sequence<> /*indices*/) noexcept {}
+
+/// Loads a cell word by word into memory that holds `kBytes`.
+template <std::size_t kBytes>
+void LoadCell(const RowRing<>::Word* cell, std::byte* bytes) noexcept {
+  constexpr std::size_t kWord = sizeof(std::uint64_t);
+  constexpr std::size_t kBlock = 8;  // words; the optimiser leaves a loop over single ones alone
+  constexpr std::size_t kWords = kBytes / kWord;
+  constexpr std::size_t kInBlocks = kWords / kBlock * kBlock;
+  for (std::size_t i = 0; i < kInBlocks; i += kBlock) {
+    LoadWords(cell + i, bytes + i * kWord, std::make_index_sequence<kBlock>());
+  }
+  LoadWords(cell + kInBlocks, bytes + kInBlocks * kWord,
+            std::make_index_sequence<kWords - kInBlocks>());
+  if constexpr (kBytes % kWord != 0) {
+    const std::uint64_t word = cell[kWords].load(std::memory_order_relaxed);
+    std::memcpy(bytes + kWords * kWord, &word, kBytes % kWord);
+  }
+}
+
+/// Words that a thread reads rows into, as many as asked for; the same each time, so that nothing
+/// allocates once it has been large enough.
+std::span<std::uint64_t> RowBuffer(std::size_t words);
+
+/// A reader's copy of one cell. Its content means something only when the row proved whole.
+template <Payload T>
+class CellCopy {
+ public:
+  explicit CellCopy(const CellLayout& layout) : words_(RowBuffer(layout.words)) {}
+
+  void Load(const RowRing<>::Word* cell) noexcept {
+    words_[0] = cell[0].load(std::memory_order_relaxed);
+    if (is_absent()) return;
+    const std::size_t needed = (words_[0] + 7) / 8 + 1;  // of a torn row: anything
+    for (std::size_t i = 1; i < std::min(needed, words_.size()); ++i) {
+      words_[i] = cell[i].load(std::memory_order_relaxed);
+    }
+  }
+  [[nodiscard]] bool is_absent() const noexcept { return words_[0] == CellLayout::kAbsent; }
+  [[nodiscard]] std::span<const std::byte> body() const noexcept {
+    return std::as_bytes(words_.subspan(1)).first(words_[0]);
+  }
+
+ private:
+  std::span<std::uint64_t> words_;
+};
+
+template <FixedPayload T>
+class CellCopy<T> {
+ public:
+  explicit CellCopy(const CellLayout& /*layout*/) noexcept {}
+
+  void Load(const RowRing<>::Word* cell) noexcept {
+    LoadCell<kEncodedSize<T>>(cell, bytes_.data());
+  }
+  [[nodiscard]] static constexpr bool is_absent() noexcept { return false; }
+  [[nodiscard]] std::span<const std::byte> body() const noexcept { return bytes_; }
+
+ private:
+  alignas(std::uint64_t) std::array<std::byte, kEncodedSize<T>> bytes_;
+};
+
+}  // namespace tendon

@@ -1,0 +1,172 @@
+#pragma once
+
+#include <tendon/lockfree/atomics.h>
+
+#include <atomic>
+#include <bit>
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+namespace tendon {
+
+/// What became of the attempt to read one row.
+enum class RowResult : std::uint8_t {
+  kDone,
+  kNotYet,     ///< not written yet
+  kOvertaken,  ///< the writer has gone round the ring; the row is lost
+  kAbsent,     ///< the row is there, but its value did not fit into the column
+  kInvalid,    ///< the row is there, but its value is none of its type
+};
+
+/// The lock-free part of a state table: a ring of rows of 64-bit words, each with the tick that
+/// counts it and its time.
+///
+/// Thread safety: one thread writes (Begin, Store, Publish) and is never held up; any number of
+/// threads read. All words are atomic, so that a reader which the writer laps copies a mixture,
+/// never undefined bytes, and finds out:
+///  - the writer puts the new tick into a row before it changes any other word of it;
+///  - the reader looks at the row's tick after it has copied all words it wants. If any of them was
+///    of a later row, the fences make it see that row's tick.
+template <typename Atomics = StdAtomics>
+class RowRing {
+ public:
+  using Word = typename Atomics::template Atomic<std::uint64_t>;
+
+  /// Keeps at least `rows` rows of `row_words` words; their count is rounded up to a power of two,
+  /// above `rows` because one row is always being replaced. Before the first row only; all memory
+  /// is allocated and touched here.
+  void Allocate(std::size_t rows, std::size_t row_words) {
+    assert(next_tick() == 0);
+    mask_ = std::bit_ceil(rows + 1) - 1;
+    stride_ = StrideFor(row_words);
+    row_words_ = row_words;
+    const std::size_t words = (mask_ + 1) * stride_;
+    memory_ = std::make_unique<Word[]>(words + kLineWords);
+    std::size_t space = (words + kLineWords) * sizeof(Word);
+    void* first = memory_.get();
+    rows_ = static_cast<Word*>(std::align(kCacheLine, words * sizeof(Word), first, space));
+  }
+  /// The most rows to allocate, at least one, so that they take no more than `words` words.
+  [[nodiscard]] static std::size_t RowsWithin(std::size_t words, std::size_t row_words) noexcept {
+    const std::size_t fit = words / StrideFor(row_words);
+    return fit < 2 ? 1 : std::bit_floor(fit) - 1;
+  }
+
+  /// Writer: starts the next row.
+  void Begin(std::int64_t time) noexcept {
+    const std::uint64_t tick = next_.load(std::memory_order_relaxed);
+    row_ = Row(tick);
+    row_[kTick].store(tick, std::memory_order_relaxed);
+    Atomics::Fence(std::memory_order_release);  // (A) the tick before any word of the row
+    row_[kTime].store(static_cast<std::uint64_t>(time), std::memory_order_relaxed);
+  }
+
+  /// Writer: sets words of the row, from `offset` on.
+  void Store(std::size_t offset, std::span<const std::uint64_t> words) noexcept {
+    assert(offset + words.size() <= row_words_);
+    Word* const target = row_ + kHeaderWords + offset;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      target[i].store(words[i], std::memory_order_relaxed);
+    }
+  }
+
+  /// Writer: makes the row the newest.
+  void Publish() noexcept {
+    const std::uint64_t tick = next_.load(std::memory_order_relaxed);
+    next_.store(tick + 1, std::memory_order_release);  // (B) publishes the row
+  }
+
+  /// Rows ever written; the newest is the one before.
+  [[nodiscard]] std::uint64_t next_tick() const noexcept {
+    return next_.load(std::memory_order_acquire);  // pairs with (B)
+  }
+  /// The oldest row that can still be read if the writer stands still.
+  [[nodiscard]] std::uint64_t oldest_tick() const noexcept {
+    const std::uint64_t next = next_tick();
+    return next > mask_ ? next - mask_ : 0;
+  }
+
+  /// Reader: calls `copy(words)` with the words of a row, which it loads by relaxed loads alone,
+  /// and says whether what it has copied is that row.
+  template <typename Copy>
+  RowResult Read(std::uint64_t tick, Copy copy) const {
+    return tick < next_tick() ? ReadWritten(tick, copy) : RowResult::kNotYet;
+  }
+
+  /// Reader: the same for the newest row, whose tick it sets, or kNotYet. Tries again only if the
+  /// writer goes round the whole ring meanwhile.
+  template <typename Copy>
+  RowResult ReadNewest(std::uint64_t& tick, Copy copy) const {
+    while (true) {
+      const std::uint64_t next = next_tick();
+      if (next == 0) return RowResult::kNotYet;
+      tick = next - 1;
+      if (ReadWritten(tick, copy) == RowResult::kDone) return RowResult::kDone;
+    }
+  }
+
+  /// Reader: the time of a row.
+  RowResult ReadTime(std::uint64_t tick, std::int64_t& time) const noexcept {
+    return Read(tick, [&](const Word* words) { time = TimeOf(words); });
+  }
+
+  /// Reader: the newest row that is not later than `time`. kNotYet when all are later,
+  /// kOvertaken when that row, if there was one, is lost.
+  RowResult Find(std::int64_t time, std::uint64_t& tick) const noexcept {
+    std::uint64_t low = oldest_tick();
+    std::uint64_t high = next_tick();
+    if (high == 0) return RowResult::kNotYet;
+    bool is_found = false;
+    while (low < high) {  // rows before `low` are lost or not later; those from `high` on are later
+      const std::uint64_t middle = low + (high - low) / 2;
+      std::int64_t its_time = 0;
+      const bool is_lost = ReadTime(middle, its_time) != RowResult::kDone;
+      const bool is_later = !is_lost && its_time > time;
+      (is_later ? high : low) = is_later ? middle : middle + 1;
+      if (!is_later) is_found = !is_lost;
+    }
+    if (is_found) tick = low - 1;
+    return is_found ? RowResult::kDone : low == 0 ? RowResult::kNotYet : RowResult::kOvertaken;
+  }
+
+  /// In `copy`: the time of the row whose words are given.
+  static std::int64_t TimeOf(const Word* words) noexcept {
+    return static_cast<std::int64_t>((words - kHeaderWords)[kTime].load(std::memory_order_relaxed));
+  }
+
+ private:
+  static constexpr std::size_t kTick = 0;
+  static constexpr std::size_t kTime = 1;
+  static constexpr std::size_t kHeaderWords = 2;
+  static constexpr std::size_t kLineWords = kCacheLine / sizeof(std::uint64_t);
+
+  static std::size_t StrideFor(std::size_t row_words) noexcept {
+    return (kHeaderWords + row_words + kLineWords - 1) / kLineWords * kLineWords;
+  }
+
+  [[nodiscard]] Word* Row(std::uint64_t tick) const noexcept {
+    return rows_ + (tick & mask_) * stride_;
+  }
+
+  template <typename Copy>
+  RowResult ReadWritten(std::uint64_t tick, Copy& copy) const {
+    const Word* const row = Row(tick);
+    copy(row + kHeaderWords);
+    Atomics::Fence(std::memory_order_acquire);  // pairs with (A): the tick after the words
+    return row[kTick].load(std::memory_order_relaxed) == tick ? RowResult::kDone
+                                                              : RowResult::kOvertaken;
+  }
+
+  std::unique_ptr<Word[]> memory_;
+  Word* rows_ = nullptr;
+  std::size_t mask_ = 0;
+  std::size_t stride_ = 0;
+  std::size_t row_words_ = 0;
+  Word* row_ = nullptr;  // of the writer: the row begun
+  alignas(kSeparation) Word next_{0};
+};
+
+}  // namespace tendon

@@ -1,0 +1,105 @@
+#include <tendon/base/name.h>
+#include <tendon/state/state_table.h>
+
+#include <algorithm>
+#include <cassert>
+#include <random>
+
+namespace tendon {
+namespace {
+
+std::uint64_t RandomEpoch() {
+  std::random_device device;
+  return std::uint64_t{device()} << 32 | device();
+}
+
+}  // namespace
+
+StateTable::StateTable(std::string name) : name_(std::move(name)), epoch_(RandomEpoch()) {
+  RequireName("state table", name_);
+}
+
+void StateTable::SetLength(std::size_t rows) {
+  RequireNoRows("its length cannot change");
+  if (rows == 0) throw ConfigurationError("state table '" + name_ + "' needs at least one row");
+  length_ = rows;
+  is_prepared_ = false;
+}
+
+std::size_t StateTable::LengthFor(std::chrono::nanoseconds period) const noexcept {
+  constexpr std::size_t kMaxWords = (std::size_t{16} << 20) / sizeof(std::uint64_t);
+  constexpr std::chrono::seconds kHistory(1);
+  const auto cycles = period.count() > 0 ? kHistory / period : 0;
+  return std::min(std::max(static_cast<std::size_t>(cycles), kMinimumLength),
+                  RowRing<>::RowsWithin(kMaxWords, row_words_));
+}
+
+void StateTable::Prepare() {
+  if (is_prepared_) return;
+  row_.assign(row_words_, 0);
+  rows_.Allocate(length_ == 0 ? kMinimumLength : length_, row_words_);
+  is_prepared_ = true;
+}
+
+void StateTable::Advance(SteadyTime now) noexcept {
+  Prepare();
+  rows_.Begin(now.time_since_epoch().count());
+  for (const auto& column : columns_) {
+    const CellLayout& layout = column->layout();
+    rows_.Store(layout.offset,
+                column->Encode(std::span(row_).subspan(layout.offset, layout.words)));
+  }
+  rows_.Publish();
+}
+
+const ColumnBase* StateTable::Find(std::string_view name) const noexcept {
+  const auto found = std::ranges::find(
+      columns_, name, [](const auto& column) -> std::string_view { return column->name(); });
+  return found == columns_.end() ? nullptr : found->get();
+}
+
+const ColumnBase& StateTable::Find(const void* variable, const std::type_info& type) const {
+  for (const auto& column : columns_) {
+    if (column->variable() == variable && column->type() == type) return *column;
+  }
+  throw ConfigurationError("the variable is no column of state table '" + name_ +
+                           "'; Add() it, as a whole, before it is offered");
+}
+
+RowResult StateTable::CopyRow(std::uint64_t tick, std::span<std::uint64_t> words,
+                              std::int64_t& time_ns) const noexcept {
+  assert(words.size() >= row_words_);
+  return rows_.Read(tick, [&](const RowRing<>::Word* row) {
+    for (std::size_t i = 0; i < row_words_; ++i) words[i] = row[i].load(std::memory_order_relaxed);
+    time_ns = RowRing<>::TimeOf(row);
+  });
+}
+
+void StateTable::RequireNoRows(std::string_view what) const {
+  if (next_tick() == 0) return;
+  throw ConfigurationError("state table '" + name_ + "' holds rows already: " + std::string(what) +
+                           "; do it before the component starts");
+}
+
+void StateTable::CheckColumn(const std::string& name, const void* variable,
+                             const std::type_info& type) const {
+  RequireNoRows("column '" + name + "' cannot be added");
+  RequireName("column", name);
+  for (const auto& column : columns_) {
+    if (column->name() == name) {
+      throw ConfigurationError("state table '" + name_ + "' has a column '" + name + "' already");
+    }
+    if (column->variable() == variable && column->type() == type) {
+      throw ConfigurationError("the variable of column '" + name + "' is column '" +
+                               column->name() + "' of state table '" + name_ + "' already");
+    }
+  }
+}
+
+void StateTable::Append(std::unique_ptr<ColumnBase> column) {
+  row_words_ += column->layout().words;
+  columns_.push_back(std::move(column));
+  is_prepared_ = false;
+}
+
+}  // namespace tendon

@@ -1,0 +1,112 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <support/simulated_atomics.h>
+#include <support/weakened_atomics.h>
+#include <tendon/lockfree/guarded_pointer.h>
+#include <tendon/lockfree/shared_guarded_pointer.h>
+
+#include <array>
+#include <memory>
+
+namespace tendon {
+namespace {
+
+using simulation::Check;
+using simulation::Explore;
+using simulation::Report;
+using simulation::Scenario;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// Two objects of ordinary memory; the one replaced is overwritten at once.
+template <typename Guarded>
+struct Replacement {
+  using Object = Plain<int>;
+
+  std::array<Object, 2> objects{Object(1), Object(1)};
+  Guarded guarded{&objects[0]};
+
+  void CallTwice() {
+    for (int i = 0; i < 2; ++i) {
+      const typename Guarded::Call call(guarded);
+      if (call.get() != nullptr) Check(call.get()->Read() == 1, "the object was freed");
+    }
+  }
+  void CallNested() {
+    const typename Guarded::Call outer(guarded);
+    { const typename Guarded::Call inner(guarded); }
+    if (outer.get() != nullptr) Check(outer.get()->Read() == 1, "the object was freed");
+  }
+  void Replace() {
+    guarded.Exchange(&objects[1])->Write(0);
+    guarded.Exchange(nullptr)->Write(0);
+  }
+};
+
+template <typename Atomics>
+using Guarded = GuardedPointer<Plain<int>, Atomics>;
+template <typename Atomics>
+using SharedGuarded = SharedGuardedPointer<Plain<int>, Atomics>;
+
+template <typename Guarded>
+Report ExploreReplacement() {
+  return Explore([](Scenario& scenario) {
+    const auto shared = std::make_shared<Replacement<Guarded>>();
+    scenario.Thread([=] {
+      shared->CallTwice();
+      shared->CallNested();
+    });
+    scenario.Thread([=] { shared->Replace(); });
+  });
+}
+
+template <typename Guarded>
+Report ExploreTwoCallers() {
+  return Explore([](Scenario& scenario) {
+    const auto shared = std::make_shared<Replacement<Guarded>>();
+    scenario.Thread([=] { shared->CallNested(); });
+    scenario.Thread([=] { shared->CallTwice(); });
+    scenario.Thread([=] { shared->Replace(); });
+  });
+}
+
+TEST(GuardedPointerSimulation, NeverFreesAnObjectInUse) {
+  const Report report = ExploreReplacement<Guarded<SimulatedAtomics>>();
+  EXPECT_THAT(report.failure, IsEmpty());
+  EXPECT_TRUE(report.is_complete);
+  EXPECT_GT(report.executions, 1000U);
+}
+
+TEST(GuardedPointerSimulation, NeedsTheProcessBarrier) {
+  EXPECT_THAT(ExploreReplacement<Guarded<WithoutProcessBarrier>>().failure, HasSubstr("races"));
+}
+
+TEST(GuardedPointerSimulation, NeedsItsReleases) {
+  EXPECT_THAT(ExploreReplacement<Guarded<WithoutRelease>>().failure, HasSubstr("races"));
+}
+
+TEST(GuardedPointerSimulation, NeedsItsAcquires) {
+  EXPECT_THAT(ExploreReplacement<Guarded<WithoutAcquire>>().failure, HasSubstr("races"));
+}
+
+TEST(SharedGuardedPointerSimulation, NeverFreesAnObjectInUse) {
+  const Report report = ExploreTwoCallers<SharedGuarded<SimulatedAtomics>>();
+  EXPECT_THAT(report.failure, IsEmpty());
+  EXPECT_TRUE(report.is_complete);
+}
+
+TEST(SharedGuardedPointerSimulation, NeedsItsFences) {
+  using NoFullFence = WithoutFence<std::memory_order_seq_cst>;
+  EXPECT_THAT(ExploreTwoCallers<SharedGuarded<NoFullFence>>().failure, HasSubstr("races"));
+}
+
+TEST(SharedGuardedPointerSimulation, NeedsItsReleases) {
+  EXPECT_THAT(ExploreTwoCallers<SharedGuarded<WithoutRelease>>().failure, HasSubstr("races"));
+}
+
+TEST(SharedGuardedPointerSimulation, NeedsItsAcquires) {
+  EXPECT_THAT(ExploreTwoCallers<SharedGuarded<WithoutAcquire>>().failure, HasSubstr("races"));
+}
+
+}  // namespace
+}  // namespace tendon

@@ -1,0 +1,133 @@
+#include <gtest/gtest.h>
+#include <support/allocation_guard.h>
+#include <tendon/lockfree/guarded_pointer.h>
+#include <tendon/lockfree/shared_guarded_pointer.h>
+
+#include <array>
+#include <atomic>
+#include <memory>
+#include <thread>
+#include <vector>
+
+namespace tendon {
+namespace {
+
+/// What holds for one calling thread and for several.
+template <typename Guarded>
+class AnyGuardedPointer : public testing::Test {};
+
+using Kinds = testing::Types<GuardedPointer<int>, SharedGuardedPointer<int>>;
+TYPED_TEST_SUITE(AnyGuardedPointer, Kinds);
+
+TYPED_TEST(AnyGuardedPointer, IsNullAtFirst) {
+  TypeParam guarded;
+  const typename TypeParam::Call call(guarded);
+  EXPECT_EQ(call.get(), nullptr);
+}
+
+TYPED_TEST(AnyGuardedPointer, GivesTheOldObjectForTheNew) {
+  int first = 1;
+  int second = 2;
+  TypeParam guarded(&first);
+
+  EXPECT_EQ(guarded.Exchange(&second), &first);
+
+  EXPECT_EQ(guarded.Get(), &second);
+  const typename TypeParam::Call call(guarded);
+  EXPECT_EQ(call.get(), &second);
+}
+
+TYPED_TEST(AnyGuardedPointer, AnExchangeWaitsForTheCallThatUsesTheOldObject) {
+  int object = 1;
+  TypeParam guarded(&object);
+  std::atomic<bool> has_call_ended = false;
+  std::atomic<bool> had_call_ended = false;
+  std::thread manager;
+  {
+    const typename TypeParam::Call call(guarded);
+    manager = std::thread([&] {
+      guarded.Exchange(nullptr);
+      had_call_ended = has_call_ended.load();
+    });
+    while (guarded.Get() != nullptr) std::this_thread::yield();
+    EXPECT_EQ(call.get(), &object);
+    has_call_ended = true;
+  }
+  manager.join();
+
+  EXPECT_TRUE(had_call_ended);
+}
+
+TYPED_TEST(AnyGuardedPointer, ANestedCallDoesNotEndTheOuterOne) {
+  int object = 1;
+  TypeParam guarded(&object);
+  std::atomic<bool> has_call_ended = false;
+  std::atomic<bool> had_call_ended = false;
+  std::thread manager;
+  {
+    const typename TypeParam::Call outer(guarded);
+    { const typename TypeParam::Call before(guarded); }
+    manager = std::thread([&] {
+      guarded.Exchange(nullptr);
+      had_call_ended = has_call_ended.load();
+    });
+    while (guarded.Get() != nullptr) std::this_thread::yield();
+    {
+      const typename TypeParam::Call inner(guarded);
+      EXPECT_EQ(inner.get(), nullptr);
+    }
+    has_call_ended = true;
+  }
+  manager.join();
+
+  EXPECT_TRUE(had_call_ended);
+}
+
+TYPED_TEST(AnyGuardedPointer, ACallAllocatesNothing) {
+  int object = 1;
+  TypeParam guarded(&object);
+  const AllocationGuard guard;
+  const typename TypeParam::Call call(guarded);
+  EXPECT_EQ(call.get(), &object);
+}
+
+/// The callers never rest; the objects are freed as soon as the exchange returns.
+template <template <typename, typename> typename Guarded>
+int WrongValuesSeen(std::size_t callers) {
+  constexpr int kExchanges = 2'000;
+  constexpr int kCalls = 50'000;
+  constexpr int kAlive = 17;
+  Guarded<int, StdAtomics> guarded(std::make_unique<int>(kAlive).release());
+  std::atomic<bool> is_over = false;
+  std::atomic<int> wrong = 0;
+  std::atomic<int> calls = 0;
+  std::vector<std::jthread> threads;
+  for (std::size_t i = 0; i < callers; ++i) {
+    threads.emplace_back([&] {
+      while (!is_over) {
+        const typename Guarded<int, StdAtomics>::Call call(guarded);
+        if (*call.get() != kAlive) ++wrong;
+        calls.fetch_add(1, std::memory_order_relaxed);
+      }
+    });
+  }
+  for (int i = 0; i < kExchanges || calls < kCalls; ++i) {
+    const std::unique_ptr<int> old(guarded.Exchange(std::make_unique<int>(kAlive).release()));
+    *old = 0;
+  }
+  is_over = true;
+  threads.clear();
+  const std::unique_ptr<int> last(guarded.Exchange(nullptr));
+  return wrong;
+}
+
+TEST(GuardedPointer, ABusyCallerNeitherSeesAFreedObjectNorHoldsUpTheExchange) {
+  EXPECT_EQ(WrongValuesSeen<GuardedPointer>(1), 0);
+}
+
+TEST(SharedGuardedPointer, BusyCallersNeitherSeeAFreedObjectNorHoldUpTheExchange) {
+  EXPECT_EQ(WrongValuesSeen<SharedGuardedPointer>(3), 0);
+}
+
+}  // namespace
+}  // namespace tendon

@@ -1,0 +1,104 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <support/simulated_atomics.h>
+#include <support/weakened_atomics.h>
+#include <tendon/lockfree/slot_ring.h>
+#include <tendon/lockfree/spsc_queue.h>
+
+#include <array>
+#include <memory>
+
+namespace tendon {
+namespace {
+
+using simulation::Check;
+using simulation::Explore;
+using simulation::Report;
+using simulation::Scenario;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// Three messages through a ring of two slots; what a slot holds is ordinary memory.
+template <typename Atomics>
+struct Transfer {
+  SlotRing<Atomics> ring{2, 8, 8};
+  std::array<Plain<int>, 2> slots;
+
+  void Produce() {
+    for (int message = 1; message <= kMessages; ++message) {
+      std::byte* slot = nullptr;
+      for (unsigned looks = 0; (slot = ring.Claim()) == nullptr; ++looks) Atomics::Pause(looks);
+      slots[ring.IndexOf(slot)].Write(message);
+      ring.Publish();
+    }
+  }
+  void Consume() {
+    for (int message = 1; message <= kMessages; ++message) {
+      std::byte* slot = nullptr;
+      for (unsigned looks = 0; (slot = ring.Front()) == nullptr; ++looks) Atomics::Pause(looks);
+      Check(slots[ring.IndexOf(slot)].Read() == message, "messages come out of order");
+      ring.Release();
+    }
+  }
+
+  static constexpr int kMessages = 3;
+};
+
+template <typename Atomics>
+Report ExploreTransfer() {
+  return Explore([](Scenario& scenario) {
+    const auto transfer = std::make_shared<Transfer<Atomics>>();
+    scenario.Thread([=] { transfer->Produce(); });
+    scenario.Thread([=] { transfer->Consume(); });
+    scenario.Finally([=] { Check(transfer->ring.size() == 0, "something is left"); });
+  });
+}
+
+TEST(SlotRingSimulation, PassesEverySlotInEveryInterleaving) {
+  const Report report = ExploreTransfer<SimulatedAtomics>();
+  EXPECT_THAT(report.failure, IsEmpty());
+  EXPECT_TRUE(report.is_complete);
+  EXPECT_GT(report.executions, 1000U);
+}
+
+TEST(SlotRingSimulation, NeedsItsReleases) {
+  EXPECT_THAT(ExploreTransfer<WithoutRelease>().failure, HasSubstr("races"));
+}
+
+TEST(SlotRingSimulation, NeedsItsAcquires) {
+  EXPECT_THAT(ExploreTransfer<WithoutAcquire>().failure, HasSubstr("races"));
+}
+
+/// The fault of the reference system: indices without any order.
+TEST(SlotRingSimulation, ASizeReadByAThirdThreadNeverExceedsTheCapacity) {
+  const Report report = Explore([](Scenario& scenario) {
+    const auto transfer = std::make_shared<Transfer<SimulatedAtomics>>();
+    scenario.Thread([=] { transfer->Produce(); });
+    scenario.Thread([=] { transfer->Consume(); });
+    scenario.Thread([=] { Check(transfer->ring.size() <= 2, "more than fits"); });
+  });
+  EXPECT_THAT(report.failure, IsEmpty());
+}
+
+TEST(SpscQueueSimulation, PassesEveryValueInEveryInterleaving) {
+  const Report report = Explore([](Scenario& scenario) {
+    const auto queue = std::make_shared<SpscQueue<int, SimulatedAtomics>>(1);
+    scenario.Thread([=] {
+      for (int value = 1; value <= 2; ++value) {
+        while (!queue->Push(value)) SimulatedAtomics::Pause(0);
+      }
+    });
+    scenario.Thread([=] {
+      for (int expected = 1; expected <= 2; ++expected) {
+        int value = 0;
+        while (!queue->Pop(value)) SimulatedAtomics::Pause(0);
+        Check(value == expected, "values come out of order");
+      }
+    });
+  });
+  EXPECT_THAT(report.failure, IsEmpty());
+  EXPECT_TRUE(report.is_complete);
+}
+
+}  // namespace
+}  // namespace tendon

@@ -1,0 +1,278 @@
+#include <core/state/sample.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <support/allocation_guard.h>
+#include <tendon/state/state_table.h>
+
+#include <chrono>
+#include <functional>
+#include <string>
+
+namespace tendon {
+namespace {
+
+using namespace std::chrono_literals;
+using test::Report;
+using test::Sample;
+using test::TimeOf;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// What the ConfigurationError says that `action` throws.
+std::string ErrorOf(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const ConfigurationError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+class StateTableTest : public testing::Test {
+ protected:
+  void AddBoth() {
+    table_.Add(sample_, "Sample");
+    table_.Add(number_, "Number");
+  }
+  void Advance() { table_.Advance(TimeOf(table_.next_tick())); }
+
+  StateTable table_;
+  Sample sample_;
+  double number_ = 0;
+  Report report_;
+};
+
+TEST_F(StateTableTest, IsNamedStateUnlessNamedOtherwise) {
+  EXPECT_EQ(table_.name(), "state");
+  EXPECT_EQ(StateTable("slow").name(), "slow");
+  EXPECT_THAT(ErrorOf([] { StateTable("not a name"); }), HasSubstr("not a name"));
+}
+
+TEST_F(StateTableTest, DiffersInEpochFromEveryOther) {
+  EXPECT_NE(table_.epoch(), StateTable().epoch());
+}
+
+TEST_F(StateTableTest, DescribesItsColumns) {
+  AddBoth();
+  table_.Add(report_, "Report", 100);
+
+  const auto columns = table_.columns();
+  ASSERT_EQ(columns.size(), 3U);
+  EXPECT_EQ(columns[0]->name(), "Sample");
+  EXPECT_EQ(columns[0]->fingerprint(), FingerprintOf<Sample>());
+  EXPECT_EQ(columns[0]->schema(), SchemaOf<Sample>());
+  EXPECT_EQ(columns[0]->layout(), (CellLayout{.offset = 0, .words = 4, .bytes = 32}));
+  EXPECT_EQ(columns[1]->layout(), (CellLayout{.offset = 4, .words = 1, .bytes = 8}));
+  EXPECT_EQ(columns[2]->layout(),
+            (CellLayout{.offset = 5, .words = 14, .bytes = 100, .is_dynamic = true}));
+  EXPECT_EQ(table_.row_words(), 19U);
+}
+
+TEST_F(StateTableTest, FindsAColumnByVariableAndByName) {
+  AddBoth();
+
+  EXPECT_EQ(table_.Find(number_).name(), "Number");
+  EXPECT_EQ(table_.Find("Number"), &table_.Find(number_));
+  EXPECT_EQ(table_.Find("number"), nullptr);
+}
+
+TEST_F(StateTableTest, AVariableThatIsNoColumnIsAWiringMistake) {
+  AddBoth();
+  const double other = 0;
+  EXPECT_THAT(ErrorOf([&] { (void)table_.Find(other); }),
+              HasSubstr("no column of state table 'state'"));
+}
+
+TEST_F(StateTableTest, TheFirstMemberOfAColumnIsNotThatColumn) {
+  AddBoth();
+  EXPECT_THAT(ErrorOf([&] { (void)table_.Find(sample_.position); }), HasSubstr("no column"));
+}
+
+TEST_F(StateTableTest, RefusesASecondColumnOfANameOrAVariable) {
+  AddBoth();
+  const double other = 0;
+  EXPECT_THAT(ErrorOf([&] { table_.Add(other, "Number"); }), HasSubstr("'Number' already"));
+  EXPECT_THAT(ErrorOf([&] { table_.Add(number_, "Other"); }),
+              AllOf(HasSubstr("'Other'"), HasSubstr("'Number'")));
+  EXPECT_THAT(ErrorOf([&] { table_.Add(other, "two words"); }), HasSubstr("two words"));
+  EXPECT_EQ(table_.columns().size(), 2U);
+}
+
+/// In the reference system growing a table that is in use overruns the heap.
+TEST_F(StateTableTest, CannotGrowOnceRowsAreWritten) {
+  AddBoth();
+  Advance();
+
+  EXPECT_THAT(ErrorOf([&] { table_.Add(report_, "Report", 100); }),
+              AllOf(HasSubstr("'Report'"), HasSubstr("holds rows already")));
+  EXPECT_THAT(ErrorOf([&] { table_.SetLength(1000); }), HasSubstr("holds rows already"));
+
+  EXPECT_EQ(table_.columns().size(), 2U);
+  EXPECT_EQ(table_.row_words(), 5U);
+}
+
+TEST_F(StateTableTest, CanGrowAfterItIsPrepared) {
+  table_.Add(number_, "Number");
+  table_.Prepare();
+  table_.Add(sample_, "Sample");
+  table_.SetLength(2000);
+  number_ = 1;
+  sample_.count = 2;
+  Advance();
+
+  Sample sample;
+  EXPECT_EQ(table_.Find(sample_).ReadNewest(sample), Status::kDone);
+  EXPECT_EQ(sample, sample_);
+}
+
+TEST_F(StateTableTest, NeedsARow) {
+  EXPECT_THAT(ErrorOf([&] { table_.SetLength(0); }), HasSubstr("at least one row"));
+}
+
+TEST_F(StateTableTest, KeepsAsManyRowsAsSet) {
+  AddBoth();
+  table_.SetLength(1000);
+  for (int i = 0; i < 5000; ++i) {
+    number_ = i;
+    Advance();
+  }
+
+  double value = 0;
+  EXPECT_EQ(table_.length(), 1000U);
+  EXPECT_EQ(table_.next_tick(), 5000U);
+  EXPECT_LE(table_.oldest_tick(), 4000U);
+  EXPECT_EQ(table_.Find(number_).ReadAt(table_.oldest_tick(), value), RowResult::kDone);
+  EXPECT_EQ(value, static_cast<double>(table_.oldest_tick()));
+}
+
+TEST_F(StateTableTest, ByItselfKeeps256Rows) {
+  table_.Add(number_, "Number");
+  for (int i = 0; i < 1000; ++i) Advance();
+  EXPECT_LE(table_.oldest_tick(), 1000U - 256U);
+}
+
+TEST_F(StateTableTest, ProposesOneSecondOfRowsWithinBounds) {
+  table_.Add(number_, "Number");
+  EXPECT_EQ(table_.LengthFor(1ms), 1000U);
+  EXPECT_EQ(table_.LengthFor(50ms), 256U);
+  EXPECT_EQ(table_.LengthFor(0ns), 256U);
+  EXPECT_EQ(table_.LengthFor(1ns), (std::size_t{16} << 20) / 64 - 1);
+
+  table_.Add(report_, "Report", 1 << 20);
+  EXPECT_EQ(table_.LengthFor(1ms), 7U);
+}
+
+TEST_F(StateTableTest, AllColumnsOfARowBelongToOneCycle) {
+  AddBoth();
+  for (int i = 0; i < 10; ++i) {
+    sample_.count = i;
+    number_ = i;
+    Advance();
+  }
+
+  Sample sample;
+  double number = 0;
+  EXPECT_EQ(table_.Find(sample_).ReadAt(4, sample), RowResult::kDone);
+  EXPECT_EQ(table_.Find(number_).ReadAt(4, number), RowResult::kDone);
+  EXPECT_EQ(sample.count, 4);
+  EXPECT_EQ(number, 4);
+}
+
+TEST_F(StateTableTest, CopiesAWholeRowThatDecodesCellByCell) {
+  AddBoth();
+  table_.Add(report_, "Report", 100);
+  sample_ = {.position = {1, 2, 3}, .mode = 4, .count = 5};
+  number_ = 6;
+  report_ = {.text = "seven", .values = {8, 9}};
+  Advance();
+
+  std::vector<std::uint64_t> words(table_.row_words());
+  std::int64_t time = 0;
+  ASSERT_EQ(table_.CopyRow(0, words, time), RowResult::kDone);
+
+  Sample sample;
+  double number = 0;
+  Report report;
+  EXPECT_EQ(SteadyTime(std::chrono::nanoseconds(time)), TimeOf(0));
+  EXPECT_EQ(table_.cell(words, 0).size(), 32U);
+  EXPECT_TRUE(Decode(table_.cell(words, 0), sample));
+  EXPECT_TRUE(Decode(table_.cell(words, 1), number));
+  EXPECT_TRUE(Decode(table_.cell(words, 2), report));
+  EXPECT_EQ(sample, sample_);
+  EXPECT_EQ(number, number_);
+  EXPECT_EQ(report, report_);
+}
+
+TEST_F(StateTableTest, TellsARowToComeFromOneThatIsLost) {
+  table_.Add(number_, "Number");
+  table_.SetLength(3);
+  std::vector<std::uint64_t> words(table_.row_words());
+  std::int64_t time = 0;
+  EXPECT_EQ(table_.CopyRow(0, words, time), RowResult::kNotYet);
+
+  for (int i = 0; i < 10; ++i) Advance();
+
+  EXPECT_EQ(table_.CopyRow(0, words, time), RowResult::kOvertaken);
+  EXPECT_EQ(table_.CopyRow(9, words, time), RowResult::kDone);
+  EXPECT_EQ(table_.CopyRow(10, words, time), RowResult::kNotYet);
+}
+
+TEST_F(StateTableTest, WithoutColumnsStillCountsItsRows) {
+  Advance();
+  Advance();
+  std::int64_t time = 0;
+  EXPECT_EQ(table_.CopyRow(1, {}, time), RowResult::kDone);
+  EXPECT_EQ(SteadyTime(std::chrono::nanoseconds(time)), TimeOf(1));
+}
+
+TEST_F(StateTableTest, AValueBeyondItsCapacityIsAbsentAndCounted) {
+  AddBoth();
+  table_.Add(report_, "Report", 64);
+  report_.text = std::string(20, 'a');
+  Advance();
+  number_ = 1;
+  report_.text = std::string(1000, 'b');
+  Advance();
+
+  Report report{.text = "before", .values = {}};
+  double number = 0;
+  std::vector<std::uint64_t> words(table_.row_words());
+  std::int64_t time = 0;
+  EXPECT_EQ(table_.Find(report_).absent(), 1U);
+  EXPECT_EQ(table_.Find(report_).ReadNewest(report), Status::kNoSample);
+  EXPECT_EQ(table_.Find(report_).ReadAt(1, report), RowResult::kAbsent);
+  EXPECT_EQ(report.text, "before");
+  EXPECT_EQ(table_.CopyRow(1, words, time), RowResult::kDone);
+  EXPECT_THAT(table_.cell(words, 2), IsEmpty());
+  EXPECT_EQ(table_.Find(number_).ReadNewest(number), Status::kDone) << "other columns are there";
+  EXPECT_EQ(number, 1);
+}
+
+TEST_F(StateTableTest, AValueThatFitsAgainIsThereAgain) {
+  table_.Add(report_, "Report", 64);
+  report_.text = std::string(1000, 'b');
+  Advance();
+  report_.text = "short";
+  Advance();
+
+  Report report;
+  EXPECT_EQ(table_.Find(report_).ReadNewest(report), Status::kDone);
+  EXPECT_EQ(report, report_);
+  EXPECT_EQ(table_.Find(report_).absent(), 1U);
+}
+
+TEST_F(StateTableTest, AdvancingAllocatesNothingOncePrepared) {
+  AddBoth();
+  table_.Add(report_, "Report", 100);
+  report_ = {.text = "a text too long for the string itself", .values = {1, 2}};
+  table_.SetLength(4);
+  table_.Prepare();
+
+  const AllocationGuard guard;
+  for (int i = 0; i < 100; ++i) Advance();
+}
+
+}  // namespace
+}  // namespace tendon

@@ -1,0 +1,59 @@
+#include <gtest/gtest.h>
+#include <support/allocation_guard.h>
+
+#include <cstddef>
+#include <cstdlib>
+#include <new>
+
+namespace {
+
+// Constant-initialised, so that reading it in a new thread allocates nothing.
+constinit thread_local std::uint64_t allocations_of_thread = 0;
+
+void* Allocate(std::size_t size) {
+  ++allocations_of_thread;
+  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
+  throw std::bad_alloc();
+}
+
+void* Allocate(std::size_t size, std::align_val_t alignment) {
+  ++allocations_of_thread;
+  const auto bytes = static_cast<std::size_t>(alignment);
+  if (void* memory = std::aligned_alloc(bytes, (size + bytes - 1) / bytes * bytes)) return memory;
+  throw std::bad_alloc();
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) { return Allocate(size); }
+void* operator new[](std::size_t size) { return Allocate(size); }
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  return Allocate(size, alignment);
+}
+void* operator new[](std::size_t size, std::align_val_t alignment) {
+  return Allocate(size, alignment);
+}
+
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete[](void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+
+namespace tendon {
+
+AllocationGuard::AllocationGuard() noexcept : before_(allocations_of_thread) {}
+
+AllocationGuard::~AllocationGuard() {
+  const std::uint64_t count = allocations();
+  EXPECT_EQ(count, 0U) << "allocations in this thread while none were allowed";
+}
+
+std::uint64_t AllocationGuard::allocations() const noexcept {
+  return allocations_of_thread - before_;
+}
+
+}  // namespace tendon

@@ -1,0 +1,3 @@
+#include "support/network_kinds.h"
+
+std::vector<NetworkKind> NetworkKinds() { return PlainNetworkKinds(); }

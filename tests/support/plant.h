@@ -1,0 +1,186 @@
+#pragma once
+
+#include <tendon/task/periodic_task.h>
+
+#include <array>
+#include <cstdint>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// Two components for tests of connections: a plant that offers every kind of command and event,
+/// and an operator that uses them all.
+namespace plant {
+
+/// Fixed; the number tells one call from the next.
+struct Move {
+  std::uint64_t number = 0;
+  std::array<double, 3> goal{};
+
+  bool operator==(const Move&) const = default;
+};
+
+/// Dynamic.
+struct Note {
+  std::string text;
+  std::vector<double> values;
+
+  bool operator==(const Note&) const = default;
+};
+
+/// Looks like a Move to people, but is none.
+struct OtherMove {
+  std::uint64_t number = 0;
+  std::array<double, 3> goal{};
+};
+
+}  // namespace plant
+
+template <>
+inline constexpr auto tendon::kPayload<plant::Move> =
+    tendon::Describe("plant.Move", tendon::Field{"number", &plant::Move::number},
+                     tendon::Field{"goal", &plant::Move::goal, "rad"});
+template <>
+inline constexpr auto tendon::kPayload<plant::Note> =
+    tendon::Describe("plant.Note", tendon::Field{"text", &plant::Note::text},
+                     tendon::Field{"values", &plant::Note::values});
+template <>
+inline constexpr auto tendon::kPayload<plant::OtherMove> =
+    tendon::Describe("plant.Move", tendon::Field{"number", &plant::OtherMove::number},
+                     tendon::Field{"goal", &plant::OtherMove::goal, "deg"});
+
+namespace plant {
+
+/// What was done, in order; any thread.
+template <typename T>
+class Record {
+ public:
+  void Add(const T& value) {
+    const std::scoped_lock lock(mutex_);
+    values_.push_back(value);
+  }
+  [[nodiscard]] std::vector<T> values() const {
+    const std::scoped_lock lock(mutex_);
+    return values_;
+  }
+  [[nodiscard]] std::size_t size() const {
+    const std::scoped_lock lock(mutex_);
+    return values_.size();
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::vector<T> values_;
+};
+
+/// Executes commands at 1 kHz, echoes each as an event and records a row a cycle.
+class Plant final : public tendon::PeriodicTask {
+ public:
+  explicit Plant(std::string name) : PeriodicTask(std::move(name), std::chrono::milliseconds(1)) {
+    state_table().Add(move_, "Move");
+    state_table().Add(note_, "Note", 256);
+    auto& control = AddProvidedInterface("Control");
+    control.AddCommandVoid(&Plant::Stop, this, "Stop");
+    control.AddCommandWrite(&Plant::MoveTo, this, "MoveTo");
+    control.AddCommandWrite(&Plant::Write, this, "Write");
+    control.AddCommandReadState(state_table(), move_, "GetMove");
+    control.AddCommandReadState(state_table(), note_, "GetNote");
+    control.AddCommandQualifiedRead(state_table(), move_, &Scaled, "GetScaled");
+    control.AddCommandRead(&Plant::Ask, this, "Ask", tendon::kThreadSafe);
+    control.AddEvent(stopped_, "Stopped");
+    control.AddEvent(moved_, "Moved");
+    control.AddEvent(written_, "Written");
+  }
+  ~Plant() override { Join(); }
+
+  void Run() override { ProcessQueuedCommands(); }
+
+  Record<Move> moves;
+  Record<Note> notes;
+  Record<int> stops;
+  mutable std::mutex gate;  ///< whoever asks waits while it is locked
+
+ private:
+  void Stop() {
+    stops.Add(0);
+    stopped_();
+  }
+  void MoveTo(const Move& move) {
+    move_ = move;
+    moves.Add(move);
+    moved_(move);
+  }
+  void Write(const Note& note) {
+    note_ = note;
+    notes.Add(note);
+    written_(note);
+  }
+  static void Scaled(const Move& move, const double& factor, Move& scaled) {
+    scaled = move;
+    for (double& one : scaled.goal) one *= factor;
+  }
+  void Ask(std::uint64_t& answer) const {
+    const std::scoped_lock lock(gate);
+    answer = 42;
+  }
+
+  Move move_;
+  Note note_;
+  tendon::VoidEvent stopped_;
+  tendon::WriteEvent<Move> moved_;
+  tendon::WriteEvent<Note> written_;
+};
+
+/// Has no thread: the test calls its functions, and executes the events that have arrived.
+class Operator final : public tendon::Component {
+ public:
+  explicit Operator(std::string name, std::size_t capacity = 64)
+      : Component(std::move(name), std::make_unique<tendon::Inbox>()) {
+    auto& robot = AddRequiredInterface("Robot");
+    robot.AddFunction(stop, "Stop");
+    robot.AddFunction(move_to, "MoveTo");
+    robot.AddFunction(write, "Write");
+    robot.AddFunction(get_move, "GetMove");
+    robot.AddFunction(get_note, "GetNote");
+    robot.AddFunction(get_scaled, "GetScaled");
+    robot.AddFunction(ask, "Ask");
+    robot.AddEventHandlerVoid(&Operator::OnStopped, this, "Stopped");
+    robot.AddEventHandlerWrite(&Operator::OnMoved, this, "Moved");
+    robot.AddEventHandlerWrite(&Operator::OnWritten, this, "Written");
+    robot.SetMailboxCapacity(capacity);
+  }
+
+  std::size_t Process() { return inbox()->ExecuteQueued(); }
+
+  tendon::VoidFunction stop;
+  tendon::WriteFunction<Move> move_to;
+  tendon::WriteFunction<Note> write;
+  tendon::ReadFunction<Move> get_move;
+  tendon::ReadFunction<Note> get_note;
+  tendon::QualifiedReadFunction<double, Move> get_scaled;
+  tendon::ReadFunction<std::uint64_t> ask;
+
+  std::vector<Move> moved;
+  std::vector<Note> written;
+  int stopped = 0;
+
+ private:
+  void OnStopped() { ++stopped; }
+  void OnMoved(const Move& move) { moved.push_back(move); }
+  void OnWritten(const Note& note) { written.push_back(note); }
+};
+
+/// Offers and needs too little, or something else.
+class Impostor final : public tendon::Component {
+ public:
+  explicit Impostor(std::string name) : Component(std::move(name)) {
+    auto& control = AddProvidedInterface("Control");
+    control.AddCommandWrite(&Impostor::MoveTo, this, "MoveTo");
+  }
+
+ private:
+  void MoveTo(const OtherMove& /*move*/) {}
+};
+
+}  // namespace plant
