@@ -1,0 +1,84 @@
+#include <tendon/interface/compatibility.h>
+
+#include <algorithm>
+
+namespace tendon {
+namespace {
+
+/// "write command 'MoveTo' of arm.JointGoal"
+std::string Words(const MemberDescription& member, const std::string& noun) {
+  std::string words =
+      std::string(ToString(member.signature.kind)) + " " + noun + " '" + member.name + "'";
+  switch (member.signature.kind) {
+    case CommandKind::kVoid:
+      return words;
+    case CommandKind::kWrite:
+      return words + " of " + member.in_type;
+    case CommandKind::kRead:
+    case CommandKind::kVoidReturn:
+      return words + " of " + member.out_type;
+    case CommandKind::kQualifiedRead:
+    case CommandKind::kWriteReturn:
+      return words + " of " + member.in_type + " -> " + member.out_type;
+  }
+  return words;
+}
+
+/// What the offered one is, in as few words as tell the difference.
+std::string OfferedWords(const MemberDescription& needed, const MemberDescription& offered) {
+  const bool same_kind = needed.signature.kind == offered.signature.kind;
+  const bool same_names = needed.in_type == offered.in_type && needed.out_type == offered.out_type;
+  if (!same_kind) return "a " + std::string(ToString(offered.signature.kind)) + " one";
+  const bool other_in = needed.signature.in != offered.signature.in;
+  const std::string& type = other_in ? offered.in_type : offered.out_type;
+  return same_names ? "another " + type + " (fields, units or shapes differ)" : type;
+}
+
+void CompareMembers(const std::vector<MemberDescription>& needed,
+                    const std::vector<MemberDescription>& offered, const std::string& noun,
+                    Compatibility& result) {
+  for (const MemberDescription& member : needed) {
+    if (!member.optional) ++result.needed;
+    const auto found =
+        std::find_if(offered.begin(), offered.end(),
+                     [&member](const MemberDescription& one) { return one.name == member.name; });
+    if (found == offered.end()) {
+      if (member.optional) continue;
+      result.mismatches.push_back(
+          {Mismatch::Kind::kMissing, member.name, "missing " + Words(member, noun)});
+    } else if (found->signature == member.signature) {
+      if (!member.optional) ++result.matched;
+    } else {
+      const auto kind = found->signature.kind == member.signature.kind ? Mismatch::Kind::kOtherType
+                                                                       : Mismatch::Kind::kOtherKind;
+      result.mismatches.push_back(
+          {kind, member.name,
+           "needs " + Words(member, noun) + ", offered is " + OfferedWords(member, *found)});
+    }
+  }
+}
+
+}  // namespace
+
+std::string Compatibility::Text() const {
+  std::string text;
+  for (const Mismatch& mismatch : mismatches) {
+    if (!text.empty()) text += "; ";
+    text += mismatch.text;
+  }
+  return text;
+}
+
+Compatibility Compare(const RequiredDescription& required, const ProvidedDescription& provided) {
+  Compatibility result;
+  CompareMembers(required.functions, provided.commands, "command", result);
+  CompareMembers(required.event_handlers, provided.events, "event", result);
+  return result;
+}
+
+std::string Refusal(const std::string& required, const std::string& provided,
+                    const Compatibility& compatibility) {
+  return required + " does not fit " + provided + ": " + compatibility.Text();
+}
+
+}  // namespace tendon

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <tendon/base/result.h>
+#include <tendon/interface/provided_interface.h>
+#include <tendon/interface/required_interface.h>
+
+#include <chrono>
+#include <memory>
+#include <vector>
+
+namespace tendon {
+
+/// A required interface bound to a provided one, both in this process: a mailbox for commands, a
+/// mailbox for events, and the commands in between. Lives from Make() to its destruction.
+///
+/// Used by managers only, one at a time; both components may run meanwhile.
+class Connection {
+ public:
+  /// Binds all functions and handlers, or nothing: kIncompatible with the sentence that names both
+  /// ends, kExists when `required` is connected already. The interfaces must outlive the
+  /// connection.
+  static Result<std::unique_ptr<Connection>> Make(RequiredInterface& required,
+                                                  ProvidedInterface& provided,
+                                                  const std::string& required_name,
+                                                  const std::string& provided_name);
+
+  Connection(const Connection&) = delete;
+  Connection& operator=(const Connection&) = delete;
+  /// Close() with no patience, if it was not called.
+  ~Connection();
+
+  /// No call and no event enters any more; lets both ends execute what they accepted for at most
+  /// `patience`, then frees everything. Returns how many accepted calls and events were dropped.
+  /// Never from a thread that executes either end's mailboxes.
+  std::size_t Close(std::chrono::milliseconds patience);
+
+  /// Calls waiting at the server now.
+  [[nodiscard]] std::size_t waiting() const;
+  /// Calls refused because the server's mailbox was full.
+  [[nodiscard]] std::uint64_t refused() const;
+
+ private:
+  Connection(RequiredInterface& required, ProvidedInterface& provided);
+  void OpenMailboxes();
+  void BindFunctions();
+  void BindHandlers();
+
+  RequiredInterface& required_;
+  ProvidedInterface& provided_;
+  Mailbox* commands_ = nullptr;  // at the server
+  Mailbox* events_ = nullptr;    // at the client
+  std::vector<std::unique_ptr<CommandBase>> owned_;
+  Binding binding_;
+  struct Subscription {
+    EventBase* event;
+    CommandBase* handler;
+  };
+  std::vector<Subscription> subscriptions_;
+  bool open_ = false;
+};
+
+}  // namespace tendon

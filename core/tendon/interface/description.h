@@ -1,0 +1,62 @@
+#pragma once
+
+#include <tendon/interface/signature.h>
+
+#include <string>
+#include <vector>
+
+namespace tendon {
+
+/// One member of an interface as others see it: a command, an event, or the function or handler
+/// that needs one. The names of the payload types are for people; the signature decides.
+struct MemberDescription {
+  std::string name;
+  Signature signature;
+  std::string in_type;
+  std::string out_type;
+  bool optional = false;  ///< functions and handlers only: the interface connects without it
+  std::string hazard;     ///< commands only: "motion" where a call can set something in motion
+
+  bool operator==(const MemberDescription&) const = default;
+};
+
+/// What a component offers under one name. `events` are of kind void or write.
+struct ProvidedDescription {
+  std::string name;
+  std::vector<MemberDescription> commands;
+  std::vector<MemberDescription> events;
+
+  bool operator==(const ProvidedDescription&) const = default;
+};
+
+/// What a component needs filled under one name.
+struct RequiredDescription {
+  std::string name;
+  std::vector<MemberDescription> functions;
+  std::vector<MemberDescription> event_handlers;
+  bool optional = false;
+
+  bool operator==(const RequiredDescription&) const = default;
+};
+
+template <>
+inline constexpr auto kPayload<MemberDescription> = Describe(
+    "tendon.MemberDescription", Field{"name", &MemberDescription::name},
+    Field{"signature", &MemberDescription::signature},
+    Field{"in_type", &MemberDescription::in_type}, Field{"out_type", &MemberDescription::out_type},
+    Field{"optional", &MemberDescription::optional}, Field{"hazard", &MemberDescription::hazard});
+
+template <>
+inline constexpr auto kPayload<ProvidedDescription> =
+    Describe("tendon.ProvidedDescription", Field{"name", &ProvidedDescription::name},
+             Field{"commands", &ProvidedDescription::commands},
+             Field{"events", &ProvidedDescription::events});
+
+template <>
+inline constexpr auto kPayload<RequiredDescription> =
+    Describe("tendon.RequiredDescription", Field{"name", &RequiredDescription::name},
+             Field{"functions", &RequiredDescription::functions},
+             Field{"event_handlers", &RequiredDescription::event_handlers},
+             Field{"optional", &RequiredDescription::optional});
+
+}  // namespace tendon

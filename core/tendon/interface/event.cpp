@@ -1,0 +1,29 @@
+#include <tendon/interface/event.h>
+
+#include <utility>
+
+namespace tendon {
+
+EventBase::~EventBase() { current_.Exchange(nullptr); }
+
+void EventBase::Subscribe(CommandBase& handler) {
+  const std::scoped_lock lock(mutex_);
+  auto next = list_ ? std::make_unique<List>(*list_) : std::make_unique<List>();
+  next->push_back({&handler, Adapt(handler)});
+  Replace(std::move(next));
+}
+
+void EventBase::Unsubscribe(CommandBase& handler) {
+  const std::scoped_lock lock(mutex_);
+  if (!list_) return;
+  auto next = std::make_unique<List>(*list_);
+  std::erase_if(*next, [&handler](const Subscriber& one) { return one.handler == &handler; });
+  Replace(std::move(next));
+}
+
+void EventBase::Replace(std::unique_ptr<List> next) {
+  current_.Exchange(next.get());  // waits until nobody raises over the old list
+  list_ = std::move(next);
+}
+
+}  // namespace tendon

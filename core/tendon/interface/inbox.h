@@ -1,0 +1,58 @@
+#pragma once
+
+#include <tendon/interface/mailbox.h>
+#include <tendon/lockfree/guarded_pointer.h>
+
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+namespace tendon {
+
+/// All mailboxes of one component, of commands and of events, and the thread that empties them.
+///
+/// Thread safety: ExecuteQueued() belongs to the component's thread; Open() and Remove() to
+/// managers, at any time.
+class Inbox {
+ public:
+  /// `wakeup`, if any, is told of every post: for a thread that sleeps until something arrives.
+  explicit Inbox(Wakeup<>* wakeup = nullptr);
+  Inbox(const Inbox&) = delete;
+  Inbox& operator=(const Inbox&) = delete;
+  ~Inbox();
+
+  /// Adds a mailbox; the inbox owns it until it is removed. Locks and allocates.
+  Mailbox& Open(std::size_t capacity, Mailbox::SlotShape argument);
+
+  /// Closes `mailbox`, takes it out and frees it once nobody executes from it. Returns how many
+  /// calls in it were never executed.
+  std::size_t Remove(Mailbox& mailbox);
+
+  /// Executes what waited at the time of the call, mailbox by mailbox, so that a fast client cannot
+  /// starve the others; at most `limit` calls. A nested call does nothing. Returns how many calls
+  /// were executed. No lock, no allocation of its own.
+  std::size_t ExecuteQueued(std::size_t limit = std::numeric_limits<std::size_t>::max());
+
+  /// While false, posts are refused with kNotActive.
+  void SetAccepting(bool accepting) noexcept { accepting_.Set(accepting); }
+  [[nodiscard]] bool accepting() const noexcept { return accepting_.Get(); }
+
+  /// Calls waiting now, over all mailboxes.
+  [[nodiscard]] std::size_t size() const;
+
+ private:
+  using List = std::vector<Mailbox*>;
+
+  void Replace(std::unique_ptr<List> next);
+
+  Wakeup<>* wakeup_;
+  Flag accepting_;
+  bool executing_ = false;
+  mutable std::mutex mutex_;  // of managers; the component's thread never takes it
+  std::vector<std::unique_ptr<Mailbox>> mailboxes_;
+  std::unique_ptr<List> list_;
+  GuardedPointer<List> current_;
+};
+
+}  // namespace tendon

@@ -1,0 +1,51 @@
+#include <tendon/base/name.h>
+#include <tendon/interface/provided_interface.h>
+
+#include <algorithm>
+
+namespace tendon {
+
+Offer& ProvidedInterface::AddOffer(std::unique_ptr<Offer> offer) {
+  CheckNew("command", offer->description().name);
+  commands_.push_back(std::move(offer));
+  return *commands_.back();
+}
+
+void ProvidedInterface::AddEvent(EventBase& event, MemberDescription description) {
+  CheckNew("event", description.name);
+  events_.push_back({std::move(description), &event});
+}
+
+const Offer* ProvidedInterface::FindCommand(const std::string& name) const {
+  const auto found = std::find_if(commands_.begin(), commands_.end(), [&name](const auto& offer) {
+    return offer->description().name == name;
+  });
+  return found == commands_.end() ? nullptr : found->get();
+}
+
+EventBase* ProvidedInterface::FindEvent(const std::string& name) const {
+  const auto found = std::find_if(events_.begin(), events_.end(), [&name](const NamedEvent& one) {
+    return one.description.name == name;
+  });
+  return found == events_.end() ? nullptr : found->event;
+}
+
+ProvidedDescription ProvidedInterface::description() const {
+  ProvidedDescription description{.name = name_, .commands = {}, .events = {}};
+  for (const auto& offer : commands_) description.commands.push_back(offer->description());
+  for (const NamedEvent& one : events_) description.events.push_back(one.description);
+  return description;
+}
+
+void ProvidedInterface::CheckNew(const std::string& what, const std::string& name) const {
+  RequireName(what, name);
+  if (sealed_) {
+    throw ConfigurationError("cannot add " + what + " '" + name + "' to interface '" + name_ +
+                             "': its component was started; add it in the constructor");
+  }
+  if (FindCommand(name) != nullptr || FindEvent(name) != nullptr) {
+    throw ConfigurationError(what + " '" + name + "' already exists in interface '" + name_ + "'");
+  }
+}
+
+}  // namespace tendon

@@ -1,0 +1,136 @@
+#pragma once
+
+#include <tendon/interface/event.h>
+#include <tendon/interface/inbox.h>
+#include <tendon/interface/offer.h>
+#include <tendon/state/state_table.h>
+
+#include <concepts>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace tendon {
+
+/// Says that a method may run in any thread at the same time as its component: it touches only what
+/// is constant or synchronised.
+struct ThreadSafe {};
+inline constexpr ThreadSafe kThreadSafe;
+
+/// A named set of commands and events that a component offers.
+///
+/// It is filled in the component's constructor. A second member of one name, a bad name or adding
+/// after the component was started throws ConfigurationError. Methods and events must outlive it,
+/// which members of the component do.
+class ProvidedInterface {
+ public:
+  /// `inbox` is where void and write commands wait; null when they run in the caller's thread.
+  ProvidedInterface(std::string name, Inbox* inbox) : name_(std::move(name)), inbox_(inbox) {}
+  ProvidedInterface(const ProvidedInterface&) = delete;
+  ProvidedInterface& operator=(const ProvidedInterface&) = delete;
+
+  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] Inbox* inbox() const { return inbox_; }
+
+  /// Queued to the component's thread; runs in its ProcessQueuedCommands().
+  template <typename Owner, std::derived_from<Owner> Object>
+  Offer& AddCommandVoid(void (Owner::*method)(), Object* object, std::string name) {
+    return AddQueued<None>(CommandKind::kVoid, std::move(name),
+                           [method, object](const None&) { (object->*method)(); });
+  }
+  template <typename Owner, typename Argument, std::derived_from<Owner> Object>
+  Offer& AddCommandWrite(void (Owner::*method)(Argument), Object* object, std::string name) {
+    using In = std::remove_cvref_t<Argument>;
+    return AddQueued<In>(CommandKind::kWrite, std::move(name),
+                         [method, object](const In& in) { (object->*method)(in); });
+  }
+
+  /// Runs in the caller's thread: newest value of a column of `table`; kNoSample before the first
+  /// row. Allocates nothing for fixed payloads.
+  template <Payload T>
+  Offer& AddCommandReadState(const StateTable& table, const T& variable, std::string name) {
+    const Column<T>& column = table.Find(variable);
+    return AddDirect<None, T>(CommandKind::kRead, std::move(name),
+                              [&column](const None&, T& out) { return column.ReadNewest(out); });
+  }
+  /// Runs in the caller's thread: `function(row, question, answer)` on the newest value of a
+  /// column.
+  template <Payload T, Payload In, Payload Out>
+  Offer& AddCommandQualifiedRead(const StateTable& table, const T& variable,
+                                 void (*function)(const T&, const In&, Out&), std::string name) {
+    const Column<T>& column = table.Find(variable);
+    return AddDirect<In, Out>(
+        CommandKind::kQualifiedRead, std::move(name),
+        [&column, function, row = T{}](const In& in, Out& out) mutable -> Status {
+          const Status status = column.ReadNewest(row);
+          if (status) function(row, in, out);
+          return status;
+        });
+  }
+  /// Runs in the caller's thread, whenever: hence the tag.
+  template <typename Owner, Payload Out, std::derived_from<Owner> Object>
+  Offer& AddCommandRead(void (Owner::*method)(Out&) const, const Object* object, std::string name,
+                        ThreadSafe) {
+    return AddDirect<None, Out>(CommandKind::kRead, std::move(name),
+                                [method, object](const None&, Out& out) -> Status {
+                                  (object->*method)(out);
+                                  return Status::kDone;
+                                });
+  }
+  template <typename Owner, typename Argument, Payload Out, std::derived_from<Owner> Object>
+  Offer& AddCommandQualifiedRead(void (Owner::*method)(Argument, Out&) const, const Object* object,
+                                 std::string name, ThreadSafe) {
+    using In = std::remove_cvref_t<Argument>;
+    return AddDirect<In, Out>(CommandKind::kQualifiedRead, std::move(name),
+                              [method, object](const In& in, Out& out) -> Status {
+                                (object->*method)(in, out);
+                                return Status::kDone;
+                              });
+  }
+
+  /// Lets clients handle `event`, which the component raises by calling it.
+  template <Payload T>
+  void AddEvent(Event<T>& event, std::string name) {
+    constexpr CommandKind kKind = std::same_as<T, None> ? CommandKind::kVoid : CommandKind::kWrite;
+    AddEvent(event, DescribeMember<T, None>(std::move(name), kKind));
+  }
+
+  /// For members that are made at run time: proxies, columns of a table.
+  Offer& AddOffer(std::unique_ptr<Offer> offer);
+  void AddEvent(EventBase& event, MemberDescription description);
+
+  /// Null where there is none.
+  [[nodiscard]] const Offer* FindCommand(const std::string& name) const;
+  [[nodiscard]] EventBase* FindEvent(const std::string& name) const;
+
+  [[nodiscard]] ProvidedDescription description() const;
+
+  /// No member can be added from now on.
+  void Seal() { sealed_ = true; }
+
+ private:
+  struct NamedEvent {
+    MemberDescription description;
+    EventBase* event;
+  };
+
+  template <Payload In, typename Handler>
+  Offer& AddQueued(CommandKind kind, std::string name, Handler handler) {
+    return AddOffer(std::make_unique<QueuedOffer<In, Handler>>(
+        DescribeMember<In, None>(std::move(name), kind), std::move(handler)));
+  }
+  template <Payload In, Payload Out, typename Body>
+  Offer& AddDirect(CommandKind kind, std::string name, Body body) {
+    return AddOffer(std::make_unique<DirectOffer<In, Out, Body>>(
+        DescribeMember<In, Out>(std::move(name), kind), std::move(body)));
+  }
+  void CheckNew(const std::string& what, const std::string& name) const;
+
+  std::string name_;
+  Inbox* inbox_;
+  bool sealed_ = false;
+  std::vector<std::unique_ptr<Offer>> commands_;
+  std::vector<NamedEvent> events_;
+};
+
+}  // namespace tendon

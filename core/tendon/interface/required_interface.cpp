@@ -1,0 +1,62 @@
+#include <tendon/base/name.h>
+#include <tendon/interface/required_interface.h>
+
+#include <algorithm>
+
+namespace tendon {
+
+std::size_t RequiredInterface::AddCaller(Caller& caller, MemberDescription description) {
+  CheckNew("function", description.name);
+  callers_.push_back({std::move(description), &caller});
+  return callers_.size() - 1;
+}
+
+void RequiredInterface::AddOffer(std::unique_ptr<Offer> handler) {
+  CheckNew("event handler", handler->description().name);
+  handlers_.push_back(std::move(handler));
+}
+
+void RequiredInterface::SetMailboxCapacity(std::size_t capacity) {
+  constexpr std::size_t kMost = std::size_t{1} << 24U;
+  if (capacity < 1 || capacity > kMost) {
+    throw ConfigurationError("mailbox capacity of '" + name_ + "' must be 1..16777216, got " +
+                             std::to_string(capacity));
+  }
+  mailbox_capacity_ = capacity;
+}
+
+void RequiredInterface::SetReadDeadline(std::chrono::milliseconds deadline) {
+  if (deadline < std::chrono::milliseconds(1)) {
+    throw ConfigurationError("read deadline of '" + name_ + "' must be at least 1 ms, got " +
+                             std::to_string(deadline.count()) + " ms");
+  }
+  read_deadline_ = deadline;
+}
+
+RequiredDescription RequiredInterface::description() const {
+  RequiredDescription description{
+      .name = name_, .functions = {}, .event_handlers = {}, .optional = need_ == Need::kOptional};
+  for (const NamedCaller& one : callers_) description.functions.push_back(one.description);
+  for (const auto& handler : handlers_) {
+    description.event_handlers.push_back(handler->description());
+  }
+  return description;
+}
+
+void RequiredInterface::CheckNew(const std::string& what, const std::string& name) const {
+  RequireName(what, name);
+  if (sealed_) {
+    throw ConfigurationError("cannot add " + what + " '" + name + "' to interface '" + name_ +
+                             "': its component was started; add it in the constructor");
+  }
+  const bool taken =
+      std::any_of(callers_.begin(), callers_.end(),
+                  [&](const NamedCaller& one) { return one.description.name == name; }) ||
+      std::any_of(handlers_.begin(), handlers_.end(),
+                  [&](const auto& handler) { return handler->description().name == name; });
+  if (taken) {
+    throw ConfigurationError(what + " '" + name + "' already exists in interface '" + name_ + "'");
+  }
+}
+
+}  // namespace tendon

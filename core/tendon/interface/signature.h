@@ -1,0 +1,69 @@
+#pragma once
+
+#include <tendon/payload/fingerprint.h>
+#include <tendon/payload/payload.h>
+
+#include <cstdint>
+#include <string_view>
+
+namespace tendon {
+
+/// How a command is executed. Part of the signature: a harmless read can never bind to a command
+/// that blocks.
+enum class CommandKind : std::int32_t {
+  kVoid,           ///< no argument; queued to the server's thread
+  kWrite,          ///< one argument in; queued to the server's thread
+  kRead,           ///< one argument out; runs in the caller's thread
+  kQualifiedRead,  ///< one in, one out; runs in the caller's thread
+  kVoidReturn,     ///< one out; runs in the server's thread, the caller waits
+  kWriteReturn,    ///< one in, one out; runs in the server's thread, the caller waits
+};
+
+template <>
+inline constexpr auto kPayload<CommandKind> =
+    DescribeEnum("tendon.CommandKind", Enumerator{"void", CommandKind::kVoid},
+                 Enumerator{"write", CommandKind::kWrite}, Enumerator{"read", CommandKind::kRead},
+                 Enumerator{"qualified_read", CommandKind::kQualifiedRead},
+                 Enumerator{"void_return", CommandKind::kVoidReturn},
+                 Enumerator{"write_return", CommandKind::kWriteReturn});
+
+/// "void", "write", "read", "qualified read", ...
+[[nodiscard]] constexpr std::string_view ToString(CommandKind kind) noexcept {
+  switch (kind) {
+    case CommandKind::kVoid:
+      return "void";
+    case CommandKind::kWrite:
+      return "write";
+    case CommandKind::kRead:
+      return "read";
+    case CommandKind::kQualifiedRead:
+      return "qualified read";
+    case CommandKind::kVoidReturn:
+      return "void-return";
+    case CommandKind::kWriteReturn:
+      return "write-return";
+  }
+  return "unknown";
+}
+
+/// What both ends of a connection must agree on, for one member.
+struct Signature {
+  CommandKind kind = CommandKind::kVoid;
+  Fingerprint in;
+  Fingerprint out;
+
+  bool operator==(const Signature&) const = default;
+};
+
+template <>
+inline constexpr auto kPayload<Signature> = Describe("tendon.Signature",
+                                                     Field{"kind", &Signature::kind},
+                                                     Field{"in", &Signature::in},
+                                                     Field{"out", &Signature::out});
+
+template <Payload In, Payload Out>
+Signature SignatureOf(CommandKind kind) {
+  return {kind, FingerprintOf<In>(), FingerprintOf<Out>()};
+}
+
+}  // namespace tendon

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <tendon/manager/component_registry.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace tendon {
+
+/// Loads component classes from plug-ins: shared libraries `NAME.so` in a list of folders, which
+/// export TendonRegisterComponents. A plug-in stays loaded for the life of the process.
+///
+/// One thread at a time.
+class ComponentLoader {
+ public:
+  /// Folders are searched in order; $TENDON_COMPONENTS (a ':' list) comes before them, and behind
+  /// them ../lib/tendon/components as seen from the program.
+  explicit ComponentLoader(std::vector<std::filesystem::path> folders = {});
+
+  /// Loads `library`, a bare name, unless it is loaded. Errors: kInvalid for a name with '/' or
+  /// "..", kNotFound with the folders searched and a suggestion, kFailed with what is wrong with
+  /// the file. A library that fails adds no class.
+  Result<void> Load(const std::string& library);
+
+  /// Loads the library and makes a component of one of its classes.
+  Result<std::unique_ptr<Component>> Create(const std::string& library,
+                                            const std::string& class_name, const std::string& name,
+                                            const std::string& configuration_json);
+
+ private:
+  [[nodiscard]] Result<std::filesystem::path> Find(const std::string& library) const;
+
+  std::vector<std::filesystem::path> folders_;
+  std::map<std::string, ComponentRegistry> loaded_;
+};
+
+}  // namespace tendon

@@ -1,0 +1,113 @@
+#pragma once
+
+#include <tendon/base/name.h>
+#include <tendon/interface/description.h>
+#include <tendon/task/component_state.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace tendon {
+
+/// One column of a state table: a payload with a name.
+struct ColumnDescription {
+  std::string name;
+  std::string type;
+  Fingerprint fingerprint;
+
+  bool operator==(const ColumnDescription&) const = default;
+};
+
+/// A state table as others see it. It is also the provided interface `state` (the table named
+/// "state") or `state-NAME`, with one read command a column.
+struct TableDescription {
+  std::string name;          ///< of its provided interface: "state" or "state-NAME"
+  std::uint64_t length = 0;  ///< rows kept
+  std::vector<ColumnDescription> columns;
+
+  bool operator==(const TableDescription&) const = default;
+};
+
+/// A component as others see it.
+struct ComponentDescription {
+  std::string name;
+  std::string class_name;
+  std::string library;  ///< the plug-in's file name, or empty
+  ComponentState state = ComponentState::kConstructed;
+  std::string fault;    ///< why it is faulted
+  double period = 0.0;  ///< s; 0 where it has none
+  std::vector<ProvidedDescription> provided;
+  std::vector<RequiredDescription> required;
+  std::vector<TableDescription> tables;
+
+  bool operator==(const ComponentDescription&) const = default;
+};
+
+enum class ConnectionState : std::int32_t {
+  kPending,  ///< wanted; the peer is not there yet, or gone
+  kActive,
+  kFailed,  ///< the peer is there and refused
+};
+
+template <>
+inline constexpr auto kPayload<ConnectionState> = DescribeEnum(
+    "tendon.ConnectionState", Enumerator{"pending", ConnectionState::kPending},
+    Enumerator{"active", ConnectionState::kActive}, Enumerator{"failed", ConnectionState::kFailed});
+
+/// "pending", "active", "failed".
+[[nodiscard]] constexpr std::string_view ToString(ConnectionState state) noexcept {
+  return NameOf(state);
+}
+
+/// A connection; it belongs to the process of its required side. A required interface has at most
+/// one.
+struct ConnectionDescription {
+  std::uint64_t id = 0;  ///< unique within the process of the required side
+  InterfaceName required;
+  InterfaceName provided;
+  ConnectionState state = ConnectionState::kPending;
+  std::string reason;  ///< why it is pending or failed
+
+  bool operator==(const ConnectionDescription&) const = default;
+};
+
+}  // namespace tendon
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::InterfaceName> = tendon::Describe(
+    "tendon.InterfaceName", tendon::Field{"process", &tendon::InterfaceName::process},
+    tendon::Field{"component", &tendon::InterfaceName::component},
+    tendon::Field{"interface", &tendon::InterfaceName::interface});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::ColumnDescription> = tendon::Describe(
+    "tendon.ColumnDescription", tendon::Field{"name", &tendon::ColumnDescription::name},
+    tendon::Field{"type", &tendon::ColumnDescription::type},
+    tendon::Field{"fingerprint", &tendon::ColumnDescription::fingerprint});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::TableDescription> = tendon::Describe(
+    "tendon.TableDescription", tendon::Field{"name", &tendon::TableDescription::name},
+    tendon::Field{"length", &tendon::TableDescription::length},
+    tendon::Field{"columns", &tendon::TableDescription::columns});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::ComponentDescription> = tendon::Describe(
+    "tendon.ComponentDescription", tendon::Field{"name", &tendon::ComponentDescription::name},
+    tendon::Field{"class_name", &tendon::ComponentDescription::class_name},
+    tendon::Field{"library", &tendon::ComponentDescription::library},
+    tendon::Field{"state", &tendon::ComponentDescription::state},
+    tendon::Field{"fault", &tendon::ComponentDescription::fault},
+    tendon::Field{"period", &tendon::ComponentDescription::period, "s"},
+    tendon::Field{"provided", &tendon::ComponentDescription::provided},
+    tendon::Field{"required", &tendon::ComponentDescription::required},
+    tendon::Field{"tables", &tendon::ComponentDescription::tables});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::ConnectionDescription> = tendon::Describe(
+    "tendon.ConnectionDescription", tendon::Field{"id", &tendon::ConnectionDescription::id},
+    tendon::Field{"required", &tendon::ConnectionDescription::required},
+    tendon::Field{"provided", &tendon::ConnectionDescription::provided},
+    tendon::Field{"state", &tendon::ConnectionDescription::state},
+    tendon::Field{"reason", &tendon::ConnectionDescription::reason});

@@ -1,0 +1,118 @@
+#pragma once
+
+#include <tendon/base/result.h>
+#include <tendon/interface/connection.h>
+#include <tendon/manager/description.h>
+#include <tendon/task/component.h>
+
+#include <chrono>
+#include <concepts>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tendon {
+
+using ConnectionId = std::uint64_t;
+
+/// Where a component came from; shown to people.
+struct ComponentOrigin {
+  std::string class_name;
+  std::string library;
+};
+
+/// The local component manager: owns the components of one process and the connections between
+/// them. Several may live in a process. A Process is one with a network.
+///
+/// Thread-safe, except that no function is called from a component's own thread. Requests take a
+/// lock and wait for threads to end; nothing here belongs in a cycle.
+class LocalManager {
+ public:
+  LocalManager() = default;
+  LocalManager(const LocalManager&) = delete;
+  LocalManager& operator=(const LocalManager&) = delete;
+  /// Disconnects, stops and destroys everything.
+  virtual ~LocalManager();
+
+  /// Makes a component T(name, arguments...) and takes it in. ConfigurationError when the name is
+  /// taken.
+  template <std::derived_from<Component> T, typename... Arguments>
+  T& Add(std::string name, Arguments&&... arguments) {
+    auto component = std::make_unique<T>(std::move(name), std::forward<Arguments>(arguments)...);
+    T& reference = *component;
+    Add(std::move(component), {});
+    return reference;
+  }
+  Component& Add(std::unique_ptr<Component> component, ComponentOrigin origin);
+
+  /// Disconnects it, stops it and destroys it.
+  Result<void> Remove(const std::string& component);
+
+  /// Connects a required to a provided interface, at any time. Errors: kNotFound with a suggestion,
+  /// kExists, kIncompatible with the reason. An end without a process means this process.
+  virtual Result<ConnectionId> Connect(const InterfaceName& required,
+                                       const InterfaceName& provided);
+  virtual Result<void> Disconnect(const InterfaceName& required);
+
+  Result<void> Start(const std::string& component);
+  Result<void> Stop(const std::string& component);
+  /// All of them, in the order they were added (stopped in reverse); the first error, but the
+  /// others are started or stopped all the same.
+  Result<void> StartAll();
+  Result<void> StopAll();
+
+  /// Null where there is none; valid until it is removed.
+  [[nodiscard]] Component* Find(const std::string& component) const;
+  [[nodiscard]] std::vector<ComponentDescription> components() const;
+  [[nodiscard]] virtual std::vector<ConnectionDescription> connections() const;
+
+  /// Called after every change of components, states or connections, in the thread that made it,
+  /// which may be a component's that faults: it must be quick and must not call back.
+  void SetObserver(std::function<void()> observer);
+
+  /// How long a disconnect lets servers execute what they have accepted.
+  static constexpr std::chrono::milliseconds kDrainPatience{500};
+
+ protected:
+  /// Either end, or kNotFound with a suggestion.
+  Result<RequiredInterface*> FindRequired(const InterfaceName& name) const;
+  Result<ProvidedInterface*> FindProvided(const InterfaceName& name) const;
+  /// Held while components and connections are looked up or changed; recursive calls of the public
+  /// functions are allowed.
+  [[nodiscard]] std::unique_lock<std::recursive_mutex> Lock() const;
+  void NotifyChanged() const;
+  ConnectionId NextConnectionId() { return ++last_connection_; }
+  /// Called with the lock held before a component goes, so that what else is tied to it can go
+  /// first.
+  virtual void OnRemoving(const Component& /*component*/) {}
+  /// For destructors of derived classes: what ~LocalManager() does.
+  void Clear();
+
+ private:
+  struct Entry {
+    std::unique_ptr<Component> component;
+    ComponentOrigin origin;
+  };
+  struct LocalConnection {
+    ConnectionDescription description;
+    std::unique_ptr<Connection> connection;
+  };
+
+  [[nodiscard]] static ComponentDescription Describe(const Entry& entry);
+  [[nodiscard]] Result<Component*> Require(const std::string& component) const;
+  [[nodiscard]] std::vector<std::string> component_names() const;
+  void DisconnectAll(const std::string& component);
+
+  mutable std::recursive_mutex mutex_;
+  std::vector<Entry> entries_;
+  std::map<ConnectionId, LocalConnection> connections_;
+  ConnectionId last_connection_ = 0;
+  mutable std::mutex observer_mutex_;
+  std::function<void()> observer_;
+};
+
+}  // namespace tendon
