@@ -1,0 +1,197 @@
+#include <Ice/Ice.h>
+#include <tendon/base/log.h>
+#include <tendon/base/os/socket.h>
+#include <tendon/ice/ice_middleware.h>
+#include <tendon/ice/sequence_size_check.h>
+#include <tendon/ice/servants.h>
+#include <tendon/ice/settings.h>
+#include <tendon/middleware/handover.h>
+
+#include <cerrno>
+#include <exception>
+#include <mutex>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+namespace tendon {
+namespace ice {
+namespace {
+
+std::string EndpointAt(const HostPort& place) {
+  return "tcp -h \"" + place.host + "\" -p " + std::to_string(place.port);
+}
+
+std::uint16_t PortOf(const Ice::ObjectAdapter& adapter) {
+  for (const auto& endpoint : adapter.getEndpoints()) {
+    const auto info = std::dynamic_pointer_cast<Ice::TCPEndpointInfo>(endpoint->getInfo());
+    if (info) return static_cast<std::uint16_t>(info->port);
+  }
+  return 0;
+}
+
+Error WhyNotListening(const HostPort& place) {
+  try {
+    throw;
+  } catch (const Ice::DNSException&) {
+    return {ErrorCode::kUnreachable, "host '" + place.host + "' is unknown"};
+  } catch (const Ice::SyscallException& failure) {
+    if (failure.error == EADDRINUSE) return os::AddressInUse(place.host, place.port);
+    return {ErrorCode::kDenied, "cannot listen at " + ToString(place) + ": " +
+                                    std::generic_category().message(failure.error)};
+  } catch (const Ice::Exception& failure) {
+    return {ErrorCode::kDenied, "cannot listen at " + ToString(place) + ": " + failure.ice_id()};
+  }
+}
+
+Error TimedOut(const HostPort& place, std::chrono::milliseconds timeout) {
+  return {ErrorCode::kTimeout, "no answer from " + ToString(place) + " within " +
+                                   std::to_string(timeout.count()) + " ms"};
+}
+
+Error WhyNotOpened(const std::exception_ptr& why, const HostPort& place,
+                   std::chrono::milliseconds timeout) {
+  try {
+    std::rethrow_exception(why);
+  } catch (const Ice::DNSException&) {
+    return {ErrorCode::kUnreachable, "host '" + place.host + "' is unknown"};
+  } catch (const Ice::TimeoutException&) {
+    return TimedOut(place, timeout);
+  } catch (const Ice::SyscallException& failure) {
+    return {ErrorCode::kUnreachable, "nobody answers at " + ToString(place) + " (" +
+                                         std::generic_category().message(failure.error) + ")"};
+  } catch (const Ice::Exception& failure) {
+    return {ErrorCode::kUnreachable,
+            "no program of Tendon answers at " + ToString(place) + " (" + failure.ice_id() + ")"};
+  }
+}
+
+class IceMiddleware final : public Middleware {
+ public:
+  explicit IceMiddleware(Exposure exposure)
+      : exposure_(exposure),
+        communicator_(Ice::initialize(Settings())),
+        opened_(communicator_->createObjectAdapter("")) {
+    WarnOfExposure(exposure, "ice");
+    if (!RefusesImpossibleSizes(communicator_)) {
+      Log(LogLevel::kWarning, "ice",
+          "this build of Ice believes impossible sizes: a stranger on this machine can exhaust its "
+          "memory; use the Ice of Debian, or plain TCP");
+    }
+    opened_->add(std::make_shared<EndpointServant>(links_), EndpointIdentity());
+    opened_->activate();
+  }
+
+  ~IceMiddleware() override {
+    links_->CloseAll(0);
+    communicator_->destroy();
+  }
+
+  [[nodiscard]] std::string_view name() const override { return "ice"; }
+
+  Result<std::unique_ptr<Listener>> Listen(const std::string& address, AcceptLink accept) override {
+    const auto place = ParseAllowedAddress(address, 0, exposure_);
+    if (!place) return place.error();
+    const std::uint64_t door = NewNumber();
+    try {
+      const auto adapter = communicator_->createObjectAdapterWithEndpoints(
+          "listener" + std::to_string(door), EndpointAt(*place));
+      const auto servant = std::make_shared<AcceptingServant>(links_, std::move(accept), door);
+      adapter->add(servant, EndpointIdentity());
+      adapter->activate();
+      return MakeListener(ToString(HostPort{place->host, PortOf(*adapter)}), [adapter, servant] {
+        servant->Stop();
+        adapter->destroy();
+      });
+    } catch (const Ice::Exception&) {
+      return WhyNotListening(*place);
+    }
+  }
+
+  Result<std::shared_ptr<Link>> Open(const std::string& address,
+                                     std::shared_ptr<LinkHandler> handler,
+                                     std::chrono::milliseconds timeout) override {
+    const SteadyTime deadline = SteadyClock().Now() + timeout;
+    const auto place = ParseAllowedAddress(address, 1, exposure_);
+    if (!place) return place.error();
+    auto connection = Connect(*place, deadline);
+    if (!connection) return TimedOut(*place, timeout);
+    if (connection->why) return WhyNotOpened(connection->why, *place, timeout);
+    auto link = std::make_shared<IceLink>(connection->connection, 0);
+    link->SetHandler(std::move(handler));
+    const auto refused = Greet(link, connection->connection, deadline);
+    if (refused && !*refused) return std::shared_ptr<Link>(std::move(link));
+    link->SetHandler(nullptr);
+    link->CloseAtOnce();
+    return refused ? WhyNotOpened(*refused, *place, timeout) : TimedOut(*place, timeout);
+  }
+
+ private:
+  struct Connected {
+    std::shared_ptr<Ice::Connection> connection;
+    std::exception_ptr why;
+  };
+
+  std::uint64_t NewNumber() {
+    const std::scoped_lock lock(mutex_);
+    return ++last_number_;
+  }
+
+  /// A new connection, or nothing when it takes too long.
+  std::optional<Connected> Connect(const HostPort& place, SteadyTime deadline) {
+    const auto proxy =
+        communicator_->stringToProxy("tendon:" + EndpointAt(place))
+            ->ice_connectionId(std::to_string(NewNumber()));  // one of its own for each link
+    const auto connected = std::make_shared<Handover<Connected>>();
+    try {
+      proxy->ice_getConnectionAsync(
+          [connected](const std::shared_ptr<Ice::Connection>& connection) {
+            const bool wanted = connected->Give({connection, nullptr});
+            if (!wanted) connection->close(Ice::ConnectionClose::Forcefully);
+          },
+          [connected](const std::exception_ptr& why) {
+            connected->Give({nullptr, why});
+          });
+    } catch (const Ice::Exception&) {
+      connected->Give({nullptr, std::current_exception()});
+    }
+    return connected->WaitUntil(deadline);
+  }
+
+  /// Begins to serve a link. The ping makes the other end do so, too, and warms the connection up.
+  /// What went wrong, if anything; nothing when it takes too long.
+  std::optional<std::exception_ptr> Greet(const std::shared_ptr<IceLink>& link,
+                                          const std::shared_ptr<Ice::Connection>& connection,
+                                          SteadyTime deadline) {
+    const auto answered = std::make_shared<Handover<std::exception_ptr>>();
+    const auto give = [answered](const std::exception_ptr& why) { answered->Give(why); };
+    try {
+      connection->setAdapter(opened_);
+      Links::Add(links_, link);
+      connection->createProxy(EndpointIdentity())
+          ->ice_invokeAsync(
+              "ice_ping", Ice::OperationMode::Normal, std::vector<Ice::Byte>(),
+              [give](bool /*ok*/, const std::vector<Ice::Byte>& /*answer*/) { give(nullptr); },
+              give);
+    } catch (const Ice::Exception&) {
+      give(std::current_exception());
+    }
+    return answered->WaitUntil(deadline);
+  }
+
+  const Exposure exposure_;
+  const std::shared_ptr<Links> links_ = std::make_shared<Links>();
+  const std::shared_ptr<Ice::Communicator> communicator_;
+  const std::shared_ptr<Ice::ObjectAdapter> opened_;  // serves the connections made here
+  std::mutex mutex_;
+  std::uint64_t last_number_ = 0;
+};
+
+}  // namespace
+}  // namespace ice
+
+std::unique_ptr<Middleware> MakeIceMiddleware(Exposure exposure) {
+  return std::make_unique<ice::IceMiddleware>(exposure);
+}
+
+}  // namespace tendon

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <tendon/middleware/middleware.h>
+
+#include <memory>
+
+namespace tendon {
+
+/// Frames as oneway invocations over ZeroC Ice (slice/tendon.ice), both directions on the
+/// connection that the opener made. Has a communicator of its own, with settings of its own:
+/// ICE_CONFIG is ignored. `exposure` says whether addresses off this machine are allowed; if so, a
+/// warning is logged. Makes the process ignore SIGPIPE.
+std::unique_ptr<Middleware> MakeIceMiddleware(Exposure exposure);
+
+}  // namespace tendon

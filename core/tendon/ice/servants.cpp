@@ -1,0 +1,87 @@
+#include <tendon/ice/bounded_reader.h>
+#include <tendon/ice/servants.h>
+
+#include <algorithm>
+#include <string_view>
+
+namespace tendon::ice {
+namespace {
+
+constexpr std::string_view kTypes[] = {"::Ice::Object", "::tendon::Endpoint"};
+
+std::vector<Ice::Byte> EncodeNothing() { return {6, 0, 0, 0, 1, 1}; }
+
+std::vector<Ice::Byte> EncodeBool(bool value) {
+  return {7, 0, 0, 0, 1, 1, static_cast<Ice::Byte>(value ? 1 : 0)};
+}
+
+/// The peer reads it where it waits for an answer. (Ice asks for a file and a line.)
+[[noreturn]] void Malformed(IceLink& link, const std::string& operation) {
+  const std::string what = "the parameters of '" + operation + "' are malformed";
+  link.Fail({ErrorCode::kInvalid, link.peer() + " was cut off: " + what});
+  throw Ice::MarshalException("tendon", 0, what);
+}
+
+bool IsA(std::span<const std::byte> type) {
+  const std::string_view name(reinterpret_cast<const char*>(type.data()), type.size());
+  return std::find(std::begin(kTypes), std::end(kTypes), name) != std::end(kTypes);
+}
+
+}  // namespace
+
+bool EndpointServant::ice_invoke(std::pair<const Ice::Byte*, const Ice::Byte*> parameters,
+                                 std::vector<Ice::Byte>& answer, const Ice::Current& current) {
+  const auto link = LinkOf(current.con);
+  if (!link) {
+    throw Ice::ObjectNotExistException("tendon", 0, current.id, current.facet, current.operation);
+  }
+  answer = EncodeNothing();
+  if (current.operation == "ice_ping") return true;
+  const bool is_frame = current.operation == "frame";
+  if (!is_frame && current.operation != "ice_isA") {
+    throw Ice::OperationNotExistException("tendon", 0, current.id, current.facet,
+                                          current.operation);
+  }
+  const auto parameter =
+      ReadOnlyParameter(std::as_bytes(std::span(parameters.first, parameters.second)));
+  if (!parameter || (is_frame && !ReadWholeFrame(*parameter))) {
+    Malformed(*link, current.operation);
+  }
+  if (is_frame) {
+    link->Deliver(*parameter);
+  } else {
+    answer = EncodeBool(IsA(*parameter));
+  }
+  return true;
+}
+
+std::shared_ptr<IceLink> EndpointServant::LinkOf(
+    const std::shared_ptr<Ice::Connection>& connection) {
+  return links_->Find(connection);
+}
+
+std::shared_ptr<IceLink> AcceptingServant::LinkOf(
+    const std::shared_ptr<Ice::Connection>& connection) {
+  if (auto known = links()->Find(connection)) return known;
+  const std::scoped_lock lock(mutex_);
+  if (!accept_) return nullptr;
+  auto link = std::make_shared<IceLink>(connection, door_);
+  auto handler = accept_(link);
+  if (!handler) {
+    link->CloseAtOnce();
+    return nullptr;
+  }
+  link->SetHandler(std::move(handler));
+  Links::Add(links(), link);
+  return link;
+}
+
+void AcceptingServant::Stop() {
+  {
+    const std::scoped_lock lock(mutex_);
+    accept_ = nullptr;
+  }
+  links()->CloseAll(door_);
+}
+
+}  // namespace tendon::ice

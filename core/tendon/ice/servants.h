@@ -1,0 +1,51 @@
+#pragma once
+
+#include <Ice/Ice.h>
+#include <tendon/ice/links.h>
+
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+namespace tendon::ice {
+
+/// The endpoint of slice/tendon.ice, dispatched by hand: hands each frame to the link of the
+/// connection it came on.
+class EndpointServant : public Ice::BlobjectArray {
+ public:
+  explicit EndpointServant(std::shared_ptr<Links> links) : links_(std::move(links)) {}
+
+  bool ice_invoke(std::pair<const Ice::Byte*, const Ice::Byte*> parameters,
+                  std::vector<Ice::Byte>& answer, const Ice::Current& current) override;
+
+ protected:
+  /// The link of a connection; null where there is none.
+  virtual std::shared_ptr<IceLink> LinkOf(const std::shared_ptr<Ice::Connection>& connection);
+
+  [[nodiscard]] const std::shared_ptr<Links>& links() const { return links_; }
+
+ private:
+  const std::shared_ptr<Links> links_;
+};
+
+/// The endpoint of a listener: makes a link of each new connection.
+class AcceptingServant final : public EndpointServant {
+ public:
+  AcceptingServant(std::shared_ptr<Links> links, AcceptLink accept, std::uint64_t door)
+      : EndpointServant(std::move(links)), accept_(std::move(accept)), door_(door) {}
+
+  /// Accepts nothing any more; closes what was accepted. When it returns the handlers have heard
+  /// it.
+  void Stop();
+
+ private:
+  std::shared_ptr<IceLink> LinkOf(const std::shared_ptr<Ice::Connection>& connection) override;
+
+  std::mutex mutex_;
+  AcceptLink accept_;
+  const std::uint64_t door_;
+};
+
+}  // namespace tendon::ice

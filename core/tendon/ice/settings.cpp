@@ -1,0 +1,79 @@
+#include <tendon/base/log.h>
+#include <tendon/ice/settings.h>
+#include <tendon/middleware/complaints.h>
+#include <tendon/middleware/frame.h>
+
+#include <string>
+
+namespace tendon::ice {
+namespace {
+
+/// Ice's messages have several lines; ours have one.
+std::string OnOneLine(const std::string& text) {
+  std::string line;
+  for (const char c : text) {
+    if (c != '\n') {
+      line += c;
+    } else if (!line.empty() && line.back() != ' ') {
+      line += ' ';
+    }
+  }
+  return line;
+}
+
+class Logger final : public Ice::Logger, public std::enable_shared_from_this<Logger> {
+ public:
+  void print(const std::string& message) override {
+    Log(LogLevel::kInfo, "ice", OnOneLine(message));
+  }
+  void trace(const std::string& category, const std::string& message) override {
+    Log(LogLevel::kDebug, "ice", category + ": " + OnOneLine(message));
+  }
+  void warning(const std::string& message) override { warnings_.Add(OnOneLine(message)); }
+  void error(const std::string& message) override {
+    Log(LogLevel::kError, "ice", OnOneLine(message));
+  }
+  std::string getPrefix() override { return {}; }
+  std::shared_ptr<Ice::Logger> cloneWithPrefix(const std::string& /*prefix*/) override {
+    return shared_from_this();
+  }
+
+ private:
+  Complaints warnings_{"ice"};
+};
+
+}  // namespace
+
+Ice::InitializationData Settings() {
+  constexpr std::size_t kKibi = 1024;
+  constexpr std::size_t kEnvelope = 16;  // KiB, for what Ice puts around a frame
+  Ice::InitializationData settings;
+  settings.logger = std::make_shared<Logger>();
+  settings.properties = Ice::createProperties();
+  const auto set = [&](const char* name, const std::string& value) {
+    settings.properties->setProperty(name, value);
+  };
+  set("Ice.Admin.Enabled", "0");
+  set("Ice.MessageSizeMax", std::to_string(kMaxFrameSize / kKibi + kEnvelope));
+  set("Ice.RetryIntervals", "-1");
+  set("Ice.Default.CollocationOptimized", "0");
+  // What makes no progress for so long is lost (ms).
+  set("Ice.Override.Timeout", "3000");
+  set("Ice.Override.ConnectTimeout", "3000");
+  set("Ice.Override.CloseTimeout", "750");
+  // Clients show that they live, servers close what is silent. Not the other way round as well:
+  // what one sends would hide from it that nothing comes back.
+  set("Ice.ACM.Timeout", "1");
+  set("Ice.ACM.Client.Heartbeat", "3");  // always
+  set("Ice.ACM.Client.Close", "0");
+  set("Ice.ACM.Server.Heartbeat", "0");
+  set("Ice.ACM.Server.Close", "1");  // on idle
+  for (const std::string pool : {"Ice.ThreadPool.Client.", "Ice.ThreadPool.Server."}) {
+    set((pool + "Serialize").c_str(), "1");  // order on each connection
+    set((pool + "Size").c_str(), "1");
+    set((pool + "SizeMax").c_str(), "4");  // so that one slow handler holds up nobody else
+  }
+  return settings;
+}
+
+}  // namespace tendon::ice

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <tendon/base/result.h>
+#include <tendon/middleware/frame.h>
+#include <tendon/payload/codec.h>
+
+#include <concepts>
+#include <span>
+#include <string>
+#include <utility>
+
+namespace tendon {
+
+template <>
+inline constexpr auto kPayload<ErrorCode> = DescribeEnum(
+    "tendon.ErrorCode", Enumerator{"FAILED", ErrorCode::kFailed},
+    Enumerator{"INVALID", ErrorCode::kInvalid}, Enumerator{"UNREACHABLE", ErrorCode::kUnreachable},
+    Enumerator{"NOT_FOUND", ErrorCode::kNotFound}, Enumerator{"EXISTS", ErrorCode::kExists},
+    Enumerator{"INCOMPATIBLE", ErrorCode::kIncompatible},
+    Enumerator{"TIMEOUT", ErrorCode::kTimeout}, Enumerator{"DENIED", ErrorCode::kDenied});
+
+template <>
+inline constexpr auto kPayload<Error> = Describe("tendon.Error", Field{"code", &Error::code},
+                                                 Field{"message", &Error::message});
+
+/// A payload that is the whole body of a frame. Not a vector of bytes: that is a body already.
+template <typename T>
+concept Message = Payload<T> && !std::convertible_to<const T&, std::span<const std::byte>>;
+
+template <Message T>
+[[nodiscard]] Bytes EncodeBody(const T& value) {
+  Bytes body;
+  Encode(value, body);
+  return body;
+}
+
+/// An error of code kInvalid that names the type when the bytes are no T. Not for an Error itself,
+/// which ReadRefusal() reads.
+template <Payload T>
+Result<T> DecodeBody(std::span<const std::byte> body) {
+  T value{};
+  if (Decode(body, value)) return Result<T>(std::move(value));
+  std::string type = "its type";
+  if constexpr (Described<T>) type = kPayload<T>.name;
+  return Error{ErrorCode::kInvalid,
+               "a message of " + std::to_string(body.size()) + " bytes does not decode as " + type};
+}
+
+}  // namespace tendon

@@ -1,0 +1,341 @@
+#include <tendon/base/log.h>
+#include <tendon/middleware/channel.h>
+#include <tendon/middleware/handover.h>
+
+#include <cassert>
+#include <utility>
+
+namespace tendon {
+namespace {
+
+/// Whether this thread is inside a call from the middleware, which must not wait for it.
+thread_local int calls_from_middleware = 0;
+
+struct CallFromMiddleware {
+  CallFromMiddleware() { ++calls_from_middleware; }
+  CallFromMiddleware(const CallFromMiddleware&) = delete;
+  CallFromMiddleware& operator=(const CallFromMiddleware&) = delete;
+  ~CallFromMiddleware() { --calls_from_middleware; }
+};
+
+std::string NumberOf(MessageType type) { return std::to_string(static_cast<unsigned>(type)); }
+
+/// Where it cannot be known: on this machine, which is the stricter.
+bool IsOnThisMachine(const Link& link) {
+  const auto address = ParseAddress(link.peer(), 0);
+  return !address || CheckExposure(address->host, Exposure::kLoopbackOnly).ok();
+}
+
+Error WhyNotSent(Status status, const std::string& peer, std::size_t size) {
+  switch (status.code()) {
+    case Status::kQueueFull:
+      return {ErrorCode::kFailed, peer + " does not keep up: " + std::to_string(kSendWindow) +
+                                      " bytes wait to be sent to it; try again later"};
+    case Status::kInvalid:
+      return {ErrorCode::kInvalid, "a message of " + std::to_string(size) + " bytes exceeds " +
+                                       std::to_string(kMaxFrameSize)};
+    default:
+      return {ErrorCode::kUnreachable, peer + " is not connected"};
+  }
+}
+
+}  // namespace
+
+Responder::Responder(std::weak_ptr<Channel> channel, std::uint64_t request)
+    : channel_(std::move(channel)), request_(request) {}
+
+Responder& Responder::operator=(Responder&& other) noexcept {
+  std::swap(channel_, other.channel_);
+  std::swap(request_, other.request_);
+  return *this;
+}
+
+Responder::~Responder() {
+  Refuse(
+      Error{ErrorCode::kFailed, "the request was dropped without an answer; see the peer's log"});
+}
+
+void Responder::Reply(std::span<const std::byte> body) {
+  if (const auto channel = std::exchange(channel_, {}).lock()) channel->SendReply(request_, body);
+}
+
+void Responder::Refuse(const Error& error) {
+  if (const auto channel = std::exchange(channel_, {}).lock()) {
+    channel->SendRefusal(request_, error);
+  }
+}
+
+void Responder::Answer(const Result<void>& result) {
+  if (result) {
+    Reply(EncodeBody(None{}));
+  } else {
+    Refuse(result.error());
+  }
+}
+
+void ChannelHandler::OnOpen(const std::shared_ptr<Channel>& /*channel*/, const Hello& /*peer*/) {}
+
+void ChannelHandler::OnRequest(const std::shared_ptr<Channel>& /*channel*/,
+                               const FrameHeader& header, std::span<const std::byte> /*body*/,
+                               Responder responder) {
+  responder.Refuse(
+      {ErrorCode::kNotFound, "message " + NumberOf(header.type) + " is not understood here"});
+}
+
+void ChannelHandler::OnNotice(const std::shared_ptr<Channel>& /*channel*/,
+                              const FrameHeader& /*header*/, std::span<const std::byte> /*body*/) {}
+
+void ChannelHandler::OnClosed(const std::shared_ptr<Channel>& /*channel*/,
+                              const Error& /*reason*/) {}
+
+Channel::Channel(Key /*only from here*/, Hello mine, std::shared_ptr<ChannelHandler> handler,
+                 std::shared_ptr<Link> link, Strangers strangers)
+    : mine_(std::move(mine)),
+      strangers_(strangers),
+      handler_(std::move(handler)),
+      link_(std::move(link)),
+      stage_(link_ ? Stage::kAccepting : Stage::kOpening) {}
+
+Result<std::shared_ptr<Channel>> Channel::Open(Middleware& middleware, const std::string& address,
+                                               const Hello& mine,
+                                               std::shared_ptr<ChannelHandler> handler,
+                                               std::chrono::milliseconds timeout) {
+  const SteadyTime deadline = SteadyClock().Now() + timeout;
+  auto channel =
+      std::make_shared<Channel>(Key{}, mine, std::move(handler), nullptr, Strangers::kRefused);
+  const auto link = middleware.Open(address, channel->AsLinkHandler(), timeout);
+  if (!link) return link.error();
+  const auto greeted = channel->Greet(*link, deadline);
+  if (!greeted) return greeted.error();
+  return channel;
+}
+
+AcceptLink Channel::Acceptor(Hello mine, std::function<std::shared_ptr<ChannelHandler>()> choose,
+                             Strangers strangers) {
+  return [mine = std::move(mine), choose = std::move(choose),
+          strangers](const std::shared_ptr<Link>& link) -> std::shared_ptr<LinkHandler> {
+    const CallFromMiddleware mark;
+    std::shared_ptr<ChannelHandler> handler;
+    CallGuarded(link->peer(), [&] { handler = choose(); });
+    if (!handler) return nullptr;
+    const Strangers whom = IsOnThisMachine(*link) ? strangers : Strangers::kFromElsewhere;
+    return std::make_shared<Channel>(Key{}, mine, std::move(handler), link, whom)->AsLinkHandler();
+  };
+}
+
+std::shared_ptr<LinkHandler> Channel::AsLinkHandler() { return {shared_from_this(), this}; }
+
+/// The opener's half of the handshake.
+Result<void> Channel::Greet(const std::shared_ptr<Link>& link, SteadyTime deadline) {
+  std::unique_lock lock(mutex_);
+  link_ = link;
+  if (!IsOnThisMachine(*link)) mine_.cookie = 0;
+  lock.unlock();
+  (void)Send(MessageType::kHello, 1, 0, EncodeBody(mine_));  // refused: it will hear OnClosed()
+  lock.lock();
+  if (!changed_.wait_until(lock, deadline, [&] { return greeted_ || reason_; })) {
+    reason_ = Error{ErrorCode::kTimeout, link->peer() +
+                                             " accepted the connection but did not "
+                                             "answer; is it a program of Tendon?"};
+  }
+  if (greeted_) return {};
+  const Error reason = *reason_;
+  lock.unlock();
+  link->Close();
+  return reason;
+}
+
+void Channel::OnFrame(std::span<const std::byte> frame) {
+  const CallFromMiddleware mark;
+  const auto header = ReadWholeFrame(frame);
+  assert(header);
+  const auto body = frame.subspan(FrameHeader::kSize);
+  std::unique_lock lock(mutex_);
+  if (reason_ || !link_) return;
+  const Stage stage = stage_;
+  lock.unlock();
+  switch (stage) {
+    case Stage::kAccepting:
+      return OnHello(*header, body);
+    case Stage::kOpening:
+      return OnWelcome(*header, body);
+    case Stage::kOpen:
+      return OnMessage(*header, body);
+    case Stage::kClosed:
+      return;
+  }
+}
+
+/// The acceptor's half of the handshake.
+void Channel::OnHello(const FrameHeader& header, std::span<const std::byte> body) {
+  auto hello = CheckHello(header, body, mine_, strangers_);
+  if (!hello) {
+    SendRefusal(header.request, hello.error());
+    return Fail(hello.error());
+  }
+  Hello welcome = mine_;
+  welcome.cookie = hello->cookie;
+  if (Send(MessageType::kWelcome, header.request, 0, EncodeBody(welcome))) {
+    Opened(*std::move(hello));
+  }
+}
+
+void Channel::OnWelcome(const FrameHeader& header, std::span<const std::byte> body) {
+  auto hello = CheckWelcome(header, body, mine_, link_->peer());
+  if (!hello) return Fail(hello.error());
+  Opened(*std::move(hello));
+}
+
+void Channel::Opened(Hello peer) {
+  {
+    const std::scoped_lock lock(mutex_);
+    peer_ = std::move(peer);
+    stage_ = Stage::kOpen;
+  }
+  CallGuarded(peer_.name, [&] { handler_->OnOpen(shared_from_this(), peer_); });
+  const std::scoped_lock lock(mutex_);
+  greeted_ = true;
+  changed_.notify_all();
+}
+
+void Channel::Fail(const Error& reason) {
+  std::shared_ptr<Link> link;
+  {
+    const std::scoped_lock lock(mutex_);
+    if (!reason_) reason_ = reason;
+    link = link_;
+    changed_.notify_all();
+  }
+  if (link) link->Close();
+}
+
+void Channel::OnMessage(const FrameHeader& header, std::span<const std::byte> body) {
+  if (header.version != mine_.protocol_version) {
+    return Fail({ErrorCode::kInvalid, peer_.name + " changed its protocol version"});
+  }
+  switch (header.type) {
+    case MessageType::kReply:
+      return requests_.OnAnswer(header.request, Bytes(body.begin(), body.end()));
+    case MessageType::kRefusal:
+      return requests_.OnAnswer(header.request, ReadRefusal(body, peer_.name));
+    case MessageType::kHello:
+    case MessageType::kWelcome:
+      return Fail({ErrorCode::kInvalid, peer_.name + " said Hello twice"});
+    default:
+      break;
+  }
+  CallGuarded(peer_.name, [&] {
+    if (header.request == 0) return handler_->OnNotice(shared_from_this(), header, body);
+    handler_->OnRequest(shared_from_this(), header, body,
+                        Responder(weak_from_this(), header.request));
+  });
+}
+
+void Channel::OnClosed(const Error& reason) {
+  const CallFromMiddleware mark;
+  const std::string peer = PeerName();
+  std::unique_lock lock(mutex_);
+  stage_ = Stage::kClosed;
+  if (!reason_) reason_ = reason;
+  const Error why = *reason_;
+  changed_.notify_all();
+  lock.unlock();
+  requests_.FinishAll(
+      {ErrorCode::kUnreachable, peer + " did not answer: " + why.message + "; outcome unknown"});
+  CallGuarded(peer, [&] { handler_->OnClosed(shared_from_this(), why); });
+  handler_.reset();
+}
+
+Status Channel::Send(MessageType type, std::uint64_t request, std::uint32_t handle,
+                     std::span<const std::byte> body) {
+  if (body.size() > kMaxFrameSize - FrameHeader::kSize) return Status::kInvalid;
+  constexpr std::size_t kKept = std::size_t{1} << 20U;
+  thread_local Bytes frame;
+  FrameHeader header;
+  header.version = mine_.protocol_version;
+  header.type = type;
+  header.request = request;
+  header.size = static_cast<std::uint32_t>(body.size());
+  header.handle = handle;
+  WriteFrame(header, body, frame);
+  const Status status = link_->Send(frame);
+  if (frame.capacity() > kKept) Bytes().swap(frame);
+  return status;
+}
+
+void Channel::SendReply(std::uint64_t request, std::span<const std::byte> body) {
+  const Status sent = Send(MessageType::kReply, request, 0, body);
+  if (sent || sent == Status::kNotConnected) return;
+  const Error why = WhyNotSent(sent, PeerName(), body.size());
+  Log(LogLevel::kWarning, "channel", "an answer was lost: " + why.message);
+  SendRefusal(request, why);
+}
+
+void Channel::SendRefusal(std::uint64_t request, const Error& error) {
+  // Where even this does not fit into the window, the peer's request times out.
+  (void)Send(MessageType::kRefusal, request, 0, EncodeBody(error));
+}
+
+Status Channel::Notify(MessageType type, std::uint32_t handle, std::span<const std::byte> body) {
+  return is_open() ? Send(type, 0, handle, body) : Status::kNotConnected;
+}
+
+void Channel::Request(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
+                      std::chrono::milliseconds timeout, ReplyHandler handler) {
+  Start(type, handle, body, timeout, std::move(handler));
+}
+
+Result<Bytes> Channel::Call(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
+                            std::chrono::milliseconds timeout) {
+  if (calls_from_middleware > 0) {
+    return Error{ErrorCode::kFailed, "a call to " + PeerName() + " would wait for its own thread"};
+  }
+  const auto answer = std::make_shared<Handover<Result<Bytes>>>();
+  const SteadyTime deadline = SteadyClock().Now() + timeout;
+  const std::uint64_t request = Start(type, handle, body, timeout, [answer](Result<Bytes> outcome) {
+    answer->Give(std::move(outcome));
+  });
+  if (auto outcome = answer->WaitUntil(deadline)) return *std::move(outcome);
+  const Error none = NoAnswer(PeerName(), timeout);
+  requests_.Finish(request, none);
+  return none;
+}
+
+std::uint64_t Channel::Start(MessageType type, std::uint32_t handle,
+                             std::span<const std::byte> body, std::chrono::milliseconds timeout,
+                             ReplyHandler handler) {
+  const std::uint64_t request = is_open() ? requests_.Add(timeout, handler) : 0;
+  if (request == 0) {
+    handler(WhyNotSent(Status::kNotConnected, PeerName(), body.size()));
+    return 0;
+  }
+  const Status sent = Send(type, request, handle, body);
+  if (!sent) requests_.Finish(request, WhyNotSent(sent, PeerName(), body.size()));
+  return request;
+}
+
+void Channel::Expire(SteadyTime now) { requests_.Expire(now, PeerName()); }
+
+void Channel::Close() {
+  Fail({ErrorCode::kUnreachable, "the connection was closed by this program"});
+}
+
+bool Channel::is_open() const {
+  const std::scoped_lock lock(mutex_);
+  return stage_ == Stage::kOpen && !reason_;
+}
+
+std::string Channel::peer_address() const {
+  const std::scoped_lock lock(mutex_);
+  return link_ ? link_->peer() : std::string();
+}
+
+std::uint64_t Channel::late_replies() const { return requests_.late_answers(); }
+
+std::string Channel::PeerName() const {
+  const std::scoped_lock lock(mutex_);
+  if (!peer_.name.empty()) return peer_.name;
+  return link_ ? link_->peer() : "the peer";
+}
+
+}  // namespace tendon

@@ -1,0 +1,170 @@
+#pragma once
+
+#include <tendon/base/clock.h>
+#include <tendon/middleware/body.h>
+#include <tendon/middleware/hello.h>
+#include <tendon/middleware/middleware.h>
+#include <tendon/middleware/pending_requests.h>
+#include <tendon/middleware/responder.h>
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+
+namespace tendon {
+
+/// What one end of a channel does with what arrives; called in a thread of the middleware, one at a
+/// time for a channel. Must not block. What it throws is logged, and the request refused.
+class ChannelHandler {
+ public:
+  ChannelHandler() = default;
+  ChannelHandler(const ChannelHandler&) = delete;
+  ChannelHandler& operator=(const ChannelHandler&) = delete;
+  virtual ~ChannelHandler() = default;
+
+  /// The peer's Hello was accepted; requests may follow. Before Channel::Open() returns.
+  virtual void OnOpen(const std::shared_ptr<Channel>& channel, const Hello& peer);
+
+  /// Unless overridden, refuses. The body is valid during the call.
+  virtual void OnRequest(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
+                         std::span<const std::byte> body, Responder responder);
+
+  /// Unless overridden, does nothing. The body is valid during the call.
+  virtual void OnNotice(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
+                        std::span<const std::byte> body);
+
+  /// Exactly once, last, also when the handshake failed: for every link that stood. The channel
+  /// forgets the handler afterwards.
+  virtual void OnClosed(const std::shared_ptr<Channel>& channel, const Error& reason);
+};
+
+/// Two-way talk with one peer process, on one link, after both said Hello: notices, which are one
+/// way, and requests, which are answered exactly once.
+///
+/// A channel lives until it is closed, by either end, or its middleware is destroyed. Thread-safe.
+class Channel final : public std::enable_shared_from_this<Channel>, private LinkHandler {
+  struct Key {};
+
+ public:
+  /// Opens a link and shakes hands; blocks for at most `timeout`. Errors are those of
+  /// Middleware::Open() and the peer's refusals: kIncompatible (protocol versions), kDenied
+  /// (cookie). Never from a thread of the middleware.
+  static Result<std::shared_ptr<Channel>> Open(Middleware& middleware, const std::string& address,
+                                               const Hello& mine,
+                                               std::shared_ptr<ChannelHandler> handler,
+                                               std::chrono::milliseconds timeout);
+
+  /// For Middleware::Listen(): makes a channel of every link; `choose` gives its handler, or null
+  /// to refuse it. Peers on this machine must know the cookie in `mine`; allowed strangers may have
+  /// 0.
+  static AcceptLink Acceptor(Hello mine, std::function<std::shared_ptr<ChannelHandler>()> choose,
+                             Strangers strangers = Strangers::kRefused);
+
+  /// One way; never blocks. Refusals as of Link::Send().
+  Status Notify(MessageType type, std::uint32_t handle, std::span<const std::byte> body);
+  template <Message T>
+  Status Notify(MessageType type, std::uint32_t handle, const T& value);
+
+  using ReplyHandler = PendingRequests::Handler;
+
+  /// Asks; never blocks. The handler is called exactly once, in a thread of the middleware, that of
+  /// Expire() or, when nothing could be sent, this one: with the reply, the refusal, kTimeout
+  /// (outcome unknown) or kUnreachable (closed before an answer).
+  void Request(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
+               std::chrono::milliseconds timeout, ReplyHandler handler);
+  template <Payload Answer, Message T>
+  void Request(MessageType type, std::uint32_t handle, const T& value,
+               std::chrono::milliseconds timeout, std::function<void(Result<Answer>)> handler);
+
+  /// Asks and waits. Refused in a thread of the middleware, which would wait for itself.
+  Result<Bytes> Call(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
+                     std::chrono::milliseconds timeout);
+  template <Payload Answer, Message T>
+  Result<Answer> Call(MessageType type, std::uint32_t handle, const T& value,
+                      std::chrono::milliseconds timeout);
+
+  /// Ends the requests whose time has come; the owner calls it every 20 ms or so. Call() needs
+  /// none.
+  void Expire(SteadyTime now);
+
+  /// Idempotent; may be called from a handler, which hears OnClosed() later.
+  void Close();
+
+  [[nodiscard]] bool is_open() const;
+  /// The peer's Hello; empty before OnOpen().
+  [[nodiscard]] const Hello& peer() const { return peer_; }
+  [[nodiscard]] std::string peer_address() const;
+  /// Answers that came after their requests had ended.
+  [[nodiscard]] std::uint64_t late_replies() const;
+
+  Channel(Key key, Hello mine, std::shared_ptr<ChannelHandler> handler, std::shared_ptr<Link> link,
+          Strangers strangers);
+
+ private:
+  friend class Responder;
+  enum class Stage { kOpening, kAccepting, kOpen, kClosed };
+
+  void OnFrame(std::span<const std::byte> frame) override;
+  void OnClosed(const Error& reason) override;
+
+  Result<void> Greet(const std::shared_ptr<Link>& link, SteadyTime deadline);
+  void OnHello(const FrameHeader& header, std::span<const std::byte> body);
+  void OnWelcome(const FrameHeader& header, std::span<const std::byte> body);
+  void OnMessage(const FrameHeader& header, std::span<const std::byte> body);
+  void Opened(Hello peer);
+  void Fail(const Error& reason);
+
+  Status Send(MessageType type, std::uint64_t request, std::uint32_t handle,
+              std::span<const std::byte> body);
+  void SendReply(std::uint64_t request, std::span<const std::byte> body);
+  void SendRefusal(std::uint64_t request, const Error& error);
+  std::uint64_t Start(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
+                      std::chrono::milliseconds timeout, ReplyHandler handler);
+  [[nodiscard]] std::string PeerName() const;
+  [[nodiscard]] std::shared_ptr<LinkHandler> AsLinkHandler();
+
+  Hello mine_;
+  const Strangers strangers_;
+  std::shared_ptr<ChannelHandler> handler_;  // used in the middleware's thread only
+  PendingRequests requests_;
+
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  std::shared_ptr<Link> link_;
+  Hello peer_;  // constant from kOpen on
+  Stage stage_;
+  bool greeted_ = false;         // after OnOpen()
+  std::optional<Error> reason_;  // why it is closed, or about to be
+};
+
+template <Message T>
+Status Channel::Notify(MessageType type, std::uint32_t handle, const T& value) {
+  return Notify(type, handle, std::span<const std::byte>(EncodeBody(value)));
+}
+
+template <Payload Answer, Message T>
+void Channel::Request(MessageType type, std::uint32_t handle, const T& value,
+                      std::chrono::milliseconds timeout,
+                      std::function<void(Result<Answer>)> handler) {
+  Request(type, handle, std::span<const std::byte>(EncodeBody(value)), timeout,
+          [handler = std::move(handler)](Result<Bytes> reply) {
+            handler(reply ? DecodeBody<Answer>(*reply) : Result<Answer>(reply.error()));
+          });
+}
+
+template <Payload Answer, Message T>
+Result<Answer> Channel::Call(MessageType type, std::uint32_t handle, const T& value,
+                             std::chrono::milliseconds timeout) {
+  const auto reply = Call(type, handle, std::span<const std::byte>(EncodeBody(value)), timeout);
+  if (!reply) return reply.error();
+  return DecodeBody<Answer>(*reply);
+}
+
+}  // namespace tendon

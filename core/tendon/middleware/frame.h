@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace tendon {
+
+using Bytes = std::vector<std::byte>;
+
+/// What a frame means; the numbers are the protocol. Each layer keeps its own range.
+enum class MessageType : std::uint16_t {
+  kHello = 1,
+  kWelcome = 2,
+  kReply = 3,    ///< answers a request: its body is the answer
+  kRefusal = 4,  ///< answers a request: its body is an Error
+  kFirstOfProxy = 0x100,
+  kFirstOfProcess = 0x200,
+  kFirstOfGcm = 0x300,
+};
+
+/// The fixed 24 bytes before every body, little-endian, in this order, without padding.
+struct FrameHeader {
+  std::uint32_t magic = kMagic;
+  std::uint16_t version = kProtocolVersion;
+  MessageType type = MessageType::kHello;
+  std::uint64_t request = 0;  ///< 0: no answer is wanted
+  std::uint32_t size = 0;     ///< bytes of the body
+  std::uint32_t handle = 0;   ///< what it is for: issued by the receiver, checked on arrival
+
+  static constexpr std::uint32_t kMagic = 0x4e444e54;  // "TNDN"
+  static constexpr std::uint16_t kProtocolVersion = 1;
+  static constexpr std::size_t kSize = 24;
+};
+
+/// A frame may have at most this many bytes, header included; larger payloads will be split.
+inline constexpr std::size_t kMaxFrameSize = std::size_t{64} << 20U;
+
+/// Header and body in one piece of memory; replaces the content of `frame`, keeps its capacity.
+void WriteFrame(const FrameHeader& header, std::span<const std::byte> body, Bytes& frame);
+
+/// Reads the header at the front of `bytes`; nothing where they are too few, begin with another
+/// magic number or claim a frame over kMaxFrameSize. Says nothing of the version.
+[[nodiscard]] std::optional<FrameHeader> ReadFrameHeader(std::span<const std::byte> bytes);
+
+/// The same for exactly one frame: nothing where it has another size than its header claims.
+[[nodiscard]] std::optional<FrameHeader> ReadWholeFrame(std::span<const std::byte> frame);
+
+}  // namespace tendon

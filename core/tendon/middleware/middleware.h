@@ -1,0 +1,134 @@
+#pragma once
+
+#include <tendon/base/result.h>
+#include <tendon/base/status.h>
+#include <tendon/middleware/frame.h>
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace tendon {
+
+/// How many bytes may wait on a link for a peer that does not keep up.
+inline constexpr std::size_t kSendWindow = std::size_t{8} << 20U;
+
+/// One two-way, ordered connection that carries frames to one peer process. All functions are
+/// thread-safe.
+class Link {
+ public:
+  Link() = default;
+  Link(const Link&) = delete;
+  Link& operator=(const Link&) = delete;
+  virtual ~Link() = default;
+
+  /// Takes a copy of a whole frame to be sent; frames arrive in the order of the calls. Never
+  /// blocks: kQueueFull when the frame would make it more than kSendWindow bytes that wait to be
+  /// sent (nothing of it is sent; a lone frame may be larger), kInvalid when the bytes are no
+  /// frame, kNotConnected once the link is closed. kQueued does not mean delivered.
+  virtual Status Send(std::span<const std::byte> frame) = 0;
+
+  /// Ends the connection: frames on their way to the peer still arrive where it listens, nothing
+  /// more is heard from it, and the handlers of both ends hear OnClosed(), within a second.
+  /// Idempotent; may be called from a handler.
+  virtual void Close() = 0;
+
+  /// Where the peer is, for people: "127.0.0.1:41234".
+  [[nodiscard]] virtual std::string peer() const = 0;
+};
+
+/// Hears what arrives on a link, in a thread of the middleware, one call at a time, in order. Must
+/// neither block nor throw. Held by the link until OnClosed().
+class LinkHandler {
+ public:
+  LinkHandler() = default;
+  LinkHandler(const LinkHandler&) = delete;
+  LinkHandler& operator=(const LinkHandler&) = delete;
+  virtual ~LinkHandler() = default;
+
+  /// A whole frame, which was checked by ReadWholeFrame(). The bytes are valid during the
+  /// call.
+  virtual void OnFrame(std::span<const std::byte> frame) = 0;
+
+  /// Exactly once, after the last frame, whoever closed the link and however it broke.
+  virtual void OnClosed(const Error& reason) = 0;
+};
+
+/// Accepts links at an address until it is destroyed, which also closes the links it accepted:
+/// their handlers have heard OnClosed() when the destructor returns. Not to be destroyed by a
+/// handler.
+class Listener {
+ public:
+  Listener() = default;
+  Listener(const Listener&) = delete;
+  Listener& operator=(const Listener&) = delete;
+  virtual ~Listener() = default;
+
+  /// Where others reach it, the port filled in: "127.0.0.1:10705".
+  [[nodiscard]] virtual std::string address() const = 0;
+};
+
+/// A listener that is nothing but its address and what its destructor does.
+std::unique_ptr<Listener> MakeListener(std::string address, std::function<void()> close);
+
+/// Returns the handler of a new link; called in a thread of the middleware, before its first frame.
+/// Null refuses the link: its opener gets an error or hears OnClosed().
+using AcceptLink = std::function<std::shared_ptr<LinkHandler>(const std::shared_ptr<Link>&)>;
+
+/// A way for processes to talk: loopback, plain TCP, or Ice. Chosen once, at start. Its destructor
+/// closes what is still open and returns when no handler will hear anything any more; listeners may
+/// outlive it, deaf. Not to be destroyed by a handler.
+class Middleware {
+ public:
+  Middleware() = default;
+  Middleware(const Middleware&) = delete;
+  Middleware& operator=(const Middleware&) = delete;
+  virtual ~Middleware() = default;
+
+  /// "loopback", "tcp", "ice".
+  [[nodiscard]] virtual std::string_view name() const = 0;
+
+  /// Listens at "host:port"; port 0 takes a free one. Errors: kExists, with who holds it where that
+  /// can be known; kDenied for an address off this machine without `insecure`; kInvalid.
+  virtual Result<std::unique_ptr<Listener>> Listen(const std::string& address,
+                                                   AcceptLink accept) = 0;
+
+  /// Opens a link, a connection of its own; blocks until it stands or `timeout` has passed (asking
+  /// for a host's name may take longer). Errors: kUnreachable, kTimeout, kDenied as for Listen(),
+  /// kInvalid; the handler hears nothing then, or OnClosed() before this returns. Not from a
+  /// handler.
+  virtual Result<std::shared_ptr<Link>> Open(const std::string& address,
+                                             std::shared_ptr<LinkHandler> handler,
+                                             std::chrono::milliseconds timeout) = 0;
+};
+
+/// Whether addresses off this machine may be used although nothing is encrypted yet.
+enum class Exposure { kLoopbackOnly, kInsecure };
+
+struct HostPort {
+  std::string host;
+  std::uint16_t port = 0;
+};
+
+/// Splits and checks "host:port" or "[::1]:port"; the error reads "port 'abc': expected 1..65535".
+/// Port 0 is allowed for listening only, which the caller says by `lowest_port`. "localhost"
+/// becomes 127.0.0.1.
+Result<HostPort> ParseAddress(const std::string& address, std::uint16_t lowest_port);
+
+/// "host:port", in brackets where the host is an IPv6 address.
+[[nodiscard]] std::string ToString(const HostPort& address);
+
+/// An error of code kDenied unless `host` is 127.0.0.0/8, ::1 or localhost, or exposure allows it.
+Result<void> CheckExposure(const std::string& host, Exposure exposure);
+
+/// ParseAddress() and CheckExposure() of its host.
+Result<HostPort> ParseAllowedAddress(const std::string& address, std::uint16_t lowest_port,
+                                     Exposure exposure);
+
+/// Logs a warning if `exposure` is kInsecure; a middleware does so when it starts.
+void WarnOfExposure(Exposure exposure, std::string_view middleware);
+
+}  // namespace tendon

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <tendon/middleware/body.h>
+
+#include <cstdint>
+#include <memory>
+#include <span>
+
+namespace tendon {
+
+class Channel;
+
+/// Answers one request, once, from any thread, now or later. Dropped unanswered, it refuses; a
+/// second answer is ignored.
+class Responder {
+ public:
+  Responder(std::weak_ptr<Channel> channel, std::uint64_t request);
+  Responder(Responder&& other) noexcept = default;
+  Responder& operator=(Responder&& other) noexcept;
+  Responder(const Responder&) = delete;
+  Responder& operator=(const Responder&) = delete;
+  ~Responder();
+
+  void Reply(std::span<const std::byte> body);
+  void Refuse(const Error& error);
+
+  /// Reply() or Refuse().
+  template <Message T>
+  void Answer(const Result<T>& result) {
+    if (result) {
+      Reply(EncodeBody(*result));
+    } else {
+      Refuse(result.error());
+    }
+  }
+  void Answer(const Result<void>& result);
+
+ private:
+  std::weak_ptr<Channel> channel_;  // empty once answered
+  std::uint64_t request_ = 0;
+};
+
+}  // namespace tendon

@@ -1,0 +1,391 @@
+#include <tendon/base/clock.h>
+#include <tendon/base/os/poller.h>
+#include <tendon/base/os/thread.h>
+#include <tendon/middleware/complaints.h>
+#include <tendon/middleware/tcp.h>
+
+#include <cassert>
+#include <future>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace tendon {
+namespace {
+
+using Watch = os::Poller::Watch;
+
+/// Something with a socket, served in the loop's thread.
+class Served {
+ public:
+  virtual ~Served() = default;
+  virtual void OnReady(bool readable, bool writable) = 0;
+  virtual void OnTick(SteadyTime now) = 0;
+  virtual void Shut() = 0;
+  /// The key of the listener that accepted it, or 0.
+  [[nodiscard]] virtual std::uint64_t door() const { return 0; }
+};
+
+/// The one thread of a TCP middleware.
+class Loop {
+ public:
+  using Task = std::function<void()>;
+  using Key = std::uint64_t;
+
+  Loop() : thread_([this] { Run(); }) {}
+
+  [[nodiscard]] os::Poller& poller() { return poller_; }
+  [[nodiscard]] Complaints& complaints() { return complaints_; }
+  /// Of the loop's thread, for what is received.
+  [[nodiscard]] std::span<std::byte> scratch() { return scratch_; }
+
+  Key NewKey() {
+    const std::scoped_lock lock(mutex_);
+    return ++last_key_;
+  }
+
+  void Add(Key key, std::shared_ptr<Served> served, const os::Socket& socket) {
+    const std::scoped_lock lock(mutex_);
+    served_.emplace(key, std::move(served));
+    poller_.Add(socket, key, Watch::kReads);
+  }
+
+  void Remove(Key key, const os::Socket& socket) {
+    const std::scoped_lock lock(mutex_);
+    poller_.Remove(socket);
+    served_.erase(key);
+  }
+
+  std::map<Key, std::shared_ptr<Served>> served() {
+    const std::scoped_lock lock(mutex_);
+    return served_;
+  }
+
+  /// Soon, in the loop's thread; false after Stop().
+  bool Post(Task task) {
+    const std::scoped_lock lock(mutex_);
+    if (is_stopped_) return false;
+    tasks_.push_back(std::move(task));
+    poller_.Wake();
+    return true;
+  }
+
+  /// In the loop's thread, and done when it returns; not at all after Stop().
+  void Execute(const Task& task) {
+    assert(std::this_thread::get_id() != thread_.get_id());
+    const auto done = std::make_shared<std::promise<void>>();
+    const bool accepted = Post([&task, done] {
+      task();
+      done->set_value();
+    });
+    if (accepted) done->get_future().wait();
+  }
+
+  void Stop() {
+    Execute([this] {
+      for (const auto& [key, one] : served()) one->Shut();
+      const std::scoped_lock lock(mutex_);
+      is_stopped_ = true;
+    });
+    thread_.join();
+  }
+
+ private:
+  void Run() {
+    constexpr std::chrono::milliseconds kTick{200};
+    os::NameThisThread("tcp");
+    SteadyTime next_tick = SteadyClock().Now() + kTick;
+    while (RunTasks()) {
+      for (const auto& event : poller_.Wait(kTick)) {
+        if (const auto one = Find(event.key)) one->OnReady(event.readable, event.writable);
+      }
+      const SteadyTime now = SteadyClock().Now();
+      if (now < next_tick) continue;
+      next_tick = now + kTick;
+      for (const auto& [key, one] : served()) one->OnTick(now);
+    }
+  }
+
+  bool RunTasks() {
+    std::unique_lock lock(mutex_);
+    while (!tasks_.empty()) {
+      const auto tasks = std::exchange(tasks_, {});
+      lock.unlock();
+      for (const Task& task : tasks) task();
+      lock.lock();
+    }
+    return !is_stopped_;
+  }
+
+  std::shared_ptr<Served> Find(Key key) {
+    const std::scoped_lock lock(mutex_);
+    const auto found = served_.find(key);
+    return found == served_.end() ? nullptr : found->second;
+  }
+
+  os::Poller poller_;
+  Complaints complaints_{"tcp"};
+  Bytes scratch_ = Bytes(std::size_t{256} << 10U);
+  std::mutex mutex_;
+  Key last_key_ = 0;
+  bool is_stopped_ = false;
+  std::vector<Task> tasks_;
+  std::map<Key, std::shared_ptr<Served>> served_;
+  std::thread thread_;  // last: it uses the others
+};
+
+class TcpLink final : public Link, public Served, public std::enable_shared_from_this<TcpLink> {
+ public:
+  TcpLink(std::shared_ptr<Loop> loop, os::Socket socket, Loop::Key door)
+      : loop_(std::move(loop)),
+        key_(loop_->NewKey()),
+        door_(door),
+        peer_(os::PeerAddress(socket)),
+        socket_(std::move(socket)) {
+    if (door != 0) deadline_ = SteadyClock().Now() + std::chrono::seconds(3);
+  }
+
+  void Begin(std::shared_ptr<LinkHandler> handler) {
+    handler_ = std::move(handler);
+    loop_->Add(key_, shared_from_this(), socket_);
+  }
+
+  /// In the loop's thread.
+  void BeginAccepted(const AcceptLink& accept) {
+    Begin(nullptr);
+    handler_ = accept(shared_from_this());
+    if (!handler_) Shut();
+  }
+
+  Status Send(std::span<const std::byte> frame) override {
+    if (!ReadWholeFrame(frame)) return Status::kInvalid;
+    const std::scoped_lock lock(mutex_);
+    if (state_ != State::kOpen) return Status::kNotConnected;
+    const std::size_t unsent = unsent_.size() - sent_;
+    if (unsent != 0 && unsent + frame.size() > kSendWindow) return Status::kQueueFull;
+    if (unsent == 0) {
+      const auto size = os::SendSome(socket_, frame);
+      if (!size) return Status::kNotConnected;
+      frame = frame.subspan(*size);
+      if (frame.empty()) return Status::kQueued;
+      loop_->poller().Change(socket_, key_, Watch::kReadsAndWrites);
+    }
+    unsent_.insert(unsent_.end(), frame.begin(), frame.end());
+    return Status::kQueued;
+  }
+
+  void Close() override {
+    {
+      const std::scoped_lock lock(mutex_);
+      if (state_ != State::kOpen) return;
+      state_ = State::kClosing;
+    }
+    loop_->Post([self = shared_from_this()] {
+      self->deadline_ = SteadyClock().Now() + std::chrono::milliseconds(750);
+      self->Flush();
+    });
+  }
+
+  [[nodiscard]] std::string peer() const override { return peer_; }
+  [[nodiscard]] Loop::Key door() const override { return door_; }
+
+  void OnReady(bool readable, bool writable) override {
+    if (writable) Flush();
+    if (readable) Read();
+  }
+
+  void OnTick(SteadyTime now) override {
+    if (!deadline_ || now < *deadline_) return;
+    if (state() == State::kClosing) return Shut();
+    Reject({ErrorCode::kTimeout, peer_ + " connected and said nothing for 3 s"});
+  }
+
+  void Shut() override {
+    Finish({ErrorCode::kUnreachable, "the connection to " + peer_ + " was closed here"});
+  }
+
+ private:
+  enum class State { kOpen, kClosing, kClosed };
+
+  State state() {
+    const std::scoped_lock lock(mutex_);
+    return state_;
+  }
+
+  void Flush() {
+    const std::scoped_lock lock(mutex_);
+    if (state_ == State::kClosed) return;
+    const auto size = os::SendSome(socket_, std::span(unsent_).subspan(sent_));
+    sent_ += size.value_or(0);  // a broken connection is seen by Read()
+    if (sent_ == unsent_.size()) {
+      unsent_ = {};
+      sent_ = 0;
+      loop_->poller().Change(socket_, key_, Watch::kReads);
+      if (state_ == State::kClosing) os::ShutDownSending(socket_);
+    } else if (sent_ > unsent_.size() / 2) {
+      unsent_.erase(unsent_.begin(), unsent_.begin() + static_cast<std::ptrdiff_t>(sent_));
+      sent_ = 0;
+    }
+  }
+
+  void Read() {
+    const auto received = os::ReceiveSome(socket_, loop_->scratch());
+    const State now = state();
+    if (!received) {
+      if (now != State::kOpen) return Shut();
+      return Finish({ErrorCode::kUnreachable, peer_ + " closed the connection"});
+    }
+    if (now != State::kOpen) return;
+    if (rest_.empty()) {
+      const auto rest = HandOn(*received);
+      rest_.assign(rest.begin(), rest.end());
+    } else {
+      rest_.insert(rest_.end(), received->begin(), received->end());
+      const auto rest = HandOn(rest_);
+      rest_.erase(rest_.begin(), rest_.end() - static_cast<std::ptrdiff_t>(rest.size()));
+      if (rest_.empty()) rest_ = {};
+    }
+  }
+
+  /// Delivers the frames at the front and returns the bytes that are not yet one.
+  std::span<const std::byte> HandOn(std::span<const std::byte> bytes) {
+    while (bytes.size() >= FrameHeader::kSize && state() == State::kOpen) {
+      const auto header = ReadFrameHeader(bytes);
+      if (!header) {
+        Reject({ErrorCode::kInvalid, peer_ + " sent something else than frames"});
+        return {};
+      }
+      const std::size_t size = FrameHeader::kSize + header->size;
+      if (bytes.size() < size) break;
+      deadline_.reset();
+      handler_->OnFrame(bytes.first(size));
+      bytes = bytes.subspan(size);
+    }
+    return bytes;
+  }
+
+  void Reject(const Error& reason) {
+    loop_->complaints().Add(reason.message + ": closed");
+    Finish(reason);
+  }
+
+  void Finish(const Error& reason) {
+    {
+      const std::scoped_lock lock(mutex_);
+      if (std::exchange(state_, State::kClosed) == State::kClosed) return;
+      loop_->Remove(key_, socket_);
+      socket_ = {};
+      unsent_ = {};
+      sent_ = 0;
+    }
+    if (const auto handler = std::exchange(handler_, nullptr)) handler->OnClosed(reason);
+  }
+
+  const std::shared_ptr<Loop> loop_;
+  const Loop::Key key_;
+  const Loop::Key door_;
+  const std::string peer_;
+
+  // Of the loop's thread:
+  std::shared_ptr<LinkHandler> handler_;
+  std::optional<SteadyTime> deadline_;
+  Bytes rest_;  // the beginning of a frame
+
+  std::mutex mutex_;
+  State state_ = State::kOpen;
+  os::Socket socket_;
+  Bytes unsent_;  // from sent_ on
+  std::size_t sent_ = 0;
+};
+
+/// The listening socket.
+class Door final : public Served, public std::enable_shared_from_this<Door> {
+ public:
+  Door(std::shared_ptr<Loop> loop, os::Socket socket, AcceptLink accept)
+      : loop_(std::move(loop)),
+        key_(loop_->NewKey()),
+        socket_(std::move(socket)),
+        accept_(std::move(accept)) {}
+
+  void Begin() { loop_->Add(key_, shared_from_this(), socket_); }
+
+  void OnReady(bool /*readable*/, bool /*writable*/) override {
+    os::Socket connection;
+    auto accepted = os::Accept(socket_, connection);
+    for (; accepted == os::Accepted::kOne; accepted = os::Accept(socket_, connection)) {
+      std::make_shared<TcpLink>(loop_, std::move(connection), key_)->BeginAccepted(accept_);
+    }
+    if (accepted != os::Accepted::kFailed) return;
+    loop_->complaints().Add("too many open files (ulimit -n): new connections have to wait");
+    loop_->poller().Change(socket_, key_, Watch::kNothing);
+    is_paused_ = true;
+  }
+
+  void OnTick(SteadyTime /*now*/) override {
+    if (std::exchange(is_paused_, false)) loop_->poller().Change(socket_, key_, Watch::kReads);
+  }
+
+  void Shut() override {
+    loop_->Remove(key_, socket_);
+    socket_ = {};
+    for (const auto& [key, one] : loop_->served()) {
+      if (one->door() == key_) one->Shut();
+    }
+  }
+
+ private:
+  const std::shared_ptr<Loop> loop_;
+  const Loop::Key key_;
+  os::Socket socket_;
+  const AcceptLink accept_;
+  bool is_paused_ = false;
+};
+
+class TcpMiddleware final : public Middleware {
+ public:
+  explicit TcpMiddleware(Exposure exposure) : exposure_(exposure), loop_(std::make_shared<Loop>()) {
+    WarnOfExposure(exposure, "tcp");
+  }
+  ~TcpMiddleware() override { loop_->Stop(); }
+
+  [[nodiscard]] std::string_view name() const override { return "tcp"; }
+
+  Result<std::unique_ptr<Listener>> Listen(const std::string& address, AcceptLink accept) override {
+    const auto place = ParseAllowedAddress(address, 0, exposure_);
+    if (!place) return place.error();
+    auto socket = os::ListenAt(place->host, place->port);
+    if (!socket) return socket.error();
+    const std::string where = os::LocalAddress(*socket);
+    auto door = std::make_shared<Door>(loop_, *std::move(socket), std::move(accept));
+    door->Begin();
+    return MakeListener(
+        where, [loop = loop_, door = std::move(door)] { loop->Execute([&] { door->Shut(); }); });
+  }
+
+  Result<std::shared_ptr<Link>> Open(const std::string& address,
+                                     std::shared_ptr<LinkHandler> handler,
+                                     std::chrono::milliseconds timeout) override {
+    const auto place = ParseAllowedAddress(address, 1, exposure_);
+    if (!place) return place.error();
+    auto socket = os::ConnectTo(place->host, place->port, timeout);
+    if (!socket) return socket.error();
+    auto link = std::make_shared<TcpLink>(loop_, *std::move(socket), 0);
+    link->Begin(std::move(handler));
+    return std::shared_ptr<Link>(std::move(link));
+  }
+
+ private:
+  const Exposure exposure_;
+  const std::shared_ptr<Loop> loop_;
+};
+
+}  // namespace
+
+std::unique_ptr<Middleware> MakeTcpMiddleware(Exposure exposure) {
+  return std::make_unique<TcpMiddleware>(exposure);
+}
+
+}  // namespace tendon

@@ -1,0 +1,395 @@
+#include <gmock/gmock.h>
+
+#include <future>
+
+#include "conformance/contract.h"
+
+namespace tendon::conformance {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr auto kAsk = static_cast<MessageType>(0x101);
+constexpr auto kTell = static_cast<MessageType>(0x102);
+constexpr auto kKeep = static_cast<MessageType>(0x103);
+constexpr auto kThrow = static_cast<MessageType>(0x104);
+constexpr auto kDrop = static_cast<MessageType>(0x105);
+constexpr std::chrono::milliseconds kLong = kPatience;
+
+struct Question {
+  std::string text;
+  double number = 0;
+};
+
+}  // namespace
+}  // namespace tendon::conformance
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::conformance::Question> =
+    tendon::Describe("test.Question", tendon::Field{"text", &tendon::conformance::Question::text},
+                     tendon::Field{"number", &tendon::conformance::Question::number});
+
+namespace tendon::conformance {
+namespace {
+
+/// Answers a Question with its text twice and the handle in the number; keeps some requests.
+class Oracle final : public ChannelHandler {
+ public:
+  void OnOpen(const std::shared_ptr<Channel>& channel, const Hello& peer) override {
+    const std::scoped_lock lock(mutex_);
+    channel_ = channel;
+    peer_ = peer.name;
+    changed_.notify_all();
+  }
+
+  void OnRequest(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
+                 std::span<const std::byte> body, Responder responder) override {
+    if (header.type == kThrow) throw std::runtime_error("the oracle is tired");
+    if (header.type == kDrop) return;
+    if (header.type == kKeep) {
+      const std::scoped_lock lock(mutex_);
+      kept_.push_back(std::move(responder));
+      changed_.notify_all();
+      return;
+    }
+    if (header.type != kAsk) {
+      return ChannelHandler::OnRequest(channel, header, body, std::move(responder));
+    }
+    auto question = DecodeBody<Question>(body);
+    if (!question) return responder.Refuse(question.error());
+    if (question->text.empty()) {
+      return responder.Answer<Question>(Error{ErrorCode::kNotFound, "there is no question"});
+    }
+    question->text += question->text;
+    question->number = header.handle;
+    responder.Answer(question);
+  }
+
+  void OnNotice(const std::shared_ptr<Channel>& /*channel*/, const FrameHeader& header,
+                std::span<const std::byte> body) override {
+    if (header.type == kThrow) throw 7;
+    const auto question = DecodeBody<Question>(body);
+    const std::scoped_lock lock(mutex_);
+    if (question) told_.push_back(question->text);
+    changed_.notify_all();
+  }
+
+  void OnClosed(const std::shared_ptr<Channel>& /*channel*/, const Error& reason) override {
+    const std::scoped_lock lock(mutex_);
+    closed_.push_back(reason);
+    changed_.notify_all();
+  }
+
+  template <typename Condition>
+  bool Wait(const Condition& condition) {
+    std::unique_lock lock(mutex_);
+    return changed_.wait_for(lock, kPatience, [&] { return condition(*this); });
+  }
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::shared_ptr<Channel> channel_;
+  std::string peer_;
+  std::vector<Responder> kept_;
+  std::vector<std::string> told_;
+  std::vector<Error> closed_;
+};
+
+TEST_P(ChannelContract, BothEndsLearnWhoTheOtherIs) {
+  const auto server = std::make_shared<Oracle>();
+  Connect(server, std::make_shared<Oracle>());
+
+  EXPECT_EQ(channel_->peer().name, "robot");
+  EXPECT_EQ(channel_->peer().instance, 5U);
+  EXPECT_TRUE(channel_->is_open());
+  EXPECT_EQ(channel_->peer_address(), listener_->address());
+  EXPECT_TRUE(server->Wait([](const Oracle& oracle) { return oracle.peer_ == "desk"; }));
+}
+
+TEST_P(ChannelContract, ARequestIsAnswered) {
+  Connect(std::make_shared<Oracle>(), std::make_shared<Oracle>());
+
+  const auto answer = channel_->Call<Question>(kAsk, 42, Question{"why", 0}, kLong);
+
+  ASSERT_TRUE(answer) << answer.error().message;
+  EXPECT_EQ(answer->text, "whywhy");
+  EXPECT_EQ(answer->number, 42);
+}
+
+TEST_P(ChannelContract, BothEndsMayAsk) {
+  const auto server = std::make_shared<Oracle>();
+  Connect(server, std::make_shared<Oracle>());
+  ASSERT_TRUE(server->Wait([](const Oracle& oracle) { return oracle.channel_ != nullptr; }));
+
+  const auto answer = server->channel_->Call<Question>(kAsk, 1, Question{"who", 0}, kLong);
+
+  ASSERT_TRUE(answer) << answer.error().message;
+  EXPECT_EQ(answer->text, "whowho");
+}
+
+TEST_P(ChannelContract, ManyRequestsAtOnceAreEachAnsweredOnce) {
+  Connect(std::make_shared<Oracle>(), std::make_shared<Oracle>());
+  constexpr int kCount = 1000;
+  std::mutex mutex;
+  std::vector<int> answers(kCount);
+
+  for (int i = 0; i < kCount; ++i) {
+    channel_->Request<Question>(kAsk, static_cast<std::uint32_t>(i), Question{"x", 0}, kLong,
+                                [&, i](Result<Question> answer) {
+                                  const std::scoped_lock lock(mutex);
+                                  if (answer && answer->number == i) ++answers[i];
+                                });
+  }
+
+  EXPECT_TRUE(Eventually([&] {
+    const std::scoped_lock lock(mutex);
+    return answers == std::vector<int>(kCount, 1);
+  }));
+}
+
+TEST_P(ChannelContract, NoticesArriveInOrder) {
+  const auto server = std::make_shared<Oracle>();
+  Connect(server, std::make_shared<Oracle>());
+  std::vector<std::string> expected;
+
+  for (int i = 0; i < 1000; ++i) {
+    expected.push_back(std::to_string(i));
+    ASSERT_EQ(channel_->Notify(kTell, 0, Question{expected.back(), 0}), Status::kQueued);
+  }
+
+  ASSERT_TRUE(server->Wait([&](const Oracle& oracle) { return oracle.told_.size() == 1000; }));
+  EXPECT_EQ(server->told_, expected);
+}
+
+TEST_P(ChannelContract, ARefusalKeepsItsCodeAndWords) {
+  Connect(std::make_shared<Oracle>(), std::make_shared<Oracle>());
+
+  const auto answer = channel_->Call<Question>(kAsk, 0, Question{}, kLong);
+
+  ASSERT_FALSE(answer);
+  EXPECT_EQ(answer.error(), (Error{ErrorCode::kNotFound, "there is no question"}));
+}
+
+TEST_P(ChannelContract, AnUnknownMessageIsRefused) {
+  Connect(std::make_shared<Oracle>(), std::make_shared<Oracle>());
+
+  const auto answer = channel_->Call<None>(static_cast<MessageType>(999), 0, None{}, kLong);
+
+  ASSERT_FALSE(answer);
+  EXPECT_EQ(answer.error().code, ErrorCode::kNotFound);
+  EXPECT_THAT(answer.error().message, HasSubstr("999"));
+}
+
+TEST_P(ChannelContract, ABodyThatDoesNotDecodeIsRefusedByTheTypesName) {
+  Connect(std::make_shared<Oracle>(), std::make_shared<Oracle>());
+
+  const auto answer = channel_->Call(kAsk, 0, Bytes(3), kLong);
+
+  ASSERT_FALSE(answer);
+  EXPECT_EQ(answer.error().code, ErrorCode::kInvalid);
+  EXPECT_THAT(answer.error().message, HasSubstr("test.Question"));
+}
+
+TEST_P(ChannelContract, AHandlerThatThrowsRefusesAndTheChannelLives) {
+  Connect(std::make_shared<Oracle>(), std::make_shared<Oracle>());
+
+  const auto failed = channel_->Call<None>(kThrow, 0, None{}, kLong);
+  (void)channel_->Notify(kThrow, 0, None{});
+  const auto dropped = channel_->Call<None>(kDrop, 0, None{}, kLong);
+
+  ASSERT_FALSE(failed);
+  EXPECT_EQ(failed.error().code, ErrorCode::kFailed);
+  EXPECT_FALSE(dropped);
+  EXPECT_TRUE(channel_->Call<Question>(kAsk, 0, Question{"still there?", 0}, kLong));
+}
+
+TEST_P(ChannelContract, ACallThatIsNotAnsweredInTimeEndsAndTheLateAnswerIsCounted) {
+  const auto server = std::make_shared<Oracle>();
+  Connect(server, std::make_shared<Oracle>());
+
+  const auto answer = channel_->Call<None>(kKeep, 0, None{}, std::chrono::milliseconds(30));
+
+  ASSERT_FALSE(answer);
+  EXPECT_EQ(answer.error().code, ErrorCode::kTimeout);
+  EXPECT_EQ(answer.error().message, "no answer from robot within 30 ms; outcome unknown");
+  ASSERT_TRUE(server->Wait([](const Oracle& oracle) { return oracle.kept_.size() == 1; }));
+  server->kept_.front().Answer(Result<void>());
+  EXPECT_TRUE(Eventually([&] { return channel_->late_replies() == 1; }));
+}
+
+TEST_P(ChannelContract, ExpireEndsTheRequestsThatAreDueAndNoOthers) {
+  const auto server = std::make_shared<Oracle>();
+  Connect(server, std::make_shared<Oracle>());
+  std::promise<Result<Bytes>> first;
+  std::promise<Result<Bytes>> second;
+  channel_->Request(kKeep, 0, Bytes(), std::chrono::hours(1),
+                    [&](Result<Bytes> answer) { first.set_value(std::move(answer)); });
+  channel_->Request(kKeep, 0, Bytes(), std::chrono::hours(3),
+                    [&](Result<Bytes> answer) { second.set_value(std::move(answer)); });
+  ASSERT_TRUE(server->Wait([](const Oracle& oracle) { return oracle.kept_.size() == 2; }));
+
+  channel_->Expire(SteadyClock().Now() + std::chrono::hours(2));
+
+  const auto expired = first.get_future().get();
+  ASSERT_FALSE(expired);
+  EXPECT_EQ(expired.error().code, ErrorCode::kTimeout);
+  for (auto& responder : server->kept_) responder.Answer(Result<void>());
+  EXPECT_TRUE(second.get_future().get());
+  EXPECT_TRUE(Eventually([&] { return channel_->late_replies() == 1; }));
+}
+
+TEST_P(ChannelContract, AnAnswerMayComeFromAnotherThreadMuchLater) {
+  const auto server = std::make_shared<Oracle>();
+  Connect(server, std::make_shared<Oracle>());
+  auto answer =
+      std::async(std::launch::async, [&] { return channel_->Call<None>(kKeep, 0, None{}, kLong); });
+  ASSERT_TRUE(server->Wait([](const Oracle& oracle) { return oracle.kept_.size() == 1; }));
+
+  server->kept_.front().Answer(Result<void>());
+  server->kept_.front().Refuse(Error{});
+
+  EXPECT_TRUE(answer.get());
+}
+
+TEST_P(ChannelContract, ClosingEndsTheRequestsThatWait) {
+  const auto server = std::make_shared<Oracle>();
+  const auto client = std::make_shared<Oracle>();
+  Connect(server, client);
+  auto answer =
+      std::async(std::launch::async, [&] { return channel_->Call<None>(kKeep, 0, None{}, kLong); });
+  ASSERT_TRUE(server->Wait([](const Oracle& oracle) { return oracle.kept_.size() == 1; }));
+
+  server->channel_->Close();
+
+  const auto outcome = answer.get();
+  ASSERT_FALSE(outcome);
+  EXPECT_EQ(outcome.error().code, ErrorCode::kUnreachable);
+  ASSERT_TRUE(client->Wait([](const Oracle& oracle) { return !oracle.closed_.empty(); }));
+  ASSERT_TRUE(server->Wait([](const Oracle& oracle) { return !oracle.closed_.empty(); }));
+  EXPECT_FALSE(channel_->is_open());
+  EXPECT_EQ(channel_->Notify(kTell, 0, None{}), Status::kNotConnected);
+  EXPECT_EQ(channel_->Call<None>(kAsk, 0, None{}, kLong).error().code, ErrorCode::kUnreachable);
+}
+
+TEST_P(ChannelContract, AHandlerIsForgottenAfterTheEnd) {
+  auto client = std::make_shared<Oracle>();
+  Connect(std::make_shared<Oracle>(), client);
+  client->channel_.reset();
+
+  channel_->Close();
+
+  EXPECT_TRUE(Eventually([&] { return client.use_count() == 1; }));
+  EXPECT_EQ(client->closed_.size(), 1U);
+}
+
+TEST_P(ChannelContract, ACallFromAHandlerIsRefusedInsteadOfWaitingForItself) {
+  Connect(std::make_shared<Oracle>(), std::make_shared<Oracle>());
+  std::promise<Result<None>> inner;
+
+  channel_->Request<Question>(kAsk, 0, Question{"x", 0}, kLong, [&](Result<Question> /*answer*/) {
+    inner.set_value(channel_->Call<None>(kAsk, 0, None{}, kLong));
+  });
+
+  const auto refused = inner.get_future().get();
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().message, "a call to robot would wait for its own thread");
+}
+
+TEST_P(ChannelContract, AMessageOverTheLimitIsRefusedAndTheChannelLives) {
+  Connect(std::make_shared<Oracle>(), std::make_shared<Oracle>());
+
+  const auto answer = channel_->Call(kAsk, 0, Bytes(kMaxFrameSize), kLong);
+
+  ASSERT_FALSE(answer);
+  EXPECT_EQ(answer.error().code, ErrorCode::kInvalid);
+  EXPECT_THAT(answer.error().message, HasSubstr("67108864"));
+  EXPECT_TRUE(channel_->Call<Question>(kAsk, 0, Question{"still there?", 0}, kLong));
+}
+
+TEST_P(ChannelContract, AnotherProtocolVersionIsRefusedWithWhomToUpdate) {
+  Start(Channel::Acceptor(HelloOf("robot"), [] { return std::make_shared<Oracle>(); }));
+  Hello newer = HelloOf("desk");
+  newer.protocol_version = 3;
+  const auto client = std::make_shared<Oracle>();
+
+  const auto channel = Channel::Open(*pair_.client, listener_->address(), newer, client, kPatience);
+
+  ASSERT_FALSE(channel);
+  EXPECT_EQ(channel.error().code, ErrorCode::kIncompatible);
+  EXPECT_EQ(channel.error().message, "robot speaks protocol 1, this program 3: update robot");
+  ASSERT_TRUE(client->Wait([](const Oracle& oracle) { return !oracle.closed_.empty(); }));
+  EXPECT_EQ(client->closed_.size(), 1U);
+  EXPECT_EQ(client->peer_, "");
+}
+
+TEST_P(ChannelContract, AnOlderProgramIsToldToUpdateItself) {
+  Hello newer = HelloOf("robot");
+  newer.protocol_version = 3;
+  Start(Channel::Acceptor(newer, [] { return std::make_shared<Oracle>(); }));
+
+  const auto channel = Channel::Open(*pair_.client, listener_->address(), HelloOf("desk"),
+                                     std::make_shared<Oracle>(), kPatience);
+
+  ASSERT_FALSE(channel);
+  EXPECT_EQ(channel.error().message,
+            "robot speaks protocol 3, this program 1: update this program");
+}
+
+TEST_P(ChannelContract, AWrongCookieIsDeniedAndNoOpenIsHeard) {
+  const auto server = std::make_shared<Oracle>();
+  Start(Channel::Acceptor(HelloOf("robot"), [server] { return server; }));
+  for (const std::uint64_t cookie : {std::uint64_t{0}, kCookie + 1}) {
+    Hello hello = HelloOf("desk");
+    hello.cookie = cookie;
+
+    const auto channel = Channel::Open(*pair_.client, listener_->address(), hello,
+                                       std::make_shared<Oracle>(), kPatience);
+
+    ASSERT_FALSE(channel) << cookie;
+    EXPECT_EQ(channel.error().code, ErrorCode::kDenied);
+    EXPECT_EQ(channel.error().message,
+              "robot does not know 'desk': both must run as the same user of this machine");
+  }
+  ASSERT_TRUE(server->Wait([](const Oracle& oracle) { return oracle.closed_.size() == 2; }));
+  EXPECT_EQ(server->peer_, "");
+}
+
+TEST_P(ChannelContract, StrangersAreLetInWhereTheAcceptorSaysSo) {
+  Start(Channel::Acceptor(
+      HelloOf("robot"), [] { return std::make_shared<Oracle>(); }, Strangers::kAllowed));
+  Hello hello = HelloOf("desk");
+  hello.cookie = 0;
+
+  const auto channel = Channel::Open(*pair_.client, listener_->address(), hello,
+                                     std::make_shared<Oracle>(), kPatience);
+
+  EXPECT_TRUE(channel) << channel.error().message;
+}
+
+TEST_P(ChannelContract, ALinkThatBeginsWithSomethingElseIsClosed) {
+  const auto server = std::make_shared<Oracle>();
+  Start(Channel::Acceptor(HelloOf("robot"), [server] { return server; }));
+  const auto recorder = std::make_shared<Recorder>();
+  const auto link = Open(recorder);
+  ASSERT_TRUE(link);
+
+  ASSERT_EQ((*link)->Send(FrameOf(1)), Status::kQueued);
+
+  EXPECT_TRUE(recorder->WaitForClosed());
+  ASSERT_TRUE(server->Wait([](const Oracle& oracle) { return oracle.closed_.size() == 1; }));
+  EXPECT_EQ(server->peer_, "");
+}
+
+TEST_P(ChannelContract, AnAcceptorThatNeverAnswersTimesOut) {
+  Host mute;
+  Start(mute.accept());
+
+  const auto channel = Channel::Open(*pair_.client, listener_->address(), HelloOf("desk"),
+                                     std::make_shared<Oracle>(), std::chrono::milliseconds(200));
+
+  ASSERT_FALSE(channel);
+  EXPECT_EQ(channel.error().code, ErrorCode::kTimeout);
+}
+
+}  // namespace
+}  // namespace tendon::conformance

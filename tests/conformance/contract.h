@@ -1,0 +1,97 @@
+#pragma once
+
+#include <gtest/gtest.h>
+#include <tendon/middleware/channel.h>
+
+#include "conformance/kinds.h"
+#include "conformance/recorder.h"
+
+namespace tendon::conformance {
+
+/// A server that listens and a client, over each middleware.
+class Contract : public testing::TestWithParam<Kind> {
+ protected:
+  void Start(AcceptLink accept, Exposure exposure = Exposure::kLoopbackOnly) {
+    pair_ = GetParam().make(exposure);
+    auto listener = pair_.server->Listen("127.0.0.1:0", std::move(accept));
+    ASSERT_TRUE(listener) << listener.error().message;
+    listener_ = *std::move(listener);
+  }
+
+  Result<std::shared_ptr<Link>> Open(std::shared_ptr<LinkHandler> handler) {
+    return pair_.client->Open(listener_->address(), std::move(handler), kPatience);
+  }
+
+  Pair pair_;
+  std::unique_ptr<Listener> listener_;
+};
+
+/// One link that stands, with a recorder at each end.
+class LinkContract : public Contract {
+ protected:
+  /// `server` and `client` are what the ends do with a frame.
+  void Connect(Recorder::Action server = nullptr, Recorder::Action client = nullptr) {
+    host_ = std::make_unique<Host>([server](const std::shared_ptr<Link>& /*link*/) {
+      return std::make_shared<Recorder>(server);
+    });
+    Start(host_->accept());
+    client_recorder_ = std::make_shared<Recorder>(std::move(client));
+    auto link = Open(client_recorder_);
+    ASSERT_TRUE(link) << link.error().message;
+    client_ = *std::move(link);
+    const auto guest = host_->guest();
+    ASSERT_NE(guest.link, nullptr);
+    server_ = guest.link;
+    server_recorder_ = guest.recorder;
+  }
+
+  void TearDown() override {
+    listener_.reset();
+    pair_ = {};
+  }
+
+  std::unique_ptr<Host> host_;
+  std::shared_ptr<Link> client_;
+  std::shared_ptr<Link> server_;
+  std::shared_ptr<Recorder> client_recorder_;
+  std::shared_ptr<Recorder> server_recorder_;
+};
+
+class AddressContract : public Contract {};
+class LifetimeContract : public Contract {};
+/// For kinds whose ports strangers reach, and whose programs can be killed.
+class PortContract : public Contract {};
+
+/// Two channels that shook hands, unless a test does so itself.
+class ChannelContract : public Contract {
+ protected:
+  static constexpr std::uint64_t kCookie = 4711;
+
+  static Hello HelloOf(const std::string& name) {
+    Hello hello;
+    hello.name = name;
+    hello.instance = name.size();
+    hello.cookie = kCookie;
+    return hello;
+  }
+
+  void Connect(const std::shared_ptr<ChannelHandler>& server,
+               const std::shared_ptr<ChannelHandler>& client) {
+    Start(Channel::Acceptor(HelloOf("robot"), [server] { return server; }));
+    auto channel =
+        Channel::Open(*pair_.client, listener_->address(), HelloOf("desk"), client, kPatience);
+    ASSERT_TRUE(channel) << channel.error().message;
+    channel_ = *std::move(channel);
+  }
+
+  void TearDown() override {
+    listener_.reset();
+    pair_ = {};
+  }
+
+  std::shared_ptr<Channel> channel_;
+};
+
+inline std::string NameOfKind(const testing::TestParamInfo<Kind>& info) { return info.param.name; }
+
+}  // namespace tendon::conformance

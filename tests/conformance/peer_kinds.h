@@ -1,0 +1,13 @@
+#pragma once
+
+#include <tendon/middleware/middleware.h>
+
+#include <memory>
+#include <string>
+
+namespace tendon::conformance {
+
+/// The middleware called `kind`, or null where it was not built.
+std::shared_ptr<Middleware> MiddlewareOf(const std::string& kind);
+
+}  // namespace tendon::conformance

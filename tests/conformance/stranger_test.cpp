@@ -1,0 +1,118 @@
+#include <tendon/base/os/socket.h>
+
+#include <cstring>
+#include <random>
+
+#include "conformance/contract.h"
+#include "conformance/resources.h"
+
+namespace tendon::conformance {
+namespace {
+
+Bytes BytesOf(std::string_view text) {
+  const auto bytes = std::as_bytes(std::span(text));
+  return {bytes.begin(), bytes.end()};
+}
+
+Bytes RandomBytes(std::size_t size, unsigned seed) {
+  std::mt19937 random(seed);
+  Bytes bytes(size);
+  for (std::byte& byte : bytes) byte = static_cast<std::byte>(random());
+  return bytes;
+}
+
+/// What a port hears that programs of all kinds find.
+std::vector<Bytes> Garbage() {
+  std::vector<Bytes> garbage{
+      BytesOf("GET / HTTP/1.1\r\nHost: 127.0.0.1\r\nUser-Agent: curl\r\n\r\n"),
+      BytesOf("SSH-2.0-OpenSSH_9.2p1 Debian-2+deb12u3\r\n"),
+      BytesOf(std::string_view("\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03zzzzzzzzzzzzzzz", 26)),
+      Bytes(4096, std::byte{0}), Bytes(4096, std::byte{0xff})};
+  for (unsigned seed = 1; seed <= 20; ++seed) garbage.push_back(RandomBytes(seed * 37 + 24, seed));
+  return garbage;
+}
+
+/// A program that knows nothing of us.
+class Stranger {
+ public:
+  explicit Stranger(const std::string& address) {
+    const auto place = ParseAddress(address, 1);
+    auto socket = os::ConnectTo(place->host, place->port, kPatience);
+    EXPECT_TRUE(socket);
+    if (socket) socket_ = *std::move(socket);
+  }
+
+  void Say(const Bytes& bytes) { (void)os::SendSome(socket_, bytes); }
+
+  /// Whether the other end hangs up.
+  bool IsTurnedAway() {
+    Bytes buffer(4096);
+    return Eventually([&] { return !os::ReceiveSome(socket_, buffer); });
+  }
+
+ private:
+  os::Socket socket_;
+};
+
+TEST_P(PortContract, GarbageIsTurnedAwayAndNobodyElseIsDisturbed) {
+  Host host;
+  Start(host.accept());
+  const auto recorder = std::make_shared<Recorder>();
+  const auto link = Open(recorder);
+  ASSERT_TRUE(link);
+  const auto guest = host.guest();
+  const std::size_t memory = MemoryInUse();
+
+  for (const Bytes& garbage : Garbage()) {
+    Stranger stranger(listener_->address());
+    stranger.Say(garbage);
+    ASSERT_TRUE(stranger.IsTurnedAway());
+  }
+
+  EXPECT_LT(MemoryInUse(), memory + (std::size_t{16} << 20U));
+  EXPECT_EQ((*link)->Send(FrameOf(3)), Status::kQueued);
+  EXPECT_TRUE(guest.recorder->WaitForFrames(1));
+  EXPECT_EQ(recorder->closed(), 0);
+  EXPECT_TRUE(Open(std::make_shared<Recorder>()));
+}
+
+TEST_P(PortContract, ImpossibleSizesAreTurnedAway) {
+  Host host;
+  Start(host.accept());
+  for (const std::uint32_t size : {0x7fffffffU, 0xffffffffU, std::uint32_t{kMaxFrameSize}}) {
+    Bytes frame = FrameOf(1);
+    std::memcpy(frame.data() + offsetof(FrameHeader, size), &size, sizeof(size));
+    Stranger stranger(listener_->address());
+
+    stranger.Say(frame);
+
+    EXPECT_TRUE(stranger.IsTurnedAway()) << size;
+  }
+  EXPECT_TRUE(Open(std::make_shared<Recorder>()));
+}
+
+TEST_P(PortContract, SilenceAndHalfAHeaderAreTurnedAwayInTimeAndQuietLinksAreNot) {
+  Host host;
+  Start(host.accept());
+  const auto recorder = std::make_shared<Recorder>();
+  const auto link = Open(recorder);
+  ASSERT_TRUE(link);
+  ASSERT_EQ((*link)->Send(FrameOf(1)), Status::kQueued);
+  const auto guest = host.guest();
+  ASSERT_TRUE(guest.recorder->WaitForFrames(1));
+  Stranger silent(listener_->address());
+  Stranger half(listener_->address());
+
+  half.Say(Bytes(11, std::byte{0x54}));
+
+  EXPECT_TRUE(silent.IsTurnedAway());
+  EXPECT_TRUE(half.IsTurnedAway());
+  EXPECT_EQ(recorder->closed(), 0);
+  EXPECT_EQ(guest.recorder->closed(), 0);
+  EXPECT_EQ(guest.link->Send(FrameOf(1)), Status::kQueued);
+  EXPECT_TRUE(recorder->WaitForFrames(1));
+  EXPECT_TRUE(Open(std::make_shared<Recorder>()));
+}
+
+}  // namespace
+}  // namespace tendon::conformance

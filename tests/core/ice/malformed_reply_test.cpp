@@ -1,0 +1,103 @@
+#include <gtest/gtest.h>
+#include <tendon/ice/ice_middleware.h>
+
+#include <map>
+#include <thread>
+
+#include "core/ice/raw_ice.h"
+
+namespace tendon::ice {
+namespace {
+
+using conformance::Eventually;
+using conformance::Host;
+using conformance::kPatience;
+using conformance::Recorder;
+
+constexpr std::int64_t kHuge = 0x7fffffff;
+
+/// An answer to the first request of a connection.
+RawMessage Reply(unsigned status) { return RawMessage(RawMessage::kReply).Int(1).Byte(status); }
+
+std::map<std::string, Bytes> Replies() {
+  std::map<std::string, Bytes> replies;
+  for (const std::int64_t size : {kHuge, std::int64_t{-5}, std::int64_t{0}, std::int64_t{100000}}) {
+    const std::string text = std::to_string(size);
+    replies["encapsulation of " + text] = Reply(0).Int(size).Byte(1).Byte(1).Finished();
+    replies["sequence of " + text] = Reply(0).Int(11).Byte(1).Byte(1).Size(size).Finished();
+    replies["exception of " + text] = Reply(1).Int(11).Byte(1).Byte(1).Size(size).Finished();
+    replies["no such name of " + text] = Reply(2).Size(size).Text("x").Finished();
+    replies["no such facets: " + text] = Reply(3).String("a").String("b").Size(size).Finished();
+    replies["unknown failure of " + text] = Reply(5).Size(size).Text("x").Finished();
+    replies["message of " + text] = Reply(0).Int(6).Byte(1).Byte(1).Claiming(size);
+    replies["compressed from " + text] =
+        RawMessage(RawMessage::kReply, 2).Int(size).Text("BZh91AY&SYjunk").Finished();
+  }
+  replies["unknown status"] = Reply(200).Finished();
+  replies["nothing at all"] = RawMessage(RawMessage::kReply).Finished();
+  replies["somebody else's"] = RawMessage(RawMessage::kReply).Int(99).Byte(0).Finished();
+  replies["garbage"] = Bytes(100, std::byte{0x5a});
+  return replies;
+}
+
+/// Accepts one connection, says that it speaks Ice, awaits the first request and answers it so.
+class LyingServer {
+ public:
+  explicit LyingServer(Bytes reply) : thread_([this, reply = std::move(reply)] { Serve(reply); }) {}
+  LyingServer(const LyingServer&) = delete;
+  LyingServer& operator=(const LyingServer&) = delete;
+  ~LyingServer() { thread_.join(); }
+
+  [[nodiscard]] std::string address() const { return os::LocalAddress(listening_); }
+
+ private:
+  void Serve(const Bytes& reply) {
+    os::Socket socket;
+    Eventually([&] { return os::Accept(listening_, socket) == os::Accepted::kOne; });
+    SendAll(socket, RawMessage(RawMessage::kValidate).Finished());
+    (void)ReceiveAll(socket, 40);  // at least most of the ping
+    SendAll(socket, reply);
+    (void)ReceiveAll(socket, std::size_t{1} << 20U);  // until the client hangs up
+  }
+
+  const os::Socket listening_ = *os::ListenAt("127.0.0.1", 0);
+  std::thread thread_;
+};
+
+TEST(MalformedReply, TheClientGetsAnErrorOrALinkAndLivesOn) {
+  const auto client = MakeIceMiddleware(Exposure::kLoopbackOnly);
+  for (const auto& [name, reply] : Replies()) {
+    SCOPED_TRACE(name);
+    LyingServer liar(reply);
+
+    const auto link =
+        client->Open(liar.address(), std::make_shared<Recorder>(), std::chrono::milliseconds(100));
+
+    if (link) {
+      (*link)->Close();
+    } else {
+      EXPECT_FALSE(link.error().message.empty());
+    }
+  }
+
+  const auto server = MakeIceMiddleware(Exposure::kLoopbackOnly);
+  Host host;
+  const auto listener = server->Listen("127.0.0.1:0", host.accept());
+  ASSERT_TRUE(listener);
+  EXPECT_TRUE(client->Open((*listener)->address(), std::make_shared<Recorder>(), kPatience));
+}
+
+TEST(MalformedReply, AServerThatNeverAnswersThePingTimesOut) {
+  const auto client = MakeIceMiddleware(Exposure::kLoopbackOnly);
+  LyingServer liar({});
+
+  const auto link =
+      client->Open(liar.address(), std::make_shared<Recorder>(), std::chrono::milliseconds(200));
+
+  ASSERT_FALSE(link);
+  EXPECT_EQ(link.error().code, ErrorCode::kTimeout);
+  EXPECT_EQ(link.error().message, "no answer from " + liar.address() + " within 200 ms");
+}
+
+}  // namespace
+}  // namespace tendon::ice

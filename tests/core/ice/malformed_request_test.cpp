@@ -1,0 +1,169 @@
+#include <gtest/gtest.h>
+#include <tendon/ice/ice_middleware.h>
+#include <tendon/ice/sequence_size_check.h>
+
+#include <map>
+#include <random>
+
+#include "conformance/resources.h"
+#include "core/ice/raw_ice.h"
+
+namespace tendon::ice {
+namespace {
+
+using conformance::FrameOf;
+using conformance::Host;
+using conformance::kPatience;
+using conformance::Recorder;
+
+constexpr std::int64_t kHuge = 0x7fffffff;
+constexpr std::size_t kValidateSize = 14;
+constexpr std::size_t kReplyStatusAt = 18;
+
+RawMessage Request(std::string_view operation = "frame", int request = 1) {
+  return RawMessage(RawMessage::kRequest).Target(operation, request);
+}
+
+/// Parameters whose only sequence claims `size` bytes and has four.
+RawMessage WithSequence(std::int64_t size, int request = 1) {
+  return Request("frame", request).Int(15).Byte(1).Byte(1).Size(size).Text("body");
+}
+
+RawMessage WithEncapsulation(std::int64_t size) {
+  return Request().Int(size).Byte(1).Byte(1).Byte(0);
+}
+
+std::map<std::string, Bytes> Attacks() {
+  const auto message = [](RawMessage::Type type) { return RawMessage(type); };
+  const auto request = [&] { return message(RawMessage::kRequest).Int(1); };
+  std::map<std::string, Bytes> attacks;
+  for (const std::int64_t size : {kHuge, kHuge - 6, std::int64_t{-1}, std::int64_t{0x20000000},
+                                  std::int64_t{5}, std::int64_t{3}}) {
+    attacks["sequence of " + std::to_string(size)] = WithSequence(size).Finished();
+    attacks["oneway, sequence of " + std::to_string(size)] = WithSequence(size, 0).Finished();
+  }
+  for (const std::int64_t size : {kHuge, std::int64_t{-5}, std::int64_t{0}, std::int64_t{5},
+                                  std::int64_t{6}, std::int64_t{8}, std::int64_t{100000}}) {
+    attacks["encapsulation of " + std::to_string(size)] = WithEncapsulation(size).Finished();
+  }
+  for (const std::int64_t size : {kHuge, std::int64_t{-1}, std::int64_t{5}, std::int64_t{0}}) {
+    attacks["message of " + std::to_string(size)] = WithSequence(4).Claiming(size);
+    attacks["batch of " + std::to_string(size)] =
+        message(RawMessage::kBatch).Int(size).String("tendon").Finished();
+    attacks["name of " + std::to_string(size)] = request().Size(size).Text("tendon").Finished();
+    attacks["facets: " + std::to_string(size)] =
+        request().String("tendon").String("").Size(size).Finished();
+    attacks["contexts: " + std::to_string(size)] =
+        request().String("tendon").String("").Byte(0).String("frame").Byte(0).Size(size).Finished();
+    attacks["compressed from " + std::to_string(size)] =
+        RawMessage(RawMessage::kRequest, 2).Int(size).Text("BZh91AY&SYjunkjunkjunk").Finished();
+  }
+  attacks["no parameters"] = Request().Int(6).Byte(1).Byte(1).Finished();
+  attacks["no frame"] = Request().Int(11).Byte(1).Byte(1).String("body").Finished();
+  attacks["a type of 2 GB"] =
+      Request("ice_isA").Int(15).Byte(1).Byte(1).Size(kHuge).Text("body").Finished();
+  attacks["an answer to no question"] = message(RawMessage::kReply).Int(77).Byte(0).Finished();
+  attacks["an unknown kind"] = message(static_cast<RawMessage::Type>(99)).Finished();
+  return attacks;
+}
+
+bool IsAnsweredOrEnded(const os::Socket& socket) {
+  Bytes buffer(1);
+  return conformance::Eventually([&] {
+    const auto some = os::ReceiveSome(socket, buffer);
+    return !some || !some->empty();
+  });
+}
+
+class MalformedRequest : public testing::Test {
+ protected:
+  void SetUp() override {
+    auto made = server_->Listen("127.0.0.1:0", host_.accept());
+    ASSERT_TRUE(made) << made.error().message;
+    listener_ = *std::move(made);
+  }
+
+  /// A connection on which the server said that it is one.
+  os::Socket Connect() {
+    const auto place = ParseAddress(listener_->address(), 1);
+    auto socket = os::ConnectTo(place->host, place->port, kPatience);
+    EXPECT_TRUE(socket);
+    EXPECT_EQ(ReceiveAll(*socket, kValidateSize).size(), kValidateSize);
+    return *std::move(socket);
+  }
+
+  void ExpectThatTheNextIsServed() {
+    const auto link = client_->Open(listener_->address(), std::make_shared<Recorder>(), kPatience);
+    ASSERT_TRUE(link) << link.error().message;
+    const auto guest = host_.guest(host_.count() - 1);
+    ASSERT_EQ((*link)->Send(FrameOf(1)), Status::kQueued);
+    ASSERT_TRUE(guest.recorder->WaitForFrames(1));
+    (*link)->Close();
+  }
+
+  const std::shared_ptr<Middleware> server_ = MakeIceMiddleware(Exposure::kLoopbackOnly);
+  const std::shared_ptr<Middleware> client_ = MakeIceMiddleware(Exposure::kLoopbackOnly);
+  Host host_;
+  std::unique_ptr<Listener> listener_;
+};
+
+TEST(SequenceSizeCheck, TakesThePlaceOfIcesOwn) {
+  const Ice::CommunicatorHolder holder(Ice::initialize(Ice::InitializationData()));
+
+  EXPECT_TRUE(RefusesImpossibleSizes(holder.communicator()))
+      << "in this build of Ice one message can exhaust the memory";
+}
+
+TEST_F(MalformedRequest, TheServerAnswersOrHangsUpAndServesTheNext) {
+  ASSERT_NO_FATAL_FAILURE(ExpectThatTheNextIsServed());
+  const std::size_t memory = conformance::MemoryInUse();
+
+  for (const auto& [name, attack] : Attacks()) {
+    SCOPED_TRACE(name);
+    const os::Socket socket = Connect();
+    SendAll(socket, attack);
+    EXPECT_TRUE(IsAnsweredOrEnded(socket));
+    ASSERT_NO_FATAL_FAILURE(ExpectThatTheNextIsServed());
+  }
+
+  EXPECT_LT(conformance::MemoryInUse(), memory + (std::size_t{16} << 20U));
+}
+
+TEST_F(MalformedRequest, TheMessageThatKillsGeneratedCodeIsAnsweredInWords) {
+  const os::Socket socket = Connect();
+
+  SendAll(socket, WithSequence(kHuge).Finished());
+
+  const Bytes answer = ReceiveAll(socket, 4096);
+  ASSERT_GT(answer.size(), kReplyStatusAt);
+  EXPECT_EQ(answer[8], std::byte{RawMessage::kReply});
+  const std::string text(reinterpret_cast<const char*>(answer.data()), answer.size());
+  EXPECT_NE(text.find("the parameters of 'frame' are malformed"), std::string::npos) << text;
+}
+
+TEST_F(MalformedRequest, ThousandsOfDamagedMessagesDisturbNobody) {
+  const auto recorder = std::make_shared<Recorder>();
+  const auto link = client_->Open(listener_->address(), recorder, kPatience);
+  ASSERT_TRUE(link);
+  const auto guest = host_.guest();
+  Bytes encapsulation;
+  std::mt19937 random(4711);
+  const Bytes good = WithSequence(4).Finished();
+
+  for (int i = 0; i < 2000; ++i) {
+    Bytes damaged = good;
+    for (unsigned change = 0; change <= i % 4U; ++change) {
+      damaged[random() % damaged.size()] = static_cast<std::byte>(random());
+    }
+    const os::Socket socket = Connect();
+    SendAll(socket, damaged);
+  }
+
+  EXPECT_EQ(recorder->closed(), 0);
+  ASSERT_EQ((*link)->Send(FrameOf(1)), Status::kQueued);
+  EXPECT_TRUE(guest.recorder->WaitForFrames(1));
+  ExpectThatTheNextIsServed();
+}
+
+}  // namespace
+}  // namespace tendon::ice

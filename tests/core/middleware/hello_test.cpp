@@ -1,0 +1,179 @@
+#include <gtest/gtest.h>
+#include <tendon/base/os/process.h>
+#include <tendon/middleware/body.h>
+#include <tendon/middleware/hello.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <thread>
+#include <vector>
+
+namespace tendon {
+namespace {
+
+namespace fs = std::filesystem;
+
+Hello HelloOf(const std::string& name, std::uint64_t cookie) {
+  Hello hello;
+  hello.name = name;
+  hello.cookie = cookie;
+  return hello;
+}
+
+FrameHeader HeaderOf(MessageType type, std::uint16_t version = 1) {
+  FrameHeader header;
+  header.type = type;
+  header.version = version;
+  header.request = 1;
+  return header;
+}
+
+Result<Hello> Check(const Hello& hello, const Hello& mine,
+                    Strangers strangers = Strangers::kRefused) {
+  return CheckHello(HeaderOf(MessageType::kHello), EncodeBody(hello), mine, strangers);
+}
+
+TEST(CheckHello, WhoKnowsTheCookieIsWelcome) {
+  EXPECT_EQ(Check(HelloOf("desk", 7), HelloOf("robot", 7))->name, "desk");
+}
+
+TEST(CheckHello, WhoDoesNotIsDenied) {
+  EXPECT_EQ(Check(HelloOf("desk", 8), HelloOf("robot", 7)).error().code, ErrorCode::kDenied);
+  EXPECT_EQ(Check(HelloOf("desk", 0), HelloOf("robot", 7)).error().code, ErrorCode::kDenied);
+}
+
+TEST(CheckHello, NoCookieAtBothEndsIsNoKnowledge) {
+  EXPECT_EQ(Check(HelloOf("desk", 0), HelloOf("robot", 0)).error().code, ErrorCode::kDenied);
+}
+
+TEST(CheckHello, AllowedStrangersMayShowNoneButNoWrongOne) {
+  EXPECT_TRUE(Check(HelloOf("desk", 0), HelloOf("robot", 7), Strangers::kAllowed));
+  EXPECT_FALSE(Check(HelloOf("desk", 8), HelloOf("robot", 7), Strangers::kAllowed));
+}
+
+TEST(CheckHello, FromElsewhereNoCookieIsAskedFor) {
+  EXPECT_TRUE(Check(HelloOf("desk", 0), HelloOf("robot", 7), Strangers::kFromElsewhere));
+  EXPECT_TRUE(Check(HelloOf("desk", 8), HelloOf("robot", 7), Strangers::kFromElsewhere));
+}
+
+TEST(CheckHello, AnotherVersionIsRefusedBeforeItsBodyIsRead) {
+  const auto judged = CheckHello(HeaderOf(MessageType::kHello, 3), Bytes(5), HelloOf("robot", 7),
+                                 Strangers::kRefused);
+
+  EXPECT_EQ(judged.error(), (Error{ErrorCode::kIncompatible,
+                                   "robot speaks protocol 1, this program 3: update robot"}));
+}
+
+TEST(CheckHello, ABodyThatIsNoHelloIsInvalid) {
+  const auto judged =
+      CheckHello(HeaderOf(MessageType::kHello), Bytes(5), HelloOf("robot", 7), Strangers::kRefused);
+
+  EXPECT_EQ(judged.error().code, ErrorCode::kInvalid);
+}
+
+TEST(CheckWelcome, TheRefusalOfAnotherVersionIsReadAllTheSame) {
+  const Error refusal{ErrorCode::kIncompatible, "robot speaks protocol 9, this program 1: update"};
+
+  const auto judged = CheckWelcome(HeaderOf(MessageType::kRefusal, 9), EncodeBody(refusal),
+                                   HelloOf("desk", 7), "127.0.0.1:10705");
+
+  EXPECT_EQ(judged.error(), refusal);
+}
+
+TEST(CheckWelcome, AWelcomeInAnotherVersionIsRefusedHere) {
+  const auto judged = CheckWelcome(HeaderOf(MessageType::kWelcome, 9), Bytes(5), HelloOf("desk", 7),
+                                   "127.0.0.1:10705");
+
+  EXPECT_EQ(judged.error().message,
+            "127.0.0.1:10705 speaks protocol 9, this program 1: update this program");
+}
+
+TEST(CheckWelcome, AnAnswerWithoutTheCookieIsDenied) {
+  const auto judged = CheckWelcome(HeaderOf(MessageType::kWelcome), EncodeBody(HelloOf("robot", 8)),
+                                   HelloOf("desk", 7), "127.0.0.1:10705");
+
+  EXPECT_EQ(judged.error().code, ErrorCode::kDenied);
+}
+
+TEST(ReadRefusal, AReasonThatCannotBeReadIsStillARefusal) {
+  EXPECT_EQ(ReadRefusal(Bytes(3), "robot"),
+            (Error{ErrorCode::kFailed, "robot refused, and its reason cannot be read"}));
+}
+
+/// A runtime folder of its own for each test.
+class LoopbackCookieTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    fs::create_directories(base_);
+    setenv("XDG_RUNTIME_DIR", base_.c_str(), 1);
+  }
+  void TearDown() override {
+    unsetenv("XDG_RUNTIME_DIR");
+    fs::remove_all(base_);
+  }
+  [[nodiscard]] fs::path file() const { return base_ / "tendon" / "cookie"; }
+
+  const fs::path base_ = fs::path(testing::TempDir()) / std::to_string(os::RandomNumber());
+};
+
+TEST_F(LoopbackCookieTest, IsMadeOnceAndReadByAll) {
+  const auto first = LoopbackCookie();
+  const auto second = LoopbackCookie();
+
+  ASSERT_TRUE(first) << first.error().message;
+  ASSERT_TRUE(second);
+  EXPECT_NE(*first, 0U);
+  EXPECT_EQ(*first, *second);
+}
+
+TEST_F(LoopbackCookieTest, CanBeReadByItsUserOnly) {
+  ASSERT_TRUE(LoopbackCookie());
+
+  EXPECT_EQ(fs::status(file()).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+  EXPECT_EQ(std::distance(fs::directory_iterator(file().parent_path()), {}), 1) << "drafts remain";
+}
+
+TEST_F(LoopbackCookieTest, OfManyMakersAtOnceOneWins) {
+  std::vector<std::uint64_t> cookies(16);
+  std::vector<std::thread> makers;
+  for (auto& cookie : cookies) {
+    makers.emplace_back([&cookie] { cookie = *LoopbackCookie(); });
+  }
+  for (auto& maker : makers) maker.join();
+
+  EXPECT_EQ(cookies, std::vector<std::uint64_t>(16, cookies.front()));
+}
+
+TEST_F(LoopbackCookieTest, AFileThatOthersCanReadIsDenied) {
+  ASSERT_TRUE(LoopbackCookie());
+  fs::permissions(file(), fs::perms::others_read, fs::perm_options::add);
+
+  const auto cookie = LoopbackCookie();
+
+  ASSERT_FALSE(cookie);
+  EXPECT_EQ(cookie.error().code, ErrorCode::kDenied);
+}
+
+TEST_F(LoopbackCookieTest, ALinkToAnotherFileIsDenied) {
+  ASSERT_TRUE(LoopbackCookie());
+  fs::rename(file(), base_ / "elsewhere");
+  fs::create_symlink(base_ / "elsewhere", file());
+
+  EXPECT_FALSE(LoopbackCookie());
+}
+
+TEST_F(LoopbackCookieTest, ADamagedFileIsNamed) {
+  ASSERT_TRUE(LoopbackCookie());
+  std::ofstream(file(), std::ios::trunc) << "no number";
+
+  const auto cookie = LoopbackCookie();
+
+  ASSERT_FALSE(cookie);
+  EXPECT_EQ(cookie.error(),
+            (Error{ErrorCode::kInvalid, file().string() + " is damaged: remove it, then start "
+                                                          "again"}));
+}
+
+}  // namespace
+}  // namespace tendon

@@ -1,0 +1,154 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <tendon/base/log.h>
+#include <tendon/base/os/process.h>
+#include <tendon/base/os/socket.h>
+#include <tendon/middleware/tcp.h>
+#include <unistd.h>
+
+#include "conformance/recorder.h"
+
+namespace tendon {
+namespace {
+
+using conformance::Eventually;
+using conformance::FrameOf;
+using conformance::Host;
+using conformance::kPatience;
+using conformance::Recorder;
+using testing::HasSubstr;
+
+/// What TCP has warned of since this was first asked.
+std::vector<std::string> Warnings() {
+  static std::mutex mutex;
+  static std::vector<std::string> lines;
+  static const bool listening = [] {
+    AddLogSink([](LogLevel level, std::string_view source, std::string_view text) {
+      const std::scoped_lock lock(mutex);
+      if (source == "tcp" && level == LogLevel::kWarning) lines.emplace_back(text);
+    });
+    return true;
+  }();
+  const std::scoped_lock lock(mutex);
+  return listening ? lines : std::vector<std::string>();
+}
+
+/// A listener with one plain socket connected to it.
+struct Wire {
+  Wire() {
+    auto made = middleware->Listen("127.0.0.1:0", host.accept());
+    EXPECT_TRUE(made);
+    listener = *std::move(made);
+    socket = Connect();
+  }
+  os::Socket Connect() {
+    const auto place = ParseAddress(listener->address(), 1);
+    auto connected = os::ConnectTo(place->host, place->port, kPatience);
+    EXPECT_TRUE(connected);
+    return *std::move(connected);
+  }
+
+  const std::shared_ptr<Middleware> middleware = MakeTcpMiddleware(Exposure::kLoopbackOnly);
+  Host host;
+  std::unique_ptr<Listener> listener;
+  os::Socket socket;
+};
+
+TEST(Tcp, FramesFollowEachOtherWithNothingBetween) {
+  Wire wire;
+  Bytes bytes;
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    const Bytes frame = FrameOf(i, i * 5);
+    bytes.insert(bytes.end(), frame.begin(), frame.end());
+  }
+
+  ASSERT_EQ(os::SendSome(wire.socket, bytes), bytes.size());
+
+  const auto guest = wire.host.guest();
+  ASSERT_TRUE(guest.recorder->WaitForFrames(3));
+  EXPECT_EQ(guest.recorder->numbers(), (std::vector<std::uint32_t>{0, 1, 2}));
+}
+
+TEST(Tcp, AFrameMayComeByteByByte) {
+  Wire wire;
+  const Bytes frame = FrameOf(9, 50);
+
+  for (const std::byte byte : frame) {
+    ASSERT_EQ(os::SendSome(wire.socket, std::span(&byte, 1)), 1U);
+    std::this_thread::yield();
+  }
+
+  const auto guest = wire.host.guest();
+  ASSERT_TRUE(guest.recorder->WaitForFrames(1));
+  EXPECT_EQ(guest.recorder->bytes(), frame.size());
+}
+
+TEST(Tcp, APortInUseNamesTheProgram) {
+  Wire wire;
+
+  const auto second = wire.middleware->Listen(wire.listener->address(), wire.host.accept());
+
+  ASSERT_FALSE(second);
+  EXPECT_EQ(second.error().message, wire.listener->address() + " is in use by pid " +
+                                        std::to_string(os::ProcessId()) + " (middleware_test)");
+}
+
+TEST(Tcp, GarbageAfterAFrameEndsTheLinkWithThatReason) {
+  Wire wire;
+  Bytes bytes = FrameOf(1);
+  bytes.resize(bytes.size() + FrameHeader::kSize, std::byte{'x'});
+
+  ASSERT_EQ(os::SendSome(wire.socket, bytes), bytes.size());
+
+  const auto guest = wire.host.guest();
+  ASSERT_TRUE(guest.recorder->WaitForClosed());
+  EXPECT_EQ(guest.recorder->numbers(), std::vector<std::uint32_t>{1});
+  EXPECT_EQ(guest.recorder->reason().code, ErrorCode::kInvalid);
+}
+
+TEST(Tcp, AFloodOfGarbageIsLoggedOnceWithoutDrowningTheLog) {
+  Wire wire;
+  const std::size_t before = Warnings().size();
+
+  for (int i = 0; i < 50; ++i) {
+    const os::Socket socket = wire.Connect();
+    (void)os::SendSome(socket, Bytes(100, std::byte{'x'}));
+    Bytes buffer(100);
+    ASSERT_TRUE(Eventually([&] { return !os::ReceiveSome(socket, buffer); }));
+  }
+
+  EXPECT_EQ(Warnings().size(), before + 1);
+}
+
+TEST(Tcp, InsecureIsLoggedAtTheStart) {
+  const std::size_t before = Warnings().size();
+
+  const auto middleware = MakeTcpMiddleware(Exposure::kInsecure);
+
+  ASSERT_EQ(Warnings().size(), before + 1);
+  EXPECT_THAT(Warnings().back(), HasSubstr("--insecure"));
+}
+
+TEST(Tcp, OutOfDescriptorsTheOldLinksLiveAndNewOnesWaitTheirTurn) {
+  Wire wire;
+  const auto guest = wire.host.guest();
+  rlimit before{};
+  getrlimit(RLIMIT_NOFILE, &before);
+  const int lowest_free = dup(0);
+  close(lowest_free);
+  rlimit tight = before;
+  tight.rlim_cur = static_cast<rlim_t>(lowest_free + 1);  // for the opener, none for the acceptor
+  setrlimit(RLIMIT_NOFILE, &tight);
+  const os::Socket last = wire.Connect();
+
+  ASSERT_EQ(os::SendSome(wire.socket, FrameOf(1)), FrameOf(1).size());
+  EXPECT_TRUE(guest.recorder->WaitForFrames(1));
+  EXPECT_EQ(wire.host.count(), 1U);
+  setrlimit(RLIMIT_NOFILE, &before);
+
+  EXPECT_TRUE(Eventually([&] { return wire.host.count() == 2; }));
+}
+
+}  // namespace
+}  // namespace tendon
