@@ -34,9 +34,7 @@ class Loop {
  public:
   using Task = std::function<void()>;
   using Key = std::uint64_t;
-
   Loop() : thread_([this] { Run(); }) {}
-
   [[nodiscard]] os::Poller& poller() { return poller_; }
   [[nodiscard]] Complaints& complaints() { return complaints_; }
   /// Of the loop's thread, for what is received.
@@ -46,24 +44,20 @@ class Loop {
     const std::scoped_lock lock(mutex_);
     return ++last_key_;
   }
-
   void Add(Key key, std::shared_ptr<Served> served, const os::Socket& socket) {
     const std::scoped_lock lock(mutex_);
     served_.emplace(key, std::move(served));
     poller_.Add(socket, key, Watch::kReads);
   }
-
   void Remove(Key key, const os::Socket& socket) {
     const std::scoped_lock lock(mutex_);
     poller_.Remove(socket);
     served_.erase(key);
   }
-
   std::map<Key, std::shared_ptr<Served>> served() {
     const std::scoped_lock lock(mutex_);
     return served_;
   }
-
   /// Soon, in the loop's thread; false after Stop().
   bool Post(Task task) {
     const std::scoped_lock lock(mutex_);

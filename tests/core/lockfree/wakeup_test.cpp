@@ -1,8 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <support/allocation_guard.h>
-#include <support/simulated_atomics.h>
-#include <support/weakened_atomics.h>
+#include <support/simulation/simulated_atomics.h>
+#include <support/simulation/weakened_atomics.h>
 #include <tendon/lockfree/wakeup.h>
 
 #include <array>

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <support/simulated_atomics.h>
-#include <support/weakened_atomics.h>
+#include <support/simulation/simulated_atomics.h>
+#include <support/simulation/weakened_atomics.h>
 #include <tendon/state/row_ring.h>
 
 #include <array>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <support/memory_model.h>
+#include <support/simulation/memory_model.h>
 
 #include <chrono>
 #include <cstddef>

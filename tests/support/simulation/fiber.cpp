@@ -1,4 +1,4 @@
-#include <support/fiber.h>
+#include <support/simulation/fiber.h>
 #include <ucontext.h>
 
 #include <cassert>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <support/simulated_atomics.h>
+#include <support/simulation/simulated_atomics.h>
 
 #include <atomic>
 

@@ -1,11 +1,11 @@
-#include <support/fiber.h>
-#include <support/simulation.h>
+#include <support/simulation/fiber.h>
+#include <support/simulation/simulation.h>
 
 #include <algorithm>
-#include <utility>
 #include <cassert>
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace tendon::simulation {
 namespace {

@@ -1,4 +1,4 @@
-#include <support/memory_model.h>
+#include <support/simulation/memory_model.h>
 
 #include <algorithm>
 #include <cassert>

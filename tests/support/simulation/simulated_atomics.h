@@ -1,6 +1,6 @@
 #pragma once
 
-#include <support/simulation.h>
+#include <support/simulation/simulation.h>
 #include <tendon/base/clock.h>
 
 #include <atomic>

@@ -1,0 +1,349 @@
+#include <tendon/base/os/process.h>
+#include <tendon/process/ask.h>
+#include <tendon/process/client/remote_connections.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace tendon {
+namespace {
+
+constexpr std::chrono::milliseconds kOpenTimeout(1000);
+constexpr std::chrono::milliseconds kShortestPause(100);
+constexpr std::chrono::milliseconds kLongestPause(2000);
+
+/// Whether trying again later makes no sense as long as the same process is there.
+bool IsFinal(const Error& error) {
+  return error.code == ErrorCode::kIncompatible || error.code == ErrorCode::kInvalid ||
+         error.code == ErrorCode::kDenied || error.code == ErrorCode::kExists;
+}
+
+Result<std::shared_ptr<ProvidedInterfaceProxy>> MakeProxy(
+    const std::shared_ptr<NetworkThread>& network, const std::shared_ptr<Channel>& channel,
+    const Result<message::InterfaceOpened>& answer, const RequiredDescription& required,
+    std::chrono::milliseconds read_deadline) {
+  if (!answer) return answer.error();
+  try {
+    return std::make_shared<ProvidedInterfaceProxy>(
+        network, ProvidedInterfaceProxy::Remote{.channel = channel, .opened = *answer}, required,
+        read_deadline);
+  } catch (const ConfigurationError& error) {
+    return Error{ErrorCode::kInvalid, channel->peer().name + " answered nonsense: " + error.what()};
+  }
+}
+
+}  // namespace
+
+void RemoteConnections::Connect(const message::Wire& wire, Done done) {
+  const auto id = Enter(wire, done);
+  if (!id) return done(id.error());
+  Try(*id);
+}
+
+Result<ConnectionId> RemoteConnections::Enter(const message::Wire& wire, const Done& done) {
+  const auto lock = context_.host.LockStructure();
+  const auto required = context_.host.LookUpRequired(wire.required);
+  if (!required) return required.error();
+  if ((*required)->is_connected() || FindEntry(wire.required) != entries_.end()) {
+    return Error{ErrorCode::kExists,
+                 ToString(wire.required) + " is connected already; disconnect it first"};
+  }
+  const ConnectionId id = context_.host.NewConnectionId();
+  Entry& entry = entries_[id];
+  entry.description = {.id = id,
+                       .required = wire.required,
+                       .provided = wire.provided,
+                       .state = ConnectionState::kPending,
+                       .reason = "process '" + wire.provided.process + "' is being asked"};
+  entry.done = done;
+  return id;
+}
+
+void RemoteConnections::UpdatePeers(const std::vector<ProcessDescription>& processes) {
+  peers_.Update(processes);
+  peers_.CloseOutdated();
+  TryPossible();
+}
+
+void RemoteConnections::LearnPeer(const std::string& process, const std::string& address,
+                                  std::uint64_t instance) {
+  peers_.Learn(process, address, instance);
+}
+
+void RemoteConnections::TryPossible() {
+  std::vector<ConnectionId> possible;
+  {
+    const auto lock = context_.host.LockStructure();
+    for (auto& [id, entry] : entries_) {
+      const auto instance = peers_.InstanceOf(entry.description.provided.process);
+      if (!instance || entry.is_opening) continue;
+      const ConnectionState state = entry.description.state;
+      const bool is_news = state == ConnectionState::kFailed && entry.refused_by != *instance;
+      if (state != ConnectionState::kPending && !is_news) continue;
+      entry.pause = {};
+      possible.push_back(id);
+    }
+  }
+  for (const ConnectionId id : possible) Try(id);
+}
+
+void RemoteConnections::Try(ConnectionId id) {
+  std::string process;
+  bool is_first = false;
+  {
+    const auto lock = context_.host.LockStructure();
+    const auto found = entries_.find(id);
+    if (found == entries_.end() || found->second.connection || found->second.is_opening) return;
+    ++found->second.attempt;
+    process = found->second.description.provided.process;
+    is_first = found->second.done != nullptr;
+  }
+  if (!peers_.InstanceOf(process)) {  // UpdatePeers() will try again
+    if (is_first) {
+      Postpone(id, "process '" + process + "' is not there; the connection is made when it comes");
+    }
+    return;
+  }
+  const auto link = peers_.LinkTo(process);
+  if (!link) return Postpone(id, link.error().message);
+  Request(id, *link);
+}
+
+void RemoteConnections::Request(ConnectionId id, const std::shared_ptr<PeerLink>& link) {
+  message::OpenInterface open;
+  std::chrono::milliseconds read_deadline{};
+  Attempt attempt{.id = id, .number = 0, .link = link, .handle = 0};
+  {
+    const auto lock = context_.host.LockStructure();
+    const auto found = entries_.find(id);
+    if (found == entries_.end()) return;
+    Entry& entry = found->second;
+    const auto required = context_.host.LookUpRequired(entry.description.required);
+    if (!required) return;
+    open = {.required = entry.description.required,
+            .provided = entry.description.provided,
+            .description = (*required)->description(),
+            .handle = 0,
+            .capacity = static_cast<std::uint32_t>((*required)->mailbox_capacity())};
+    read_deadline = (*required)->read_deadline();
+    open.handle = link->handles().Reserve(open.description.event_handlers.size());
+    entry.is_opening = true;
+    entry.link = link;
+    entry.handle = attempt.handle = open.handle;
+    attempt.number = entry.attempt;
+  }
+  // The proxy is made in the middleware's thread, before anything else that the peer sends to it.
+  Ask<message::InterfaceOpened>(
+      *context_.worker, link->channel(), message::kOpenInterface, open, kOpenTimeout,
+      [this, worker = context_.worker, network = context_.network, attempt, read_deadline,
+       description = open.description](const Result<message::InterfaceOpened>& answer) {
+        const auto proxy =
+            MakeProxy(network, attempt.link->channel(), answer, description, read_deadline);
+        if (proxy) attempt.link->handles().Put(attempt.handle, *proxy);
+        worker->Post([this, attempt, proxy] { Finish(attempt, proxy); });
+      });
+}
+
+void RemoteConnections::Finish(const Attempt& attempt, const Opened& opened) {
+  Result<void> outcome;
+  Done done;
+  ConnectionDescription description;
+  {
+    const auto lock = context_.host.LockStructure();
+    const auto found = entries_.find(attempt.id);
+    const bool is_void = found == entries_.end() || found->second.attempt != attempt.number;
+    if (is_void) {
+      attempt.link->handles().Remove(attempt.handle);
+      if (opened) CloseThere(*attempt.link, **opened);
+      return;
+    }
+    Entry& entry = found->second;
+    entry.is_opening = false;
+    outcome = opened ? Bind(entry, *opened) : opened.error();
+    if (outcome) {
+      done = std::exchange(entry.done, nullptr);
+      description = entry.description;
+    }
+  }
+  if (!outcome) {
+    return IsFinal(outcome.error()) ? Refuse(attempt.id, outcome.error())
+                                    : Postpone(attempt.id, outcome.error().message);
+  }
+  context_.host.StructureChanged();
+  if (done) done(description);
+}
+
+Result<void> RemoteConnections::Bind(Entry& entry,
+                                     const std::shared_ptr<ProvidedInterfaceProxy>& proxy) {
+  ConnectionDescription& description = entry.description;
+  const auto required = context_.host.LookUpRequired(description.required);
+  auto connection =
+      required ? Connection::Make(**required, proxy->interface(), ToString(description.required),
+                                  ToString(description.provided))
+               : required.error();
+  if (!connection) {
+    CloseThere(*entry.link, *proxy);
+    return connection.error();
+  }
+  entry.connection = *std::move(connection);
+  entry.proxy = proxy;
+  context_.proxies.Add(description.provided, proxy);
+  description.state = ConnectionState::kActive;
+  description.reason.clear();
+  entry.pause = {};
+  return {};
+}
+
+void RemoteConnections::Postpone(ConnectionId id, const std::string& reason) {
+  Done done;
+  ConnectionDescription description;
+  {
+    const auto lock = context_.host.LockStructure();
+    const auto found = entries_.find(id);
+    if (found == entries_.end()) return;
+    Suspend(found->second, reason);
+    done = std::exchange(found->second.done, nullptr);
+    description = found->second.description;
+  }
+  context_.host.StructureChanged();
+  if (done) done(description);
+}
+
+void RemoteConnections::Refuse(ConnectionId id, const Error& error) {
+  Done done;
+  {
+    const auto lock = context_.host.LockStructure();
+    const auto found = entries_.find(id);
+    if (found == entries_.end()) return;
+    Entry& entry = found->second;
+    done = std::exchange(entry.done, nullptr);
+    entry.refused_by = entry.link->instance();
+    entry.description.state = ConnectionState::kFailed;
+    entry.description.reason = error.message;
+    TakeDown(entry, {});
+    if (done) entries_.erase(found);
+  }
+  context_.host.StructureChanged();
+  if (done) done(error);
+}
+
+void RemoteConnections::OnLinkClosed(const PeerLink& link, const Error& reason) {
+  {
+    const auto lock = context_.host.LockStructure();
+    for (auto& [id, entry] : entries_) {
+      if (entry.link.get() != &link || !entry.connection) continue;
+      Suspend(entry,
+              "process '" + entry.description.provided.process + "' was lost: " + reason.message);
+    }
+  }
+  context_.host.StructureChanged();
+}
+
+void RemoteConnections::OnInterfaceClosed(const PeerLink& link, std::uint32_t handle,
+                                          const Error& reason) {
+  {
+    const auto lock = context_.host.LockStructure();
+    for (auto& [id, entry] : entries_) {
+      if (entry.link.get() != &link || entry.handle != handle) continue;
+      Suspend(entry, reason.message);
+    }
+  }
+  context_.host.StructureChanged();
+}
+
+/// It is still wanted, and tried again by and by.
+void RemoteConnections::Suspend(Entry& entry, const std::string& reason) {
+  TakeDown(entry, {});
+  entry.description.state = ConnectionState::kPending;
+  entry.description.reason = reason;
+  entry.pause = std::clamp(2 * entry.pause, kShortestPause, kLongestPause);
+  const auto jitter = entry.pause * static_cast<std::int64_t>(os::RandomNumber() % 1000) / 4000;
+  context_.worker->PostAfter(entry.pause - jitter,
+                             [this, id = entry.description.id, number = entry.attempt] {
+                               if (IsNewest(id, number)) Try(id);
+                             });
+}
+
+bool RemoteConnections::IsNewest(ConnectionId id, std::uint64_t attempt) const {
+  const auto lock = context_.host.LockStructure();
+  const auto found = entries_.find(id);
+  return found != entries_.end() && found->second.attempt == attempt;
+}
+
+/// Ends what stands of it, and voids what is under way.
+void RemoteConnections::TakeDown(Entry& entry, std::chrono::milliseconds patience) {
+  ++entry.attempt;
+  entry.is_opening = false;
+  if (entry.connection) entry.connection->Close(patience);
+  entry.connection.reset();
+  if (entry.proxy) {
+    context_.proxies.Remove(entry.description.provided, *entry.proxy);
+    CloseThere(*entry.link, *entry.proxy);
+  }
+  if (entry.link) entry.link->handles().Remove(entry.handle);
+  entry.proxy.reset();
+  entry.link.reset();
+}
+
+void RemoteConnections::CloseThere(const PeerLink& link, const ProvidedInterfaceProxy& proxy) {
+  (void)link.channel()->Notify(message::kCloseInterface, proxy.handle(), Bytes());
+}
+
+bool RemoteConnections::Has(const InterfaceName& required) const {
+  const auto lock = context_.host.LockStructure();
+  return FindEntry(required) != entries_.end();
+}
+
+Result<void> RemoteConnections::Disconnect(const InterfaceName& required) {
+  Done done;
+  {
+    const auto lock = context_.host.LockStructure();
+    const auto found = FindEntry(required);
+    if (found == entries_.end()) {
+      return Error{ErrorCode::kNotFound, ToString(required) + " is not connected"};
+    }
+    auto ended = entries_.extract(found);
+    done = std::move(ended.mapped().done);
+    TakeDown(ended.mapped(), LocalManager::kDrainPatience);
+  }
+  context_.host.StructureChanged();
+  if (done) {  // on the worker, as every outcome: this may be any thread, with the lock held
+    context_.worker->Post([done, required] {
+      done(Error{ErrorCode::kFailed, ToString(required) + " was disconnected meanwhile"});
+    });
+  }
+  return {};
+}
+
+void RemoteConnections::RemoveComponent(const std::string& component) {
+  std::vector<InterfaceName> concerned;
+  const auto lock = context_.host.LockStructure();
+  for (const auto& [id, entry] : entries_) {
+    const InterfaceName& required = entry.description.required;
+    if (required.component == component) concerned.push_back(required);
+  }
+  for (const InterfaceName& required : concerned) (void)Disconnect(required);
+}
+
+std::vector<ConnectionDescription> RemoteConnections::descriptions() const {
+  const auto lock = context_.host.LockStructure();
+  std::vector<ConnectionDescription> all;
+  for (const auto& [id, entry] : entries_) all.push_back(entry.description);
+  return all;
+}
+
+void RemoteConnections::Close() {
+  const auto lock = context_.host.LockStructure();
+  for (auto& [id, entry] : entries_) TakeDown(entry, LocalManager::kDrainPatience);
+  entries_.clear();
+  peers_.CloseAll();
+}
+
+RemoteConnections::Entries::const_iterator RemoteConnections::FindEntry(
+    const InterfaceName& required) const {
+  return std::find_if(entries_.begin(), entries_.end(), [&required](const auto& one) {
+    return one.second.description.required == required;
+  });
+}
+
+}  // namespace tendon

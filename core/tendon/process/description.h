@@ -1,0 +1,98 @@
+#pragma once
+
+#include <tendon/manager/description.h>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tendon {
+
+/// How a process is doing, as the GCM sees it.
+enum class ProcessState : std::int32_t {
+  kAlive,
+  kSuspect,  ///< has missed renewals of its lease
+  kLost,     ///< its connection broke or its lease ran out; its description is kept as a tombstone
+  kLeft,     ///< said good-bye; kept as a tombstone too
+};
+
+template <>
+inline constexpr auto kPayload<ProcessState> =
+    DescribeEnum("tendon.ProcessState", Enumerator{"alive", ProcessState::kAlive},
+                 Enumerator{"suspect", ProcessState::kSuspect},
+                 Enumerator{"lost", ProcessState::kLost}, Enumerator{"left", ProcessState::kLeft});
+
+[[nodiscard]] std::string_view ToString(ProcessState state) noexcept;
+
+/// A process without its components.
+struct ProcessDescription {
+  std::string name;
+  std::uint64_t instance = 0;  ///< new at each start of the process
+  std::string host;
+  std::int64_t pid = 0;
+  std::string address;  ///< where viewers and peers reach it
+  ProcessState state = ProcessState::kAlive;
+  std::string reason;      ///< why it is lost
+  std::int64_t since = 0;  ///< when it entered `state`, ns since 1970 (for people, not for logic)
+
+  bool operator==(const ProcessDescription&) const = default;
+};
+
+/// One numbered step of the catalogue's history. Exactly one of the lists has one element (or the
+/// name says what is removed); the order of changes is the order of their revisions, without holes.
+struct CatalogChange {
+  enum class Kind : std::int32_t {
+    kProcess,  ///< added or changed; a new instance empties its components and connections
+    kProcessRemoved,
+    kComponent,  ///< added or changed
+    kComponentRemoved,
+    kConnection,  ///< added or changed
+    kConnectionRemoved,
+  };
+
+  std::uint64_t revision = 0;  ///< the catalogue's after this change
+  Kind kind = Kind::kProcess;
+  std::string process;                             ///< which process it is about
+  std::string component;                           ///< kComponentRemoved
+  std::uint64_t connection = 0;                    ///< kConnectionRemoved
+  std::vector<ProcessDescription> processes;       ///< kProcess
+  std::vector<ComponentDescription> components;    ///< kComponent
+  std::vector<ConnectionDescription> connections;  ///< kConnection
+
+  bool operator==(const CatalogChange&) const = default;
+};
+
+}  // namespace tendon
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::ProcessDescription> = tendon::Describe(
+    "tendon.ProcessDescription", tendon::Field{"name", &tendon::ProcessDescription::name},
+    tendon::Field{"instance", &tendon::ProcessDescription::instance},
+    tendon::Field{"host", &tendon::ProcessDescription::host},
+    tendon::Field{"pid", &tendon::ProcessDescription::pid},
+    tendon::Field{"address", &tendon::ProcessDescription::address},
+    tendon::Field{"state", &tendon::ProcessDescription::state},
+    tendon::Field{"reason", &tendon::ProcessDescription::reason},
+    tendon::Field{"since", &tendon::ProcessDescription::since, "ns"});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::CatalogChange::Kind> = tendon::DescribeEnum(
+    "tendon.CatalogChangeKind",
+    tendon::Enumerator{"process", tendon::CatalogChange::Kind::kProcess},
+    tendon::Enumerator{"process_removed", tendon::CatalogChange::Kind::kProcessRemoved},
+    tendon::Enumerator{"component", tendon::CatalogChange::Kind::kComponent},
+    tendon::Enumerator{"component_removed", tendon::CatalogChange::Kind::kComponentRemoved},
+    tendon::Enumerator{"connection", tendon::CatalogChange::Kind::kConnection},
+    tendon::Enumerator{"connection_removed", tendon::CatalogChange::Kind::kConnectionRemoved});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::CatalogChange> = tendon::Describe(
+    "tendon.CatalogChange", tendon::Field{"revision", &tendon::CatalogChange::revision},
+    tendon::Field{"kind", &tendon::CatalogChange::kind},
+    tendon::Field{"process", &tendon::CatalogChange::process},
+    tendon::Field{"component", &tendon::CatalogChange::component},
+    tendon::Field{"connection", &tendon::CatalogChange::connection},
+    tendon::Field{"processes", &tendon::CatalogChange::processes},
+    tendon::Field{"components", &tendon::CatalogChange::components},
+    tendon::Field{"connections", &tendon::CatalogChange::connections});

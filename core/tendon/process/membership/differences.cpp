@@ -1,0 +1,71 @@
+#include <tendon/process/membership/differences.h>
+
+#include <map>
+#include <string>
+
+namespace tendon {
+namespace {
+
+using Kind = CatalogChange::Kind;
+
+template <typename Key, typename Description>
+std::map<Key, const Description*> ByKey(const std::vector<Description>& descriptions,
+                                        Key Description::*key) {
+  std::map<Key, const Description*> by_key;
+  for (const Description& one : descriptions) by_key[one.*key] = &one;
+  return by_key;
+}
+
+/// Calls `removed(key)` and `changed(description)`.
+template <typename Key, typename Description, typename Removed, typename Changed>
+void Compare(const std::map<Key, const Description*>& before,
+             const std::map<Key, const Description*>& after, Removed removed, Changed changed) {
+  for (const auto& [key, description] : before) {
+    if (!after.contains(key)) removed(key);
+  }
+  for (const auto& [key, description] : after) {
+    const auto found = before.find(key);
+    if (found == before.end() || *found->second != *description) changed(*description);
+  }
+}
+
+CatalogChange ChangeOf(Kind kind) {
+  CatalogChange change;
+  change.kind = kind;
+  return change;
+}
+
+}  // namespace
+
+std::vector<CatalogChange> Differences(const ProcessContent& before, const ProcessContent& after) {
+  std::vector<CatalogChange> gone;
+  std::vector<CatalogChange> there;
+  Compare(
+      ByKey(before.components, &ComponentDescription::name),
+      ByKey(after.components, &ComponentDescription::name),
+      [&](const std::string& name) {
+        gone.push_back(ChangeOf(Kind::kComponentRemoved));
+        gone.back().component = name;
+      },
+      [&](const ComponentDescription& component) {
+        there.push_back(ChangeOf(Kind::kComponent));
+        there.back().components = {component};
+      });
+  std::vector<CatalogChange> changes;  // connections go before components, and come after them
+  Compare(
+      ByKey(before.connections, &ConnectionDescription::id),
+      ByKey(after.connections, &ConnectionDescription::id),
+      [&](std::uint64_t id) {
+        changes.push_back(ChangeOf(Kind::kConnectionRemoved));
+        changes.back().connection = id;
+      },
+      [&](const ConnectionDescription& connection) {
+        there.push_back(ChangeOf(Kind::kConnection));
+        there.back().connections = {connection};
+      });
+  changes.insert(changes.end(), gone.begin(), gone.end());
+  changes.insert(changes.end(), there.begin(), there.end());
+  return changes;
+}
+
+}  // namespace tendon

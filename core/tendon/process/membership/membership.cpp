@@ -1,0 +1,268 @@
+#include <tendon/base/log.h>
+#include <tendon/base/os/process.h>
+#include <tendon/process/ask.h>
+#include <tendon/process/membership/membership.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace tendon {
+namespace {
+
+constexpr std::chrono::milliseconds kOpenTimeout(1000);
+constexpr std::chrono::milliseconds kJoinTimeout(2000);
+constexpr std::chrono::milliseconds kLeaveTimeout(300);
+constexpr std::chrono::milliseconds kBetweenRenewals(250);
+constexpr std::chrono::milliseconds kRenewalTimeout(500);
+constexpr std::chrono::milliseconds kSilence(1500);  // of a GCM that is lost
+constexpr std::chrono::milliseconds kShortestPause(100);
+constexpr std::chrono::milliseconds kLongestPause(2000);
+
+/// Refused by a GCM, which will not change its mind soon.
+bool IsRefusal(const Error& error) {
+  return error.code == ErrorCode::kExists || error.code == ErrorCode::kDenied ||
+         error.code == ErrorCode::kIncompatible || error.code == ErrorCode::kInvalid;
+}
+
+}  // namespace
+
+/// Hears the channel to the GCM; passes everything on to the worker.
+class Membership::GcmHandler final : public ChannelHandler {
+ public:
+  GcmHandler(std::shared_ptr<Worker> worker, Membership& membership)
+      : worker_(std::move(worker)), membership_(membership) {}
+
+ private:
+  void OnRequest(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
+                 std::span<const std::byte> body, Responder responder) override {
+    const auto shared = std::make_shared<Responder>(std::move(responder));
+    if (header.type == message::kMakeConnection) {
+      const auto wiring = DecodeBody<message::Wiring>(body);
+      if (!wiring) return shared->Refuse(wiring.error());
+      worker_->Post([&membership = membership_, wiring = *wiring, shared] {
+        membership.delegate_.MakeConnection(wiring, [&membership, shared](const auto& made) {
+          membership.Report();  // the GCM knows before its viewers hear the answer
+          shared->Answer(made);
+        });
+      });
+    } else if (header.type == message::kBreakConnection) {
+      const auto wire = DecodeBody<message::Wire>(body);
+      if (!wire) return shared->Refuse(wire.error());
+      worker_->Post([&membership = membership_, required = wire->required, shared] {
+        const auto broken = membership.delegate_.BreakConnection(required);
+        membership.Report();
+        shared->Answer(broken);
+      });
+    } else {
+      ChannelHandler::OnRequest(channel, header, body, std::move(*shared));
+    }
+  }
+
+  void OnNotice(const std::shared_ptr<Channel>& /*channel*/, const FrameHeader& header,
+                std::span<const std::byte> body) override {
+    if (header.type != message::kPeers) return;
+    const auto peers = DecodeBody<message::Peers>(body);
+    if (!peers) return;
+    worker_->Post([&membership = membership_, processes = peers->processes] {
+      membership.delegate_.OnPeers(processes);
+    });
+  }
+
+  void OnClosed(const std::shared_ptr<Channel>& channel, const Error& reason) override {
+    worker_->Post(
+        [&membership = membership_, channel, reason] { membership.OnClosed(channel, reason); });
+  }
+
+  const std::shared_ptr<Worker> worker_;
+  Membership& membership_;  // on the worker only
+};
+
+Membership::Membership(ProcessContext& context, MembershipDelegate& delegate, Options options)
+    : context_(context), delegate_(delegate), options_(std::move(options)) {
+  context_.network->Add(*this);
+}
+
+Membership::~Membership() { context_.network->Remove(*this); }
+
+void Membership::Begin() {
+  context_.worker->Post([this] { Try(); });
+}
+
+void Membership::Leave() {
+  std::shared_ptr<Channel> channel;
+  {
+    const std::scoped_lock lock(mutex_);
+    channel = std::exchange(channel_, nullptr);
+  }
+  if (channel) (void)channel->Call<None>(message::kLeave, 0, None{}, kLeaveTimeout);
+  if (channel) channel->Close();
+  if (candidate_) candidate_->Close();
+}
+
+Result<void> Membership::WaitUntilJoined(std::chrono::milliseconds timeout) const {
+  std::unique_lock lock(mutex_);
+  changed_.wait_for(lock, timeout, [this] {
+    return channel_ || (failure_ && (IsRefusal(*failure_) || !options_.retry));
+  });
+  if (channel_) return {};
+  if (failure_) return *failure_;
+  return Error{ErrorCode::kTimeout, "the GCM at " + options_.gcm + " has not answered within " +
+                                        std::to_string(timeout.count()) + " ms"};
+}
+
+bool Membership::is_joined() const {
+  const std::scoped_lock lock(mutex_);
+  return channel_ != nullptr;
+}
+
+void Membership::Try() {
+  auto handler = std::make_shared<GcmHandler>(context_.worker, *this);
+  auto channel = Channel::Open(*context_.middleware, options_.gcm, context_.hello,
+                               std::move(handler), kOpenTimeout);
+  if (!channel) {
+    Error error = channel.error();
+    if (error.code == ErrorCode::kUnreachable || error.code == ErrorCode::kTimeout) {
+      error = {ErrorCode::kUnreachable,
+               "no GCM at " + options_.gcm + " (" + error.message + "); start one with: gcm serve"};
+    }
+    return Fail(error);
+  }
+  candidate_ = *channel;
+  ProcessContent content = delegate_.content();
+  const message::Join join{.process = options_.process,
+                           .components = content.components,
+                           .connections = content.connections};
+  Ask<message::Joined>(
+      *context_.worker, *channel, message::kJoin, join, kJoinTimeout,
+      [this, worker = context_.worker, channel = *channel,
+       content = std::move(content)](const Result<message::Joined>& joined) {
+        worker->Post([this, channel, content, joined] { Finish(channel, content, joined); });
+      });
+}
+
+void Membership::Finish(const std::shared_ptr<Channel>& channel, ProcessContent reported,
+                        const Result<message::Joined>& joined) {
+  candidate_ = nullptr;
+  if (!joined || !channel->is_open()) {
+    channel->Close();
+    return Fail(joined ? Error{ErrorCode::kUnreachable, "the GCM closed the connection"}
+                       : joined.error());
+  }
+  context_.hello.session = joined->session;
+  reported_ = std::move(reported);
+  pause_ = {};
+  SetJoined(channel);
+  Log("joined the GCM at " + options_.gcm + " as process '" + context_.name + "'");
+  Report();
+}
+
+void Membership::SetJoined(std::shared_ptr<Channel> channel) {
+  {
+    const std::scoped_lock lock(mutex_);
+    channel_ = std::move(channel);
+    failure_.reset();
+    last_renewed_->Set(SteadyClock().Now());
+    next_renewal_ = last_renewed_->Get() + kBetweenRenewals;
+  }
+  changed_.notify_all();
+  context_.network->Notify();
+}
+
+void Membership::Fail(const Error& error) {
+  {
+    const std::scoped_lock lock(mutex_);
+    failure_ = error;
+  }
+  changed_.notify_all();
+  if (!options_.retry) return;
+  Log(IsRefusal(error) ? "runs on unregistered: " + error.message : error.message);
+  TryLater();
+}
+
+void Membership::OnClosed(const std::shared_ptr<Channel>& channel, const Error& reason) {
+  {
+    const std::scoped_lock lock(mutex_);
+    if (channel_ != channel) return;
+    channel_ = nullptr;
+    failure_ = Error{ErrorCode::kUnreachable, "the GCM was lost: " + reason.message};
+  }
+  Log("the GCM at " + options_.gcm + " was lost (" + reason.message +
+      "); running on, and looking for it");
+  pause_ = {};
+  if (options_.retry) TryLater();
+}
+
+void Membership::TryLater() {
+  pause_ = std::clamp(2 * pause_, kShortestPause, kLongestPause);
+  const auto jitter = pause_ * static_cast<std::int64_t>(os::RandomNumber() % 1000) / 2000;
+  context_.worker->PostAfter(pause_ - jitter, [this] { Try(); });
+}
+
+void Membership::ReportSoon() {
+  {
+    const std::scoped_lock lock(mutex_);
+    if (std::exchange(is_report_due_, true)) return;
+  }
+  context_.worker->Post([this] { Report(); });
+}
+
+void Membership::Report() {
+  constexpr std::chrono::milliseconds kUntilLinkHasRoom(20);
+  std::shared_ptr<Channel> channel;
+  {
+    const std::scoped_lock lock(mutex_);
+    is_report_due_ = false;
+    channel = channel_;
+  }
+  if (!channel) return;  // joining tells all
+  ProcessContent content = delegate_.content();
+  const message::Report report{.changes = Differences(reported_, content)};
+  if (report.changes.empty()) return;
+  if (channel->Notify(message::kReport, 0, report) == Status(Status::kQueueFull)) {
+    return context_.worker->PostAfter(kUntilLinkHasRoom, [this] { ReportSoon(); });
+  }
+  reported_ = std::move(content);
+}
+
+bool Membership::Work(SteadyTime now, SteadyTime& next) {
+  std::shared_ptr<Channel> channel;
+  bool is_silent = false;
+  bool is_due = false;
+  {
+    const std::scoped_lock lock(mutex_);
+    if (!channel_) return false;
+    channel = channel_;
+    is_silent = now - last_renewed_->Get() >= kSilence;
+    is_due = now >= next_renewal_;
+    if (is_due) next_renewal_ = now + kBetweenRenewals;
+    next = std::min(next, next_renewal_);
+  }
+  if (is_silent) {
+    channel->Close();
+  } else if (is_due) {
+    channel->Expire(now);
+    Renew(channel);
+  }
+  return false;
+}
+
+void Membership::Renew(const std::shared_ptr<Channel>& channel) {
+  channel->Request<None>(message::kRenew, 0, None{}, kRenewalTimeout,
+                         [last_renewed = last_renewed_, channel](const Result<None>& renewed) {
+                           if (renewed) {
+                             last_renewed->Set(SteadyClock().Now());
+                           } else if (renewed.error().code == ErrorCode::kDenied) {
+                             channel->Close();  // given up: join again
+                           }
+                         });
+}
+
+/// The same line once; what is in brackets, as the time of a renewal, makes no other.
+void Membership::Log(const std::string& text) {
+  const std::string line = text.substr(0, text.find(" ("));
+  if (line == logged_) return;
+  logged_ = line;
+  tendon::Log(LogLevel::kInfo, context_.name, text);
+}
+
+}  // namespace tendon

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <tendon/lockfree/flag.h>
+#include <tendon/middleware/channel.h>
+#include <tendon/process/context.h>
+#include <tendon/process/membership/differences.h>
+#include <tendon/process/membership_messages.h>
+
+#include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tendon {
+
+/// What a GCM wants of a process; called on the worker.
+class MembershipDelegate {
+ public:
+  virtual ~MembershipDelegate() = default;
+  [[nodiscard]] virtual ProcessContent content() const = 0;
+  virtual void OnPeers(const std::vector<ProcessDescription>& processes) = 0;
+  /// `done` is called on the worker.
+  virtual void MakeConnection(const message::Wiring& wiring,
+                              std::function<void(const Result<ConnectionDescription>&)> done) = 0;
+  virtual Result<void> BreakConnection(const InterfaceName& required) = 0;
+};
+
+/// The process as a member of a GCM: joins, keeps it informed, renews the lease four times a
+/// second, and joins again when the GCM was lost, was started anew, or has given us up. Without a
+/// GCM, or when the name is somebody else's, the process runs on, and it is tried again.
+class Membership final : private NetworkJob {
+ public:
+  struct Options {
+    std::string gcm;  ///< its address
+    bool retry = true;
+    ProcessDescription process;
+  };
+  Membership(ProcessContext& context, MembershipDelegate& delegate, Options options);
+  ~Membership() override;
+
+  void Begin();
+  /// Says good-bye. Once the worker has stopped.
+  void Leave();
+
+  /// Until we are a member; the error is the GCM's refusal at once, or, after `timeout`, the last.
+  Result<void> WaitUntilJoined(std::chrono::milliseconds timeout) const;
+  [[nodiscard]] bool is_joined() const;
+
+  /// Any thread: something has changed; the GCM will hear of it.
+  void ReportSoon();
+  /// On the worker: tells the GCM what has changed since the last report.
+  void Report();
+
+ private:
+  class GcmHandler;
+
+  void Try();
+  void Finish(const std::shared_ptr<Channel>& channel, ProcessContent reported,
+              const Result<message::Joined>& joined);
+  void Fail(const Error& error);
+  void OnClosed(const std::shared_ptr<Channel>& channel, const Error& reason);
+  void TryLater();
+  void SetJoined(std::shared_ptr<Channel> channel);
+  bool Work(SteadyTime now, SteadyTime& next) override;
+  void Renew(const std::shared_ptr<Channel>& channel);
+  void Log(const std::string& text);
+
+  ProcessContext& context_;
+  MembershipDelegate& delegate_;
+  Options options_;
+
+  // Of the worker.
+  std::shared_ptr<Channel> candidate_;  // has been asked to let us join
+  ProcessContent reported_;
+  std::chrono::milliseconds pause_{0};
+  std::string logged_;
+
+  mutable std::mutex mutex_;  // of what follows
+  mutable std::condition_variable changed_;
+  std::shared_ptr<Channel> channel_;  // while we are a member
+  std::optional<Error> failure_;      // of the last attempt
+  bool is_report_due_ = false;
+  SteadyTime next_renewal_{};
+  const std::shared_ptr<Published<SteadyTime>> last_renewed_ =
+      std::make_shared<Published<SteadyTime>>();
+};
+
+}  // namespace tendon

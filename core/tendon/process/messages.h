@@ -1,0 +1,126 @@
+#pragma once
+
+#include <tendon/middleware/frame.h>
+#include <tendon/payload/fingerprint.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+/// What viewers ask a process directly: schemas, calls, and the rows of state tables. Each struct
+/// is the body of a frame; requests are answered, notices are not.
+namespace tendon::message {
+
+// From a viewer.
+inline constexpr auto kGetSchemas =
+    static_cast<MessageType>(0x200);  // request: GetSchemas -> Schemas
+inline constexpr auto kCallMember =
+    static_cast<MessageType>(0x201);  // request: CallMember -> Called
+inline constexpr auto kSubscribe =
+    static_cast<MessageType>(0x202);  // request: Subscribe -> Subscribed
+inline constexpr auto kUnsubscribe =
+    static_cast<MessageType>(0x203);  // notice: empty; frame's handle
+// From the process.
+inline constexpr auto kRows =
+    static_cast<MessageType>(0x204);  // notice: frame's handle, see RowsHeader
+inline constexpr auto kRowsEnded =
+    static_cast<MessageType>(0x205);  // notice: frame's handle; Error: why no more rows come
+
+/// Which payload types' schemas are wanted.
+struct GetSchemas {
+  std::vector<Fingerprint> fingerprints;
+};
+
+/// Schema::Text() of each, in the order asked for; empty where the process does not know it.
+struct Schemas {
+  std::vector<std::string> texts;
+};
+
+/// Executes a command. The columns of state tables are read commands too: interface "state" or
+/// "state-NAME", member = column.
+struct CallMember {
+  std::string component;
+  std::string interface;
+  std::string member;
+  std::vector<std::byte> argument;  ///< the argument's body; empty where the command takes none
+};
+
+struct Called {
+  std::uint8_t status = 0;        ///< Status::Code
+  std::vector<std::byte> answer;  ///< the result's body; empty where there is none
+};
+
+/// Rows of one state table from now on, until kUnsubscribe or the channel's end.
+struct Subscribe {
+  std::string component;
+  std::string table;  ///< "state" or "state-NAME"
+  std::vector<std::string> columns;
+};
+
+struct Subscribed {
+  std::uint32_t handle = 0;          ///< of the frames of this subscription
+  std::uint64_t epoch = 0;           ///< new at each subscription and each start of the process
+  std::vector<std::string> schemas;  ///< Schema::Text() of each column, in the order asked for
+};
+
+/// The body of kRows, little-endian, so laid out that each cell is found by one addition:
+///
+///     RowsHeader
+///     u32 x columns    bytes of a cell of that column, or 0 where they differ from row to row
+///     padding to 8
+///     row x rows       u64 tick, i64 time (ns on the source's steady clock), then per column, at
+///     the
+///                      next multiple of 8: the cell's body; or, where its size is 0, u32 offset
+///                      (from the start of the frame's body, a multiple of 8) and u32 size of it
+///     the cells whose sizes differ, each at a multiple of 8
+///
+/// A row is a multiple of 8 bytes long; all rows of a batch are equally long.
+struct RowsHeader {
+  std::uint64_t rows_before = 0;  ///< sent before in this subscription: a hole is a loss on the way
+  std::uint64_t lost_table =
+      0;  ///< overwritten before they could be gathered, since the last batch
+  std::uint32_t rows = 0;
+  std::uint32_t columns = 0;
+};
+
+}  // namespace tendon::message
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::GetSchemas> = tendon::Describe(
+    "tendon.GetSchemas", tendon::Field{"fingerprints", &tendon::message::GetSchemas::fingerprints});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::Schemas> =
+    tendon::Describe("tendon.Schemas", tendon::Field{"texts", &tendon::message::Schemas::texts});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::CallMember> = tendon::Describe(
+    "tendon.CallMember", tendon::Field{"component", &tendon::message::CallMember::component},
+    tendon::Field{"interface", &tendon::message::CallMember::interface},
+    tendon::Field{"member", &tendon::message::CallMember::member},
+    tendon::Field{"argument", &tendon::message::CallMember::argument});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::Called> =
+    tendon::Describe("tendon.Called", tendon::Field{"status", &tendon::message::Called::status},
+                     tendon::Field{"answer", &tendon::message::Called::answer});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::Subscribe> = tendon::Describe(
+    "tendon.Subscribe", tendon::Field{"component", &tendon::message::Subscribe::component},
+    tendon::Field{"table", &tendon::message::Subscribe::table},
+    tendon::Field{"columns", &tendon::message::Subscribe::columns});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::Subscribed> = tendon::Describe(
+    "tendon.Subscribed", tendon::Field{"handle", &tendon::message::Subscribed::handle},
+    tendon::Field{"epoch", &tendon::message::Subscribed::epoch},
+    tendon::Field{"schemas", &tendon::message::Subscribed::schemas});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::RowsHeader> = tendon::Describe(
+    "tendon.RowsHeader", tendon::Field{"rows_before", &tendon::message::RowsHeader::rows_before},
+    tendon::Field{"lost_table", &tendon::message::RowsHeader::lost_table},
+    tendon::Field{"rows", &tendon::message::RowsHeader::rows},
+    tendon::Field{"columns", &tendon::message::RowsHeader::columns});

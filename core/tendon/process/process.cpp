@@ -1,0 +1,254 @@
+#include <tendon/base/os/process.h>
+#include <tendon/middleware/tcp.h>
+#include <tendon/process/client/remote_connections.h>
+#include <tendon/process/membership/membership.h>
+#include <tendon/process/process.h>
+#include <tendon/process/server/session.h>
+
+#include <future>
+#include <utility>
+
+namespace tendon {
+namespace {
+
+InterfaceName WithoutProcess(const InterfaceName& name) { return {name.component, name.interface}; }
+
+/// A host alone means the port where a GCM usually is.
+std::string GcmAddress(const std::string& address) {
+  const bool is_host = address.find(':') == std::string::npos || address.ends_with(']');
+  return is_host ? address + ":" + std::to_string(kDefaultGcmPort) : address;
+}
+
+Hello MakeHello(const std::string& name) {
+  const auto cookie = LoopbackCookie();
+  if (!cookie) throw ConfigurationError(cookie.error().message);
+  return {.instance = os::RandomNumber(), .name = name, .session = 0, .cookie = *cookie};
+}
+
+}  // namespace
+
+/// Everything that has to do with the network.
+class Process::Parts final : public MembershipDelegate {
+ public:
+  Parts(Process& process, const std::string& name, const ProcessOptions& options)
+      : process_(process),
+        network_(std::make_shared<NetworkThread>()),
+        context_{.name = name,
+                 .host = process,
+                 .middleware = options.middleware,
+                 .hello = MakeHello(name),
+                 .worker = std::make_shared<Worker>("process"),
+                 .network = network_,
+                 .proxies = ComponentProxies(network_)},
+        services_{.context = context_,
+                  .connections = ServedConnections(context_),
+                  .calls = MemberCalls(context_),
+                  .telemetry = TelemetryServer(context_)},
+        connections_(context_) {}
+
+  Parts(const Parts&) = delete;
+  Parts& operator=(const Parts&) = delete;
+
+  /// Once the process knows its parts.
+  void Open(const ProcessOptions& options) {
+    Listen(options);
+    if (options.gcm.empty()) return;
+    membership_ = std::make_unique<Membership>(
+        context_, *this,
+        Membership::Options{
+            .gcm = GcmAddress(options.gcm), .retry = options.retry, .process = Description()});
+    membership_->Begin();
+  }
+
+  /// While the process still knows them.
+  void Close() {
+    context_.worker->Stop();  // from now on the structure is changed here alone
+    if (membership_) membership_->Leave();
+    connections_.Close();
+    listener_.reset();
+    services_.connections.Close();
+  }
+
+  [[nodiscard]] const ProcessContext& context() const { return context_; }
+  [[nodiscard]] const std::string& address() const { return address_; }
+  [[nodiscard]] const Membership* membership() const { return membership_.get(); }
+  [[nodiscard]] RemoteConnections& connections() { return connections_; }
+
+  void OnChanged() {
+    if (membership_) membership_->ReportSoon();
+    network_->Notify();
+  }
+
+  Result<ConnectionId> Connect(const message::Wire& wire) {
+    const auto promise = std::make_shared<std::promise<Result<ConnectionId>>>();
+    context_.worker->Post([this, wire, promise] {
+      connections_.Connect(wire, [promise](const auto& made) {
+        promise->set_value(made ? Result<ConnectionId>(made->id) : made.error());
+      });
+    });
+    return promise->get_future().get();
+  }
+
+  void RemoveComponent(const std::string& component) {
+    connections_.RemoveComponent(component);
+    services_.connections.RemoveComponent(component);
+    services_.calls.RemoveComponent(component);
+    services_.telemetry.RemoveComponent(component);
+  }
+
+ private:
+  void Listen(const ProcessOptions& options) {
+    const auto choose = [this] { return std::make_shared<Session>(services_); };
+    auto listener =
+        context_.middleware->Listen(options.listen, Channel::Acceptor(context_.hello, choose));
+    if (!listener) throw ConfigurationError(listener.error().message);
+    listener_ = *std::move(listener);
+    address_ = options.advertise.empty() ? listener_->address() : options.advertise;
+  }
+
+  [[nodiscard]] ProcessDescription Description() const {
+    ProcessDescription description;
+    description.name = context_.name;
+    description.instance = context_.hello.instance;
+    description.host = os::HostName();
+    description.pid = os::ProcessId();
+    description.address = address_;
+    return description;
+  }
+
+  ProcessContent content() const override {
+    const auto lock = process_.Lock();
+    return {.components = process_.components(), .connections = process_.connections()};
+  }
+
+  void OnPeers(const std::vector<ProcessDescription>& processes) override {
+    connections_.UpdatePeers(processes);
+  }
+
+  void MakeConnection(const message::Wiring& wiring, RemoteConnections::Done done) override {
+    const message::Wire& wire = wiring.wire;
+    const auto here = process_.Here(wire.required);
+    if (!here) return done(here.error());
+    if (wire.provided.process != context_.name) {
+      connections_.LearnPeer(wire.provided.process, wiring.address, wiring.instance);
+      return connections_.Connect(wire, std::move(done));
+    }
+    const auto id = process_.Connect(wire.required, wire.provided);
+    if (!id) return done(id.error());
+    done(ConnectionDescription{.id = *id,
+                               .required = wire.required,
+                               .provided = wire.provided,
+                               .state = ConnectionState::kActive,
+                               .reason = {}});
+  }
+
+  Result<void> BreakConnection(const InterfaceName& required) override {
+    return process_.Disconnect(required);
+  }
+
+  Process& process_;
+  const std::shared_ptr<NetworkThread> network_;
+  ProcessContext context_;
+  Services services_;
+  RemoteConnections connections_;
+  std::string address_;
+  std::unique_ptr<Membership> membership_;
+  std::unique_ptr<Listener> listener_;
+};
+
+Process::Process(std::string name, ProcessOptions options) {
+  RequireName("process", name);
+  if (!options.middleware) {
+    throw ConfigurationError("process '" + name + "' has no middleware; see Tcp() and Ice()");
+  }
+  parts_ = std::make_unique<Parts>(*this, name, options);
+  parts_->Open(options);
+  SetObserver([parts = parts_.get()] { parts->OnChanged(); });
+}
+
+Process::~Process() {
+  SetObserver(nullptr);
+  parts_->Close();
+  parts_.reset();
+  Clear();
+}
+
+const std::string& Process::name() const { return parts_->context().name; }
+
+const std::string& Process::address() const { return parts_->address(); }
+
+std::uint64_t Process::instance() const { return parts_->context().hello.instance; }
+
+Result<void> Process::WaitUntilJoined(std::chrono::milliseconds timeout) const {
+  if (parts_->membership() != nullptr) return parts_->membership()->WaitUntilJoined(timeout);
+  return Error{ErrorCode::kFailed, "process '" + name() + "' was told of no GCM to join"};
+}
+
+bool Process::is_joined() const {
+  return parts_->membership() != nullptr && parts_->membership()->is_joined();
+}
+
+Result<ConnectionId> Process::Connect(const InterfaceName& required,
+                                      const InterfaceName& provided) {
+  const auto here = Here(required);
+  if (!here) return here.error();
+  const InterfaceName there = Full(provided);
+  if (there.process != name()) return parts_->Connect({.required = *here, .provided = there});
+  if (parts_->connections().Has(*here)) {
+    return Error{ErrorCode::kExists,
+                 ToString(*here) + " is connected already; disconnect it first"};
+  }
+  return LocalManager::Connect(WithoutProcess(*here), WithoutProcess(there));
+}
+
+Result<void> Process::Disconnect(const InterfaceName& required) {
+  const auto here = Here(required);
+  if (!here) return here.error();
+  if (parts_->connections().Has(*here)) return parts_->connections().Disconnect(*here);
+  return LocalManager::Disconnect(WithoutProcess(*here));
+}
+
+std::vector<ConnectionDescription> Process::connections() const {
+  const auto lock = Lock();
+  std::vector<ConnectionDescription> all = LocalManager::connections();
+  for (ConnectionDescription& connection : all) {
+    connection.required = Full(connection.required);
+    connection.provided = Full(connection.provided);
+  }
+  const auto remote = parts_->connections().descriptions();
+  all.insert(all.end(), remote.begin(), remote.end());
+  return all;
+}
+
+std::vector<ComponentProxy> Process::proxies() const { return parts_->context().proxies.all(); }
+
+void Process::OnRemoving(const Component& component) { parts_->RemoveComponent(component.name()); }
+
+InterfaceName Process::Full(InterfaceName interface) const {
+  if (interface.process.empty()) interface.process = name();
+  return interface;
+}
+
+Result<InterfaceName> Process::Here(const InterfaceName& required) const {
+  InterfaceName full = Full(required);
+  if (full.process == name()) return full;
+  return Error{ErrorCode::kNotFound, ToString(full) + " is not in process '" + name() +
+                                         "'; connect and disconnect it there, or through the GCM"};
+}
+
+Result<RequiredInterface*> Process::LookUpRequired(const InterfaceName& interface) const {
+  return FindRequired(interface);
+}
+
+Result<ProvidedInterface*> Process::LookUpProvided(const InterfaceName& interface) const {
+  return FindProvided(interface);
+}
+
+Component* Process::LookUpComponent(const std::string& component) const { return Find(component); }
+
+ProcessOptions Tcp(ProcessOptions options, Exposure exposure) {
+  options.middleware = MakeTcpMiddleware(exposure);
+  return options;
+}
+
+}  // namespace tendon

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <tendon/interface/connection.h>
+#include <tendon/middleware/channel.h>
+#include <tendon/process/context.h>
+#include <tendon/process/messages.h>
+#include <tendon/proxy/function_proxy.h>
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <tuple>
+
+namespace tendon {
+
+/// Executes any command of this process by its name, for consoles and windows. What was called once
+/// stays connected, through a mailbox of its own, until its component is removed.
+class MemberCalls {
+ public:
+  explicit MemberCalls(ProcessContext& context) : context_(context) {}
+
+  /// In a thread of the middleware: answers at once, or, at the first call of a member, soon.
+  /// Refusals: kNotFound with a suggestion.
+  void Call(const std::shared_ptr<message::CallMember>& call,
+            const std::shared_ptr<Responder>& responder);
+
+  /// Any thread: before the component goes.
+  void RemoveComponent(const std::string& component);
+
+ private:
+  class Target;
+  using Key = std::tuple<std::string, std::string, std::string>;
+  static Key KeyOf(const message::CallMember& call) {
+    return {call.component, call.interface, call.member};
+  }
+
+  std::shared_ptr<Target> Find(const Key& key);
+  Result<std::shared_ptr<Target>> Make(const message::CallMember& call);
+
+  ProcessContext& context_;
+  std::mutex mutex_;
+  std::map<Key, std::shared_ptr<Target>> targets_;
+};
+
+}  // namespace tendon

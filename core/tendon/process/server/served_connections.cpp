@@ -1,0 +1,102 @@
+#include <tendon/process/server/served_connections.h>
+
+#include <utility>
+
+namespace tendon {
+
+void ServedConnections::Open(const std::shared_ptr<Client>& client,
+                             const message::OpenInterface& open, Responder& responder) {
+  const auto lock = context_.host.LockStructure();
+  auto made = Make(client, open);
+  if (!made) return responder.Refuse(made.error());
+  entries_.push_back(*std::move(made));
+  Entry& entry = entries_.back();
+  const auto server = context_.host.LookUpProvided(open.provided);
+  message::InterfaceOpened opened{
+      .handle = client->handles.Reserve(open.description.functions.size()),
+      .credit = entry.proxy->capacity(),
+      .accepting = entry.proxy->BeginCredit(*entry.connection, (*server)->inbox()),
+      .description = (*server)->description()};
+  entry.handle = opened.handle;
+  client->handles.Put(entry.handle, entry.proxy);
+  responder.Reply(EncodeBody(opened));
+  context_.proxies.Add(entry.required, entry.proxy);  // only now it sends
+}
+
+Result<ServedConnections::Entry> ServedConnections::Make(const std::shared_ptr<Client>& client,
+                                                         const message::OpenInterface& open) {
+  if (open.provided.process != context_.name) {
+    return Error{ErrorCode::kNotFound,
+                 "this is process '" + context_.name + "', not '" + open.provided.process + "'"};
+  }
+  const auto server = context_.host.LookUpProvided(open.provided);
+  if (!server) {
+    return Error{server.error().code, "process '" + context_.name + "': " + server.error().message};
+  }
+  try {
+    auto proxy = std::make_shared<RequiredInterfaceProxy>(context_.network, client->channel, open);
+    auto connection = Connection::Make(proxy->interface(), **server, ToString(open.required),
+                                       ToString(open.provided));
+    if (!connection) return connection.error();
+    return Entry{.client = client,
+                 .required = open.required,
+                 .component = open.provided.component,
+                 .handle = 0,
+                 .proxy = std::move(proxy),
+                 .connection = *std::move(connection)};
+  } catch (const ConfigurationError& error) {
+    return Error{ErrorCode::kInvalid, error.what()};
+  }
+}
+
+void ServedConnections::Close(const std::shared_ptr<Client>& client, std::uint32_t handle) {
+  CloseWhere([&](const Entry& entry) { return entry.client == client && entry.handle == handle; },
+             LocalManager::kDrainPatience);
+}
+
+void ServedConnections::CloseAll(const std::shared_ptr<Client>& client) {
+  CloseWhere([&](const Entry& entry) { return entry.client == client; },
+             LocalManager::kDrainPatience);
+}
+
+void ServedConnections::RemoveComponent(const std::string& component) {
+  const Error reason{ErrorCode::kNotFound, "component '" + component + "' of process '" +
+                                               context_.name + "' was removed"};
+  CloseWhere(
+      [&](const Entry& entry) {
+        if (entry.component != component) return false;
+        Channel& channel = *entry.client->channel;
+        const Status told =
+            channel.Notify(message::kInterfaceClosed, entry.proxy->handle(), reason);
+        // A client that is not told would call into nothing for ever; it opens the channel again.
+        if (told == Status(Status::kQueueFull)) channel.Close();
+        return true;
+      },
+      LocalManager::kDrainPatience);
+}
+
+void ServedConnections::Close() {
+  CloseWhere([](const Entry& /*entry*/) { return true; }, LocalManager::kDrainPatience);
+}
+
+template <typename Predicate>
+void ServedConnections::CloseWhere(Predicate predicate, std::chrono::milliseconds patience) {
+  const auto lock = context_.host.LockStructure();
+  for (auto entry = entries_.begin(); entry != entries_.end();) {
+    if (!predicate(*entry)) {
+      ++entry;
+      continue;
+    }
+    TakeDown(*entry, patience);
+    entry = entries_.erase(entry);
+  }
+}
+
+void ServedConnections::TakeDown(Entry& entry, std::chrono::milliseconds patience) {
+  entry.client->handles.Remove(entry.handle);
+  entry.proxy->EndCredit();
+  entry.connection->Close(patience);
+  context_.proxies.Remove(entry.required, *entry.proxy);
+}
+
+}  // namespace tendon

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <tendon/interface/connection.h>
+#include <tendon/middleware/channel.h>
+#include <tendon/process/context.h>
+#include <tendon/proxy/handle_table.h>
+#include <tendon/proxy/messages.h>
+#include <tendon/proxy/required_interface_proxy.h>
+
+#include <functional>
+#include <list>
+#include <memory>
+#include <string>
+
+namespace tendon {
+
+/// Another process that has opened a channel to this one, with the numbers issued to it.
+struct Client {
+  std::shared_ptr<Channel> channel;
+  HandleTable<RequiredInterfaceProxy> handles;
+};
+
+/// The connections of other processes' required interfaces to provided interfaces here.
+///
+/// Without a remark, functions are called on the worker.
+class ServedConnections {
+ public:
+  explicit ServedConnections(ProcessContext& context) : context_(context) {}
+
+  /// Connects, and answers before anything else is sent about the connection. Refusals: kNotFound
+  /// with a suggestion, kIncompatible.
+  void Open(const std::shared_ptr<Client>& client, const message::OpenInterface& open,
+            Responder& responder);
+  /// Executes first what has arrived; `handle` is our number of it.
+  void Close(const std::shared_ptr<Client>& client, std::uint32_t handle);
+  /// All of a client that is gone.
+  void CloseAll(const std::shared_ptr<Client>& client);
+
+  /// Any thread: before the component goes; its clients are told.
+  void RemoveComponent(const std::string& component);
+  /// Once the worker has stopped and no channel is open.
+  void Close();
+
+ private:
+  struct Entry {
+    std::shared_ptr<Client> client;
+    InterfaceName required;
+    std::string component;
+    std::uint32_t handle = 0;
+    std::shared_ptr<RequiredInterfaceProxy> proxy;
+    std::unique_ptr<Connection> connection;
+  };
+
+  Result<Entry> Make(const std::shared_ptr<Client>& client, const message::OpenInterface& open);
+  void TakeDown(Entry& entry, std::chrono::milliseconds patience);
+  template <typename Predicate>
+  void CloseWhere(Predicate predicate, std::chrono::milliseconds patience);
+
+  ProcessContext& context_;
+  std::list<Entry> entries_;  // under the manager's lock
+};
+
+}  // namespace tendon

@@ -1,0 +1,91 @@
+#include <tendon/process/server/session.h>
+
+#include <utility>
+
+namespace tendon {
+
+void Session::OnOpen(const SharedChannel& channel, const Hello& /*peer*/) {
+  client_->channel = channel;
+}
+
+void Session::OnRequest(const SharedChannel& channel, const FrameHeader& header, Body body,
+                        Responder responder) {
+  const MessageType type = header.type;
+  if (type == message::kRead) return Read(header, body, std::move(responder));
+  if (type == message::kPing) return responder.Answer(Result<void>());
+  if (type == message::kOpenInterface) return OpenInterface(body, std::move(responder));
+  if (type == message::kGetSchemas) return GetSchemas(body, responder);
+  if (type == message::kCallMember) return CallMember(body, std::move(responder));
+  if (type == message::kSubscribe) return Subscribe(channel, body, std::move(responder));
+  ChannelHandler::OnRequest(channel, header, body, std::move(responder));
+}
+
+void Session::OnNotice(const SharedChannel& channel, const FrameHeader& header, Body body) {
+  const std::uint32_t handle = header.handle;
+  if (header.type == message::kCommands) {
+    ForEachCall(body, [this](std::uint32_t function, Body argument) {
+      const auto [proxy, offset] = client_->handles.Find(function);
+      if (proxy && offset > 0) proxy->OnCommand(offset - 1, argument);
+    });
+  } else if (header.type == message::kCloseInterface) {
+    services_.context.worker->Post([&services = services_, client = client_, handle] {
+      services.connections.Close(client, handle);
+    });
+  } else if (header.type == message::kUnsubscribe) {
+    services_.context.worker->Post([&services = services_, channel, handle] {
+      services.telemetry.Unsubscribe(channel, handle);
+    });
+  }
+}
+
+void Session::OnClosed(const SharedChannel& /*channel*/, const Error& /*reason*/) {
+  for (const auto& proxy : client_->handles.objects()) proxy->Sever();
+  services_.context.worker->Post(
+      [&services = services_, client = client_] { services.connections.CloseAll(client); });
+}
+
+void Session::Read(const FrameHeader& header, Body body, Responder responder) {
+  const auto [proxy, offset] = client_->handles.Find(header.handle);
+  if (!proxy || offset == 0) {
+    return responder.Refuse({ErrorCode::kNotFound, "the connection was closed"});
+  }
+  proxy->OnRead(offset - 1, body, std::move(responder));
+}
+
+void Session::OpenInterface(Body body, Responder responder) {
+  const auto open = DecodeBody<message::OpenInterface>(body);
+  if (!open) return responder.Refuse(open.error());
+  services_.context.worker->Post([&services = services_, client = client_, open = *open,
+                                  shared = std::make_shared<Responder>(std::move(responder))] {
+    services.connections.Open(client, open, *shared);
+  });
+}
+
+void Session::GetSchemas(Body body, Responder& responder) {
+  const auto wanted = DecodeBody<message::GetSchemas>(body);
+  if (!wanted) return responder.Refuse(wanted.error());
+  message::Schemas schemas;
+  for (const Fingerprint& fingerprint : wanted->fingerprints) {
+    const auto schema = FindSchema(fingerprint);
+    schemas.texts.push_back(schema ? schema->Text() : std::string());
+  }
+  responder.Reply(EncodeBody(schemas));
+}
+
+void Session::CallMember(Body body, Responder responder) {
+  auto call = DecodeBody<message::CallMember>(body);
+  if (!call) return responder.Refuse(call.error());
+  services_.calls.Call(std::make_shared<message::CallMember>(*std::move(call)),
+                       std::make_shared<Responder>(std::move(responder)));
+}
+
+void Session::Subscribe(const SharedChannel& channel, Body body, Responder responder) {
+  const auto wanted = DecodeBody<message::Subscribe>(body);
+  if (!wanted) return responder.Refuse(wanted.error());
+  services_.context.worker->Post([&services = services_, channel, wanted = *wanted,
+                                  shared = std::make_shared<Responder>(std::move(responder))] {
+    services.telemetry.Subscribe(channel, wanted, *shared);
+  });
+}
+
+}  // namespace tendon

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <tendon/middleware/channel.h>
+#include <tendon/process/server/member_calls.h>
+#include <tendon/process/server/served_connections.h>
+#include <tendon/process/telemetry/telemetry_server.h>
+
+#include <memory>
+#include <span>
+
+namespace tendon {
+
+/// What a process does for others.
+struct Services {
+  ProcessContext& context;
+  ServedConnections connections;
+  MemberCalls calls;
+  TelemetryServer telemetry;
+};
+
+/// One channel that another process or a viewer has opened: passes on what arrives. Commands and
+/// reads are executed in the middleware's thread; whatever might wait goes to the worker.
+class Session final : public ChannelHandler {
+ public:
+  explicit Session(Services& services) : services_(services) {}
+
+ private:
+  using SharedChannel = std::shared_ptr<Channel>;
+  using Body = std::span<const std::byte>;
+
+  void OnOpen(const SharedChannel& channel, const Hello& peer) override;
+  void OnRequest(const SharedChannel& channel, const FrameHeader& header, Body body,
+                 Responder responder) override;
+  void OnNotice(const SharedChannel& channel, const FrameHeader& header, Body body) override;
+  void OnClosed(const SharedChannel& channel, const Error& reason) override;
+
+  void Read(const FrameHeader& header, Body body, Responder responder);
+  void OpenInterface(Body body, Responder responder);
+  static void GetSchemas(Body body, Responder& responder);
+  void CallMember(Body body, Responder responder);
+  void Subscribe(const SharedChannel& channel, Body body, Responder responder);
+
+  Services& services_;
+  const std::shared_ptr<Client> client_ = std::make_shared<Client>();
+};
+
+}  // namespace tendon

@@ -1,0 +1,156 @@
+#include <tendon/payload/codec.h>
+#include <tendon/process/telemetry/row_batch.h>
+
+#include <cassert>
+#include <cstring>
+
+namespace tendon {
+namespace {
+
+constexpr std::size_t kHeaderSize = 24;
+constexpr std::size_t kStampSize = 16;  // tick and time
+constexpr std::size_t kReferenceSize = 8;
+
+static_assert(kEncodedSize<message::RowsHeader> == kHeaderSize);
+
+constexpr std::size_t Padded(std::size_t size) { return payload::AlignUp(size, 8); }
+
+/// Bytes of a cell in its row.
+constexpr std::size_t PlaceSize(std::uint32_t size) {
+  return size != 0 ? Padded(size) : kReferenceSize;
+}
+
+}  // namespace
+
+RowBatchWriter::RowBatchWriter(std::vector<std::uint32_t> sizes)
+    : sizes_(std::move(sizes)),
+      first_row_(Padded(kHeaderSize + sizes_.size() * sizeof(std::uint32_t))),
+      row_size_(kStampSize) {
+  for (const std::uint32_t size : sizes_) row_size_ += PlaceSize(size);
+  body_.resize(first_row_);
+  std::memcpy(body_.data() + kHeaderSize, sizes_.data(), sizes_.size() * sizeof(std::uint32_t));
+}
+
+void RowBatchWriter::Clear() {
+  body_.resize(first_row_);
+  loose_.clear();
+  rows_ = 0;
+  is_joined_ = false;
+}
+
+void RowBatchWriter::BeginRow(std::uint64_t tick, std::int64_t time) {
+  position_ = body_.size();
+  body_.resize(position_ + row_size_);  // zeroes
+  std::memcpy(body_.data() + position_, &tick, sizeof tick);
+  std::memcpy(body_.data() + position_ + sizeof tick, &time, sizeof time);
+  position_ += kStampSize;
+  column_ = 0;
+  ++rows_;
+}
+
+void RowBatchWriter::AddCell(std::span<const std::byte> cell) {
+  const std::uint32_t size = sizes_[column_++];
+  std::byte* place = body_.data() + position_;
+  position_ += PlaceSize(size);
+  if (size != 0) {
+    assert(cell.size() == size);
+    std::memcpy(place, cell.data(), size);
+    return;
+  }
+  const auto offset = static_cast<std::uint32_t>(loose_.size());
+  const auto bytes = static_cast<std::uint32_t>(cell.size());
+  std::memcpy(place, &offset, sizeof offset);
+  std::memcpy(place + sizeof offset, &bytes, sizeof bytes);
+  loose_.insert(loose_.end(), cell.begin(), cell.end());
+  loose_.resize(Padded(loose_.size()));
+}
+
+std::span<const std::byte> RowBatchWriter::Finish(std::uint64_t rows_before,
+                                                  std::uint64_t lost_table) {
+  if (!is_joined_) JoinLooseCells();
+  const message::RowsHeader header{.rows_before = rows_before,
+                                   .lost_table = lost_table,
+                                   .rows = static_cast<std::uint32_t>(rows_),
+                                   .columns = static_cast<std::uint32_t>(sizes_.size())};
+  EncodeTo(header, std::span(body_).first(kHeaderSize));
+  return body_;
+}
+
+/// So far their offsets count from the first of them.
+void RowBatchWriter::JoinLooseCells() {
+  is_joined_ = true;
+  const auto start = static_cast<std::uint32_t>(body_.size());
+  std::size_t place = first_row_;
+  for (std::size_t row = 0; row < rows_; ++row) {
+    place += kStampSize;
+    for (const std::uint32_t size : sizes_) {
+      if (size == 0) {
+        std::uint32_t offset = 0;
+        std::memcpy(&offset, body_.data() + place, sizeof offset);
+        offset += start;
+        std::memcpy(body_.data() + place, &offset, sizeof offset);
+      }
+      place += PlaceSize(size);
+    }
+  }
+  body_.insert(body_.end(), loose_.begin(), loose_.end());
+}
+
+std::optional<RowBatchReader> RowBatchReader::Open(std::span<const std::byte> body) {
+  RowBatchReader reader(body);
+  if (!reader.ReadLayout() || !reader.LooseCellsFit()) return std::nullopt;
+  return reader;
+}
+
+bool RowBatchReader::ReadLayout() {
+  if (body_.size() < kHeaderSize || !Decode(body_.first(kHeaderSize), header_)) return false;
+  const std::size_t columns = header_.columns;
+  if (columns > (body_.size() - kHeaderSize) / sizeof(std::uint32_t)) return false;
+  first_row_ = Padded(kHeaderSize + columns * sizeof(std::uint32_t));
+  row_size_ = kStampSize;
+  columns_.reserve(columns);
+  for (std::size_t i = 0; i < columns; ++i) {
+    const auto size = At<std::uint32_t>(kHeaderSize + i * sizeof(std::uint32_t));
+    columns_.push_back({.offset = row_size_, .size = size});
+    row_size_ += PlaceSize(size);
+  }
+  return first_row_ <= body_.size() && header_.rows <= (body_.size() - first_row_) / row_size_;
+}
+
+bool RowBatchReader::LooseCellsFit() const {
+  for (std::size_t row = 0; row < header_.rows; ++row) {
+    for (const ColumnPlace& column : columns_) {
+      if (column.size != 0) continue;
+      const std::size_t place = first_row_ + row * row_size_ + column.offset;
+      const auto offset = At<std::uint32_t>(place);
+      const auto size = At<std::uint32_t>(place + sizeof offset);
+      if (offset > body_.size() || size > body_.size() - offset) return false;
+    }
+  }
+  return true;
+}
+
+std::uint64_t RowBatchReader::tick(std::size_t row) const {
+  return At<std::uint64_t>(first_row_ + row * row_size_);
+}
+
+std::int64_t RowBatchReader::time(std::size_t row) const {
+  return At<std::int64_t>(first_row_ + row * row_size_ + sizeof(std::uint64_t));
+}
+
+std::span<const std::byte> RowBatchReader::cell(std::size_t row, std::size_t column) const {
+  const ColumnPlace& place = columns_[column];
+  const std::size_t position = first_row_ + row * row_size_ + place.offset;
+  if (place.size != 0) return body_.subspan(position, place.size);
+  const auto offset = At<std::uint32_t>(position);
+  return body_.subspan(offset, At<std::uint32_t>(position + sizeof offset));
+}
+
+template <typename T>
+T RowBatchReader::At(std::size_t position) const {
+  T value{};
+  std::memcpy(&value, body_.data() + position, sizeof value);
+  return value;
+}
+
+}  // namespace tendon

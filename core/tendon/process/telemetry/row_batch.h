@@ -1,0 +1,76 @@
+#pragma once
+
+#include <tendon/middleware/frame.h>
+#include <tendon/process/messages.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace tendon {
+
+/// Builds the body of kRows. Reused for batch after batch, it allocates nothing once warm.
+class RowBatchWriter {
+ public:
+  /// `sizes`: bytes of a cell of each column, 0 where they differ from row to row.
+  explicit RowBatchWriter(std::vector<std::uint32_t> sizes);
+
+  void Clear();
+  void BeginRow(std::uint64_t tick, std::int64_t time);
+  /// The next cell of the row: of the column's size; of any size, also empty, where that is 0.
+  void AddCell(std::span<const std::byte> cell);
+
+  [[nodiscard]] std::size_t rows() const { return rows_; }
+  /// Bytes that the body will have.
+  [[nodiscard]] std::size_t size() const { return body_.size() + loose_.size(); }
+  /// The body, with the counts that differ from viewer to viewer.
+  std::span<const std::byte> Finish(std::uint64_t rows_before, std::uint64_t lost_table);
+
+ private:
+  void JoinLooseCells();
+
+  const std::vector<std::uint32_t> sizes_;
+  std::size_t first_row_ = 0;
+  std::size_t row_size_ = 0;
+  std::size_t rows_ = 0;
+  std::size_t column_ = 0;
+  std::size_t position_ = 0;  // of the next cell
+  bool is_joined_ = false;
+  Bytes body_;
+  Bytes loose_;  // cells of no fixed size, until they are put behind the rows
+};
+
+/// Reads the body of kRows, of any origin.
+class RowBatchReader {
+ public:
+  /// Nothing when the body is not laid out as it should be. It must outlive the reader.
+  static std::optional<RowBatchReader> Open(std::span<const std::byte> body);
+
+  [[nodiscard]] const message::RowsHeader& header() const { return header_; }
+  [[nodiscard]] std::uint64_t tick(std::size_t row) const;
+  [[nodiscard]] std::int64_t time(std::size_t row) const;
+  /// Empty where there was no value.
+  [[nodiscard]] std::span<const std::byte> cell(std::size_t row, std::size_t column) const;
+
+ private:
+  explicit RowBatchReader(std::span<const std::byte> body) : body_(body) {}
+  [[nodiscard]] bool ReadLayout();
+  [[nodiscard]] bool LooseCellsFit() const;
+  template <typename T>
+  [[nodiscard]] T At(std::size_t position) const;
+
+  struct ColumnPlace {
+    std::size_t offset = 0;  // in a row
+    std::uint32_t size = 0;
+  };
+
+  std::span<const std::byte> body_;
+  message::RowsHeader header_;
+  std::vector<ColumnPlace> columns_;
+  std::size_t first_row_ = 0;
+  std::size_t row_size_ = 0;
+};
+
+}  // namespace tendon

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <tendon/middleware/channel.h>
+#include <tendon/process/messages.h>
+#include <tendon/process/telemetry/row_subscription.h>
+#include <tendon/process/worker.h>
+
+#include <chrono>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tendon {
+
+/// A viewer's channel to one process, and its subscriptions there. Opened when there is one, closed
+/// when there is none; what was lost is asked for again, ever more rarely, at least once a second.
+///
+/// Without a remark, functions are called on the worker.
+class RowSource final : public ChannelHandler, public std::enable_shared_from_this<RowSource> {
+ public:
+  /// How channels are opened; outlives the worker.
+  struct Access {
+    std::shared_ptr<Middleware> middleware;
+    ResolveAddress resolve;
+    Hello hello;
+  };
+  RowSource(const Access& access, std::shared_ptr<Worker> worker, std::string process)
+      : access_(access), worker_(std::move(worker)), process_(std::move(process)) {}
+
+  void Add(const std::shared_ptr<RowSubscription>& subscription);
+  /// Ends it there; here it must have been ended before.
+  void Remove(const std::shared_ptr<RowSubscription>& subscription);
+  /// Tries again at once.
+  void Retry();
+  /// Once the worker has stopped.
+  void Close();
+
+ private:
+  enum class Stage { kWanted, kAsked, kStanding };
+  struct Item {
+    std::shared_ptr<RowSubscription> subscription;
+    Stage stage = Stage::kWanted;
+    std::uint32_t handle = 0;
+  };
+
+  void OnNotice(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
+                std::span<const std::byte> body) override;
+  void OnClosed(const std::shared_ptr<Channel>& channel, const Error& reason) override;
+
+  void Pursue();
+  Result<void> Open();
+  void Ask(Item& item);
+  void OnAnswer(const std::shared_ptr<Channel>& channel,
+                const std::shared_ptr<RowSubscription>& subscription,
+                const Result<message::Subscribed>& answer);
+  void RetryLater();
+  Item* Find(const std::shared_ptr<RowSubscription>& subscription);
+  std::shared_ptr<RowSubscription> Take(const Channel* channel, std::uint32_t handle);
+
+  const Access& access_;  // on the worker only: a channel that is closed later may outlive it
+  const std::shared_ptr<Worker> worker_;
+  const std::string process_;
+  std::shared_ptr<Channel> channel_;
+  std::vector<Item> items_;
+  std::chrono::milliseconds pause_{0};
+  bool is_retry_due_ = false;
+
+  std::mutex mutex_;  // of what the middleware's thread uses
+  // By channel, too: the end of an old one may be heard when the next is open already.
+  std::map<std::pair<const Channel*, std::uint32_t>, std::shared_ptr<RowSubscription>> standing_;
+};
+
+}  // namespace tendon

@@ -1,0 +1,106 @@
+#include <tendon/base/os/process.h>
+#include <tendon/process/telemetry/telemetry_server.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace tendon {
+namespace {
+
+constexpr std::chrono::milliseconds kBetweenBatches(20);
+
+template <typename List>
+std::vector<std::string> NamesOf(const List& list) {
+  std::vector<std::string> names;
+  for (const auto& one : list) names.push_back(one->name());
+  return names;
+}
+
+}  // namespace
+
+TelemetryServer::TelemetryServer(ProcessContext& context) : context_(context) {
+  context_.network->Add(*this);
+}
+
+TelemetryServer::~TelemetryServer() { context_.network->Remove(*this); }
+
+void TelemetryServer::Subscribe(const std::shared_ptr<Channel>& channel,
+                                const message::Subscribe& wanted, Responder& responder) {
+  const auto structure = context_.host.LockStructure();
+  const auto source = LookUp(wanted);
+  if (!source) return responder.Refuse(source.error());
+  message::Subscribed subscribed;
+  subscribed.epoch = os::RandomNumber();
+  for (const std::size_t column : source->columns) {
+    subscribed.schemas.push_back(source->table->columns()[column]->schema().Text());
+  }
+  const std::scoped_lock lock(mutex_);
+  subscribed.handle = ++last_handle_;
+  responder.Reply(EncodeBody(subscribed));
+  FeedOf(wanted.component, *source).Add(channel, subscribed.handle);
+  context_.network->Notify();
+}
+
+Result<TelemetryServer::Source> TelemetryServer::LookUp(const message::Subscribe& wanted) const {
+  const std::string where = context_.name + "/" + wanted.component;
+  const Component* component = context_.host.LookUpComponent(wanted.component);
+  if (component == nullptr) return Error{ErrorCode::kNotFound, "there is no component " + where};
+  const auto tables = component->tables();
+  const auto table = std::find_if(tables.begin(), tables.end(),
+                                  [&](const auto* one) { return one->name() == wanted.table; });
+  if (table == tables.end()) {
+    return Error{ErrorCode::kNotFound, where + " has no state table '" + wanted.table + "'" +
+                                           DidYouMean(wanted.table, NamesOf(tables))};
+  }
+  Source source{.table = *table, .columns = {}};
+  const auto columns = (*table)->columns();
+  for (const std::string& name : wanted.columns) {
+    const auto column = std::find_if(columns.begin(), columns.end(),
+                                     [&](const auto& one) { return one->name() == name; });
+    if (column == columns.end()) {
+      return Error{ErrorCode::kNotFound, where + "/" + wanted.table + " has no column '" + name +
+                                             "'" + DidYouMean(name, NamesOf(columns))};
+    }
+    source.columns.push_back(static_cast<std::size_t>(column - columns.begin()));
+  }
+  return source;
+}
+
+TableFeed& TelemetryServer::FeedOf(const std::string& component, const Source& source) {
+  const auto found = std::find_if(feeds_.begin(), feeds_.end(), [&](const TableFeed& feed) {
+    return feed.IsOf(*source.table, source.columns);
+  });
+  if (found != feeds_.end()) return *found;
+  return feeds_.emplace_back(component, *source.table, source.columns);
+}
+
+void TelemetryServer::Unsubscribe(const std::shared_ptr<Channel>& channel, std::uint32_t handle) {
+  const std::scoped_lock lock(mutex_);
+  for (TableFeed& feed : feeds_) feed.Remove(*channel, handle);
+}
+
+void TelemetryServer::RemoveComponent(const std::string& component) {
+  const Error reason{ErrorCode::kNotFound,
+                     "component " + context_.name + "/" + component + " was removed"};
+  const std::scoped_lock lock(mutex_);
+  feeds_.remove_if([&](TableFeed& feed) {
+    if (feed.component() != component) return false;
+    feed.End(reason);
+    return true;
+  });
+}
+
+bool TelemetryServer::Work(SteadyTime now, SteadyTime& next) {
+  const std::scoped_lock lock(mutex_);
+  if (feeds_.empty()) return false;
+  bool more = false;
+  if (now >= next_gathering_) {
+    for (TableFeed& feed : feeds_) more = feed.Gather() || more;
+    feeds_.remove_if([](const TableFeed& feed) { return !feed.has_viewers(); });
+    if (!more) next_gathering_ = now + kBetweenBatches;
+  }
+  next = std::min(next, next_gathering_);
+  return more;
+}
+
+}  // namespace tendon

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <tendon/middleware/channel.h>
+#include <tendon/process/context.h>
+#include <tendon/process/messages.h>
+#include <tendon/process/telemetry/table_feed.h>
+
+#include <cstdint>
+#include <list>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace tendon {
+
+/// Sends the rows of this process' state tables to viewers: every 20 ms what was written since,
+/// gathered by the network thread, once for all who watch the same columns.
+///
+/// Without a remark, functions are called on the worker.
+class TelemetryServer final : public NetworkJob {
+ public:
+  explicit TelemetryServer(ProcessContext& context);
+  ~TelemetryServer() override;
+
+  /// Answers before the first row is sent. Refusals: kNotFound with a suggestion.
+  void Subscribe(const std::shared_ptr<Channel>& channel, const message::Subscribe& wanted,
+                 Responder& responder);
+  void Unsubscribe(const std::shared_ptr<Channel>& channel, std::uint32_t handle);
+
+  /// Any thread: before the component goes; its viewers are told.
+  void RemoveComponent(const std::string& component);
+
+  bool Work(SteadyTime now, SteadyTime& next) override;
+
+ private:
+  struct Source {
+    const StateTable* table = nullptr;
+    std::vector<std::size_t> columns;
+  };
+
+  [[nodiscard]] Result<Source> LookUp(const message::Subscribe& wanted) const;
+  TableFeed& FeedOf(const std::string& component, const Source& source);
+
+  ProcessContext& context_;
+  std::mutex mutex_;  // taken after the manager's lock
+  std::list<TableFeed> feeds_;
+  std::uint32_t last_handle_ = 0;
+  SteadyTime next_gathering_{};
+};
+
+}  // namespace tendon

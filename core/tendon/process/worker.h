@@ -1,0 +1,47 @@
+#pragma once
+
+#include <tendon/base/clock.h>
+
+#include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <string>
+#include <thread>
+
+namespace tendon {
+
+/// A thread with a queue of tasks, for what must not be done in a thread of the middleware: opening
+/// channels, writing files, trying again later. Tasks run one at a time; those due at one time in
+/// the order in which they were posted. Thread-safe. Idle, it sleeps.
+class Worker {
+ public:
+  using Task = std::function<void()>;
+
+  /// `name` is the thread's.
+  explicit Worker(std::string name);
+  Worker(const Worker&) = delete;
+  Worker& operator=(const Worker&) = delete;
+  /// Stop().
+  ~Worker();
+
+  void Post(Task task);
+  void PostAfter(std::chrono::milliseconds delay, Task task);
+
+  /// Waits for the running task; the others are dropped, as are those posted later. Not from a
+  /// task.
+  void Stop();
+
+ private:
+  void Run();
+
+  const std::string name_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::multimap<SteadyTime, Task> tasks_;
+  bool stopping_ = false;
+  std::thread thread_;
+};
+
+}  // namespace tendon

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <tendon/middleware/frame.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+
+namespace tendon {
+
+/// Several calls, or events, in the body of one frame: for each u32 handle, u32 size, so many
+/// bytes, little-endian, and padding to 8. What waits is sent together, so that a burst costs one
+/// frame.
+class CallBatch {
+ public:
+  /// Bytes that a call takes beside its argument, at most.
+  static constexpr std::size_t kOverhead = 16;
+
+  void Add(std::uint32_t handle, std::span<const std::byte> argument);
+  void Clear();
+
+  [[nodiscard]] bool empty() const { return calls_ == 0; }
+  [[nodiscard]] std::size_t calls() const { return calls_; }
+  [[nodiscard]] const Bytes& body() const { return body_; }
+
+ private:
+  std::size_t calls_ = 0;
+  Bytes body_;
+};
+
+/// Calls `visit(handle, argument)` for each call in a body of any origin; ends at the first that is
+/// not whole.
+template <typename Visitor>
+void ForEachCall(std::span<const std::byte> body, Visitor visit) {
+  constexpr std::size_t kHead = 8;
+  while (body.size() >= kHead) {
+    std::uint32_t handle = 0;
+    std::uint32_t size = 0;
+    std::memcpy(&handle, body.data(), sizeof handle);
+    std::memcpy(&size, body.data() + sizeof handle, sizeof size);
+    body = body.subspan(kHead);
+    if (size > body.size()) return;
+    visit(handle, body.first(size));
+    const std::size_t padded = (std::size_t{size} + 7) / 8 * 8;
+    body = body.subspan(std::min(padded, body.size()));
+  }
+}
+
+}  // namespace tendon

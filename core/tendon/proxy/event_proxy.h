@@ -1,0 +1,32 @@
+#pragma once
+
+#include <tendon/interface/event.h>
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace tendon {
+
+/// An event of another process, raised here with encoded values.
+class EventProxy final : public EventBase {
+ public:
+  /// From one thread at a time. A handler that refuses the value is counted in lost().
+  void Raise(std::span<const std::byte> value) {
+    const GuardedPointer<List>::Call call(current_);
+    if (call.get() == nullptr) return;
+    for (const Subscriber& subscriber : *call.get()) {
+      if (!subscriber.target().ExecuteEncoded(value, nothing_)) lost_.Add();
+    }
+  }
+
+  /// Handlers are called by their encoded face.
+  [[nodiscard]] std::unique_ptr<CommandBase> Adapt(CommandBase& /*handler*/) const override {
+    return nullptr;
+  }
+
+ private:
+  std::vector<std::byte> nothing_;
+};
+
+}  // namespace tendon

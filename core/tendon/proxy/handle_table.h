@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+namespace tendon {
+
+/// The numbers that one end of a channel has issued: each object has one, and one for each of its
+/// members behind it. Checked on arrival, never issued twice. Thread-safe.
+template <typename T>
+class HandleTable {
+ public:
+  /// Issues the numbers of an object that is still to be made.
+  std::uint32_t Reserve(std::size_t members) {
+    const std::scoped_lock lock(mutex_);
+    const std::uint32_t handle = next_;
+    next_ += 1 + static_cast<std::uint32_t>(members);
+    entries_[handle] = {.last = next_ - 1, .object = nullptr};
+    return handle;
+  }
+
+  /// Whose number it is. Nothing happens when it was removed meanwhile.
+  void Put(std::uint32_t handle, std::shared_ptr<T> object) {
+    const std::scoped_lock lock(mutex_);
+    const auto found = entries_.find(handle);
+    if (found != entries_.end()) found->second.object = std::move(object);
+  }
+
+  void Remove(std::uint32_t handle) {
+    std::shared_ptr<T> removed;  // destroyed without the lock
+    const std::scoped_lock lock(mutex_);
+    const auto found = entries_.find(handle);
+    if (found == entries_.end()) return;
+    removed = std::move(found->second.object);
+    entries_.erase(found);
+  }
+
+  struct Found {
+    std::shared_ptr<T> object;  ///< null where the number is nobody's
+    std::size_t offset = 0;     ///< 0 is the object's own number, i + 1 that of its member i
+  };
+  [[nodiscard]] Found Find(std::uint32_t handle) const {
+    const std::scoped_lock lock(mutex_);
+    auto after = entries_.upper_bound(handle);
+    if (after == entries_.begin()) return {};
+    const auto& [first, entry] = *--after;
+    if (handle > entry.last) return {};
+    return {entry.object, handle - first};
+  }
+
+  [[nodiscard]] std::vector<std::shared_ptr<T>> objects() const {
+    const std::scoped_lock lock(mutex_);
+    std::vector<std::shared_ptr<T>> all;
+    for (const auto& [handle, entry] : entries_) {
+      if (entry.object) all.push_back(entry.object);
+    }
+    return all;
+  }
+
+ private:
+  struct Entry {
+    std::uint32_t last = 0;
+    std::shared_ptr<T> object;
+  };
+
+  mutable std::mutex mutex_;
+  std::uint32_t next_ = 1;
+  std::map<std::uint32_t, Entry> entries_;
+};
+
+}  // namespace tendon

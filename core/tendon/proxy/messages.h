@@ -1,0 +1,73 @@
+#pragma once
+
+#include <tendon/manager/description.h>
+#include <tendon/middleware/frame.h>
+
+#include <cstdint>
+
+/// What travels between two processes with a connection between them. The opener is the process of
+/// the required interface. Each struct is the body of a frame; requests are answered, notices are
+/// not. A connection has a number at each end, which that end has issued: it stands in the header's
+/// handle; that of its member i is the number + 1 + i.
+namespace tendon::message {
+
+// From the opener.
+inline constexpr auto kOpenInterface =
+    static_cast<MessageType>(0x100);  // request: OpenInterface -> InterfaceOpened
+inline constexpr auto kCloseInterface = static_cast<MessageType>(0x101);  // notice: empty
+// notice: calls of functions, as CallBatch puts them
+inline constexpr auto kCommands = static_cast<MessageType>(0x102);
+// request, a function's handle: the argument -> the result, and behind it one byte of Status::Code
+inline constexpr auto kRead = static_cast<MessageType>(0x103);
+inline constexpr auto kPing = static_cast<MessageType>(0x104);  // request: None -> None
+// From the other.
+// notice: calls of event handlers, as CallBatch puts them
+inline constexpr auto kEvents = static_cast<MessageType>(0x110);
+inline constexpr auto kCredit = static_cast<MessageType>(0x111);  // notice: Credit
+// notice: Error; the provided interface is gone
+inline constexpr auto kInterfaceClosed = static_cast<MessageType>(0x112);
+
+/// A connection is wanted.
+struct OpenInterface {
+  InterfaceName required;
+  InterfaceName provided;
+  RequiredDescription description;  ///< of the required interface: what it calls and handles
+  std::uint32_t handle = 0;         ///< the opener's number; its members are the event handlers
+  std::uint32_t capacity = 0;       ///< calls, and events, that may wait
+};
+
+/// The connection stands.
+struct InterfaceOpened {
+  std::uint32_t handle = 0;  ///< the other's number; its members are the functions
+  std::uint32_t credit = 0;  ///< calls that may be sent before the first Credit
+  bool accepting = false;    ///< whether the component executes calls now
+  ProvidedDescription description;
+};
+
+/// How far the component has come; within 5 ms of each change.
+struct Credit {
+  std::uint64_t executed = 0;  ///< calls taken out of its mailbox since the connection was opened
+  bool accepting = false;
+};
+
+}  // namespace tendon::message
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::OpenInterface> = tendon::Describe(
+    "tendon.OpenInterface", tendon::Field{"required", &tendon::message::OpenInterface::required},
+    tendon::Field{"provided", &tendon::message::OpenInterface::provided},
+    tendon::Field{"description", &tendon::message::OpenInterface::description},
+    tendon::Field{"handle", &tendon::message::OpenInterface::handle},
+    tendon::Field{"capacity", &tendon::message::OpenInterface::capacity});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::InterfaceOpened> = tendon::Describe(
+    "tendon.InterfaceOpened", tendon::Field{"handle", &tendon::message::InterfaceOpened::handle},
+    tendon::Field{"credit", &tendon::message::InterfaceOpened::credit},
+    tendon::Field{"accepting", &tendon::message::InterfaceOpened::accepting},
+    tendon::Field{"description", &tendon::message::InterfaceOpened::description});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::Credit> =
+    tendon::Describe("tendon.Credit", tendon::Field{"executed", &tendon::message::Credit::executed},
+                     tendon::Field{"accepting", &tendon::message::Credit::accepting});

@@ -1,0 +1,83 @@
+#include <tendon/proxy/function_proxy.h>
+#include <tendon/proxy/provided_interface_proxy.h>
+#include <tendon/proxy/read_proxy.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace tendon {
+namespace {
+
+const MemberDescription* FindMember(const std::vector<MemberDescription>& members,
+                                    const std::string& name) {
+  const auto found = std::find_if(members.begin(), members.end(),
+                                  [&name](const auto& member) { return member.name == name; });
+  return found == members.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+ProvidedInterfaceProxy::ProvidedInterfaceProxy(std::shared_ptr<NetworkThread> thread,
+                                               const Remote& remote,
+                                               const RequiredDescription& required,
+                                               std::chrono::milliseconds read_deadline)
+    : thread_(std::move(thread)),
+      handle_(remote.opened.handle),
+      outbox_(remote.channel, message::kCommands, thread_->wakeup()),
+      interface_(remote.opened.description.name, &outbox_.inbox()),
+      credit_(remote.opened.credit) {
+  AddCommands(remote, required, read_deadline);
+  AddEvents(remote.opened.description, required);
+  interface_.Seal();
+  outbox_.inbox().SetAccepting(remote.opened.accepting);
+}
+
+void ProvidedInterfaceProxy::AddCommands(const Remote& remote, const RequiredDescription& required,
+                                         std::chrono::milliseconds read_deadline) {
+  std::uint32_t handle = handle_;
+  for (const MemberDescription& function : required.functions) {
+    ++handle;
+    const MemberDescription* command =
+        FindMember(remote.opened.description.commands, function.name);
+    if (command == nullptr) continue;
+    if (IsQueued(command->signature.kind)) {
+      interface_.AddOffer(std::make_unique<QueuedOfferProxy>(*command, outbox_, handle));
+    } else {
+      interface_.AddOffer(std::make_unique<ReadOfferProxy>(
+          *command, ReadOfferProxy::Remote{
+                        .channel = remote.channel, .handle = handle, .deadline = read_deadline}));
+    }
+  }
+}
+
+void ProvidedInterfaceProxy::AddEvents(const ProvidedDescription& provided,
+                                       const RequiredDescription& required) {
+  for (const MemberDescription& handler : required.event_handlers) {
+    events_.push_back(nullptr);
+    const MemberDescription* event = FindMember(provided.events, handler.name);
+    if (event == nullptr) continue;
+    events_.back() = std::make_unique<EventProxy>();
+    interface_.AddEvent(*events_.back(), *event);
+  }
+}
+
+void ProvidedInterfaceProxy::OnEvent(std::size_t handler, std::span<const std::byte> value) {
+  if (handler < events_.size() && events_[handler]) events_[handler]->Raise(value);
+}
+
+void ProvidedInterfaceProxy::OnCredit(const message::Credit& credit) {
+  executed_.Set(credit.executed);
+  outbox_.inbox().SetAccepting(credit.accepting);
+  thread_->Notify();
+}
+
+bool ProvidedInterfaceProxy::Work(SteadyTime now, SteadyTime& next) {
+  constexpr std::chrono::milliseconds kUntilLinkHasRoom(1);
+  const std::uint64_t under_way = sent_ - std::min(executed_.Get(), sent_);
+  const std::uint64_t sent = outbox_.Send(credit_ - std::min(under_way, credit_));
+  sent_ += sent;
+  if (outbox_.is_held_up()) next = std::min(next, now + kUntilLinkHasRoom);
+  return sent > 0;
+}
+
+}  // namespace tendon

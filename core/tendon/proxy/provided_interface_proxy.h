@@ -1,0 +1,62 @@
+#pragma once
+
+#include <tendon/interface/provided_interface.h>
+#include <tendon/proxy/event_proxy.h>
+#include <tendon/proxy/messages.h>
+#include <tendon/proxy/network_thread.h>
+#include <tendon/proxy/outbox.h>
+
+#include <chrono>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace tendon {
+
+/// Stands in for a provided interface of another process, for one connection: a required interface
+/// here is connected to it as to any other. Void and write commands wait here until the network
+/// thread sends them, as many as the other end has room for; reads ask in the caller's thread.
+class ProvidedInterfaceProxy final : public NetworkJob {
+ public:
+  struct Remote {
+    std::shared_ptr<Channel> channel;
+    message::InterfaceOpened opened;
+  };
+  /// Offers what `required` can use of the remote interface. ConfigurationError where its
+  /// description makes no sense.
+  ProvidedInterfaceProxy(std::shared_ptr<NetworkThread> thread, const Remote& remote,
+                         const RequiredDescription& required,
+                         std::chrono::milliseconds read_deadline);
+
+  [[nodiscard]] ProvidedInterface& interface() { return interface_; }
+  /// Of the other end.
+  [[nodiscard]] std::uint32_t handle() const { return handle_; }
+
+  // In threads of the middleware, one at a time.
+
+  /// `handler` is the event handler's place in the required interface.
+  void OnEvent(std::size_t handler, std::span<const std::byte> value);
+  void OnCredit(const message::Credit& credit);
+
+  /// Any thread: the peer is gone; calls are refused with kNotConnected from now on.
+  void Sever() noexcept { outbox_.Close(); }
+
+  bool Work(SteadyTime now, SteadyTime& next) override;
+
+ private:
+  void AddCommands(const Remote& remote, const RequiredDescription& required,
+                   std::chrono::milliseconds read_deadline);
+  void AddEvents(const ProvidedDescription& provided, const RequiredDescription& required);
+
+  const std::shared_ptr<NetworkThread> thread_;
+  const std::uint32_t handle_;
+  Outbox outbox_;
+  std::vector<std::unique_ptr<EventProxy>> events_;  // by handler; null where it has no event
+  ProvidedInterface interface_;
+
+  const std::uint64_t credit_;  // calls under way at most
+  std::uint64_t sent_ = 0;      // of the network thread
+  Published<std::uint64_t> executed_{0};
+};
+
+}  // namespace tendon

@@ -1,0 +1,58 @@
+#include <tendon/proxy/messages.h>
+#include <tendon/proxy/read_proxy.h>
+
+namespace tendon {
+namespace {
+
+Status ToStatus(const Error& error) {
+  switch (error.code) {
+    case ErrorCode::kTimeout:
+      return Status::kTimeout;
+    case ErrorCode::kUnreachable:
+    case ErrorCode::kNotFound:  // the interface is just being closed over there
+      return Status::kNotConnected;
+    case ErrorCode::kDenied:
+      return Status::kDenied;
+    case ErrorCode::kInvalid:
+      return Status::kInvalid;
+    default:
+      return Status::kFailed;
+  }
+}
+
+class ReadCommandProxy final : public CommandBase {
+ public:
+  explicit ReadCommandProxy(ReadOfferProxy::Remote remote)
+      : CommandBase(layout::kNone, layout::kNone), remote_(std::move(remote)) {}
+
+  Status ExecuteEncoded(std::span<const std::byte> in, std::vector<std::byte>& out) override {
+    auto answer = remote_.channel->Call(message::kRead, remote_.handle, in, remote_.deadline);
+    if (!answer) return ToStatus(answer.error());
+    out = *std::move(answer);
+    return TakeStatus(out);
+  }
+
+ private:
+  const ReadOfferProxy::Remote remote_;
+};
+
+}  // namespace
+
+std::unique_ptr<CommandBase> ReadOfferProxy::Bind(Mailbox* /*mailbox*/) const {
+  return std::make_unique<ReadCommandProxy>(remote_);
+}
+
+void AppendStatus(Status status, Bytes& answer) {
+  answer.push_back(static_cast<std::byte>(status.code()));
+}
+
+Status TakeStatus(Bytes& answer) {
+  if (answer.empty() || answer.back() > static_cast<std::byte>(Status::kFailed)) {
+    return Status::kInvalid;
+  }
+  const auto code = static_cast<Status::Code>(answer.back());
+  answer.pop_back();
+  return code;
+}
+
+}  // namespace tendon

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <tendon/interface/offer.h>
+#include <tendon/lockfree/flag.h>
+#include <tendon/middleware/channel.h>
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+
+namespace tendon {
+
+/// Asks for the value in the caller's thread, which waits for at most `deadline`: kTimeout, or
+/// kNotConnected when the peer is gone.
+class ReadOfferProxy final : public Offer {
+ public:
+  struct Remote {
+    std::shared_ptr<Channel> channel;
+    std::uint32_t handle = 0;
+    std::chrono::milliseconds deadline{0};
+  };
+  ReadOfferProxy(MemberDescription description, Remote remote)
+      : Offer(std::move(description)), remote_(std::move(remote)) {}
+
+  [[nodiscard]] std::unique_ptr<CommandBase> Bind(Mailbox* mailbox) const override;
+
+ private:
+  Remote remote_;
+};
+
+/// The body of the answer to kRead.
+void AppendStatus(Status status, Bytes& answer);
+/// Takes it off again; kInvalid where there is none.
+Status TakeStatus(Bytes& answer);
+
+}  // namespace tendon

@@ -1,0 +1,88 @@
+#include <tendon/proxy/read_proxy.h>
+#include <tendon/proxy/required_interface_proxy.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace tendon {
+
+RequiredInterfaceProxy::RequiredInterfaceProxy(std::shared_ptr<NetworkThread> thread,
+                                               std::shared_ptr<Channel> channel,
+                                               const message::OpenInterface& open)
+    : thread_(std::move(thread)),
+      channel_(std::move(channel)),
+      handle_(open.handle),
+      capacity_(std::clamp(open.capacity, std::uint32_t{1}, kMostCapacity)),
+      outbox_(channel_, message::kEvents, thread_->wakeup()),
+      interface_(open.description.name, &outbox_.inbox()) {
+  for (const MemberDescription& function : open.description.functions) {
+    functions_.push_back(std::make_unique<FunctionProxy>(interface_, function));
+  }
+  std::uint32_t handle = handle_;
+  for (const MemberDescription& handler : open.description.event_handlers) {
+    interface_.AddOffer(std::make_unique<QueuedOfferProxy>(handler, outbox_, ++handle));
+  }
+  interface_.SetMailboxCapacity(capacity_);
+  interface_.Seal();
+}
+
+bool RequiredInterfaceProxy::BeginCredit(const Connection& connection, const Inbox* server) {
+  const std::scoped_lock lock(mutex_);
+  connection_ = &connection;
+  server_ = server;
+  told_.accepting = server_ == nullptr || server_->accepting();
+  return told_.accepting;
+}
+
+void RequiredInterfaceProxy::EndCredit() {
+  const std::scoped_lock lock(mutex_);
+  connection_ = nullptr;
+  server_ = nullptr;
+}
+
+void RequiredInterfaceProxy::OnCommand(std::size_t function, std::span<const std::byte> argument) {
+  if (function >= functions_.size() || !IsQueued(functions_[function]->kind())) return;
+  (void)(*functions_[function])(argument, answer_);  // a refused one counts as executed
+  std::unique_lock lock(mutex_);
+  ++received_;
+  const bool is_watched = std::exchange(is_watched_, true);
+  lock.unlock();
+  if (!is_watched) thread_->Notify();
+}
+
+void RequiredInterfaceProxy::OnRead(std::size_t function, std::span<const std::byte> argument,
+                                    Responder responder) {
+  if (function >= functions_.size() || IsQueued(functions_[function]->kind())) {
+    return responder.Refuse({ErrorCode::kInvalid, "no such read in " + interface_.name()});
+  }
+  const Status status = (*functions_[function])(argument, answer_);
+  AppendStatus(status, answer_);
+  responder.Reply(answer_);
+}
+
+bool RequiredInterfaceProxy::Work(SteadyTime now, SteadyTime& next) {
+  constexpr std::chrono::milliseconds kUntilLinkHasRoom(1);
+  constexpr std::size_t kCallsInARow = 1024;
+  const std::size_t sent = outbox_.Send(kCallsInARow);
+  if (outbox_.is_held_up()) next = std::min(next, now + kUntilLinkHasRoom);
+  SendCredit(now, next);
+  return sent > 0;
+}
+
+void RequiredInterfaceProxy::SendCredit(SteadyTime now, SteadyTime& next) {
+  constexpr std::chrono::milliseconds kUntilNextLook(1);
+  const std::scoped_lock lock(mutex_);
+  if (connection_ == nullptr) return;
+  // In this order: what is posted meanwhile makes it too small, never too large.
+  const std::uint64_t received = received_;
+  const std::uint64_t executed =
+      received - std::min<std::uint64_t>(connection_->waiting(), received);
+  const message::Credit credit{.executed = std::max(executed, told_.executed),
+                               .accepting = server_ == nullptr || server_->accepting()};
+  const bool is_news = credit.executed != told_.executed || credit.accepting != told_.accepting;
+  if (is_news && channel_->Notify(message::kCredit, handle_, credit)) told_ = credit;
+  is_watched_ = told_.executed != received || told_.accepting != credit.accepting;
+  if (is_watched_) next = std::min(next, now + kUntilNextLook);
+}
+
+}  // namespace tendon

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <tendon/interface/connection.h>
+#include <tendon/interface/required_interface.h>
+#include <tendon/proxy/function_proxy.h>
+#include <tendon/proxy/messages.h>
+#include <tendon/proxy/network_thread.h>
+#include <tendon/proxy/outbox.h>
+
+#include <memory>
+#include <mutex>
+#include <span>
+#include <vector>
+
+namespace tendon {
+
+/// Stands in for a required interface of another process, for one connection: it is connected to a
+/// provided interface here as any other. Calls that arrive are made in the middleware's thread;
+/// events wait here until the network thread sends them.
+class RequiredInterfaceProxy final : public NetworkJob {
+ public:
+  /// The most calls and events that may wait, whatever the peer asks for.
+  static constexpr std::uint32_t kMostCapacity = 65536;
+
+  /// ConfigurationError where the description makes no sense.
+  RequiredInterfaceProxy(std::shared_ptr<NetworkThread> thread, std::shared_ptr<Channel> channel,
+                         const message::OpenInterface& open);
+
+  [[nodiscard]] RequiredInterface& interface() { return interface_; }
+  /// Of the other end.
+  [[nodiscard]] std::uint32_t handle() const { return handle_; }
+  [[nodiscard]] std::uint32_t capacity() const { return capacity_; }
+
+  /// From now on the peer hears how far `connection`'s calls have come, and when the answer
+  /// changes, which is whether the server executes calls. `server` is the inbox in which they wait,
+  /// or null; both must live until EndCredit().
+  bool BeginCredit(const Connection& connection, const Inbox* server);
+  void EndCredit();
+  /// Any thread: the peer is gone; what is raised from now on is not sent.
+  void Sever() noexcept { outbox_.Close(); }
+
+  // In threads of the middleware, one at a time. `function` is its place in the interface.
+
+  void OnCommand(std::size_t function, std::span<const std::byte> argument);
+  void OnRead(std::size_t function, std::span<const std::byte> argument, Responder responder);
+
+  bool Work(SteadyTime now, SteadyTime& next) override;
+
+ private:
+  void SendCredit(SteadyTime now, SteadyTime& next);
+
+  const std::shared_ptr<NetworkThread> thread_;
+  const std::shared_ptr<Channel> channel_;
+  const std::uint32_t handle_;
+  const std::uint32_t capacity_;
+  Outbox outbox_;
+  RequiredInterface interface_;
+  std::vector<std::unique_ptr<FunctionProxy>> functions_;
+  Bytes answer_;  // of the middleware's thread
+
+  std::mutex mutex_;  // of what follows
+  const Connection* connection_ = nullptr;
+  const Inbox* server_ = nullptr;
+  std::uint64_t received_ = 0;
+  bool is_watched_ = false;  // the network thread looks for progress
+  message::Credit told_;
+};
+
+}  // namespace tendon

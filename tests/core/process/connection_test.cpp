@@ -1,0 +1,355 @@
+#include <gmock/gmock.h>
+
+#include <atomic>
+#include <thread>
+
+#include "support/network_test.h"
+#include "support/plant.h"
+
+namespace {
+
+using plant::Move;
+using plant::Note;
+using plant::Operator;
+using plant::Plant;
+using std::chrono::milliseconds;
+using tendon::ConnectionState;
+using tendon::ErrorCode;
+using tendon::InterfaceName;
+using tendon::Process;
+using tendon::Status;
+using testing::HasSubstr;
+
+const InterfaceName kRobot("desk", "operator", "Robot");
+const InterfaceName kControl("robot", "plant", "Control");
+
+/// Process robot with a plant that runs, process desk with an operator.
+class RemoteConnection : public NetworkTest {
+ protected:
+  void StartRobot() {
+    robot = Start("robot");
+    plant = &robot->Add<Plant>("plant");
+    ASSERT_TRUE(robot->StartAll().ok());
+  }
+  void StartDesk(std::size_t capacity = 64) {
+    desk = Start("desk");
+    user = &desk->Add<Operator>("operator", capacity);
+    ASSERT_TRUE(desk->StartAll().ok());
+  }
+  void Connect() {
+    const auto id = desk->Connect(kRobot, kControl);
+    ASSERT_TRUE(id.ok()) << id.error().message;
+    ASSERT_TRUE(EventuallyActive(*desk, 1)) << Reason();
+  }
+  std::string Reason() const { return desk->connections().front().reason; }
+  template <typename Call>
+  static bool EventuallyQueued(Call call) {
+    return EventuallyTrue([&] { return call() == Status(Status::kQueued); });
+  }
+
+  std::unique_ptr<Process> robot;
+  std::unique_ptr<Process> desk;
+  Plant* plant = nullptr;
+  Operator* user = nullptr;
+};
+
+TEST_P(RemoteConnection, CarriesEveryKindOfCommandAndEvent) {
+  StartRobot();
+  StartDesk();
+  Connect();
+  const Move move{.number = 7, .goal = {1, 2, 3}};
+  const Note note{.text = "a dynamic value", .values = {1.5, 2.5}};
+
+  EXPECT_EQ(user->stop(), Status(Status::kQueued));
+  EXPECT_EQ(user->move_to(move), Status(Status::kQueued));
+  EXPECT_EQ(user->write(note), Status(Status::kQueued));
+
+  EXPECT_TRUE(EventuallyTrue([&] {
+    user->Process();
+    return user->stopped == 1 && user->moved.size() == 1 && user->written.size() == 1;
+  }));
+  EXPECT_EQ(user->moved, std::vector{move});
+  EXPECT_EQ(user->written, std::vector{note});
+  EXPECT_EQ(plant->moves.values(), std::vector{move});
+  EXPECT_EQ(plant->notes.values(), std::vector{note});
+  EXPECT_EQ(plant->stops.size(), 1U);
+
+  Move got_move;
+  Move scaled;
+  Note got_note;
+  std::uint64_t answer = 0;
+  EXPECT_TRUE(EventuallyTrue([&] { return user->get_move(got_move) && got_move == move; }));
+  EXPECT_TRUE(EventuallyTrue([&] { return user->get_note(got_note) && got_note == note; }));
+  EXPECT_TRUE(EventuallyTrue([&] { return bool(user->get_scaled(2.0, scaled)); }));
+  EXPECT_EQ(scaled.goal, (std::array{2.0, 4.0, 6.0}));
+  EXPECT_TRUE(EventuallyTrue([&] { return bool(user->ask(answer)); }));
+  EXPECT_EQ(answer, 42U);
+}
+
+TEST_P(RemoteConnection, ExecutesEachAcceptedCommandOnceAndInOrderUnderLoad) {
+  constexpr std::uint64_t kMoves = 20'000;
+  constexpr std::uint64_t kMostUnderWay = 500;  // their events fit into the operator's mailbox
+  StartRobot();
+  StartDesk(1024);
+  Connect();
+
+  std::uint64_t sent = 0;
+  const bool all_arrived = EventuallyTrue(
+      [&] {
+        while (sent < kMoves && sent - user->moved.size() < kMostUnderWay &&
+               user->move_to({.number = sent})) {
+          ++sent;
+        }
+        user->Process();
+        return user->moved.size() >= kMoves;
+      },
+      std::chrono::seconds(60));
+
+  EXPECT_TRUE(all_arrived) << user->moved.size() << " of " << sent;
+  const auto executed = plant->moves.values();
+  ASSERT_EQ(executed.size(), kMoves);
+  ASSERT_EQ(user->moved.size(), kMoves);
+  for (std::uint64_t i = 0; i < kMoves; ++i) {
+    ASSERT_EQ(executed[i].number, i);
+    ASSERT_EQ(user->moved[i].number, i);
+  }
+}
+
+TEST_P(RemoteConnection, RefusesWhatTheServerHasNoRoomForAndLosesNothing) {
+  StartRobot();
+  StartDesk(16);
+  Connect();
+  std::vector<std::uint64_t> accepted;
+  std::uint64_t refused = 0;
+
+  for (std::uint64_t i = 0; accepted.size() < 2000; ++i) {
+    if (user->move_to({.number = i})) {
+      accepted.push_back(i);
+    } else {
+      ++refused;
+    }
+  }
+
+  EXPECT_GT(refused, 0U);
+  EXPECT_TRUE(EventuallyTrue([&] { return plant->moves.size() >= accepted.size(); }));
+  const auto executed = plant->moves.values();
+  ASSERT_EQ(executed.size(), accepted.size());
+  for (std::size_t i = 0; i < accepted.size(); ++i) ASSERT_EQ(executed[i].number, accepted[i]);
+}
+
+TEST_P(RemoteConnection, TellsTheCallerThatTheServerDoesNotRun) {
+  StartRobot();
+  StartDesk();
+  Connect();
+  ASSERT_EQ(user->stop(), Status(Status::kQueued));
+
+  ASSERT_TRUE(robot->Stop("plant").ok());
+  EXPECT_TRUE(EventuallyTrue([&] { return user->stop() == Status(Status::kNotActive); }));
+
+  ASSERT_TRUE(robot->Start("plant").ok());
+  EXPECT_TRUE(EventuallyQueued([&] { return user->stop(); }));
+}
+
+TEST_P(RemoteConnection, GivesUpAReadAtItsDeadline) {
+  StartRobot();
+  StartDesk();
+  Connect();
+  std::uint64_t answer = 0;
+  ASSERT_TRUE(EventuallyTrue([&] { return bool(user->ask(answer)); }));
+
+  std::unique_lock held(plant->gate);
+  EXPECT_EQ(user->ask(answer), Status(Status::kTimeout));
+  held.unlock();
+
+  EXPECT_TRUE(EventuallyTrue([&] { return bool(user->ask(answer)); }));
+}
+
+TEST_P(RemoteConnection, IsRefusedWhereTheInterfacesDoNotFit) {
+  StartRobot();
+  StartDesk();
+  robot->Add<plant::Impostor>("impostor");
+
+  const auto id = desk->Connect(kRobot, {"robot", "impostor", "Control"});
+
+  ASSERT_FALSE(id.ok());
+  EXPECT_EQ(id.error().code, ErrorCode::kIncompatible);
+  EXPECT_THAT(id.error().message,
+              HasSubstr("desk/operator/Robot does not fit robot/impostor/Control: "));
+  EXPECT_THAT(id.error().message, HasSubstr("needs write command 'MoveTo' of plant.Move, offered "
+                                            "is another plant.Move"));
+  EXPECT_TRUE(desk->connections().empty());
+  EXPECT_EQ(user->stop(), Status(Status::kNotConnected));
+}
+
+TEST_P(RemoteConnection, OfARequiredInterfaceElsewhereIsRefused) {
+  StartRobot();
+
+  const auto id = robot->Connect(kRobot, kControl);
+
+  ASSERT_FALSE(id.ok());
+  EXPECT_EQ(id.error().code, ErrorCode::kNotFound);
+  EXPECT_THAT(id.error().message, HasSubstr("is not in process 'robot'"));
+}
+
+TEST_P(RemoteConnection, IsMadeOnce) {
+  StartRobot();
+  StartDesk();
+  desk->Add<Plant>("plant");
+  Connect();
+
+  const auto again = desk->Connect(kRobot, kControl);
+  const auto here = desk->Connect(kRobot, {"desk", "plant", "Control"});
+
+  ASSERT_FALSE(again.ok());
+  EXPECT_EQ(again.error().code, ErrorCode::kExists);
+  ASSERT_FALSE(here.ok());
+  EXPECT_EQ(here.error().code, ErrorCode::kExists);
+}
+
+TEST_P(RemoteConnection, CanBeEndedAndMadeAgain) {
+  StartRobot();
+  StartDesk();
+  for (int round = 0; round < 3; ++round) {
+    Connect();
+    ASSERT_EQ(user->stop(), Status(Status::kQueued));
+
+    ASSERT_TRUE(desk->Disconnect(kRobot).ok());
+
+    EXPECT_EQ(user->stop(), Status(Status::kNotConnected));
+    EXPECT_TRUE(desk->connections().empty());
+    EXPECT_TRUE(desk->proxies().empty());
+    EXPECT_TRUE(EventuallyTrue([&] { return robot->proxies().empty(); }));
+  }
+  EXPECT_EQ(plant->stops.size(), 3U);
+  const auto again = desk->Disconnect(kRobot);
+  ASSERT_FALSE(again.ok());
+  EXPECT_EQ(again.error().code, ErrorCode::kNotFound);
+}
+
+TEST_P(RemoteConnection, EndedUnderLoadExecutesWhatItAcceptedAndNothingElse) {
+  StartRobot();
+  StartDesk();
+  Connect();
+  std::atomic<bool> done = false;
+  std::uint64_t accepted = 0;
+  std::thread caller([&] {
+    while (!done) {
+      if (user->move_to({.number = accepted})) ++accepted;
+    }
+  });
+  ASSERT_TRUE(EventuallyTrue([&] { return plant->moves.size() > 200; }));
+
+  ASSERT_TRUE(desk->Disconnect(kRobot).ok());
+  done = true;
+  caller.join();
+
+  EXPECT_TRUE(EventuallyTrue([&] { return robot->proxies().empty(); }));
+  const auto executed = plant->moves.values();
+  ASSERT_EQ(executed.size(), accepted);
+  for (std::size_t i = 0; i < executed.size(); ++i) ASSERT_EQ(executed[i].number, i);
+}
+
+TEST_P(RemoteConnection, WaitsForAProcessThatIsNotThereYet) {
+  StartDesk();
+  const auto id = desk->Connect(kRobot, kControl);
+  ASSERT_TRUE(id.ok()) << id.error().message;
+  ASSERT_EQ(desk->connections().size(), 1U);
+  EXPECT_EQ(desk->connections().front().state, ConnectionState::kPending);
+  EXPECT_THAT(Reason(), HasSubstr("process 'robot' is not there"));
+  EXPECT_EQ(user->stop(), Status(Status::kNotConnected));
+
+  StartRobot();
+
+  EXPECT_TRUE(EventuallyActive(*desk, 1)) << Reason();
+  EXPECT_EQ(desk->connections().front().id, *id);
+  EXPECT_EQ(user->stop(), Status(Status::kQueued));
+}
+
+TEST_P(RemoteConnection, WaitsForAComponentThatIsNotThereYet) {
+  robot = Start("robot");
+  StartDesk();
+  ASSERT_TRUE(desk->Connect(kRobot, kControl).ok());
+  EXPECT_TRUE(EventuallyPending(*desk));
+  EXPECT_TRUE(EventuallyTrue([&] { return Reason().find("'plant'") != std::string::npos; }))
+      << Reason();
+
+  robot->Add<Plant>("plant");
+
+  EXPECT_TRUE(EventuallyActive(*desk, 1)) << Reason();
+}
+
+TEST_P(RemoteConnection, OfALostProcessIsMadeAgainWhenItReturns) {
+  StartRobot();
+  StartDesk();
+  Connect();
+  ASSERT_EQ(user->move_to({.number = 1}), Status(Status::kQueued));
+  ASSERT_TRUE(EventuallyTrue([&] { return plant->moves.size() == 1; }));
+
+  robot.reset();
+
+  EXPECT_TRUE(EventuallyTrue([&] { return user->stop() == Status(Status::kNotConnected); }));
+  EXPECT_TRUE(EventuallyPending(*desk));
+  EXPECT_THAT(Reason(), HasSubstr("process 'robot' was lost"));
+  Move move;
+  EXPECT_EQ(user->get_move(move), Status(Status::kNotConnected));
+
+  StartRobot();
+  EXPECT_TRUE(EventuallyActive(*desk, 1)) << Reason();
+  EXPECT_TRUE(EventuallyQueued([&] { return user->move_to({.number = 2}); }));
+  EXPECT_TRUE(EventuallyTrue([&] { return plant->moves.size() == 1; }));
+  EXPECT_EQ(plant->moves.values().front().number, 2U);
+}
+
+TEST_P(RemoteConnection, OfARemovedComponentIsMadeAgainWhenItReturns) {
+  StartRobot();
+  StartDesk();
+  Connect();
+
+  ASSERT_TRUE(robot->Remove("plant").ok());
+
+  EXPECT_TRUE(EventuallyPending(*desk));
+  EXPECT_TRUE(robot->proxies().empty());
+  EXPECT_EQ(user->stop(), Status(Status::kNotConnected));
+
+  plant = &robot->Add<Plant>("plant");
+  ASSERT_TRUE(robot->StartAll().ok());
+  EXPECT_TRUE(EventuallyActive(*desk, 1)) << Reason();
+  EXPECT_TRUE(EventuallyQueued([&] { return user->stop(); }));
+}
+
+TEST_P(RemoteConnection, EndsWithItsOwnComponent) {
+  StartRobot();
+  StartDesk();
+  Connect();
+
+  ASSERT_TRUE(desk->Remove("operator").ok());
+
+  EXPECT_TRUE(desk->connections().empty());
+  EXPECT_TRUE(desk->proxies().empty());
+  EXPECT_TRUE(EventuallyTrue([&] { return robot->proxies().empty(); }));
+}
+
+TEST_P(RemoteConnection, MayRunInBothDirectionsAtOnce) {
+  StartRobot();
+  StartDesk();
+  auto& other_user = robot->Add<Operator>("operator");
+  desk->Add<Plant>("plant");
+  ASSERT_TRUE(robot->StartAll().ok());
+  ASSERT_TRUE(desk->StartAll().ok());
+
+  tendon::Result<tendon::ConnectionId> back = 0;
+  std::thread other([&] {
+    back = robot->Connect({"robot", "operator", "Robot"}, {"desk", "plant", "Control"});
+  });
+  const auto forth = desk->Connect(kRobot, kControl);
+  other.join();
+
+  ASSERT_TRUE(forth.ok() && back.ok());
+  EXPECT_TRUE(EventuallyActive(*desk, 1));
+  EXPECT_TRUE(EventuallyActive(*robot, 1));
+  EXPECT_TRUE(EventuallyQueued([&] { return other_user.stop(); }));
+}
+
+INSTANTIATE_TEST_SUITE_P(Over, RemoteConnection, testing::ValuesIn(NetworkKinds()), NameOfNetwork);
+
+}  // namespace

@@ -1,0 +1,81 @@
+#include <gtest/gtest.h>
+#include <tendon/process/worker.h>
+
+#include <future>
+#include <latch>
+#include <memory>
+#include <vector>
+
+namespace tendon {
+namespace {
+
+using namespace std::chrono_literals;  // NOLINT(google-build-using-namespace)
+
+TEST(Worker, RunsTasksInTheOrderTheyWerePosted) {
+  Worker worker("test");
+  std::vector<int> order;
+  std::promise<void> done;
+  for (int i = 0; i < 100; ++i) worker.Post([&order, i] { order.push_back(i); });
+  worker.Post([&] { done.set_value(); });
+
+  done.get_future().wait();
+
+  ASSERT_EQ(order.size(), 100U);
+  for (int i = 0; i < 100; ++i) EXPECT_EQ(order[static_cast<std::size_t>(i)], i);
+}
+
+TEST(Worker, ATaskForLaterLetsOthersGoFirst) {
+  Worker worker("test");
+  std::vector<int> order;
+  std::promise<void> done;
+  const auto start = SteadyClock().Now();
+  worker.PostAfter(30ms, [&] {
+    order.push_back(2);
+    done.set_value();
+  });
+  worker.PostAfter(10ms, [&] { order.push_back(1); });
+  worker.Post([&] { order.push_back(0); });
+
+  done.get_future().wait();
+
+  EXPECT_EQ(order, (std::vector{0, 1, 2}));
+  EXPECT_GE(SteadyClock().Now() - start, 30ms);
+}
+
+TEST(Worker, ATaskMayPostTheNext) {
+  Worker worker("test");
+  std::promise<int> done;
+  std::function<void(int)> next = [&](int count) {
+    if (count == 100) return done.set_value(count);
+    worker.Post([&, count] { next(count + 1); });
+  };
+  worker.Post([&] { next(0); });
+
+  EXPECT_EQ(done.get_future().get(), 100);
+}
+
+TEST(Worker, StopWaitsForTheRunningTaskAndDropsTheOthers) {
+  Worker worker("test");
+  std::latch running(1);
+  std::promise<void> release;
+  bool ran_second = false;
+  const auto dropped = std::make_shared<int>(0);
+  worker.Post([&] {
+    running.count_down();
+    release.get_future().wait();
+  });
+  worker.Post([&ran_second, dropped] { ran_second = true; });
+  running.wait();
+  auto stopped = std::async(std::launch::async, [&] { worker.Stop(); });
+  EXPECT_EQ(stopped.wait_for(10ms), std::future_status::timeout);
+
+  release.set_value();
+  stopped.get();
+  worker.Post([&ran_second, dropped] { ran_second = true; });
+
+  EXPECT_FALSE(ran_second);
+  EXPECT_EQ(dropped.use_count(), 1);
+}
+
+}  // namespace
+}  // namespace tendon

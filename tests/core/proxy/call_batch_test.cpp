@@ -1,0 +1,59 @@
+#include <gtest/gtest.h>
+#include <tendon/proxy/call_batch.h>
+
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using tendon::Bytes;
+using tendon::CallBatch;
+using Calls = std::vector<std::pair<std::uint32_t, Bytes>>;
+
+Bytes Filled(std::size_t size, int value) { return Bytes(size, static_cast<std::byte>(value)); }
+
+Calls Read(std::span<const std::byte> body) {
+  Calls calls;
+  tendon::ForEachCall(body, [&](std::uint32_t handle, std::span<const std::byte> argument) {
+    calls.emplace_back(handle, Bytes(argument.begin(), argument.end()));
+  });
+  return calls;
+}
+
+TEST(CallBatch, IsReadAsItWasWritten) {
+  const Calls calls{{7, Filled(3, 1)}, {8, {}}, {0xffffffffU, Filled(16, 2)}, {9, Filled(1, 3)}};
+  CallBatch batch;
+  for (int round = 0; round < 2; ++round) {
+    EXPECT_TRUE(batch.empty());
+    for (const auto& [handle, argument] : calls) batch.Add(handle, argument);
+
+    EXPECT_EQ(batch.calls(), calls.size());
+    EXPECT_EQ(Read(batch.body()), calls);
+    batch.Clear();
+  }
+}
+
+TEST(CallBatch, ThatIsCutOffGivesItsWholeCalls) {
+  CallBatch batch;
+  batch.Add(1, Filled(8, 1));
+  batch.Add(2, Filled(8, 2));
+
+  EXPECT_EQ(Read(std::span(batch.body()).first(31)).size(), 1U);
+  EXPECT_EQ(Read(std::span(batch.body()).first(15)).size(), 0U);
+  EXPECT_EQ(Read({}).size(), 0U);
+}
+
+TEST(CallBatch, OfRandomBytesIsReadWithinItsBounds) {
+  std::mt19937 random(1);
+  for (int round = 0; round < 20'000; ++round) {
+    Bytes body(random() % 64);
+    for (std::byte& byte : body) byte = static_cast<std::byte>(random() % 4);
+    tendon::ForEachCall(body, [&](std::uint32_t /*handle*/, std::span<const std::byte> argument) {
+      ASSERT_GE(argument.data(), body.data());
+      ASSERT_LE(argument.data() + argument.size(), body.data() + body.size());
+    });
+  }
+}
+
+}  // namespace

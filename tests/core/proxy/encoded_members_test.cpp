@@ -1,0 +1,81 @@
+#include <gtest/gtest.h>
+#include <tendon/interface/connection.h>
+#include <tendon/middleware/body.h>
+#include <tendon/proxy/event_proxy.h>
+#include <tendon/proxy/function_proxy.h>
+#include <tendon/proxy/read_proxy.h>
+
+namespace {
+
+using tendon::Bytes;
+using tendon::CommandKind;
+using tendon::EncodeBody;
+using tendon::Status;
+
+struct Counter {
+  void Add(double amount) { sum += amount; }
+  void Get(double& value) const { value = sum; }
+  double sum = 0;
+};
+
+TEST(FunctionProxy, CallsCommandsWithEncodedValues) {
+  Counter counter;
+  tendon::ProvidedInterface provided("Counter", nullptr);
+  provided.AddCommandWrite(&Counter::Add, &counter, "Add");
+  provided.AddCommandRead(&Counter::Get, &counter, "Get", tendon::kThreadSafe);
+  tendon::RequiredInterface required("Any", nullptr);
+  tendon::FunctionProxy add(
+      required, tendon::DescribeMember<double, tendon::None>("Add", CommandKind::kWrite));
+  tendon::FunctionProxy get(
+      required, tendon::DescribeMember<tendon::None, double>("Get", CommandKind::kRead));
+  Bytes answer;
+  EXPECT_EQ(add(EncodeBody(1.0), answer), Status(Status::kNotConnected));
+
+  const auto connection = tendon::Connection::Make(required, provided, "any", "counter");
+  ASSERT_TRUE(connection.ok()) << connection.error().message;
+
+  EXPECT_EQ(add(EncodeBody(2.5), answer), Status(Status::kDone));
+  EXPECT_EQ(add(Bytes(3), answer), Status(Status::kInvalid));
+  EXPECT_EQ(get(EncodeBody(tendon::None{}), answer), Status(Status::kDone));
+  EXPECT_EQ(answer, EncodeBody(2.5));
+}
+
+TEST(EventProxy, RaisesEncodedValuesForTypedHandlers) {
+  Counter counter;
+  tendon::EventProxy event;
+  tendon::ProvidedInterface provided("Source", nullptr);
+  provided.AddEvent(event,
+                    tendon::DescribeMember<double, tendon::None>("Counted", CommandKind::kWrite));
+  tendon::RequiredInterface required("Listener", nullptr);
+  required.AddEventHandlerWrite(&Counter::Add, &counter, "Counted");
+  event.Raise(EncodeBody(1.0));  // nobody listens
+  {
+    const auto connection = tendon::Connection::Make(required, provided, "listener", "source");
+    ASSERT_TRUE(connection.ok()) << connection.error().message;
+
+    event.Raise(EncodeBody(4.0));
+    event.Raise(Bytes(3));
+  }
+  event.Raise(EncodeBody(8.0));
+
+  EXPECT_EQ(counter.sum, 4.0);
+  EXPECT_EQ(event.lost(), 1U);
+}
+
+TEST(ReadProxy, KeepsTheStatusBehindTheAnswer) {
+  Bytes answer = EncodeBody(1.0);
+  tendon::AppendStatus(Status::kNoSample, answer);
+
+  EXPECT_EQ(tendon::TakeStatus(answer), Status(Status::kNoSample));
+  EXPECT_EQ(answer, EncodeBody(1.0));
+}
+
+TEST(ReadProxy, RefusesAStatusThatIsNone) {
+  Bytes nothing;
+  Bytes unknown{std::byte{200}};
+
+  EXPECT_EQ(tendon::TakeStatus(nothing), Status(Status::kInvalid));
+  EXPECT_EQ(tendon::TakeStatus(unknown), Status(Status::kInvalid));
+}
+
+}  // namespace
