@@ -1,0 +1,162 @@
+#include <tendon/gcm/catalog.h>
+#include <tendon/payload/codec.h>
+
+#include <algorithm>
+#include <string_view>
+#include <tuple>
+
+namespace tendon {
+namespace {
+
+/// The element of `elements` with this name, or null.
+template <typename T>
+const T* FindNamed(const std::vector<T>& elements, const std::string& name) {
+  const auto found = std::find_if(elements.begin(), elements.end(),
+                                  [&](const T& element) { return element.name == name; });
+  return found == elements.end() ? nullptr : &*found;
+}
+
+bool ApplyProcess(std::map<std::string, ProcessEntry>& processes, const CatalogChange& change) {
+  if (change.processes.size() != 1 || change.processes.front().name != change.process) return false;
+  const ProcessDescription& process = change.processes.front();
+  ProcessEntry& entry = processes[change.process];
+  if (entry.process.instance != process.instance) entry = {};
+  entry.process = process;
+  return true;
+}
+
+bool ApplyToEntry(ProcessEntry& entry, const CatalogChange& change) {
+  using Kind = CatalogChange::Kind;
+  switch (change.kind) {
+    case Kind::kComponent:
+      if (change.components.size() != 1) return false;
+      entry.components[change.components.front().name] = change.components.front();
+      return true;
+    case Kind::kComponentRemoved:
+      return entry.components.erase(change.component) == 1;
+    case Kind::kConnection:
+      if (change.connections.size() != 1) return false;
+      entry.connections[change.connections.front().id] = change.connections.front();
+      return true;
+    case Kind::kConnectionRemoved:
+      return entry.connections.erase(change.connection) == 1;
+    case Kind::kProcess:
+    case Kind::kProcessRemoved:
+      break;
+  }
+  return false;
+}
+
+/// Appends the encoded value.
+template <Payload T>
+void Append(const T& value, std::vector<std::byte>& bytes) {
+  std::vector<std::byte> body;
+  Encode(value, body);
+  bytes.insert(bytes.end(), body.begin(), body.end());
+}
+
+}  // namespace
+
+const ProcessEntry* Catalog::FindProcess(const std::string& name) const {
+  const auto found = processes_.find(name);
+  return found == processes_.end() ? nullptr : &found->second;
+}
+
+const ComponentDescription* Catalog::FindComponent(const std::string& process,
+                                                   const std::string& component) const {
+  const ProcessEntry* entry = FindProcess(process);
+  if (entry == nullptr) return nullptr;
+  const auto found = entry->components.find(component);
+  return found == entry->components.end() ? nullptr : &found->second;
+}
+
+const ProvidedDescription* Catalog::FindProvided(const InterfaceName& name) const {
+  const ComponentDescription* component = FindComponent(name.process, name.component);
+  return component == nullptr ? nullptr : FindNamed(component->provided, name.interface);
+}
+
+const RequiredDescription* Catalog::FindRequired(const InterfaceName& name) const {
+  const ComponentDescription* component = FindComponent(name.process, name.component);
+  return component == nullptr ? nullptr : FindNamed(component->required, name.interface);
+}
+
+const ConnectionDescription* Catalog::FindConnection(const InterfaceName& required) const {
+  const ProcessEntry* entry = FindProcess(required.process);
+  if (entry == nullptr) return nullptr;
+  for (const auto& [id, connection] : entry->connections) {
+    if (connection.required == required) return &connection;
+  }
+  return nullptr;
+}
+
+std::vector<ConnectionDescription> Catalog::connections() const {
+  std::vector<ConnectionDescription> all;
+  for (const auto& [name, entry] : processes_) {
+    for (const auto& [id, connection] : entry.connections) all.push_back(connection);
+  }
+  return all;
+}
+
+bool Catalog::Apply(const CatalogChange& change) {
+  if (change.revision != revision_ + 1) return false;
+  if (change.kind == CatalogChange::Kind::kProcess) {
+    if (!ApplyProcess(processes_, change)) return false;
+  } else {
+    const auto entry = processes_.find(change.process);
+    if (entry == processes_.end()) return false;
+    if (change.kind == CatalogChange::Kind::kProcessRemoved) {
+      processes_.erase(entry);
+    } else if (!ApplyToEntry(entry->second, change)) {
+      return false;
+    }
+  }
+  ++revision_;
+  return true;
+}
+
+std::vector<CatalogChange> Catalog::AsChanges() const {
+  using Kind = CatalogChange::Kind;
+  std::vector<CatalogChange> changes;
+  for (const auto& [name, entry] : processes_) {
+    changes.push_back({.kind = Kind::kProcess, .process = name, .processes = {entry.process}});
+    for (const auto& [component_name, component] : entry.components) {
+      changes.push_back({.kind = Kind::kComponent, .process = name, .components = {component}});
+    }
+    for (const auto& [id, connection] : entry.connections) {
+      changes.push_back({.kind = Kind::kConnection, .process = name, .connections = {connection}});
+    }
+  }
+  // Each took at least one change to come about, so this does not go below zero.
+  std::uint64_t revision = revision_ - changes.size();
+  for (CatalogChange& change : changes) change.revision = ++revision;
+  return changes;
+}
+
+Catalog Catalog::At(std::uint64_t revision) {
+  Catalog catalog;
+  catalog.revision_ = revision;
+  return catalog;
+}
+
+Fingerprint Catalog::ContentHash() const {
+  std::vector<std::byte> bytes;
+  for (const auto& [name, entry] : processes_) {
+    Append(
+        ProcessDescription{.name = name, .host = entry.process.host, .state = entry.process.state},
+        bytes);
+    for (const auto& [component_name, component] : entry.components) Append(component, bytes);
+    std::vector<ConnectionDescription> connections;
+    for (const auto& [id, connection] : entry.connections) {
+      connections.push_back({.required = connection.required,
+                             .provided = connection.provided,
+                             .state = connection.state});
+    }
+    std::sort(connections.begin(), connections.end(), [](const auto& a, const auto& b) {
+      return std::tie(a.required, a.provided) < std::tie(b.required, b.provided);
+    });
+    for (const ConnectionDescription& connection : connections) Append(connection, bytes);
+  }
+  return FingerprintOf(std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+}
+
+}  // namespace tendon

@@ -1,0 +1,196 @@
+#include <tendon/base/os/process.h>
+#include <tendon/base/path.h>
+#include <tendon/gcm/client.h>
+#include <tendon/gcm/client/caller.h>
+#include <tendon/gcm/client/gcm_link.h>
+#include <tendon/gcm/client/once.h>
+#include <tendon/gcm/client/process_links.h>
+#include <tendon/gcm/lookup.h>
+
+#include <mutex>
+#include <utility>
+
+namespace tendon {
+namespace {
+
+Result<void> Ignored(const Result<None>& result) {
+  if (result) return {};
+  return result.error();
+}
+
+/// Where the catalogue says that a process is.
+Result<ProcessDescription> PlaceOf(const Catalog& catalog, const std::string& process) {
+  const auto entry = LookUpProcess(catalog, process);
+  if (!entry) return entry.error();
+  if (auto present = RequirePresent((*entry)->process); !present) return present.error();
+  if ((*entry)->process.address.empty()) {
+    return Error{ErrorCode::kUnreachable, "process '" + process + "' does not listen"};
+  }
+  return (*entry)->process;
+}
+
+/// The path, which parsed, has only letters that names have.
+Error NoCommand(const std::string& path) {
+  return {ErrorCode::kInvalid,
+          "'" + path + "' names no command: expected process/component/interface.member"};
+}
+
+}  // namespace
+
+/// The parts, and in which order they come and go.
+class GcmClient::Implementation {
+ public:
+  Implementation(std::shared_ptr<Middleware> middleware, const Options& options,
+                 std::shared_ptr<GcmListener> listener)
+      : middleware_(std::move(middleware)),
+        name_(options.name),
+        link_(std::make_shared<client::GcmLink>(
+            *middleware_, options,
+            client::GcmLink::Events{std::move(listener),
+                                    [this](const auto& processes) { OnMoved(processes); }},
+            timer_)),
+        links_(std::make_shared<client::ProcessLinks>(*middleware_, Resolver(link_), options.name)),
+        caller_(std::make_shared<client::Caller>(links_, timer_, options.timeout)) {
+    link_->Start();
+  }
+  Implementation(const Implementation&) = delete;
+  Implementation& operator=(const Implementation&) = delete;
+
+  ~Implementation() {
+    constexpr std::chrono::seconds kLongest(5);
+    link_->Stop();
+    links_->Stop();
+    timer_->Stop();
+    telemetry_.reset();
+    outstanding_->WaitUntilNone(kLongest);
+  }
+
+  template <typename T>
+  std::function<void(Result<T>)> Guarded(std::function<void(Result<T>)> handler) {
+    return client::CallOnce<T>(outstanding_, std::move(handler));
+  }
+
+  client::GcmLink& link() { return *link_; }
+  Worker& timer() { return *timer_; }
+  client::Caller& caller() { return *caller_; }
+  /// Made at the first call: a program that subscribes to nothing has no use for it.
+  TelemetryClient& telemetry() {
+    const std::scoped_lock lock(mutex_);
+    if (!telemetry_) telemetry_ = MakeTelemetryClient(middleware_, AddressResolver(), Mine());
+    return *telemetry_;
+  }
+
+ private:
+  using SharedLink = std::shared_ptr<client::GcmLink>;
+
+  static client::ProcessLinks::Resolve Resolver(const SharedLink& link) {
+    return [weak = std::weak_ptr(link)](const std::string& process) -> Result<ProcessDescription> {
+      const auto alive = weak.lock();
+      if (!alive) return Error{ErrorCode::kUnreachable, "the client is closed"};
+      return alive->WithCatalog([&](const Catalog& catalog) { return PlaceOf(catalog, process); });
+    };
+  }
+
+  [[nodiscard]] ResolveAddress AddressResolver() const {
+    return [resolve = Resolver(link_)](const std::string& process) -> Result<std::string> {
+      const auto there = resolve(process);
+      if (!there) return there.error();
+      return there->address;
+    };
+  }
+
+  [[nodiscard]] Hello Mine() const {
+    const auto cookie = LoopbackCookie();  // without it, whoever is asked says what is missing
+    return {.instance = os::RandomNumber(), .name = name_, .cookie = cookie ? *cookie : 0};
+  }
+
+  void OnMoved(const std::vector<std::string>& processes) {
+    for (const std::string& process : processes) links_->Drop(process);
+    const std::scoped_lock lock(mutex_);
+    if (!telemetry_) return;
+    for (const std::string& process : processes) telemetry_->Retry(process);
+  }
+
+  /// Here alone: it must not end in a thread of its own, where the links may end.
+  const std::shared_ptr<Middleware> middleware_;
+  const std::string name_;
+  const std::shared_ptr<client::Outstanding> outstanding_ = std::make_shared<client::Outstanding>();
+  const std::shared_ptr<Worker> timer_ = std::make_shared<Worker>("client-timer");  // never blocked
+  const SharedLink link_;
+  const std::shared_ptr<client::ProcessLinks> links_;
+  const std::shared_ptr<client::Caller> caller_;
+  std::mutex mutex_;
+  std::unique_ptr<TelemetryClient> telemetry_;
+};
+
+GcmClient::GcmClient(std::shared_ptr<Middleware> middleware, Options options,
+                     std::shared_ptr<GcmListener> listener)
+    : implementation_(
+          std::make_unique<Implementation>(std::move(middleware), options, std::move(listener))) {}
+
+GcmClient::~GcmClient() = default;
+
+Result<void> GcmClient::WaitUntilWatching() { return implementation_->link().WaitUntilWatching(); }
+
+Catalog GcmClient::catalog() const {
+  return implementation_->link().WithCatalog([](const Catalog& catalog) { return catalog; });
+}
+
+void GcmClient::Connect(const InterfaceName& required, const InterfaceName& provided,
+                        ConnectHandler handler) {
+  implementation_->link().Request<ConnectionDescription>(
+      message::kConnect, message::Wire{required, provided},
+      implementation_->Guarded(std::move(handler)));
+}
+
+void GcmClient::Disconnect(const InterfaceName& required, DoneHandler handler) {
+  implementation_->link().Request<None>(message::kDisconnect, message::Wire{required, {}},
+                                        [done = implementation_->Guarded(std::move(handler))](
+                                            const auto& answer) { done(Ignored(answer)); });
+}
+
+void GcmClient::Undo(std::function<void(Result<message::HistoryEntry>)> handler) {
+  implementation_->link().Request<message::HistoryEntry>(
+      message::kUndo, None{}, implementation_->Guarded(std::move(handler)));
+}
+
+void GcmClient::GetHistory(std::function<void(Result<message::History>)> handler) {
+  implementation_->link().Request<message::History>(message::kHistory, None{},
+                                                    implementation_->Guarded(std::move(handler)));
+}
+
+void GcmClient::Forget(const std::string& process, DoneHandler handler) {
+  implementation_->link().Request<None>(message::kForget, message::Forget{process},
+                                        [done = implementation_->Guarded(std::move(handler))](
+                                            const auto& answer) { done(Ignored(answer)); });
+}
+
+void GcmClient::Call(const std::string& path, const std::string& argument, TextHandler handler) {
+  implementation_->timer().Post(
+      [this, path, argument, done = implementation_->Guarded(std::move(handler))] {
+        const auto parsed = ParsePath(path);
+        if (!parsed) return done(parsed.error());
+        if (parsed->member.empty()) return done(NoCommand(path));
+        const auto command = implementation_->link().WithCatalog(
+            [&](const Catalog& catalog) -> Result<MemberDescription> {
+              auto found = LookUpCommand(catalog, *parsed);
+              if (!found) return found;
+              const auto place = PlaceOf(catalog, parsed->process);
+              return place ? found : Result<MemberDescription>(place.error());
+            });
+        if (!command) return done(command.error());
+        implementation_->caller().Call(*parsed, *command, argument, done);
+      });
+}
+
+void GcmClient::GetSchema(const std::string& process, Fingerprint fingerprint,
+                          std::function<void(Result<Schema>)> handler) {
+  implementation_->timer().Post(
+      [this, process, fingerprint, done = implementation_->Guarded(std::move(handler))] {
+        implementation_->caller().GetSchema(process, fingerprint, done);
+      });
+}
+
+TelemetryClient& GcmClient::telemetry() { return implementation_->telemetry(); }
+
+}  // namespace tendon

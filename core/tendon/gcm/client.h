@@ -1,0 +1,98 @@
+#pragma once
+
+#include <tendon/gcm/catalog.h>
+#include <tendon/gcm/messages.h>
+#include <tendon/process/telemetry_client.h>
+
+#include <chrono>
+#include <functional>
+#include <future>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tendon {
+
+/// What a viewer hears from a GCM, in a thread of the middleware or the client's own; must not
+/// block. The window turns each into a queued signal.
+class GcmListener {
+ public:
+  virtual ~GcmListener() = default;
+  /// The whole catalogue: after the first connect, after a gap, after the GCM came back.
+  virtual void OnSnapshot(const Catalog& catalog) = 0;
+  /// The next changes, which fit what was heard before without a hole.
+  virtual void OnChanges(const std::vector<CatalogChange>& changes) = 0;
+  /// The GCM cannot be reached; the client tries again by itself, every second.
+  virtual void OnGcmLost(const Error& reason) = 0;
+};
+
+/// A viewer's end: watches a GCM's catalogue, asks it for changes of the system, and talks to the
+/// processes directly for data. Heals by itself. Functions with a handler return at once and call
+/// it exactly once, in a thread of the middleware; the others wait for at most `timeout` and must
+/// not be called from a handler.
+class GcmClient {
+ public:
+  struct Options {
+    std::string name = "viewer";  ///< for the GCM's history and log: "gcm connect", "gcm-gui"
+    std::string address;          ///< of the GCM
+    std::chrono::milliseconds timeout{2000};
+  };
+
+  /// Does not wait for the GCM: see WaitUntilWatching().
+  GcmClient(std::shared_ptr<Middleware> middleware, Options options,
+            std::shared_ptr<GcmListener> listener = nullptr);
+  GcmClient(const GcmClient&) = delete;
+  GcmClient& operator=(const GcmClient&) = delete;
+  ~GcmClient();
+
+  /// Until the first snapshot is here. kUnreachable: "no GCM at X (refused); start one with: gcm
+  /// serve".
+  Result<void> WaitUntilWatching();
+
+  /// A copy of the catalogue as it is now.
+  [[nodiscard]] Catalog catalog() const;
+
+  using ConnectHandler = std::function<void(Result<ConnectionDescription>)>;
+  using DoneHandler = std::function<void(Result<void>)>;
+  using TextHandler = std::function<void(Result<std::string>)>;
+
+  void Connect(const InterfaceName& required, const InterfaceName& provided,
+               ConnectHandler handler);
+  void Disconnect(const InterfaceName& required, DoneHandler handler);
+  void Undo(std::function<void(Result<message::HistoryEntry>)> handler);
+  void GetHistory(std::function<void(Result<message::History>)> handler);
+  /// Removes a tombstone.
+  void Forget(const std::string& process, DoneHandler handler);
+
+  /// Calls a command of any process by its path: `argument` is JSON (empty for none), the answer is
+  /// JSON ("" for none). Reads, qualified reads, void and write commands alike.
+  void Call(const std::string& path, const std::string& argument, TextHandler handler);
+
+  /// The schema of a payload type as a process knows it, by fingerprint; cached.
+  void GetSchema(const std::string& process, Fingerprint fingerprint,
+                 std::function<void(Result<Schema>)> handler);
+
+  /// State-table rows of any process: see TelemetryClient.
+  [[nodiscard]] TelemetryClient& telemetry();
+
+ private:
+  class Implementation;
+  const std::unique_ptr<Implementation> implementation_;
+};
+
+/// Waits for the answer of one of the functions above: `Wait<ConnectionDescription>(timeout,
+/// [&](auto handler) { client.Connect(a, b, handler); })`. kTimeout when it does not come in time;
+/// it may still be carried out. Not from a handler.
+template <typename T, typename Start>
+Result<T> Wait(std::chrono::milliseconds timeout, Start&& start) {
+  const auto answer = std::make_shared<std::promise<Result<T>>>();
+  auto arrival = answer->get_future();
+  std::forward<Start>(start)(std::function<void(Result<T>)>(
+      [answer](Result<T> result) { answer->set_value(std::move(result)); }));
+  if (arrival.wait_for(timeout) == std::future_status::ready) return arrival.get();
+  return Error{ErrorCode::kTimeout, "no answer within " + std::to_string(timeout.count()) +
+                                        " ms; whether it was done is unknown"};
+}
+
+}  // namespace tendon

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <tendon/base/path.h>
+#include <tendon/gcm/catalog.h>
+#include <tendon/gcm/client/process_links.h>
+#include <tendon/payload/fingerprint.h>
+#include <tendon/payload/schema.h>
+#include <tendon/process/messages.h>
+
+#include <chrono>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tendon::client {
+
+/// Calls commands of processes with JSON by what the catalogue and the processes' schemas say.
+/// Thread safe; handlers are called once, unless the request is dropped because we are closing.
+class Caller final : public std::enable_shared_from_this<Caller> {
+ public:
+  template <typename T>
+  using Handler = std::function<void(Result<T>)>;
+
+  /// The timer watches over deadlines.
+  Caller(std::shared_ptr<ProcessLinks> links, std::shared_ptr<Worker> timer,
+         std::chrono::milliseconds timeout);
+
+  void Call(const Path& path, const MemberDescription& command, const std::string& argument,
+            Handler<std::string> handler);
+  void GetSchema(const std::string& process, Fingerprint fingerprint, Handler<Schema> handler);
+
+ private:
+  struct Order;
+
+  void FetchSchemas(const std::string& process, std::vector<Fingerprint> fingerprints,
+                    Handler<void> handler);
+  Result<void> Keep(const std::string& process, const std::vector<Fingerprint>& fingerprints,
+                    const message::Schemas& schemas);
+  [[nodiscard]] std::optional<Schema> Find(Fingerprint fingerprint) const;
+  void Send(const std::shared_ptr<const Order>& order);
+  [[nodiscard]] Result<std::string> Read(const Order& order, const message::Called& called) const;
+
+  const std::shared_ptr<ProcessLinks> links_;
+  const std::shared_ptr<Worker> timer_;
+  const std::chrono::milliseconds timeout_;
+  mutable std::mutex mutex_;
+  std::map<Fingerprint, Schema> schemas_;
+};
+
+}  // namespace tendon::client

@@ -1,0 +1,243 @@
+#include <tendon/base/os/process.h>
+#include <tendon/gcm/client/gcm_link.h>
+#include <tendon/gcm/lookup.h>
+
+#include <map>
+
+namespace tendon::client {
+namespace {
+
+constexpr std::chrono::milliseconds kPause(100);  // before what was open is opened again
+constexpr std::chrono::milliseconds kRetry(1000);
+constexpr std::chrono::milliseconds kRenewal(1000);
+
+/// Where each process is that can be talked to.
+using Places = std::map<std::string, std::pair<std::uint64_t, std::string>>;
+
+Places PlacesOf(const Catalog& catalog) {
+  Places places;
+  for (const auto& [name, entry] : catalog.processes()) {
+    if (!IsPresent(entry.process)) continue;
+    places[name] = {entry.process.instance, entry.process.address};
+  }
+  return places;
+}
+
+std::vector<std::string> Moved(const Places& before, const Places& after) {
+  std::vector<std::string> moved;
+  for (const auto& [name, place] : after) {
+    const auto old = before.find(name);
+    if (old == before.end() || old->second != place) moved.push_back(name);
+  }
+  return moved;
+}
+
+/// Whether waiting for a GCM is of no use.
+bool IsFinal(const Error& error) {
+  return error.code == ErrorCode::kIncompatible || error.code == ErrorCode::kDenied ||
+         error.code == ErrorCode::kInvalid;
+}
+
+/// "nobody answers at 127.0.0.1:10705 (Connection refused)" without what is said anyway.
+std::string Briefly(const std::string& reason) {
+  const std::size_t open = reason.find(" (");
+  if (!reason.starts_with("nobody ") || open == reason.npos || reason.back() != ')') return reason;
+  return reason.substr(open + 2, reason.size() - open - 3);
+}
+
+}  // namespace
+
+/// Of one attempt to have a channel.
+class GcmLink::Handler final : public ChannelHandler {
+ public:
+  explicit Handler(std::weak_ptr<GcmLink> link) : link_(std::move(link)) {}
+
+  void OnOpen(const SharedChannel& channel, const Hello& /*peer*/) override {
+    if (const auto link = link_.lock()) link->Opened(channel);
+  }
+  void OnNotice(const SharedChannel& channel, const FrameHeader& header,
+                std::span<const std::byte> body) override {
+    const auto link = link_.lock();
+    if (!link || header.type != message::kChanges) return;
+    const auto changes = DecodeBody<message::Changes>(body);
+    changes ? link->Receive(channel, *changes) : channel->Close();
+  }
+  void OnClosed(const SharedChannel& channel, const Error& reason) override {
+    if (const auto link = link_.lock()) link->Closed(channel, reason);
+  }
+
+ private:
+  const std::weak_ptr<GcmLink> link_;
+};
+
+GcmLink::GcmLink(Middleware& middleware, GcmClient::Options options, Events events,
+                 std::shared_ptr<Worker> timer)
+    : middleware_(middleware),
+      options_(std::move(options)),
+      events_(std::move(events)),
+      timer_(std::move(timer)) {}
+
+void GcmLink::Start() {
+  opener_.Post([this] { Open(); });
+}
+
+void GcmLink::Stop() {
+  SharedChannel channel;
+  {
+    const std::scoped_lock telling(telling_);
+    const std::scoped_lock lock(mutex_);
+    stopped_ = true;
+    channel = std::exchange(channel_, nullptr);
+  }
+  if (channel) channel->Close();
+  opener_.Stop();
+}
+
+Result<void> GcmLink::WaitUntilWatching() {
+  std::unique_lock lock(mutex_);
+  changed_.wait_for(lock, options_.timeout,
+                    [this] { return !is_waiting_ || (lost_ && IsFinal(*lost_)); });
+  if (!is_waiting_) return {};
+  return NoGcm();
+}
+
+/// In the opener.
+void GcmLink::Open() {
+  {
+    const std::scoped_lock lock(mutex_);
+    if (channel_) return;  // an attempt that came too late opened it all the same
+  }
+  const auto cookie = LoopbackCookie();
+  if (!cookie) {
+    Lost(cookie.error());
+  } else {
+    const Hello mine{.instance = os::RandomNumber(), .name = options_.name, .cookie = *cookie};
+    const auto handler = std::make_shared<Handler>(weak_from_this());
+    const auto channel =
+        Channel::Open(middleware_, options_.address, mine, handler, options_.timeout);
+    if (channel) return;  // the handler goes on
+    Lost(channel.error());
+  }
+  opener_.PostAfter(kRetry, [this] { Open(); });
+}
+
+void GcmLink::Opened(const SharedChannel& channel) {
+  {
+    const std::scoped_lock lock(mutex_);
+    if (stopped_) return channel->Close();
+    channel_ = channel;
+  }
+  Watch(channel);
+}
+
+void GcmLink::Closed(const SharedChannel& channel, const Error& reason) {
+  const std::scoped_lock lock(mutex_);
+  if (channel_ != channel) return;
+  channel_.reset();
+  is_waiting_ = true;
+  opener_.Post([this, reason] {
+    Lost(reason);
+    opener_.PostAfter(kPause, [this] { Open(); });
+  });
+}
+
+void GcmLink::Watch(const SharedChannel& channel) {
+  Ask<message::Snapshot>(*timer_, channel, message::kWatch, None{}, options_.timeout,
+                         [weak = weak_from_this(), channel](const auto& snapshot) {
+                           const auto self = weak.lock();
+                           if (!self) return;
+                           if (!snapshot) return channel->Close();
+                           self->Receive(channel, *snapshot);
+                         });
+}
+
+void GcmLink::Receive(const SharedChannel& channel, const message::Snapshot& snapshot) {
+  Catalog catalog = Catalog::At(snapshot.base);
+  for (const CatalogChange& change : snapshot.changes) {
+    if (!catalog.Apply(change)) return channel->Close();
+  }
+  std::vector<std::string> moved;
+  {
+    const std::scoped_lock lock(mutex_);
+    if (channel_ != channel) return;
+    moved = Moved(PlacesOf(catalog_), PlacesOf(catalog));
+    catalog_ = catalog;
+    is_waiting_ = false;
+    lost_.reset();
+    changed_.notify_all();
+  }
+  Tell([&] {
+    if (events_.listener) events_.listener->OnSnapshot(catalog);
+    if (!moved.empty()) events_.on_moved(moved);
+  });
+  Renew(channel);
+}
+
+void GcmLink::Receive(const SharedChannel& channel, const message::Changes& changes) {
+  std::vector<CatalogChange> applied;
+  std::vector<std::string> moved;
+  bool has_hole = false;
+  {
+    const std::scoped_lock lock(mutex_);
+    if (channel_ != channel || is_waiting_) return;
+    const Places before = PlacesOf(catalog_);
+    for (const CatalogChange& change : changes.changes) {
+      has_hole = !catalog_.Apply(change);
+      if (has_hole) break;
+      applied.push_back(change);
+    }
+    moved = Moved(before, PlacesOf(catalog_));
+    is_waiting_ = has_hole;
+  }
+  Tell([&] {
+    if (events_.listener && !applied.empty()) events_.listener->OnChanges(applied);
+    if (!moved.empty()) events_.on_moved(moved);
+  });
+  if (has_hole) Watch(channel);
+}
+
+/// Asks the GCM for a sign of life, again and again: a link may hang without breaking.
+void GcmLink::Renew(const std::weak_ptr<Channel>& weak) {
+  timer_->PostAfter(kRenewal, [self = weak_from_this(), weak] {
+    const auto link = self.lock();
+    const auto channel = weak.lock();
+    if (!link || !channel || !channel->is_open()) return;
+    Ask<None>(*link->timer_, channel, message::kRenew, None{}, link->options_.timeout,
+              [self, channel](const auto& renewed) {
+                if (!renewed) return channel->Close();
+                if (const auto still_here = self.lock()) still_here->Renew(channel);
+              });
+  });
+}
+
+/// Said once, not at each attempt.
+void GcmLink::Lost(const Error& reason) {
+  std::optional<Error> news;
+  {
+    const std::scoped_lock lock(mutex_);
+    const bool is_new = !lost_ || IsFinal(*lost_) != IsFinal(reason);
+    lost_ = reason;
+    if (is_new) news = NoGcm();
+    changed_.notify_all();
+  }
+  if (!news || !events_.listener) return;
+  Tell([&] { events_.listener->OnGcmLost(*news); });
+}
+
+/// Under the lock.
+Error GcmLink::NoGcm() const {
+  if (lost_ && lost_->code != ErrorCode::kUnreachable && lost_->code != ErrorCode::kTimeout) {
+    return *lost_;
+  }
+  const std::string reason = lost_ ? Briefly(lost_->message) : "it does not answer";
+  return {ErrorCode::kUnreachable,
+          "no GCM at " + options_.address + " (" + reason + "); start one with: gcm serve"};
+}
+
+template <typename Call>
+void GcmLink::Tell(Call&& call) {
+  const std::scoped_lock telling(telling_);
+  if (!stopped_) call();
+}
+
+}  // namespace tendon::client

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <tendon/gcm/client.h>
+#include <tendon/middleware/channel.h>
+#include <tendon/process/ask.h>
+#include <tendon/process/worker.h>
+
+#include <condition_variable>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tendon::client {
+
+/// A viewer's channel to its GCM, opened again whenever it breaks, and the copy of the catalogue
+/// that comes through it. Thread-safe.
+class GcmLink final : public std::enable_shared_from_this<GcmLink> {
+ public:
+  /// What it tells others, one call at a time; no more after Stop().
+  struct Events {
+    std::shared_ptr<GcmListener> listener;  ///< may be null
+    /// These processes are at another place than before, or there again.
+    std::function<void(const std::vector<std::string>& processes)> on_moved;
+  };
+  /// The middleware outlives Stop(). The timer watches over deadlines.
+  GcmLink(Middleware& middleware, GcmClient::Options options, Events events,
+          std::shared_ptr<Worker> timer);
+
+  void Start();
+  /// Waits for the call that is under way. Not from one.
+  void Stop();
+
+  Result<void> WaitUntilWatching();
+
+  /// Calls `read(catalog)` under the lock: be short.
+  template <typename Read>
+  auto WithCatalog(Read&& read) const {
+    const std::scoped_lock lock(mutex_);
+    return read(catalog_);
+  }
+
+  template <Payload Answer, Message T>
+  void Request(MessageType type, const T& value, std::function<void(Result<Answer>)> handler);
+
+ private:
+  class Handler;
+  using SharedChannel = std::shared_ptr<Channel>;
+
+  void Open();
+  void Opened(const SharedChannel& channel);
+  void Closed(const SharedChannel& channel, const Error& reason);
+  void Watch(const SharedChannel& channel);
+  void Receive(const SharedChannel& channel, const message::Snapshot& snapshot);
+  void Receive(const SharedChannel& channel, const message::Changes& changes);
+  void Renew(const std::weak_ptr<Channel>& weak);
+  void Lost(const Error& reason);
+  [[nodiscard]] Error NoGcm() const;
+  template <typename Call>
+  void Tell(Call&& call);
+
+  Middleware& middleware_;
+  const GcmClient::Options options_;
+  const Events events_;
+  const std::shared_ptr<Worker> timer_;
+
+  std::mutex telling_;  // held while others are told; taken before mutex_
+  bool stopped_ = false;
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  SharedChannel channel_;   // while it is open
+  bool is_waiting_ = true;  // for a snapshot: changes are of no use
+  Catalog catalog_;
+  std::optional<Error> lost_;  // why there is no channel
+  Worker opener_{"client-gcm"};
+};
+
+template <Payload Answer, Message T>
+void GcmLink::Request(MessageType type, const T& value,
+                      std::function<void(Result<Answer>)> handler) {
+  std::unique_lock lock(mutex_);
+  if (const SharedChannel channel = channel_) {
+    lock.unlock();
+    return Ask<Answer>(*timer_, channel, type, value, options_.timeout, std::move(handler));
+  }
+  timer_->Post([handler = std::move(handler), error = NoGcm()] { handler(error); });
+}
+
+}  // namespace tendon::client

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <tendon/base/result.h>
+
+#include <string>
+
+namespace tendon::client {
+
+/// The part of a JSON text at a path's field, ".position[0]", or all of it where that is empty.
+/// kNotFound says where the path leaves the value.
+Result<std::string> JsonField(const std::string& json, const std::string& field);
+
+}  // namespace tendon::client

@@ -1,0 +1,103 @@
+#include <tendon/base/os/process.h>
+#include <tendon/gcm/client/process_links.h>
+
+#include <utility>
+
+namespace tendon::client {
+namespace {
+
+constexpr std::chrono::milliseconds kOpenTimeout(1000);
+
+}  // namespace
+
+class ProcessLinks::Handler final : public ChannelHandler {
+ public:
+  explicit Handler(std::weak_ptr<ProcessLinks> links) : links_(std::move(links)) {}
+
+  void OnClosed(const SharedChannel& channel, const Error& /*reason*/) override {
+    if (const auto links = links_.lock()) links->Closed(channel.get());
+  }
+
+ private:
+  const std::weak_ptr<ProcessLinks> links_;
+};
+
+ProcessLinks::ProcessLinks(Middleware& middleware, Resolve resolve, std::string name)
+    : middleware_(middleware), resolve_(std::move(resolve)), name_(std::move(name)) {}
+
+void ProcessLinks::With(const std::string& process, Use use) {
+  std::unique_lock lock(mutex_);
+  if (stopped_) return;
+  Place& place = places_[process];
+  if (place.channel && place.channel->is_open()) {
+    const SharedChannel channel = place.channel;
+    lock.unlock();
+    return use(channel);
+  }
+  place.channel.reset();
+  place.waiting.push_back(std::move(use));
+  if (place.waiting.size() == 1) opener_.Post([this, process] { Open(process); });
+}
+
+void ProcessLinks::Drop(const std::string& process) {
+  std::unique_lock lock(mutex_);
+  const auto found = places_.find(process);
+  if (found == places_.end()) return;
+  const SharedChannel channel = std::exchange(found->second.channel, nullptr);
+  lock.unlock();
+  if (channel) channel->Close();
+}
+
+void ProcessLinks::Stop() {
+  std::map<std::string, Place> places;
+  {
+    const std::scoped_lock lock(mutex_);
+    stopped_ = true;
+    places.swap(places_);
+  }
+  for (const auto& [process, place] : places) {
+    if (place.channel) place.channel->Close();
+  }
+  opener_.Stop();
+}
+
+/// In the opener.
+void ProcessLinks::Open(const std::string& process) {
+  const auto channel = TryOpen(process);
+  std::vector<Use> waiting;
+  {
+    const std::scoped_lock lock(mutex_);
+    if (stopped_) {
+      if (channel) (*channel)->Close();
+      return;
+    }
+    Place& place = places_[process];
+    waiting.swap(place.waiting);
+    if (channel) place.channel = *channel;
+  }
+  for (const Use& use : waiting) use(channel);
+}
+
+Result<ProcessLinks::SharedChannel> ProcessLinks::TryOpen(const std::string& process) {
+  const auto there = resolve_(process);
+  if (!there) return there.error();
+  const auto cookie = LoopbackCookie();
+  if (!cookie) return cookie.error();
+  const Hello mine{.instance = os::RandomNumber(), .name = name_, .cookie = *cookie};
+  const auto handler = std::make_shared<Handler>(weak_from_this());
+  const std::string who = "process '" + process + "' does not answer at " + there->address;
+  auto channel = Channel::Open(middleware_, there->address, mine, handler, kOpenTimeout);
+  if (!channel) return Error{channel.error().code, who + ": " + channel.error().message};
+  if ((*channel)->peer().instance == there->instance) return channel;
+  (*channel)->Close();
+  return Error{ErrorCode::kUnreachable, who + ": another program is there"};
+}
+
+void ProcessLinks::Closed(const Channel* channel) {
+  const std::scoped_lock lock(mutex_);
+  for (auto& [process, place] : places_) {
+    if (place.channel.get() == channel) place.channel.reset();
+  }
+}
+
+}  // namespace tendon::client

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <tendon/middleware/channel.h>
+#include <tendon/process/description.h>
+#include <tendon/process/worker.h>
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace tendon::client {
+
+/// Channels to processes, opened on demand in a thread of their own and kept while they last.
+/// Thread-safe.
+class ProcessLinks final : public std::enable_shared_from_this<ProcessLinks> {
+ public:
+  using SharedChannel = std::shared_ptr<Channel>;
+  /// Must not block.
+  using Use = std::function<void(Result<SharedChannel>)>;
+  /// Where a process is now; the error says why it is nowhere.
+  using Resolve = std::function<Result<ProcessDescription>(const std::string& process)>;
+
+  /// The middleware outlives Stop().
+  ProcessLinks(Middleware& middleware, Resolve resolve, std::string name);
+
+  /// Calls `use` with an open channel or the reason why there is none: at once, or in the thread
+  /// that opens it.
+  void With(const std::string& process, Use use);
+  /// The process is elsewhere now.
+  void Drop(const std::string& process);
+  void Stop();
+
+ private:
+  class Handler;
+  struct Place {
+    SharedChannel channel;     // null while it opens
+    std::vector<Use> waiting;  // for that
+  };
+
+  void Open(const std::string& process);
+  Result<SharedChannel> TryOpen(const std::string& process);
+  void Closed(const Channel* channel);
+
+  Middleware& middleware_;
+  const Resolve resolve_;
+  const std::string name_;
+  std::mutex mutex_;
+  bool stopped_ = false;
+  std::map<std::string, Place> places_;
+  Worker opener_{"client-links"};
+};
+
+}  // namespace tendon::client

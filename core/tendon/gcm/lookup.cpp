@@ -1,0 +1,188 @@
+#include <tendon/gcm/lookup.h>
+#include <tendon/interface/compatibility.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace tendon {
+namespace {
+
+constexpr std::size_t kMostListed = 8;
+
+/// "; did you mean 'arm'?", else what there is, if it is not too much to read.
+std::string Hint(const std::string& name, const std::vector<std::string>& candidates) {
+  if (candidates.empty()) return "; there is none";
+  if (std::string near = DidYouMean(name, candidates); !near.empty()) return near;
+  if (candidates.size() > kMostListed) return {};
+  std::string list = "; there is ";
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    list += (i == 0 ? "'" : ", '") + candidates[i] + "'";
+  }
+  return list;
+}
+
+Error NotFound(const std::string& what, const std::string& full, const std::string& name,
+               const std::vector<std::string>& candidates) {
+  return {ErrorCode::kNotFound, "no " + what + " '" + full + "'" + Hint(name, candidates)};
+}
+
+template <typename Map>
+std::vector<std::string> KeysOf(const Map& map) {
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : map) keys.push_back(key);
+  return keys;
+}
+
+template <typename T>
+std::vector<std::string> NamesOf(const std::vector<T>& elements) {
+  std::vector<std::string> names;
+  for (const T& element : elements) names.push_back(element.name);
+  return names;
+}
+
+template <typename T>
+const T* FindNamed(const std::vector<T>& elements, const std::string& name) {
+  const auto found = std::find_if(elements.begin(), elements.end(),
+                                  [&](const T& element) { return element.name == name; });
+  return found == elements.end() ? nullptr : &*found;
+}
+
+/// Names may come from anywhere: none is repeated in an error before it was checked.
+Result<void> CheckFullName(const InterfaceName& name) {
+  if (auto checked = CheckName("process", name.process); !checked) return checked;
+  if (auto checked = CheckName("component", name.component); !checked) return checked;
+  return CheckName("interface", name.interface);
+}
+
+std::string Connected(const ConnectionDescription& connection) {
+  const std::string required = ToString(connection.required);
+  return required + " is connected to " + ToString(connection.provided) +
+         "; disconnect it first: gcm disconnect " + required;
+}
+
+/// The commands of an interface, the columns of a table among them.
+std::vector<MemberDescription> CommandsOf(const ComponentDescription& component,
+                                          const std::string& interface) {
+  if (const auto* provided = FindNamed(component.provided, interface)) return provided->commands;
+  std::vector<MemberDescription> commands;
+  if (const auto* table = FindNamed(component.tables, interface)) {
+    for (const ColumnDescription& column : table->columns) {
+      commands.push_back(
+          {.name = column.name,
+           .signature = {CommandKind::kRead, FingerprintOf<None>(), column.fingerprint},
+           .out_type = column.type});
+    }
+  }
+  return commands;
+}
+
+}  // namespace
+
+Result<const ProcessEntry*> LookUpProcess(const Catalog& catalog, const std::string& process) {
+  if (auto checked = CheckName("process", process); !checked) return checked.error();
+  if (const ProcessEntry* entry = catalog.FindProcess(process)) return entry;
+  return NotFound("process", process, process, KeysOf(catalog.processes()));
+}
+
+Result<const ComponentDescription*> LookUpComponent(const Catalog& catalog,
+                                                    const std::string& process,
+                                                    const std::string& component) {
+  const auto entry = LookUpProcess(catalog, process);
+  if (!entry) return entry.error();
+  if (auto checked = CheckName("component", component); !checked) return checked.error();
+  const auto found = (*entry)->components.find(component);
+  if (found != (*entry)->components.end()) return &found->second;
+  return NotFound("component", process + "/" + component, component, KeysOf((*entry)->components));
+}
+
+Result<const ProvidedDescription*> LookUpProvided(const Catalog& catalog,
+                                                  const InterfaceName& name) {
+  const auto component = LookUpComponent(catalog, name.process, name.component);
+  if (!component) return component.error();
+  if (auto checked = CheckName("interface", name.interface); !checked) return checked.error();
+  const ComponentDescription& owner = **component;
+  if (const auto* provided = FindNamed(owner.provided, name.interface)) return provided;
+  if (FindNamed(owner.required, name.interface) != nullptr) {
+    return Error{ErrorCode::kNotFound, ToString(name) +
+                                           " is a required interface; a provided one is needed" +
+                                           Hint(name.interface, NamesOf(owner.provided))};
+  }
+  return NotFound("provided interface", ToString(name), name.interface, NamesOf(owner.provided));
+}
+
+Result<const RequiredDescription*> LookUpRequired(const Catalog& catalog,
+                                                  const InterfaceName& name) {
+  const auto component = LookUpComponent(catalog, name.process, name.component);
+  if (!component) return component.error();
+  if (auto checked = CheckName("interface", name.interface); !checked) return checked.error();
+  const ComponentDescription& owner = **component;
+  if (const auto* required = FindNamed(owner.required, name.interface)) return required;
+  if (FindNamed(owner.provided, name.interface) != nullptr) {
+    return Error{ErrorCode::kNotFound, ToString(name) +
+                                           " is a provided interface; a required one is needed" +
+                                           Hint(name.interface, NamesOf(owner.required))};
+  }
+  return NotFound("required interface", ToString(name), name.interface, NamesOf(owner.required));
+}
+
+Result<MemberDescription> LookUpCommand(const Catalog& catalog, const Path& path) {
+  const auto component = LookUpComponent(catalog, path.process, path.component);
+  if (!component) return component.error();
+  const ComponentDescription& owner = **component;
+  if (FindNamed(owner.provided, path.interface) == nullptr &&
+      FindNamed(owner.tables, path.interface) == nullptr) {
+    std::vector<std::string> names = NamesOf(owner.provided);
+    for (const TableDescription& table : owner.tables) names.push_back(table.name);
+    return NotFound("provided interface", ToString(path.interface_name()), path.interface, names);
+  }
+  const auto commands = CommandsOf(owner, path.interface);
+  if (const auto* command = FindNamed(commands, path.member)) return *command;
+  return NotFound("command", ToString(path.interface_name()) + "." + path.member, path.member,
+                  NamesOf(commands));
+}
+
+Result<message::Wiring> PlanConnect(const Catalog& catalog, const message::Wire& wire) {
+  for (const InterfaceName& name : {wire.required, wire.provided}) {
+    if (auto checked = CheckFullName(name); !checked) return checked.error();
+  }
+  const auto required = LookUpRequired(catalog, wire.required);
+  if (!required) return required.error();
+  const auto provided = LookUpProvided(catalog, wire.provided);
+  if (!provided) return provided.error();
+  const ProcessDescription& owner = catalog.FindProcess(wire.required.process)->process;
+  if (auto present = RequirePresent(owner); !present) return present.error();
+  if (const auto* connection = catalog.FindConnection(wire.required)) {
+    return Error{ErrorCode::kExists, Connected(*connection)};
+  }
+  if (const auto compatibility = Compare(**required, **provided); !compatibility.fits()) {
+    return Error{ErrorCode::kIncompatible,
+                 Refusal(ToString(wire.required), ToString(wire.provided), compatibility)};
+  }
+  const ProcessDescription& provider = catalog.FindProcess(wire.provided.process)->process;
+  if (!IsPresent(provider)) return message::Wiring{.wire = wire};
+  return message::Wiring{.wire = wire, .address = provider.address, .instance = provider.instance};
+}
+
+Result<ConnectionDescription> PlanDisconnect(const Catalog& catalog,
+                                             const InterfaceName& required) {
+  if (auto checked = CheckFullName(required); !checked) return checked.error();
+  if (const auto found = LookUpRequired(catalog, required); !found) return found.error();
+  const ProcessDescription& owner = catalog.FindProcess(required.process)->process;
+  if (auto present = RequirePresent(owner); !present) return present.error();
+  if (const auto* connection = catalog.FindConnection(required)) return *connection;
+  return Error{ErrorCode::kFailed, ToString(required) + " is not connected"};
+}
+
+bool IsPresent(const ProcessDescription& process) {
+  return process.state == ProcessState::kAlive || process.state == ProcessState::kSuspect;
+}
+
+Result<void> RequirePresent(const ProcessDescription& process) {
+  if (IsPresent(process)) return {};
+  const std::string state = process.state == ProcessState::kLeft ? "has left" : "is lost";
+  const std::string reason = process.reason.empty() ? "" : " (" + process.reason + ")";
+  return Error{ErrorCode::kFailed,
+               "process '" + process.name + "' " + state + reason + "; start it again first"};
+}
+
+}  // namespace tendon

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <tendon/base/path.h>
+#include <tendon/base/result.h>
+#include <tendon/gcm/catalog.h>
+#include <tendon/process/membership_messages.h>
+
+#include <string>
+
+/// Names that people type, looked up in a catalogue. Errors are of code kNotFound unless they say
+/// otherwise, name what is missing and what is near. The pointers live as long as the catalogue is
+/// not changed.
+namespace tendon {
+
+Result<const ProcessEntry*> LookUpProcess(const Catalog& catalog, const std::string& process);
+Result<const ComponentDescription*> LookUpComponent(const Catalog& catalog,
+                                                    const std::string& process,
+                                                    const std::string& component);
+Result<const ProvidedDescription*> LookUpProvided(const Catalog& catalog,
+                                                  const InterfaceName& name);
+Result<const RequiredDescription*> LookUpRequired(const Catalog& catalog,
+                                                  const InterfaceName& name);
+
+/// A command, or a column of a state table as the read command that it is.
+Result<MemberDescription> LookUpCommand(const Catalog& catalog, const Path& path);
+
+/// The order to be given for a connect, checked as far as the catalogue knows. Errors: kInvalid,
+/// kNotFound; kIncompatible, as Refusal() words it; kExists where the required interface is
+/// connected; kFailed where its process is not there. A provider's process that is not there any
+/// more is all right: the connection will be pending.
+Result<message::Wiring> PlanConnect(const Catalog& catalog, const message::Wire& wire);
+
+/// The connection that a disconnect would end. Errors: kInvalid, kNotFound; kFailed where it is not
+/// connected or its process is not there.
+Result<ConnectionDescription> PlanDisconnect(const Catalog& catalog, const InterfaceName& required);
+
+/// Whether the process can be talked to: it is there, if perhaps a little late.
+[[nodiscard]] bool IsPresent(const ProcessDescription& process);
+
+/// kFailed, "process 'robot' is lost (reason)", unless it is present.
+Result<void> RequirePresent(const ProcessDescription& process);
+
+}  // namespace tendon

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <tendon/gcm/catalog.h>
+#include <tendon/process/membership_messages.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+/// What travels between a GCM and the viewers that watch it; what it says to LCMs is in
+/// process/membership_messages.h. Each struct is the body of a frame.
+namespace tendon::message {
+
+// From a viewer; all are requests. A viewer also sends kRenew each second, to see that the GCM
+// lives.
+inline constexpr auto kWatch = static_cast<MessageType>(0x310);    // None -> Snapshot
+inline constexpr auto kConnect = static_cast<MessageType>(0x311);  // Wire -> ConnectionDescription
+inline constexpr auto kDisconnect = static_cast<MessageType>(0x312);  // Wire -> None
+inline constexpr auto kUndo = static_cast<MessageType>(0x313);        // None -> HistoryEntry
+inline constexpr auto kHistory = static_cast<MessageType>(0x314);     // None -> History
+inline constexpr auto kForget = static_cast<MessageType>(0x315);      // Forget -> None
+// From the GCM.
+inline constexpr auto kChanges = static_cast<MessageType>(0x320);  // notice to a viewer: Changes
+
+/// The catalogue as changes on an empty one (Catalog::At(base)).
+struct Snapshot {
+  std::uint64_t gcm_instance = 0;
+  std::uint64_t base = 0;
+  std::vector<CatalogChange> changes;
+};
+
+/// The next changes. Where they do not follow what the viewer has, it read too slowly: it asks for
+/// kWatch again.
+struct Changes {
+  std::vector<CatalogChange> changes;
+};
+
+/// A tombstone to be removed.
+struct Forget {
+  std::string process;
+};
+
+/// One step that was made, and can be unmade.
+struct HistoryEntry {
+  std::uint64_t id = 0;
+  std::string verb;  ///< "connect" or "disconnect"
+  Wire wire;
+  std::string who;        ///< the program that asked: "gcm connect", "gcm-gui"
+  std::int64_t when = 0;  ///< ns since 1970
+  bool undone = false;
+
+  bool operator==(const HistoryEntry&) const = default;
+};
+
+struct History {
+  std::vector<HistoryEntry> entries;  ///< oldest first
+};
+
+}  // namespace tendon::message
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::Snapshot> = tendon::Describe(
+    "tendon.Snapshot", tendon::Field{"gcm_instance", &tendon::message::Snapshot::gcm_instance},
+    tendon::Field{"base", &tendon::message::Snapshot::base},
+    tendon::Field{"changes", &tendon::message::Snapshot::changes});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::Changes> = tendon::Describe(
+    "tendon.Changes", tendon::Field{"changes", &tendon::message::Changes::changes});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::Forget> =
+    tendon::Describe("tendon.Forget", tendon::Field{"process", &tendon::message::Forget::process});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::HistoryEntry> =
+    tendon::Describe("tendon.HistoryEntry", tendon::Field{"id", &tendon::message::HistoryEntry::id},
+                     tendon::Field{"verb", &tendon::message::HistoryEntry::verb},
+                     tendon::Field{"wire", &tendon::message::HistoryEntry::wire},
+                     tendon::Field{"who", &tendon::message::HistoryEntry::who},
+                     tendon::Field{"when", &tendon::message::HistoryEntry::when, "ns"},
+                     tendon::Field{"undone", &tendon::message::HistoryEntry::undone});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::History> = tendon::Describe(
+    "tendon.History", tendon::Field{"entries", &tendon::message::History::entries});

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <tendon/gcm/history.h>
+#include <tendon/gcm/server/outbox.h>
+#include <tendon/gcm/server/registry.h>
+#include <tendon/middleware/body.h>
+#include <tendon/process/worker.h>
+
+#include <chrono>
+#include <functional>
+#include <set>
+#include <string>
+
+namespace tendon::server {
+
+/// Connects and disconnects: checks a request against the catalogue, gives the order to the
+/// required side's LCM, and keeps in the history what was done. Nobody waits in a thread; what
+/// fails changes nothing. All functions are called under the lock of the owner; `done` is called
+/// once, without.
+class Orders {
+ public:
+  /// Calls its argument under the owner's lock, with the Orders; not at all once the owner is gone.
+  /// What the argument adds to the outbox is sent afterwards.
+  using Locked = std::function<void(const std::function<void(Orders&)>&)>;
+  template <typename T>
+  using Done = std::function<void(Result<T>)>;
+  using ConnectDone = Done<ConnectionDescription>;
+
+  struct Parts {
+    Registry& registry;
+    History& history;
+    Outbox& outbox;
+    Worker& worker;  ///< writes the history and watches over deadlines
+  };
+  Orders(Parts parts, Locked locked, std::chrono::milliseconds timeout);
+
+  /// `who` asked for it.
+  void Connect(const message::Wire& wire, const std::string& who, ConnectDone done);
+  void Disconnect(const InterfaceName& required, const std::string& who, Done<None> done);
+  void Undo(Done<message::HistoryEntry> done);
+
+  /// A connection which a returned process had before. Not a step in the history.
+  void HandBack(const message::Wire& wire);
+
+ private:
+  template <typename T>
+  void Answer(Done<T> done, Result<T> result);
+  template <typename T, Message Body>
+  void Give(MessageType type, const InterfaceName& required, const Body& body, Done<T> done);
+  template <typename T>
+  void Record(const std::string& verb, const message::Wire& wire, const std::string& who, T answer,
+              Done<T> done);
+
+  /// Orders without a trace in the history.
+  void Make(const message::Wire& wire, ConnectDone done);
+  void Break(const InterfaceName& required, ConnectDone done);
+
+  [[nodiscard]] Result<void> CheckUndo(const message::HistoryEntry& step) const;
+  void FinishUndo(message::HistoryEntry step, const Result<ConnectionDescription>& outcome,
+                  Done<message::HistoryEntry> done);
+
+  Parts parts_;
+  const Locked locked_;
+  const std::chrono::milliseconds timeout_;
+  std::set<InterfaceName> busy_;  // required interfaces with an order on its way
+};
+
+}  // namespace tendon::server

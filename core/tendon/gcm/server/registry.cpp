@@ -1,0 +1,282 @@
+#include <tendon/base/os/process.h>
+#include <tendon/gcm/lookup.h>
+#include <tendon/gcm/server/intake.h>
+#include <tendon/gcm/server/registry.h>
+#include <tendon/gcm/text/wall_time.h>
+
+#include <algorithm>
+
+namespace tendon::server {
+namespace {
+
+using Kind = CatalogChange::Kind;
+
+std::string Milliseconds(std::chrono::nanoseconds time) {
+  return std::to_string(std::chrono::duration_cast<std::chrono::milliseconds>(time).count()) +
+         " ms";
+}
+
+/// Whether the catalogue has this already: what changes nothing gets no revision.
+bool ChangesNothing(const CatalogChange& change, const ProcessEntry* entry) {
+  if (entry == nullptr) return false;
+  switch (change.kind) {
+    case Kind::kProcess:
+      return entry->process == change.processes.front();
+    case Kind::kComponent: {
+      const auto found = entry->components.find(change.components.front().name);
+      return found != entry->components.end() && found->second == change.components.front();
+    }
+    case Kind::kConnection: {
+      const auto found = entry->connections.find(change.connections.front().id);
+      return found != entry->connections.end() && found->second == change.connections.front();
+    }
+    case Kind::kComponentRemoved:
+      return !entry->components.contains(change.component);
+    case Kind::kConnectionRemoved:
+      return !entry->connections.contains(change.connection);
+    case Kind::kProcessRemoved:
+      return false;
+  }
+  return false;
+}
+
+/// What the process must not have any more after it joined with `join`.
+std::vector<CatalogChange> Removals(const ProcessEntry& before, const message::Join& join) {
+  std::vector<CatalogChange> changes;
+  for (const auto& [id, connection] : before.connections) {
+    const bool stays = std::any_of(join.connections.begin(), join.connections.end(),
+                                   [&](const auto& one) { return one.id == id; });
+    if (stays) continue;
+    changes.push_back(
+        {.kind = Kind::kConnectionRemoved, .process = join.process.name, .connection = id});
+  }
+  for (const auto& [name, component] : before.components) {
+    const bool stays = std::any_of(join.components.begin(), join.components.end(),
+                                   [&](const auto& one) { return one.name == name; });
+    if (stays) continue;
+    changes.push_back(
+        {.kind = Kind::kComponentRemoved, .process = join.process.name, .component = name});
+  }
+  return changes;
+}
+
+}  // namespace
+
+Result<Registry::Admission> Registry::Join(message::Join join, Session held,
+                                           std::shared_ptr<Channel> channel) {
+  if (auto taken = TakeIn(join); !taken) return taken.error();
+  Admission admission;
+  if (const Member* holder = FindByName(join.process.name)) {
+    if (holder->session != held || holder->instance != join.process.instance) {
+      return NameInUse(*holder);
+    }
+    admission.replaced = holder->channel;
+    members_.erase(held);
+  }
+  do {
+    admission.session = os::RandomNumber();
+  } while (admission.session == 0 || members_.contains(admission.session));
+  const std::int64_t now = WallTime();
+  members_[admission.session] = {join.process.name,  join.process.instance, admission.session,
+                                 std::move(channel), clock_.Now(),          now};
+  tombstones_.erase(join.process.name);
+  Enter(join, now);
+  return admission;
+}
+
+/// Replaces what is known of the process by what it says.
+void Registry::Enter(const message::Join& join, std::int64_t now) {
+  const std::string& name = join.process.name;
+  ProcessDescription process = join.process;
+  process.state = ProcessState::kAlive;
+  process.reason.clear();
+  process.since = now;
+  // A process that never stopped knows its connections itself; a new one is given the old one's.
+  const ProcessEntry* before = catalog_.FindProcess(name);
+  if (before != nullptr && before->process.instance == process.instance) hand_backs_.Drop(name);
+  Apply({.kind = Kind::kProcess, .process = name, .processes = {process}});
+  for (CatalogChange& change : Removals(*catalog_.FindProcess(name), join)) {
+    Apply(std::move(change));
+  }
+  for (const auto& component : join.components) {
+    Apply({.kind = Kind::kComponent, .process = name, .components = {component}});
+  }
+  for (const auto& connection : join.connections) {
+    Apply({.kind = Kind::kConnection, .process = name, .connections = {connection}});
+  }
+}
+
+Result<void> Registry::Report(Session session, message::Report report) {
+  const Member* member = Find(session);
+  if (member == nullptr) return Error{ErrorCode::kDenied, "a report of a membership that is over"};
+  Result<void> result;
+  for (CatalogChange& change : report.changes) {
+    if (auto taken = TakeIn(change, member->name); !taken) {
+      if (result) result = taken;
+      continue;
+    }
+    if (change.kind == Kind::kProcess) {
+      ProcessDescription process = catalog_.FindProcess(member->name)->process;
+      process.address = change.processes.front().address;
+      process.host = change.processes.front().host;
+      process.pid = change.processes.front().pid;
+      change.processes.front() = process;
+    }
+    Apply(std::move(change));
+  }
+  return result;
+}
+
+Result<void> Registry::Renew(Session session) {
+  Member* member = Find(session);
+  if (member == nullptr) {
+    return Error{ErrorCode::kDenied, "this membership is over: join the GCM again"};
+  }
+  member->renewed = clock_.Now();
+  if (catalog_.FindProcess(member->name)->process.state == ProcessState::kSuspect) {
+    SetState(member->name, ProcessState::kAlive, {});
+  }
+  return {};
+}
+
+void Registry::End(Session session, ProcessState state, const std::string& reason) {
+  const auto found = members_.find(session);
+  if (found == members_.end()) return;
+  const std::string name = found->second.name;
+  members_.erase(found);
+  hand_backs_.Keep(catalog_, name);
+  tombstones_[name] = clock_.Now();
+  SetState(name, state, reason);
+  SuspendConnections(name);
+}
+
+Result<void> Registry::Forget(const std::string& process) {
+  const auto entry = LookUpProcess(catalog_, process);
+  if (!entry) return entry.error();
+  if (FindByName(process) != nullptr) {
+    return Error{ErrorCode::kFailed,
+                 "process '" + process + "' is there; only one that is gone can be forgotten"};
+  }
+  Remove(process);
+  return {};
+}
+
+std::vector<std::shared_ptr<Channel>> Registry::Tick() {
+  const SteadyTime now = clock_.Now();
+  Forgive(now);
+  std::vector<std::pair<Session, std::chrono::nanoseconds>> given_up;
+  for (const auto& [session, member] : members_) {
+    const auto silence = now - member.renewed;
+    if (silence >= leases_.lost_after) {
+      given_up.emplace_back(session, silence);
+    } else if (silence >= leases_.suspect_after) {
+      SetState(member.name, ProcessState::kSuspect, "has not renewed its lease");
+    }
+  }
+  std::vector<std::shared_ptr<Channel>> channels;
+  for (const auto& [session, silence] : given_up) {
+    channels.push_back(members_.at(session).channel);
+    End(session, ProcessState::kLost, "no renewal of its lease for " + Milliseconds(silence));
+  }
+  ClearTombstones(now);
+  return channels;
+}
+
+/// When this process itself stood still, nobody else is to blame: their renewals wait to be read.
+void Registry::Forgive(SteadyTime now) {
+  constexpr std::chrono::milliseconds kUsual(250);
+  const auto pause = now - std::exchange(last_tick_, now);
+  if (pause < 2 * kUsual) return;
+  for (auto& [session, member] : members_) {
+    member.renewed = std::min(now, member.renewed + (pause - kUsual));
+  }
+}
+
+void Registry::ClearTombstones(SteadyTime now) {
+  std::vector<std::string> old;
+  for (const auto& [name, since] : tombstones_) {
+    if (now - since >= leases_.tombstone_for) old.push_back(name);
+  }
+  for (const std::string& name : old) Remove(name);
+}
+
+std::shared_ptr<Channel> Registry::ChannelOf(const std::string& process) const {
+  const Member* member = FindByName(process);
+  return member == nullptr ? nullptr : member->channel;
+}
+
+std::vector<std::shared_ptr<Channel>> Registry::channels() const {
+  std::vector<std::shared_ptr<Channel>> channels;
+  for (const auto& [session, member] : members_) channels.push_back(member.channel);
+  return channels;
+}
+
+message::Peers Registry::peers() const {
+  message::Peers peers;
+  for (const auto& [name, entry] : catalog_.processes()) {
+    if (IsPresent(entry.process)) peers.processes.push_back(entry.process);
+  }
+  return peers;
+}
+
+std::vector<message::Wire> Registry::TakeDueHandBacks() {
+  if (!std::exchange(look_for_hand_backs_, false)) return {};
+  return hand_backs_.TakeDue(catalog_);
+}
+
+Registry::Member* Registry::Find(Session session) {
+  const auto found = members_.find(session);
+  return found == members_.end() ? nullptr : &found->second;
+}
+
+const Registry::Member* Registry::FindByName(const std::string& name) const {
+  for (const auto& [session, member] : members_) {
+    if (member.name == name) return &member;
+  }
+  return nullptr;
+}
+
+Error Registry::NameInUse(const Member& member) const {
+  const ProcessDescription& process = catalog_.FindProcess(member.name)->process;
+  return {ErrorCode::kExists, "process name '" + member.name + "' is in use by host " +
+                                  process.host + " pid " + std::to_string(process.pid) + " since " +
+                                  WallTimeText(member.joined) + " (last renewal " +
+                                  Milliseconds(clock_.Now() - member.renewed) +
+                                  " ago); choose another name, or stop that process first"};
+}
+
+void Registry::Apply(CatalogChange change) {
+  if (ChangesNothing(change, catalog_.FindProcess(change.process))) return;
+  change.revision = catalog_.revision() + 1;
+  if (!catalog_.Apply(change)) return;
+  look_for_hand_backs_ =
+      look_for_hand_backs_ || change.kind == Kind::kProcess || change.kind == Kind::kComponent;
+  changes_.push_back(std::move(change));
+}
+
+void Registry::SetState(const std::string& process, ProcessState state, const std::string& reason) {
+  ProcessDescription description = catalog_.FindProcess(process)->process;
+  if (description.state == state) return;
+  description.state = state;
+  description.reason = reason;
+  description.since = WallTime();
+  Apply({.kind = Kind::kProcess, .process = process, .processes = {description}});
+}
+
+/// A tombstone's connections are wanted, but not there.
+void Registry::SuspendConnections(const std::string& process) {
+  const auto connections = catalog_.FindProcess(process)->connections;
+  for (auto [id, connection] : connections) {
+    connection.state = ConnectionState::kPending;
+    connection.reason = "process '" + process + "' is gone";
+    Apply({.kind = Kind::kConnection, .process = process, .connections = {connection}});
+  }
+}
+
+void Registry::Remove(const std::string& process) {
+  tombstones_.erase(process);
+  hand_backs_.Drop(process);
+  Apply({.kind = Kind::kProcessRemoved, .process = process});
+}
+
+}  // namespace tendon::server

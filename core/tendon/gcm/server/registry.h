@@ -1,0 +1,103 @@
+#pragma once
+
+#include <tendon/base/clock.h>
+#include <tendon/gcm/catalog.h>
+#include <tendon/gcm/server/hand_backs.h>
+#include <tendon/process/membership_messages.h>
+
+#include <chrono>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tendon {
+class Channel;
+}
+
+namespace tendon::server {
+
+/// When a member that does not renew its lease is suspected and given up, and when a tombstone is
+/// cleared away.
+struct Leases {
+  std::chrono::milliseconds suspect_after{750};
+  std::chrono::milliseconds lost_after{1500};
+  std::chrono::hours tombstone_for{24};
+};
+
+/// A membership that has ended, or the token of one that has begun.
+using Session = std::uint64_t;
+
+/// Who is a member under which name, and the catalogue that follows from what members say. A name
+/// has at most one member; the membership is proven by its session, a number that nobody can guess.
+/// Only decides: sending and closing are left to the caller. Not thread-safe.
+class Registry {
+ public:
+  Registry(Leases leases, const Clock& clock) : leases_(leases), clock_(clock) {}
+
+  struct Admission {
+    Session session = 0;
+    std::shared_ptr<Channel> replaced;  ///< of the same process' last membership; may be null
+  };
+  /// Errors: kInvalid; kExists, with who holds the name. `held` is the session that the newcomer
+  /// brings along: one of its own may be taken over.
+  Result<Admission> Join(message::Join join, Session held, std::shared_ptr<Channel> channel);
+
+  /// Steps that make no sense are left out; the error names the first.
+  Result<void> Report(Session session, message::Report report);
+  /// kDenied when the membership is over.
+  Result<void> Renew(Session session);
+  /// The process becomes a tombstone. Nothing happens when the membership is over.
+  void End(Session session, ProcessState state, const std::string& reason);
+  /// Removes a tombstone; kNotFound, or kFailed for a process that is there.
+  Result<void> Forget(const std::string& process);
+
+  /// Judges the leases; to be called often. The channels of the members that were given up, to be
+  /// closed.
+  std::vector<std::shared_ptr<Channel>> Tick();
+
+  [[nodiscard]] const Catalog& catalog() const { return catalog_; }
+  /// Of a member, else null.
+  [[nodiscard]] std::shared_ptr<Channel> ChannelOf(const std::string& process) const;
+  [[nodiscard]] std::vector<std::shared_ptr<Channel>> channels() const;
+  [[nodiscard]] message::Peers peers() const;
+
+  /// What happened since it was last asked.
+  [[nodiscard]] std::vector<CatalogChange> TakeChanges() { return std::exchange(changes_, {}); }
+  [[nodiscard]] std::vector<message::Wire> TakeDueHandBacks();
+
+ private:
+  struct Member {
+    std::string name;
+    std::uint64_t instance = 0;
+    Session session = 0;
+    std::shared_ptr<Channel> channel;
+    SteadyTime renewed;
+    std::int64_t joined = 0;  // ns since 1970
+  };
+
+  Member* Find(Session session);
+  [[nodiscard]] const Member* FindByName(const std::string& name) const;
+  [[nodiscard]] Error NameInUse(const Member& member) const;
+  void Enter(const message::Join& join, std::int64_t now);
+  void Apply(CatalogChange change);
+  void SetState(const std::string& process, ProcessState state, const std::string& reason);
+  void SuspendConnections(const std::string& process);
+  void Forgive(SteadyTime now);
+  void ClearTombstones(SteadyTime now);
+  void Remove(const std::string& process);
+
+  const Leases leases_;
+  const Clock& clock_;
+  Catalog catalog_;
+  std::map<Session, Member> members_;
+  std::map<std::string, SteadyTime> tombstones_;  // since when
+  HandBacks hand_backs_;
+  bool look_for_hand_backs_ = false;
+  std::vector<CatalogChange> changes_;
+  SteadyTime last_tick_ = clock_.Now();
+};
+
+}  // namespace tendon::server

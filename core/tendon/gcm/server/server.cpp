@@ -1,0 +1,278 @@
+#include <tendon/base/log.h>
+#include <tendon/gcm/server/server.h>
+#include <tendon/gcm/text/printable.h>
+
+#include <map>
+#include <string_view>
+#include <utility>
+
+namespace tendon::server {
+namespace {
+
+constexpr std::chrono::milliseconds kTick(100);
+
+std::string_view Words(ProcessState state) {
+  switch (state) {
+    case ProcessState::kAlive:
+      return "is there";
+    case ProcessState::kSuspect:
+      return "is suspect";
+    case ProcessState::kLost:
+      return "is lost";
+    case ProcessState::kLeft:
+      return "has left";
+  }
+  return "?";
+}
+
+/// A line for what a person wants to know: processes that come and go.
+void LogProcesses(const std::vector<CatalogChange>& changes) {
+  for (const CatalogChange& change : changes) {
+    if (change.kind != CatalogChange::Kind::kProcess) continue;
+    const ProcessDescription& process = change.processes.front();
+    const bool well = process.state == ProcessState::kAlive || process.state == ProcessState::kLeft;
+    const std::string reason = process.reason.empty() ? "" : ": " + process.reason;
+    Log(well ? LogLevel::kInfo : LogLevel::kWarning, "gcm",
+        "process '" + process.name + "' " + std::string(Words(process.state)) + reason);
+  }
+}
+
+bool ChangesProcesses(const std::vector<CatalogChange>& changes) {
+  for (const CatalogChange& change : changes) {
+    if (change.kind == CatalogChange::Kind::kProcess) return true;
+  }
+  return false;
+}
+
+/// What the program at the other end calls itself.
+std::string NameOf(const Channel& channel) { return Printable(channel.peer().name, 64); }
+
+/// Answers whatever the result is of.
+auto AnswerOf(const std::shared_ptr<Responder>& responder) {
+  return [responder](const auto& result) { responder->Answer(result); };
+}
+
+}  // namespace
+
+/// One channel, of an LCM or a viewer.
+class Server::Peer final : public ChannelHandler {
+ public:
+  explicit Peer(std::shared_ptr<Server> server) : server_(std::move(server)) {}
+
+  void OnRequest(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
+                 std::span<const std::byte> body, Responder responder) override {
+    if (const Serve serve = ServeOf(header.type)) {
+      const auto shared = std::make_shared<Responder>(std::move(responder));
+      return ((*server_).*serve)({*this, channel, body, shared});
+    }
+    responder.Refuse({ErrorCode::kInvalid, "a GCM does not understand message " +
+                                               std::to_string(static_cast<unsigned>(header.type))});
+  }
+
+  void OnNotice(const std::shared_ptr<Channel>& /*channel*/, const FrameHeader& header,
+                std::span<const std::byte> body) override {
+    if (header.type == message::kReport) server_->Report(*this, body);
+  }
+
+  void OnClosed(const std::shared_ptr<Channel>& channel, const Error& reason) override {
+    server_->Closed(*this, channel, reason);
+  }
+
+  Session session = 0;  // under the server's lock; 0: not a member
+
+ private:
+  const std::shared_ptr<Server> server_;
+};
+
+Server::Server(Options options)
+    : options_(std::move(options)),
+      history_(options_.history),
+      registry_(options_.leases, *options_.clock) {}
+
+void Server::Start() {
+  orders_ = std::make_unique<Orders>(
+      Orders::Parts{registry_, history_, outbox_, worker_},
+      [weak = weak_from_this()](const std::function<void(Orders&)>& action) {
+        if (const auto self = weak.lock()) self->Locked([&] { action(*self->orders_); });
+      },
+      options_.order_timeout);
+  KeepTicking();
+}
+
+void Server::Stop() {
+  {
+    const std::scoped_lock lock(mutex_);
+    stopped_ = true;
+  }
+  worker_.Stop();
+}
+
+std::shared_ptr<ChannelHandler> Server::MakeHandler() {
+  return std::make_shared<Peer>(shared_from_this());
+}
+
+Catalog Server::catalog() const {
+  const std::scoped_lock lock(mutex_);
+  return registry_.catalog();
+}
+
+void Server::Tick() {
+  Locked([this] {
+    for (const auto& channel : registry_.Tick()) {
+      outbox_.Add([channel] { channel->Close(); });
+    }
+    if (std::exchange(peers_owed_, false)) SendPeers();
+    outbox_.Add([this] { watchers_.Pump(); });
+  });
+}
+
+void Server::KeepTicking() {
+  Tick();
+  worker_.PostAfter(kTick, [this] { KeepTicking(); });
+}
+
+/// Decides under the lock, then publishes and sends what follows from it.
+template <typename Action>
+void Server::Locked(Action&& action) {
+  {
+    const std::scoped_lock lock(mutex_);
+    if (stopped_) return;
+    action();
+    Publish();
+  }
+  outbox_.Flush();
+}
+
+void Server::Publish() {
+  if (auto changes = registry_.TakeChanges(); !changes.empty()) {
+    if (ChangesProcesses(changes)) SendPeers();
+    outbox_.Add([this, changes = std::move(changes)] {
+      watchers_.Publish(changes);
+      LogProcesses(changes);
+    });
+  }
+  for (const message::Wire& wire : registry_.TakeDueHandBacks()) orders_->HandBack(wire);
+}
+
+void Server::SendPeers() {
+  const auto body = std::make_shared<const Bytes>(EncodeBody(registry_.peers()));
+  for (const auto& channel : registry_.channels()) {
+    outbox_.Add([this, channel, body] {
+      const Status status = channel->Notify(message::kPeers, 0, *body);
+      if (status.code() != Status::kQueueFull) return;
+      const std::scoped_lock lock(mutex_);
+      peers_owed_ = true;
+    });
+  }
+}
+
+/// Under the lock.
+template <typename T>
+void Server::Answer(const Request& request, Result<T> result) {
+  outbox_.Add(
+      [responder = request.responder, result = std::move(result)] { responder->Answer(result); });
+}
+
+Server::Serve Server::ServeOf(MessageType type) {
+  static const std::map<MessageType, Serve> kServes = {
+      {message::kJoin, &Server::Join},       {message::kRenew, &Server::Renew},
+      {message::kLeave, &Server::Leave},     {message::kWatch, &Server::Watch},
+      {message::kConnect, &Server::Connect}, {message::kDisconnect, &Server::Disconnect},
+      {message::kUndo, &Server::Undo},       {message::kHistory, &Server::Tell},
+      {message::kForget, &Server::Forget}};
+  const auto found = kServes.find(type);
+  return found == kServes.end() ? nullptr : found->second;
+}
+
+void Server::Join(const Request& request) {
+  auto join = DecodeBody<message::Join>(request.body);
+  if (!join) return request.responder->Refuse(join.error());
+  Locked([&] {
+    Session& session = request.peer.session;
+    if (session != 0) {
+      return Answer<message::Joined>(request,
+                                     Error{ErrorCode::kInvalid, "this channel has joined already"});
+    }
+    auto admission =
+        registry_.Join(*std::move(join), request.channel->peer().session, request.channel);
+    if (!admission) return Answer<message::Joined>(request, admission.error());
+    session = admission->session;
+    if (admission->replaced) outbox_.Add([old = admission->replaced] { old->Close(); });
+    Answer(request, Result(message::Joined{options_.instance, session}));
+  });
+}
+
+/// Of a lease; from a viewer it is only the question whether we live.
+void Server::Renew(const Request& request) {
+  Locked([&] {
+    const Session session = request.peer.session;
+    Answer(request, session == 0 ? Result<void>() : registry_.Renew(session));
+  });
+}
+
+void Server::Leave(const Request& request) {
+  Locked([&] {
+    registry_.End(std::exchange(request.peer.session, 0), ProcessState::kLeft, "said good-bye");
+    Answer(request, Result<void>());
+  });
+}
+
+void Server::Watch(const Request& request) {
+  Locked([&] {
+    const Catalog& catalog = registry_.catalog();
+    message::Snapshot snapshot{.gcm_instance = options_.instance, .changes = catalog.AsChanges()};
+    snapshot.base = catalog.revision() - snapshot.changes.size();
+    Answer(request, Result(std::move(snapshot)));
+    outbox_.Add([this, channel = request.channel, revision = catalog.revision()] {
+      if (channel->is_open()) watchers_.Add(channel, revision);
+    });
+  });
+}
+
+void Server::Connect(const Request& request) {
+  const auto wire = DecodeBody<message::Wire>(request.body);
+  if (!wire) return request.responder->Refuse(wire.error());
+  Locked([&] { orders_->Connect(*wire, NameOf(*request.channel), AnswerOf(request.responder)); });
+}
+
+void Server::Disconnect(const Request& request) {
+  const auto wire = DecodeBody<message::Wire>(request.body);
+  if (!wire) return request.responder->Refuse(wire.error());
+  Locked([&] {
+    orders_->Disconnect(wire->required, NameOf(*request.channel), AnswerOf(request.responder));
+  });
+}
+
+void Server::Undo(const Request& request) {
+  Locked([&] { orders_->Undo(AnswerOf(request.responder)); });
+}
+
+void Server::Tell(const Request& request) { request.responder->Answer(Result(history_.steps())); }
+
+void Server::Forget(const Request& request) {
+  const auto forget = DecodeBody<message::Forget>(request.body);
+  if (!forget) return request.responder->Refuse(forget.error());
+  Locked([&] { Answer(request, registry_.Forget(forget->process)); });
+}
+
+void Server::Report(const Peer& peer, std::span<const std::byte> body) {
+  auto report = DecodeBody<message::Report>(body);
+  Locked([&] {
+    const auto reported =
+        report ? registry_.Report(peer.session, *std::move(report)) : Result<void>(report.error());
+    if (reported) return;
+    outbox_.Add([text = reported.error().message] {
+      Log(LogLevel::kWarning, "gcm", "a report was not understood: " + text);
+    });
+  });
+}
+
+void Server::Closed(Peer& peer, const SharedChannel& channel, const Error& reason) {
+  Locked([&] {
+    registry_.End(std::exchange(peer.session, 0), ProcessState::kLost,
+                  "its connection broke: " + Printable(reason.message, 256));
+    outbox_.Add([this, key = channel.get()] { watchers_.Remove(key); });
+  });
+}
+
+}  // namespace tendon::server

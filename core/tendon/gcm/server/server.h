@@ -1,0 +1,91 @@
+#pragma once
+
+#include <tendon/gcm/server/orders.h>
+#include <tendon/gcm/server/outbox.h>
+#include <tendon/gcm/server/registry.h>
+#include <tendon/gcm/server/watchers.h>
+#include <tendon/middleware/channel.h>
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace tendon::server {
+
+/// A GCM behind its door: hears the channels of LCMs and viewers. One mutex guards what is known;
+/// under it is only decided. Sending, answering and logging follow from the outbox, files from the
+/// worker. Thread-safe.
+class Server final : public std::enable_shared_from_this<Server> {
+ public:
+  struct Options {
+    std::filesystem::path history;
+    Leases leases;
+    const Clock* clock = nullptr;
+    std::chrono::milliseconds order_timeout{2000};
+    std::uint64_t instance = 0;
+  };
+  explicit Server(Options options);
+
+  /// Call it once, first.
+  void Start();
+  /// Afterwards no thread of ours runs, and nothing is answered any more.
+  void Stop();
+
+  /// Of one channel.
+  std::shared_ptr<ChannelHandler> MakeHandler();
+  [[nodiscard]] Catalog catalog() const;
+  void Tick();
+
+ private:
+  class Peer;
+  using SharedChannel = std::shared_ptr<Channel>;
+  struct Request {
+    Peer& peer;
+    SharedChannel channel;
+    std::span<const std::byte> body;
+    std::shared_ptr<Responder> responder;  ///< shared, for std::function wants to be copied
+  };
+
+  template <typename Action>
+  void Locked(Action&& action);
+  void Publish();
+  void SendPeers();
+  void KeepTicking();
+  void Pump();
+
+  /// Each serves one type of request.
+  using Serve = void (Server::*)(const Request&);
+  static Serve ServeOf(MessageType type);
+  void Join(const Request& request);
+  void Renew(const Request& request);
+  void Leave(const Request& request);
+  void Watch(const Request& request);
+  void Connect(const Request& request);
+  void Disconnect(const Request& request);
+  void Undo(const Request& request);
+  void Tell(const Request& request);
+  void Forget(const Request& request);
+  void Report(const Peer& peer, std::span<const std::byte> body);
+  void Closed(Peer& peer, const SharedChannel& channel, const Error& reason);
+
+  template <typename T>
+  void Answer(const Request& request, Result<T> result);
+
+  const Options options_;
+  History history_;
+  Outbox outbox_;
+  Watchers watchers_;  // only in actions of the outbox
+  mutable std::mutex mutex_;
+  Registry registry_;
+  std::unique_ptr<Orders> orders_;
+  bool stopped_ = false;
+  bool peers_owed_ = false;
+  Worker worker_{"gcm"};
+};
+
+}  // namespace tendon::server

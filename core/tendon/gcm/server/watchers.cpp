@@ -1,0 +1,55 @@
+#include <tendon/gcm/server/watchers.h>
+
+#include <algorithm>
+
+namespace tendon::server {
+namespace {
+
+constexpr std::size_t kLogLength = 1024;
+constexpr std::size_t kMostInBatch = 256;
+
+}  // namespace
+
+void Watchers::Add(const std::shared_ptr<Channel>& channel, std::uint64_t revision) {
+  watchers_[channel.get()] = {channel, revision};
+}
+
+void Watchers::Remove(const Channel* channel) { watchers_.erase(channel); }
+
+void Watchers::Publish(const std::vector<CatalogChange>& changes) {
+  for (const CatalogChange& change : changes) {
+    log_.push_back(change);
+    newest_ = change.revision;
+    if (log_.size() > kLogLength) log_.pop_front();
+  }
+  Pump();
+}
+
+void Watchers::Pump() {
+  Batch batch;
+  for (auto& [key, watcher] : watchers_) Pump(watcher, batch);
+}
+
+void Watchers::Pump(Watcher& watcher, Batch& batch) const {
+  while (watcher.revision < newest_) {
+    if (batch.body.empty() || batch.after != watcher.revision) Fill(batch, watcher.revision);
+    if (!watcher.channel->Notify(message::kChanges, 0, batch.body)) return;
+    watcher.revision = batch.last;
+  }
+}
+
+void Watchers::Fill(Batch& batch, std::uint64_t after) const {
+  message::Changes changes;
+  if (after + 1 < log_.front().revision) {
+    changes.changes.push_back(log_.back());
+  } else {
+    const auto first =
+        log_.begin() + static_cast<std::ptrdiff_t>(after + 1 - log_.front().revision);
+    const auto left = static_cast<std::size_t>(log_.end() - first);
+    const auto count = static_cast<std::ptrdiff_t>(std::min(left, kMostInBatch));
+    changes.changes.assign(first, first + count);
+  }
+  batch = {after, changes.changes.back().revision, EncodeBody(changes)};
+}
+
+}  // namespace tendon::server

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace tendon {
+
+/// Nanoseconds since 1970, for people; may jump. Time that decides anything comes from a Clock.
+[[nodiscard]] std::int64_t WallTime();
+
+/// "2025-11-21 15:40:03", in local time.
+[[nodiscard]] std::string WallTimeText(std::int64_t nanoseconds);
+
+}  // namespace tendon

@@ -1,0 +1,161 @@
+#pragma once
+
+#include <gtest/gtest.h>
+#include <tendon/gcm/client.h>
+#include <tendon/gcm/global_manager.h>
+#include <tendon/middleware/loopback.h>
+#include <tendon/middleware/tcp.h>
+#include <tests/core/gcm/fake_process.h>
+#include <tests/core/gcm/folder.h>
+
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace tendon::test {
+
+const InterfaceName kRobot("desk", "teleoperation", "Robot");
+const InterfaceName kControl("robot", "arm", "Control");
+
+/// Keeps what a client is told.
+class Recorder : public GcmListener {
+ public:
+  void OnSnapshot(const Catalog& catalog) override {
+    const std::scoped_lock lock(mutex_);
+    catalog_ = catalog;
+    ++snapshots_;
+  }
+  void OnChanges(const std::vector<CatalogChange>& changes) override {
+    const std::scoped_lock lock(mutex_);
+    for (const CatalogChange& change : changes) {
+      if (!catalog_.Apply(change)) ++holes_;
+      changes_.push_back(change);
+    }
+  }
+  void OnGcmLost(const Error& reason) override {
+    const std::scoped_lock lock(mutex_);
+    losses_.push_back(reason);
+  }
+
+  [[nodiscard]] Catalog catalog() const {
+    const std::scoped_lock lock(mutex_);
+    return catalog_;
+  }
+  [[nodiscard]] std::vector<CatalogChange> changes() const {
+    const std::scoped_lock lock(mutex_);
+    return changes_;
+  }
+  [[nodiscard]] std::vector<Error> losses() const {
+    const std::scoped_lock lock(mutex_);
+    return losses_;
+  }
+  [[nodiscard]] int snapshots() const {
+    const std::scoped_lock lock(mutex_);
+    return snapshots_;
+  }
+  [[nodiscard]] int holes() const {
+    const std::scoped_lock lock(mutex_);
+    return holes_;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  Catalog catalog_;
+  std::vector<CatalogChange> changes_;
+  std::vector<Error> losses_;
+  int snapshots_ = 0;
+  int holes_ = 0;
+};
+
+/// A GCM, processes and clients, each with a middleware of its own, over the one of the parameter.
+class Bench : public testing::TestWithParam<std::string> {
+ protected:
+  static constexpr std::chrono::milliseconds kLong{20'000};
+
+  Bench() { StartGcm("127.0.0.1:0"); }
+
+  [[nodiscard]] std::shared_ptr<Middleware> NewMiddleware() const {
+    if (GetParam() == "tcp") return MakeTcpMiddleware(Exposure::kLoopbackOnly);
+    return std::make_shared<LoopbackMiddleware>(network_);
+  }
+
+  void StartGcm(const std::string& address) {
+    auto gcm = GlobalManager::Start(NewMiddleware(), {.address = address,
+                                                      .state_folder = folder_.path(),
+                                                      .clock = &clock_,
+                                                      .order_timeout = order_timeout_});
+    ASSERT_TRUE(gcm) << gcm.error().message;
+    gcm_ = *std::move(gcm);
+    address_ = gcm_->address();
+  }
+
+  /// A process with these components that has joined.
+  std::unique_ptr<FakeProcess> Join(const std::string& name,
+                                    const std::vector<ComponentDescription>& components) {
+    auto process = std::make_unique<FakeProcess>(NewMiddleware(), name);
+    for (const auto& component : components) process->Add(component);
+    const auto joined = process->Join(address_);
+    EXPECT_TRUE(joined) << joined.error().message;
+    return process;
+  }
+
+  /// A client that watches.
+  std::unique_ptr<GcmClient> Watch(std::shared_ptr<GcmListener> listener = nullptr,
+                                   const std::string& name = "test") {
+    auto client = std::make_unique<GcmClient>(
+        NewMiddleware(), GcmClient::Options{.name = name, .address = address_, .timeout = kLong},
+        std::move(listener));
+    const auto watching = client->WaitUntilWatching();
+    EXPECT_TRUE(watching) << watching.error().message;
+    return client;
+  }
+
+  static Result<ConnectionDescription> Connect(GcmClient& client,
+                                               const InterfaceName& required = kRobot,
+                                               const InterfaceName& provided = kControl) {
+    return Wait<ConnectionDescription>(
+        kLong, [&](auto handler) { client.Connect(required, provided, handler); });
+  }
+  static Result<void> Disconnect(GcmClient& client, const InterfaceName& required = kRobot) {
+    return Wait<void>(kLong, [&](auto handler) { client.Disconnect(required, handler); });
+  }
+  static Result<message::HistoryEntry> Undo(GcmClient& client) {
+    return Wait<message::HistoryEntry>(kLong, [&](auto handler) { client.Undo(handler); });
+  }
+  static std::vector<message::HistoryEntry> Steps(GcmClient& client) {
+    const auto history =
+        Wait<message::History>(kLong, [&](auto handler) { client.GetHistory(handler); });
+    EXPECT_TRUE(history);
+    return history ? history->entries : std::vector<message::HistoryEntry>{};
+  }
+
+  [[nodiscard]] ProcessState StateOf(const std::string& process) const {
+    const Catalog catalog = gcm_->catalog();
+    const ProcessEntry* entry = catalog.FindProcess(process);
+    EXPECT_NE(entry, nullptr) << process;
+    return entry == nullptr ? ProcessState::kLeft : entry->process.state;
+  }
+
+  /// Turns the hands as far in steps that a GCM ticks by.
+  void Pass(std::chrono::milliseconds time) {
+    constexpr std::chrono::milliseconds kStep(50);
+    for (auto passed = std::chrono::milliseconds(0); passed < time; passed += kStep) {
+      clock_.Advance(kStep);
+      gcm_->Tick();
+    }
+  }
+
+  const std::shared_ptr<LoopbackNetwork> network_ = std::make_shared<LoopbackNetwork>();
+  const Folder folder_;
+  ManualClock clock_;
+  std::chrono::milliseconds order_timeout_ = kLong;
+  std::unique_ptr<GlobalManager> gcm_;
+  std::string address_;
+};
+
+inline std::string NameOfParameter(const testing::TestParamInfo<std::string>& info) {
+  return info.param;
+}
+
+}  // namespace tendon::test

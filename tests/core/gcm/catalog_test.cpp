@@ -1,0 +1,224 @@
+#include <gtest/gtest.h>
+#include <tendon/gcm/catalog.h>
+#include <tests/core/gcm/samples.h>
+
+#include <random>
+
+namespace tendon {
+namespace {
+
+using Kind = CatalogChange::Kind;
+
+/// Draws changes that fit a catalogue as it is.
+class RandomChanges {
+ public:
+  explicit RandomChanges(std::uint32_t seed) : random_(seed) {}
+
+  CatalogChange Next(const Catalog& catalog) {
+    CatalogChange change = Draw(catalog);
+    change.revision = catalog.revision() + 1;
+    return change;
+  }
+
+ private:
+  std::uint64_t Below(std::uint64_t limit) { return random_() % limit; }
+  std::string Name(const std::string& stem) { return stem + std::to_string(Below(4)); }
+
+  CatalogChange ProcessChange() {
+    auto process = test::ProcessNamed(Name("process"), Below(2));
+    process.state = static_cast<ProcessState>(Below(4));
+    return {.kind = Kind::kProcess, .process = process.name, .processes = {process}};
+  }
+
+  CatalogChange Draw(const Catalog& catalog) {
+    if (catalog.processes().empty()) return ProcessChange();
+    auto chosen = catalog.processes().begin();
+    std::advance(chosen, Below(catalog.processes().size()));
+    const auto& [name, entry] = *chosen;
+    switch (Below(8)) {
+      case 0:
+        return ProcessChange();
+      case 1:
+        if (Below(4) == 0) return {.kind = Kind::kProcessRemoved, .process = name};
+        break;
+      case 2:
+        if (entry.components.empty()) break;
+        return {.kind = Kind::kComponentRemoved,
+                .process = name,
+                .component = entry.components.begin()->first};
+      case 3:
+        if (entry.connections.empty()) break;
+        return {.kind = Kind::kConnectionRemoved,
+                .process = name,
+                .connection = entry.connections.begin()->first};
+      case 4:
+      case 5: {
+        ConnectionDescription connection{.id = Below(5),
+                                         .required = {name, Name("component"), "Robot"},
+                                         .provided = {Name("process"), "arm", "Control"},
+                                         .state = static_cast<ConnectionState>(Below(3))};
+        return {.kind = Kind::kConnection, .process = name, .connections = {connection}};
+      }
+      default:
+        break;
+    }
+    return {.kind = Kind::kComponent,
+            .process = name,
+            .components = {Below(2) == 0 ? test::Arm(Name("component"))
+                                         : test::Teleoperation(Name("component"))}};
+  }
+
+  std::mt19937 random_;
+};
+
+Catalog RandomCatalog(std::uint32_t seed) {
+  Catalog catalog;
+  RandomChanges changes(seed);
+  for (int i = 0; i < 200; ++i) EXPECT_TRUE(catalog.Apply(changes.Next(catalog)));
+  return catalog;
+}
+
+TEST(Catalog, ACopyFedByTheChangesEqualsTheOriginal) {
+  for (std::uint32_t seed = 0; seed < 50; ++seed) {
+    RandomChanges changes(seed);
+    Catalog original;
+    Catalog copy;
+    for (int i = 0; i < 200; ++i) {
+      const CatalogChange change = changes.Next(original);
+      ASSERT_TRUE(original.Apply(change));
+      ASSERT_TRUE(copy.Apply(change));
+      ASSERT_EQ(original, copy) << "seed " << seed << ", change " << i;
+    }
+    EXPECT_EQ(original.ContentHash(), copy.ContentHash());
+  }
+}
+
+TEST(Catalog, ASnapshotAsChangesBuildsTheSameCatalogue) {
+  for (std::uint32_t seed = 0; seed < 50; ++seed) {
+    const Catalog original = RandomCatalog(seed);
+
+    const auto changes = original.AsChanges();
+    Catalog built = Catalog::At(original.revision() - changes.size());
+    for (const CatalogChange& change : changes) ASSERT_TRUE(built.Apply(change));
+
+    EXPECT_EQ(original, built) << "seed " << seed;
+  }
+}
+
+TEST(Catalog, AChangeOfAnotherRevisionThanTheNextIsRefusedAndChangesNothing) {
+  Catalog catalog = RandomCatalog(1);
+  const Catalog before = catalog;
+  RandomChanges changes(2);
+  for (const int distance : {-1, 0, 2, 100}) {
+    CatalogChange change = changes.Next(catalog);
+    change.revision = catalog.revision() + static_cast<std::uint64_t>(distance);
+
+    EXPECT_FALSE(catalog.Apply(change));
+    EXPECT_EQ(catalog, before);
+  }
+}
+
+TEST(Catalog, AChangeThatMakesNoSenseIsRefusedAndChangesNothing) {
+  Catalog catalog;
+  const Catalog before = catalog;
+  const std::vector<CatalogChange> changes = {
+      {.revision = 1, .kind = Kind::kProcess, .process = "robot"},
+      {.revision = 1,
+       .kind = Kind::kProcess,
+       .process = "robot",
+       .processes = {test::ProcessNamed("desk", 1)}},
+      {.revision = 1, .kind = Kind::kProcessRemoved, .process = "robot"},
+      {.revision = 1, .kind = Kind::kComponent, .process = "robot", .components = {test::Arm()}}};
+  for (const CatalogChange& change : changes) {
+    EXPECT_FALSE(catalog.Apply(change));
+    EXPECT_EQ(catalog, before);
+  }
+}
+
+TEST(Catalog, ANewInstanceOfAProcessBeginsEmpty) {
+  Catalog catalog;
+  const auto apply = [&](CatalogChange change) {
+    change.revision = catalog.revision() + 1;
+    ASSERT_TRUE(catalog.Apply(change));
+  };
+  apply(
+      {.kind = Kind::kProcess, .process = "robot", .processes = {test::ProcessNamed("robot", 1)}});
+  apply({.kind = Kind::kComponent, .process = "robot", .components = {test::Arm()}});
+  apply(
+      {.kind = Kind::kProcess, .process = "robot", .processes = {test::ProcessNamed("robot", 1)}});
+  ASSERT_NE(catalog.FindComponent("robot", "arm"), nullptr);
+
+  apply(
+      {.kind = Kind::kProcess, .process = "robot", .processes = {test::ProcessNamed("robot", 2)}});
+
+  EXPECT_EQ(catalog.FindComponent("robot", "arm"), nullptr);
+}
+
+/// A process with an arm and a connection, all numbers shifted by `offset`.
+Catalog System(std::uint64_t offset) {
+  Catalog catalog = Catalog::At(offset);
+  auto process = test::ProcessNamed("desk", offset);
+  process.since = static_cast<std::int64_t>(offset);
+  process.reason = std::string(offset, 'x');
+  const ConnectionDescription connection{.id = offset,
+                                         .required = {"desk", "teleoperation", "Robot"},
+                                         .provided = {"robot", "arm", "Control"},
+                                         .reason = std::string(offset, 'y')};
+  EXPECT_TRUE(catalog.Apply(
+      {.revision = offset + 1, .kind = Kind::kProcess, .process = "desk", .processes = {process}}));
+  EXPECT_TRUE(catalog.Apply({.revision = offset + 2,
+                             .kind = Kind::kComponent,
+                             .process = "desk",
+                             .components = {test::Teleoperation()}}));
+  EXPECT_TRUE(catalog.Apply({.revision = offset + 3,
+                             .kind = Kind::kConnection,
+                             .process = "desk",
+                             .connections = {connection}}));
+  return catalog;
+}
+
+TEST(Catalog, TheContentHashIgnoresWhatDiffersAtEachStart) {
+  EXPECT_NE(System(1), System(7));
+  EXPECT_EQ(System(1).ContentHash(), System(7).ContentHash());
+}
+
+TEST(Catalog, TheContentHashSeesEachKindOfContent) {
+  const Catalog catalog = System(1);
+  const auto changed = [&](CatalogChange change) {
+    Catalog other = catalog;
+    change.revision = other.revision() + 1;
+    change.process = "desk";
+    EXPECT_TRUE(other.Apply(change));
+    return other.ContentHash();
+  };
+  auto process = catalog.FindProcess("desk")->process;
+  process.state = ProcessState::kSuspect;
+  auto component = test::Teleoperation();
+  component.state = ComponentState::kFaulted;
+  auto connection = catalog.connections().front();
+  connection.state = ConnectionState::kFailed;
+
+  const Fingerprint before = catalog.ContentHash();
+  EXPECT_NE(changed({.kind = Kind::kProcess, .processes = {process}}), before);
+  EXPECT_NE(changed({.kind = Kind::kComponent, .components = {component}}), before);
+  EXPECT_NE(changed({.kind = Kind::kConnection, .connections = {connection}}), before);
+  EXPECT_NE(changed({.kind = Kind::kConnectionRemoved, .connection = connection.id}), before);
+  EXPECT_NE(changed({.kind = Kind::kProcessRemoved}), before);
+}
+
+TEST(Catalog, FindsWhatItHasAndNothingElse) {
+  const Catalog catalog = System(1);
+  const InterfaceName robot("desk", "teleoperation", "Robot");
+
+  EXPECT_NE(catalog.FindRequired(robot), nullptr);
+  EXPECT_EQ(catalog.FindProvided(robot), nullptr);
+  ASSERT_NE(catalog.FindConnection(robot), nullptr);
+  EXPECT_EQ(catalog.FindConnection(robot)->provided, InterfaceName("robot", "arm", "Control"));
+  EXPECT_EQ(catalog.FindConnection({"desk", "teleoperation", "Other"}), nullptr);
+  EXPECT_EQ(catalog.FindProcess("robot"), nullptr);
+  EXPECT_EQ(catalog.FindComponent("robot", "arm"), nullptr);
+  EXPECT_EQ(catalog.connections().size(), 1U);
+}
+
+}  // namespace
+}  // namespace tendon

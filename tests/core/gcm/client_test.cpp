@@ -1,0 +1,140 @@
+#include <tests/core/gcm/bench.h>
+
+namespace tendon {
+namespace {
+
+using test::Eventually;
+using test::FakeProcess;
+
+class Client : public test::Bench {
+ protected:
+  void SetUp() override {
+    robot_ = Join("robot", {test::Arm()});
+    client_ = Watch();
+  }
+
+  Result<std::string> Call(const std::string& path, const std::string& argument = {}) {
+    return Wait<std::string>(kLong, [&](auto handler) { client_->Call(path, argument, handler); });
+  }
+  std::string CallError(const std::string& path, const std::string& argument = {}) {
+    const auto answer = Call(path, argument);
+    return answer ? "no error: " + *answer : answer.error().message;
+  }
+
+  std::unique_ptr<FakeProcess> robot_;
+  std::unique_ptr<GcmClient> client_;
+};
+
+INSTANTIATE_TEST_SUITE_P(Over, Client, testing::Values("loopback", "tcp"), test::NameOfParameter);
+
+TEST_P(Client, ReadsCommandsAndColumnsAsJson) {
+  EXPECT_EQ(*Call("robot/arm/Control.GetJoints"), "[1,2,3,4,5,6,7]");
+  EXPECT_EQ(*Call("robot/arm/state.Joints"), "[1,2,3,4,5,6,7]");
+  EXPECT_EQ(*Call("robot/arm/state.Joints[2]"), "3");
+  EXPECT_EQ(CallError("robot/arm/state.Joints[7]"), "there is no element [7]");
+}
+
+TEST_P(Client, GivesArgumentsAsJson) {
+  EXPECT_EQ(*Call("robot/arm/Control.Scale", "2"), "[2,4,6,8,10,12,14]");
+  EXPECT_EQ(*Call("robot/arm/Control.MoveTo", "[7,6,5,4,3,2,1]"), "");
+  EXPECT_EQ(robot_->goal(), (test::Joints{7, 6, 5, 4, 3, 2, 1}));
+}
+
+TEST_P(Client, AnArgumentThatDoesNotFitIsRefusedBeforeAnythingIsSent) {
+  EXPECT_EQ(CallError("robot/arm/Control.MoveTo", "[1,2]").find("robot/arm/Control.MoveTo: "), 0U);
+  EXPECT_EQ(CallError("robot/arm/Control.MoveTo", "{").find("robot/arm/Control.MoveTo: "), 0U);
+  EXPECT_EQ(CallError("robot/arm/Control.MoveTo"),
+            "robot/arm/Control.MoveTo needs an argument of float64[7], as JSON");
+  EXPECT_EQ(CallError("robot/arm/Control.GetJoints", "1"),
+            "robot/arm/Control.GetJoints takes no argument");
+  EXPECT_FALSE(robot_->goal());
+}
+
+TEST_P(Client, AStatusOtherThanGoodIsAnError) {
+  const auto stopped = Call("robot/arm/Control.Stop");
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().message,
+            "robot/arm/Control.Stop: not active; start its component first");
+}
+
+TEST_P(Client, AWrongPathIsSaidWithWhatIsNear) {
+  EXPECT_EQ(CallError("robott/arm/Control.Stop"), "no process 'robott'; did you mean 'robot'?");
+  EXPECT_EQ(CallError("robot/arm/Control.Stopp"),
+            "no command 'robot/arm/Control.Stopp'; did you mean 'Stop'?");
+  EXPECT_EQ(CallError("robot/arm"),
+            "'robot/arm' names no command: expected process/component/interface.member");
+  EXPECT_EQ(CallError("").find("'' is no path"), 0U);
+}
+
+TEST_P(Client, ASchemaIsAskedForOnce) {
+  const auto get = [&](Fingerprint fingerprint) {
+    return Wait<Schema>(kLong,
+                        [&](auto handler) { client_->GetSchema("robot", fingerprint, handler); });
+  };
+
+  const auto schema = get(FingerprintOf<test::Joints>());
+  ASSERT_TRUE(schema) << schema.error().message;
+  EXPECT_EQ(*schema, SchemaOf<test::Joints>());
+  EXPECT_TRUE(get(FingerprintOf<test::Joints>()));
+  EXPECT_TRUE(Call("robot/arm/Control.GetJoints"));
+  EXPECT_EQ(robot_->schema_requests(), 1);
+
+  const auto unknown = get(FingerprintOf<std::string>());
+  ASSERT_FALSE(unknown);
+  EXPECT_EQ(unknown.error().code, ErrorCode::kNotFound);
+}
+
+TEST_P(Client, AProcessThatIsGoneIsSaidToBe) {
+  ASSERT_TRUE(Call("robot/arm/Control.GetJoints"));
+  robot_.reset();
+  ASSERT_TRUE(Eventually([&] {
+    return client_->catalog().FindProcess("robot")->process.state == ProcessState::kLost;
+  }));
+
+  EXPECT_EQ(CallError("robot/arm/Control.GetJoints").find("process 'robot' is lost ("), 0U);
+}
+
+TEST_P(Client, AProcessThatWasStartedAgainIsReachedAtItsNewPlace) {
+  ASSERT_TRUE(Call("robot/arm/Control.GetJoints"));
+  const std::uint64_t before = robot_->description().instance;
+  robot_.reset();
+  ASSERT_TRUE(Eventually([&] { return StateOf("robot") == ProcessState::kLost; }));
+  robot_ = Join("robot", {test::Arm()});
+  ASSERT_TRUE(Eventually([&] {
+    const Catalog catalog = client_->catalog();
+    return catalog.FindProcess("robot")->process.instance != before &&
+           catalog.FindComponent("robot", "arm") != nullptr;
+  }));
+
+  EXPECT_EQ(*Call("robot/arm/state.Joints[0]"), "1");
+}
+
+TEST_P(Client, EveryHandlerIsCalledOnceEvenWhenTheClientGoes) {
+  const auto desk = Join("desk", {test::Teleoperation()});
+  ASSERT_TRUE(Eventually([&] { return client_->catalog().FindProcess("desk") != nullptr; }));
+  desk->set_manners(FakeProcess::Manners::kSayNothing);
+  constexpr int kCount = 50;
+  std::mutex mutex;
+  std::map<int, int> calls;
+  const auto count = [&](int number) {
+    return [&, number](const auto& /*result*/) {
+      const std::scoped_lock lock(mutex);
+      ++calls[number];
+    };
+  };
+  for (int i = 0; i < kCount; ++i) {
+    client_->Connect(test::kRobot, test::kControl, count(4 * i));
+    client_->Call("robot/arm/Control.GetJoints", "", count(4 * i + 1));
+    client_->Call("nowhere/arm/Control.GetJoints", "", count(4 * i + 2));
+    client_->GetSchema("robot", FingerprintOf<double>(), count(4 * i + 3));
+  }
+
+  client_.reset();
+
+  const std::scoped_lock lock(mutex);
+  ASSERT_EQ(calls.size(), 4U * kCount);
+  for (const auto& [number, times] : calls) EXPECT_EQ(times, 1) << number;
+}
+
+}  // namespace
+}  // namespace tendon

@@ -1,0 +1,259 @@
+#include <tendon/base/os/process.h>
+#include <tendon/payload/codec.h>
+#include <tests/core/gcm/fake_process.h>
+
+namespace tendon::test {
+namespace {
+
+using Kind = CatalogChange::Kind;
+
+constexpr std::chrono::milliseconds kTimeout(20'000);
+
+Hello HelloOf(const ProcessDescription& process, std::uint64_t session) {
+  return {.instance = process.instance,
+          .name = process.name,
+          .session = session,
+          .cookie = *LoopbackCookie()};
+}
+
+}  // namespace
+
+class FakeProcess::State final : public ChannelHandler, public std::enable_shared_from_this<State> {
+ public:
+  void OnRequest(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
+                 std::span<const std::byte> body, Responder responder) override {
+    if (header.type == message::kMakeConnection) {
+      Make(channel, *DecodeBody<message::Wiring>(body), std::move(responder));
+    } else if (header.type == message::kBreakConnection) {
+      Break(channel, *DecodeBody<message::Wire>(body), std::move(responder));
+    } else if (header.type == message::kGetSchemas) {
+      responder.Answer(Result(SchemasOf(*DecodeBody<message::GetSchemas>(body))));
+    } else if (header.type == message::kCallMember) {
+      responder.Answer(Result(Call(*DecodeBody<message::CallMember>(body))));
+    }
+  }
+
+  void OnNotice(const std::shared_ptr<Channel>& /*channel*/, const FrameHeader& header,
+                std::span<const std::byte> body) override {
+    const std::scoped_lock lock(mutex);
+    if (header.type == message::kPeers) peers = *DecodeBody<message::Peers>(body);
+  }
+
+  void OnClosed(const std::shared_ptr<Channel>& closed, const Error& /*reason*/) override {
+    const std::scoped_lock lock(mutex);
+    if (gcm == closed) gcm.reset();
+  }
+
+  void Make(const std::shared_ptr<Channel>& channel, const message::Wiring& wiring,
+            Responder responder) {
+    const std::scoped_lock lock(mutex);
+    orders.push_back(wiring);
+    if (!Obeys(std::move(responder))) return;
+    const bool is_there = !wiring.address.empty();
+    const ConnectionDescription made{
+        .id = ++last_id,
+        .required = wiring.wire.required,
+        .provided = wiring.wire.provided,
+        .state = is_there ? ConnectionState::kActive : ConnectionState::kPending};
+    connections[made.required] = made;
+    static_cast<void>(
+        channel->Notify(message::kReport, 0,
+                        message::Report{{{.kind = Kind::kConnection, .connections = {made}}}}));
+    kept->Answer(Result(made));
+    kept.reset();
+  }
+
+  void Break(const std::shared_ptr<Channel>& channel, const message::Wire& wire,
+             Responder responder) {
+    const std::scoped_lock lock(mutex);
+    if (!Obeys(std::move(responder))) return;
+    const auto id = connections[wire.required].id;
+    connections.erase(wire.required);
+    static_cast<void>(
+        channel->Notify(message::kReport, 0,
+                        message::Report{{{.kind = Kind::kConnectionRemoved, .connection = id}}}));
+    kept->Answer(Result<void>());
+    kept.reset();
+  }
+
+  /// Keeps the responder; false when that is all that is to be done.
+  bool Obeys(Responder responder) {
+    if (manners == Manners::kRefuse) {
+      responder.Refuse({ErrorCode::kFailed, "teleoperation is busy"});
+      return false;
+    }
+    kept.emplace(std::move(responder));
+    return manners == Manners::kObey;
+  }
+
+  message::Schemas SchemasOf(const message::GetSchemas& wanted) {
+    const std::scoped_lock lock(mutex);
+    ++schema_requests;
+    message::Schemas schemas;
+    for (const Fingerprint& fingerprint : wanted.fingerprints) {
+      schemas.texts.push_back(fingerprint == FingerprintOf<Joints>()   ? SchemaOf<Joints>().Text()
+                              : fingerprint == FingerprintOf<double>() ? SchemaOf<double>().Text()
+                                                                       : "");
+    }
+    return schemas;
+  }
+
+  message::Called Call(const message::CallMember& call) {
+    const std::scoped_lock lock(mutex);
+    message::Called called;
+    Joints joints{1, 2, 3, 4, 5, 6, 7};
+    if (call.member == "Stop") return {.status = Status::kNotActive};
+    if (call.member == "MoveTo") {
+      const bool decodes = Decode(call.argument, joints);
+      if (decodes) goal = joints;
+      return {.status = decodes ? Status::kQueued : Status::kInvalid};
+    }
+    if (call.member == "Scale") {
+      double factor = 0;
+      if (!Decode(call.argument, factor)) return {.status = Status::kInvalid};
+      for (double& joint : joints) joint *= factor;
+    }
+    Encode(joints, called.answer);
+    return called;
+  }
+
+  mutable std::mutex mutex;
+  ProcessDescription description;
+  std::shared_ptr<Channel> gcm;
+  std::uint64_t session = 0;
+  Manners manners = Manners::kObey;
+  std::map<std::string, ComponentDescription> components;
+  std::map<InterfaceName, ConnectionDescription> connections;
+  std::uint64_t last_id = 0;
+  std::vector<message::Wiring> orders;
+  message::Peers peers;
+  std::optional<Responder> kept;
+  std::optional<Joints> goal;
+  int schema_requests = 0;
+};
+
+FakeProcess::FakeProcess(std::shared_ptr<Middleware> middleware, const std::string& name)
+    : middleware_(std::move(middleware)), state_(std::make_shared<State>()) {
+  state_->description = {.name = name,
+                         .instance = os::RandomNumber(),
+                         .host = "bench",
+                         .pid = static_cast<std::int64_t>(os::RandomNumber() % 30000)};
+  auto listener = middleware_->Listen(
+      "127.0.0.1:0", Channel::Acceptor(HelloOf(state_->description, 0), [state = state_] {
+        return std::static_pointer_cast<ChannelHandler>(state);
+      }));
+  listener_ = *std::move(listener);
+  state_->description.address = listener_->address();
+}
+
+FakeProcess::~FakeProcess() { BreakLink(); }
+
+void FakeProcess::Add(const ComponentDescription& component) {
+  {
+    const std::scoped_lock lock(state_->mutex);
+    state_->components[component.name] = component;
+    if (!state_->gcm) return;
+  }
+  Report({{.kind = Kind::kComponent, .components = {component}}});
+}
+
+void FakeProcess::Remove(const std::string& component) {
+  {
+    const std::scoped_lock lock(state_->mutex);
+    state_->components.erase(component);
+  }
+  Report({{.kind = Kind::kComponentRemoved, .component = component}});
+}
+
+Result<message::Joined> FakeProcess::Join(const std::string& gcm) {
+  message::Join join;
+  std::uint64_t session = 0;
+  {
+    const std::scoped_lock lock(state_->mutex);
+    join.process = state_->description;
+    for (const auto& [name, component] : state_->components) join.components.push_back(component);
+    for (const auto& [name, one] : state_->connections) join.connections.push_back(one);
+    session = state_->session;
+  }
+  const auto channel =
+      Channel::Open(*middleware_, gcm, HelloOf(join.process, session), state_, kTimeout);
+  if (!channel) return channel.error();
+  {
+    const std::scoped_lock lock(state_->mutex);
+    state_->gcm = *channel;
+  }
+  auto joined = (*channel)->Call<message::Joined>(message::kJoin, 0, join, kTimeout);
+  const std::scoped_lock lock(state_->mutex);
+  if (joined) state_->session = joined->session;
+  return joined;
+}
+
+Result<None> FakeProcess::Renew() {
+  std::unique_lock lock(state_->mutex);
+  const auto channel = state_->gcm;
+  lock.unlock();
+  if (!channel) return Error{ErrorCode::kUnreachable, "no link"};
+  return channel->Call<None>(message::kRenew, 0, None{}, kTimeout);
+}
+
+Result<None> FakeProcess::Leave() {
+  std::unique_lock lock(state_->mutex);
+  const auto channel = state_->gcm;
+  lock.unlock();
+  return channel->Call<None>(message::kLeave, 0, None{}, kTimeout);
+}
+
+void FakeProcess::BreakLink() {
+  std::unique_lock lock(state_->mutex);
+  const auto channel = std::exchange(state_->gcm, nullptr);
+  lock.unlock();
+  if (channel) channel->Close();
+}
+
+void FakeProcess::Report(const std::vector<CatalogChange>& changes) {
+  std::unique_lock lock(state_->mutex);
+  const auto channel = state_->gcm;
+  lock.unlock();
+  if (channel) {
+    static_cast<void>(channel->Notify(message::kReport, 0, message::Report{changes}));
+  }
+}
+
+void FakeProcess::set_manners(Manners manners) {
+  const std::scoped_lock lock(state_->mutex);
+  state_->manners = manners;
+}
+
+const ProcessDescription& FakeProcess::description() const { return state_->description; }
+
+std::vector<message::Wiring> FakeProcess::orders() const {
+  const std::scoped_lock lock(state_->mutex);
+  return state_->orders;
+}
+
+message::Peers FakeProcess::peers() const {
+  const std::scoped_lock lock(state_->mutex);
+  return state_->peers;
+}
+
+std::size_t FakeProcess::connection_count() const {
+  const std::scoped_lock lock(state_->mutex);
+  return state_->connections.size();
+}
+
+bool FakeProcess::is_linked() const {
+  const std::scoped_lock lock(state_->mutex);
+  return state_->gcm != nullptr;
+}
+
+std::optional<Joints> FakeProcess::goal() const {
+  const std::scoped_lock lock(state_->mutex);
+  return state_->goal;
+}
+
+int FakeProcess::schema_requests() const {
+  const std::scoped_lock lock(state_->mutex);
+  return state_->schema_requests;
+}
+
+}  // namespace tendon::test

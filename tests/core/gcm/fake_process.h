@@ -1,0 +1,61 @@
+#pragma once
+
+#include <tendon/gcm/messages.h>
+#include <tendon/middleware/channel.h>
+#include <tendon/process/messages.h>
+#include <tests/core/gcm/samples.h>
+
+#include <chrono>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tendon::test {
+
+/// A process as a GCM and its viewers see one, made of nothing but channels: does what it is told,
+/// or what the test says instead.
+class FakeProcess {
+ public:
+  /// What it does with orders to connect and disconnect.
+  enum class Manners { kObey, kRefuse, kSayNothing };
+
+  /// A new instance of the process `name`. It listens for viewers.
+  FakeProcess(std::shared_ptr<Middleware> middleware, const std::string& name);
+  FakeProcess(const FakeProcess&) = delete;
+  FakeProcess& operator=(const FakeProcess&) = delete;
+  /// Like a kill: its link breaks.
+  ~FakeProcess();
+
+  /// Before Join(): what it has. Afterwards it reports.
+  void Add(const ComponentDescription& component);
+  void Remove(const std::string& component);
+
+  Result<message::Joined> Join(const std::string& gcm);
+  Result<None> Renew();
+  Result<None> Leave();
+  /// Breaks the link, but knows its session.
+  void BreakLink();
+  void Report(const std::vector<CatalogChange>& changes);
+
+  void set_manners(Manners manners);
+  [[nodiscard]] const ProcessDescription& description() const;
+  [[nodiscard]] std::vector<message::Wiring> orders() const;
+  [[nodiscard]] message::Peers peers() const;
+  [[nodiscard]] std::size_t connection_count() const;
+  [[nodiscard]] bool is_linked() const;
+  /// The last argument of MoveTo.
+  [[nodiscard]] std::optional<Joints> goal() const;
+  [[nodiscard]] int schema_requests() const;
+
+ private:
+  class State;
+  const std::shared_ptr<Middleware> middleware_;
+  const std::shared_ptr<State> state_;
+  std::unique_ptr<Listener> listener_;
+};
+
+}  // namespace tendon::test

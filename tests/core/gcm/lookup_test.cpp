@@ -1,0 +1,159 @@
+#include <gtest/gtest.h>
+#include <tendon/gcm/lookup.h>
+#include <tendon/interface/compatibility.h>
+#include <tests/core/gcm/samples.h>
+
+namespace tendon {
+namespace {
+
+using Kind = CatalogChange::Kind;
+
+const InterfaceName kRobot("desk", "teleoperation", "Robot");
+const InterfaceName kControl("robot", "arm", "Control");
+
+class Lookup : public testing::Test {
+ protected:
+  Lookup() {
+    Apply(
+        {.kind = Kind::kProcess, .process = "desk", .processes = {test::ProcessNamed("desk", 1)}});
+    Apply({.kind = Kind::kComponent, .process = "desk", .components = {test::Teleoperation()}});
+    Apply({.kind = Kind::kProcess, .process = "robot", .processes = {robot_}});
+    Apply({.kind = Kind::kComponent, .process = "robot", .components = {test::Arm()}});
+    Apply({.kind = Kind::kComponent, .process = "robot", .components = {test::FakeArm()}});
+  }
+
+  void Apply(CatalogChange change) {
+    change.revision = catalog_.revision() + 1;
+    ASSERT_TRUE(catalog_.Apply(change));
+  }
+
+  void SetState(const std::string& process, ProcessState state) {
+    auto description = catalog_.FindProcess(process)->process;
+    description.state = state;
+    Apply({.kind = Kind::kProcess, .process = process, .processes = {description}});
+  }
+
+  void Connect(const InterfaceName& required, const InterfaceName& provided) {
+    const ConnectionDescription connection{.id = 1, .required = required, .provided = provided};
+    Apply({.kind = Kind::kConnection, .process = required.process, .connections = {connection}});
+  }
+
+  /// "not found: no process ..."
+  [[nodiscard]] std::string PlanError(const InterfaceName& required,
+                                      const InterfaceName& provided) const {
+    const auto plan = PlanConnect(catalog_, {required, provided});
+    if (plan) return "no error";
+    return std::string(ToString(plan.error().code)) + ": " + plan.error().message;
+  }
+
+  [[nodiscard]] std::string CommandError(const std::string& path) const {
+    const auto command = LookUpCommand(catalog_, *ParsePath(path));
+    return command ? "no error" : command.error().message;
+  }
+
+  const ProcessDescription robot_ = test::ProcessNamed("robot", 2);
+  Catalog catalog_;
+};
+
+TEST_F(Lookup, APlanSaysWhereTheProviderIs) {
+  const auto plan = PlanConnect(catalog_, {kRobot, kControl});
+
+  ASSERT_TRUE(plan) << plan.error().message;
+  EXPECT_EQ(plan->wire, (message::Wire{kRobot, kControl}));
+  EXPECT_EQ(plan->address, robot_.address);
+  EXPECT_EQ(plan->instance, robot_.instance);
+}
+
+TEST_F(Lookup, ANameThatIsNotThereIsSaidWithWhatIsNear) {
+  EXPECT_EQ(PlanError(kRobot, {"robbot", "arm", "Control"}),
+            "not found: no process 'robbot'; did you mean 'robot'?");
+  EXPECT_EQ(PlanError(kRobot, {"robot", "arn", "Control"}),
+            "not found: no component 'robot/arn'; did you mean 'arm'?");
+  EXPECT_EQ(PlanError(kRobot, {"robot", "arm", "Kontrol"}),
+            "not found: no provided interface 'robot/arm/Kontrol'; did you mean 'Control'?");
+  EXPECT_EQ(PlanError({"desk", "teleoperation", "Robo"}, kControl),
+            "not found: no required interface 'desk/teleoperation/Robo'; did you mean 'Robot'?");
+  EXPECT_EQ(PlanError(kRobot, {"elsewhere", "arm", "Control"}),
+            "not found: no process 'elsewhere'; there is 'desk', 'robot'");
+}
+
+TEST_F(Lookup, AnInterfaceOfTheOtherSortIsSaidToBeThat) {
+  EXPECT_EQ(PlanError(kRobot, kRobot),
+            "not found: desk/teleoperation/Robot is a required interface; a provided one is "
+            "needed; there is none");
+  EXPECT_EQ(PlanError(kControl, kControl),
+            "not found: robot/arm/Control is a provided interface; a required one is needed; there "
+            "is none");
+}
+
+TEST_F(Lookup, ANameThatCannotBeOneIsNotRepeated) {
+  EXPECT_EQ(PlanError(kRobot, {"robot", "a\x1b[31m", "Control"}),
+            "invalid: component name 'a\\x1b[31m' has '\\x1b' at 2; allowed: letters digits _ - "
+            "(max 64)");
+  EXPECT_EQ(PlanError({"teleoperation", "Robot"}, kControl), "invalid: process name is empty");
+}
+
+TEST_F(Lookup, TwoEndsThatDoNotFitAreRefusedAsEverywhere) {
+  const InterfaceName fake("robot", "fake", "Control");
+  const auto compatibility = Compare(*catalog_.FindRequired(kRobot), *catalog_.FindProvided(fake));
+  ASSERT_FALSE(compatibility.fits());
+
+  EXPECT_EQ(PlanError(kRobot, fake),
+            "incompatible: " + Refusal(ToString(kRobot), ToString(fake), compatibility));
+}
+
+TEST_F(Lookup, AConnectedInterfaceSaysToWhatAndWhatToDo) {
+  Connect(kRobot, kControl);
+
+  EXPECT_EQ(PlanError(kRobot, kControl),
+            "exists: desk/teleoperation/Robot is connected to robot/arm/Control; disconnect it "
+            "first: gcm disconnect desk/teleoperation/Robot");
+}
+
+TEST_F(Lookup, AConnectToATombstoneIsPendingIfItWouldFit) {
+  SetState("robot", ProcessState::kLost);
+
+  const auto plan = PlanConnect(catalog_, {kRobot, kControl});
+  ASSERT_TRUE(plan) << plan.error().message;
+  EXPECT_EQ(plan->address, "");
+  EXPECT_EQ(PlanError(kRobot, {"robot", "fake", "Control"}).substr(0, 12), "incompatible");
+}
+
+TEST_F(Lookup, ATombstoneConnectsNothing) {
+  SetState("desk", ProcessState::kLost);
+  EXPECT_EQ(PlanError(kRobot, kControl), "failed: process 'desk' is lost; start it again first");
+  SetState("desk", ProcessState::kLeft);
+  EXPECT_EQ(PlanError(kRobot, kControl), "failed: process 'desk' has left; start it again first");
+  SetState("desk", ProcessState::kSuspect);
+  EXPECT_EQ(PlanError(kRobot, kControl), "no error");
+}
+
+TEST_F(Lookup, ADisconnectNeedsAConnection) {
+  EXPECT_EQ(PlanDisconnect(catalog_, kRobot).error().message,
+            "desk/teleoperation/Robot is not connected");
+  Connect(kRobot, kControl);
+
+  const auto plan = PlanDisconnect(catalog_, kRobot);
+  ASSERT_TRUE(plan);
+  EXPECT_EQ(plan->provided, kControl);
+}
+
+TEST_F(Lookup, FindsCommandsAndColumns) {
+  const auto command = LookUpCommand(catalog_, *ParsePath("robot/arm/Control.MoveTo"));
+  ASSERT_TRUE(command);
+  EXPECT_EQ(command->signature.kind, CommandKind::kWrite);
+
+  const auto column = LookUpCommand(catalog_, *ParsePath("robot/arm/state.Joints.position[0]"));
+  ASSERT_TRUE(column);
+  EXPECT_EQ(column->signature, (SignatureOf<None, test::Joints>(CommandKind::kRead)));
+
+  EXPECT_EQ(CommandError("robot/arm/Control.MoveToo"),
+            "no command 'robot/arm/Control.MoveToo'; did you mean 'MoveTo'?");
+  EXPECT_EQ(CommandError("robot/arm/stat.Joints"),
+            "no provided interface 'robot/arm/stat'; did you mean 'state'?");
+  EXPECT_EQ(CommandError("robot/arm/state.Joint"),
+            "no command 'robot/arm/state.Joint'; did you mean 'Joints'?");
+}
+
+}  // namespace
+}  // namespace tendon

@@ -1,0 +1,248 @@
+#include <tests/core/gcm/bench.h>
+
+namespace tendon {
+namespace {
+
+using namespace std::chrono_literals;  // NOLINT(google-build-using-namespace)
+using test::Eventually;
+using test::FakeProcess;
+using test::kControl;
+using test::kRobot;
+
+/// A robot with an arm, and a desk that wants one.
+class Orders : public test::Bench {
+ protected:
+  void SetUp() override {
+    robot_ = Join("robot", {test::Arm(), test::FakeArm()});
+    desk_ = Join("desk", {test::Teleoperation()});
+    client_ = Watch(nullptr, "gcm connect");
+  }
+
+  [[nodiscard]] std::optional<ConnectionDescription> Connection() const {
+    const Catalog catalog = gcm_->catalog();
+    const auto* connection = catalog.FindConnection(kRobot);
+    return connection == nullptr ? std::nullopt : std::optional(*connection);
+  }
+
+  std::unique_ptr<FakeProcess> robot_;
+  std::unique_ptr<FakeProcess> desk_;
+  std::unique_ptr<GcmClient> client_;
+};
+
+INSTANTIATE_TEST_SUITE_P(Over, Orders, testing::Values("loopback", "tcp"), test::NameOfParameter);
+
+TEST_P(Orders, AConnectIsMadeByTheRequiredSidesProcess) {
+  const auto made = Connect(*client_);
+
+  ASSERT_TRUE(made) << made.error().message;
+  EXPECT_EQ(made->required, kRobot);
+  EXPECT_EQ(made->provided, kControl);
+  EXPECT_EQ(made->state, ConnectionState::kActive);
+  EXPECT_EQ(Connection(), *made);
+  ASSERT_EQ(desk_->orders().size(), 1U);
+  EXPECT_EQ(desk_->orders()[0].address, robot_->description().address);
+  EXPECT_EQ(desk_->orders()[0].instance, robot_->description().instance);
+}
+
+TEST_P(Orders, ADisconnectEndsIt) {
+  ASSERT_TRUE(Connect(*client_));
+
+  ASSERT_TRUE(Disconnect(*client_));
+
+  EXPECT_EQ(desk_->connection_count(), 0U);
+  EXPECT_FALSE(Connection());
+  EXPECT_EQ(Disconnect(*client_).error().message, "desk/teleoperation/Robot is not connected");
+}
+
+TEST_P(Orders, WhatIsRefusedLeavesNothingBehind) {
+  ASSERT_TRUE(Connect(*client_));
+  const std::uint64_t revision = gcm_->catalog().revision();
+  const auto code = [&](const InterfaceName& required, const InterfaceName& provided) {
+    const auto made = Connect(*client_, required, provided);
+    return made ? ErrorCode::kFailed : made.error().code;
+  };
+
+  EXPECT_EQ(code(kRobot, {"robot", "arn", "Control"}), ErrorCode::kNotFound);
+  EXPECT_EQ(code({"desk", "teleoperation", "Robbot"}, kControl), ErrorCode::kNotFound);
+  EXPECT_EQ(code({"teleoperation", "Robot"}, kControl), ErrorCode::kInvalid);
+  EXPECT_EQ(code(kRobot, kControl), ErrorCode::kExists);
+  ASSERT_TRUE(Disconnect(*client_));
+  EXPECT_EQ(code(kRobot, {"robot", "fake", "Control"}), ErrorCode::kIncompatible);
+
+  EXPECT_EQ(desk_->orders().size(), 1U);
+  EXPECT_EQ(Steps(*client_).size(), 2U);
+  EXPECT_EQ(gcm_->catalog().revision(), revision + 1);
+}
+
+TEST_P(Orders, ARefusalOfTheProcessIsPassedOnAndNoStep) {
+  desk_->set_manners(FakeProcess::Manners::kRefuse);
+
+  const auto made = Connect(*client_);
+
+  ASSERT_FALSE(made);
+  EXPECT_EQ(made.error().message, "teleoperation is busy");
+  EXPECT_TRUE(Steps(*client_).empty());
+  desk_->set_manners(FakeProcess::Manners::kObey);
+  EXPECT_TRUE(Connect(*client_));
+}
+
+TEST_P(Orders, AProcessThatDiesBeforeItAnswersIsAnError) {
+  desk_->set_manners(FakeProcess::Manners::kSayNothing);
+  std::promise<Result<ConnectionDescription>> promise;
+  auto future = promise.get_future();
+  client_->Connect(kRobot, kControl, [&](auto made) { promise.set_value(std::move(made)); });
+  ASSERT_TRUE(Eventually([&] { return desk_->orders().size() == 1; }));
+  const auto second = Connect(*client_);
+
+  desk_.reset();
+  const auto made = future.get();
+
+  ASSERT_FALSE(made);
+  EXPECT_EQ(made.error().code, ErrorCode::kUnreachable) << made.error().message;
+  ASSERT_FALSE(second);
+  EXPECT_EQ(second.error().message,
+            "desk/teleoperation/Robot is being changed by another request; try again when that is "
+            "done");
+  EXPECT_TRUE(Steps(*client_).empty());
+}
+
+TEST_P(Orders, AProcessThatDoesNotAnswerIsATimeout) {
+  order_timeout_ = 100ms;
+  client_.reset();
+  gcm_.reset();
+  StartGcm(address_);
+  ASSERT_TRUE(robot_->Join(address_));
+  ASSERT_TRUE(desk_->Join(address_));
+  client_ = Watch();
+  desk_->set_manners(FakeProcess::Manners::kSayNothing);
+
+  const auto made = Connect(*client_);
+
+  ASSERT_FALSE(made);
+  EXPECT_EQ(made.error().code, ErrorCode::kTimeout);
+  EXPECT_NE(made.error().message.find("desk"), std::string::npos) << made.error().message;
+  desk_->set_manners(FakeProcess::Manners::kObey);
+  EXPECT_TRUE(Connect(*client_));
+}
+
+TEST_P(Orders, AConnectToATombstoneIsPending) {
+  robot_.reset();
+  ASSERT_TRUE(Eventually([&] { return StateOf("robot") == ProcessState::kLost; }));
+
+  const auto made = Connect(*client_);
+
+  ASSERT_TRUE(made) << made.error().message;
+  EXPECT_EQ(made->state, ConnectionState::kPending);
+  EXPECT_EQ(desk_->orders()[0].address, "");
+  EXPECT_FALSE(Connect(*client_, kRobot, {"never", "arm", "Control"}));
+}
+
+TEST_P(Orders, AProcessThatIsStartedAgainGetsItsConnectionsBack) {
+  ASSERT_TRUE(Connect(*client_));
+  desk_.reset();
+  ASSERT_TRUE(Eventually([&] { return StateOf("desk") == ProcessState::kLost; }));
+
+  desk_ = Join("desk", {});
+  EXPECT_FALSE(Connection());
+  desk_->Add(test::Teleoperation());
+
+  EXPECT_TRUE(Eventually([&] { return Connection().has_value(); }));
+  EXPECT_EQ(desk_->orders().size(), 1U);
+  EXPECT_EQ(Steps(*client_).size(), 1U);
+}
+
+TEST_P(Orders, HistoryKnowsWhatWhoAndWhen) {
+  ASSERT_TRUE(Connect(*client_));
+  ASSERT_TRUE(Disconnect(*client_));
+
+  const auto steps = Steps(*client_);
+
+  ASSERT_EQ(steps.size(), 2U);
+  EXPECT_EQ(steps[0].verb, "connect");
+  EXPECT_EQ(steps[1].verb, "disconnect");
+  for (const auto& step : steps) {
+    EXPECT_EQ(step.wire, (message::Wire{kRobot, kControl}));
+    EXPECT_EQ(step.who, "gcm connect");
+    EXPECT_GT(step.when, 1'700'000'000'000'000'000);
+    EXPECT_FALSE(step.undone);
+  }
+}
+
+TEST_P(Orders, UndoTakesStepsBackOneByOne) {
+  EXPECT_EQ(Undo(*client_).error().message, "there is nothing to undo");
+  ASSERT_TRUE(Connect(*client_));
+  ASSERT_TRUE(Disconnect(*client_));
+
+  const auto first = Undo(*client_);
+  ASSERT_TRUE(first) << first.error().message;
+  EXPECT_EQ(first->verb, "disconnect");
+  EXPECT_TRUE(first->undone);
+  EXPECT_TRUE(Connection());
+  const auto second = Undo(*client_);
+  ASSERT_TRUE(second) << second.error().message;
+
+  EXPECT_EQ(second->verb, "connect");
+  EXPECT_FALSE(Connection());
+  EXPECT_FALSE(Undo(*client_));
+}
+
+TEST_P(Orders, FiftyConnectsAndFiftyUndosLeaveTheSystemAsItWas) {
+  constexpr int kCount = 50;
+  ComponentDescription panel = test::Teleoperation("panel");
+  panel.required.clear();
+  for (int i = 0; i < kCount; ++i) panel.required.push_back(test::Robot("R" + std::to_string(i)));
+  const auto wall = Join("wall", {panel});
+  const Fingerprint before = gcm_->catalog().ContentHash();
+
+  for (int i = 0; i < kCount; ++i) {
+    ASSERT_TRUE(Connect(*client_, {"wall", "panel", "R" + std::to_string(i)}));
+  }
+  EXPECT_NE(gcm_->catalog().ContentHash(), before);
+  for (int i = 0; i < kCount; ++i) {
+    const auto undone = Undo(*client_);
+    ASSERT_TRUE(undone) << undone.error().message;
+  }
+
+  EXPECT_EQ(gcm_->catalog().ContentHash(), before);
+}
+
+TEST_P(Orders, AnUndoOfWhatHasChangedSinceSaysSoAndRefuses) {
+  ComponentDescription second = test::Arm("second");
+  robot_->Add(second);
+  ASSERT_TRUE(Eventually([&] { return gcm_->catalog().FindComponent("robot", "second"); }));
+  ASSERT_TRUE(Connect(*client_));
+  // Behind the GCM's back the process connects it to something else.
+  const ConnectionDescription other{.id = Connection()->id,
+                                    .required = kRobot,
+                                    .provided = {"robot", "second", "Control"},
+                                    .state = ConnectionState::kActive};
+  desk_->Report({{.kind = CatalogChange::Kind::kConnection, .connections = {other}}});
+  ASSERT_TRUE(Eventually([&] { return Connection() == other; }));
+  EXPECT_EQ(Undo(*client_).error().message,
+            "cannot undo: desk/teleoperation/Robot was since connected to robot/second/Control");
+
+  desk_->Report({{.kind = CatalogChange::Kind::kConnectionRemoved, .connection = other.id}});
+  ASSERT_TRUE(Eventually([&] { return !Connection(); }));
+  EXPECT_EQ(Undo(*client_).error().message,
+            "cannot undo: desk/teleoperation/Robot is no longer connected to robot/arm/Control");
+  EXPECT_FALSE(Steps(*client_)[0].undone);
+}
+
+TEST_P(Orders, StepsCanBeUndoneAfterTheGcmWasStartedAnew) {
+  ASSERT_TRUE(Connect(*client_));
+  client_.reset();
+  gcm_.reset();
+  StartGcm("127.0.0.1:0");
+  ASSERT_TRUE(robot_->Join(address_));
+  ASSERT_TRUE(desk_->Join(address_));
+  client_ = Watch();
+
+  const auto undone = Undo(*client_);
+
+  ASSERT_TRUE(undone) << undone.error().message;
+  EXPECT_EQ(undone->who, "gcm connect");
+  EXPECT_FALSE(Connection());
+}
+
+}  // namespace
+}  // namespace tendon

@@ -1,0 +1,343 @@
+#include <gtest/gtest.h>
+#include <tendon/gcm/server/registry.h>
+#include <tendon/middleware/channel.h>
+#include <tests/core/gcm/samples.h>
+
+namespace tendon::server {
+namespace {
+
+using namespace std::chrono_literals;  // NOLINT(google-build-using-namespace)
+using Kind = CatalogChange::Kind;
+
+const InterfaceName kRobot("desk", "teleoperation", "Robot");
+const InterfaceName kControl("robot", "arm", "Control");
+
+class RegistryTest : public testing::Test {
+ protected:
+  Session Join(const std::string& name, std::uint64_t instance,
+               std::vector<ComponentDescription> components = {},
+               std::vector<ConnectionDescription> connections = {}, Session held = 0) {
+    const auto admission = registry_.Join(
+        {test::ProcessNamed(name, instance), std::move(components), std::move(connections)}, held,
+        nullptr);
+    EXPECT_TRUE(admission) << admission.error().message;
+    return admission ? admission->session : 0;
+  }
+
+  Error JoinError(message::Join join, Session held = 0) {
+    const auto admission = registry_.Join(std::move(join), held, nullptr);
+    EXPECT_FALSE(admission);
+    return admission ? Error{} : admission.error();
+  }
+
+  /// Time passes, and the lease of nobody but these is renewed.
+  void Pass(std::chrono::milliseconds time, const std::vector<Session>& renewing = {}) {
+    constexpr auto kStep = 50ms;
+    for (auto passed = 0ms; passed < time; passed += kStep) {
+      clock_.Advance(kStep);
+      for (const Session session : renewing) ASSERT_TRUE(registry_.Renew(session));
+      registry_.Tick();
+    }
+  }
+
+  [[nodiscard]] ProcessDescription Process(const std::string& name) const {
+    const ProcessEntry* entry = registry_.catalog().FindProcess(name);
+    return entry == nullptr ? ProcessDescription{} : entry->process;
+  }
+
+  [[nodiscard]] ConnectionDescription Connection(std::uint64_t id = 1) const {
+    return {.id = id, .required = kRobot, .provided = kControl, .state = ConnectionState::kActive};
+  }
+
+  ManualClock clock_;
+  Registry registry_{Leases{}, clock_};
+};
+
+TEST_F(RegistryTest, AJoinedProcessIsInTheCatalogueWithAllItHas) {
+  Join("desk", 1, {test::Teleoperation()}, {Connection()});
+
+  EXPECT_EQ(Process("desk").state, ProcessState::kAlive);
+  EXPECT_EQ(*registry_.catalog().FindComponent("desk", "teleoperation"), test::Teleoperation());
+  EXPECT_EQ(*registry_.catalog().FindConnection(kRobot), Connection());
+  EXPECT_EQ(registry_.peers().processes, std::vector{Process("desk")});
+}
+
+TEST_F(RegistryTest, TheChangesBuildTheCatalogue) {
+  const Session desk = Join("desk", 1, {test::Teleoperation()}, {Connection()});
+  Join("robot", 2, {test::Arm()});
+  registry_.End(desk, ProcessState::kLost, "killed");
+  Join("desk", 3, {test::Teleoperation()});
+  Pass(2s);
+  ASSERT_TRUE(registry_.Forget("robot"));
+
+  Catalog copy;
+  for (const CatalogChange& change : registry_.TakeChanges()) ASSERT_TRUE(copy.Apply(change));
+
+  EXPECT_EQ(copy, registry_.catalog());
+  EXPECT_TRUE(registry_.TakeChanges().empty());
+}
+
+TEST_F(RegistryTest, ASecondProcessOfANameIsToldWhoHasIt) {
+  const Session session = Join("robot", 7);
+  clock_.Advance(80ms);
+
+  const Error error = JoinError({test::ProcessNamed("robot", 8), {}, {}});
+
+  EXPECT_EQ(error.code, ErrorCode::kExists);
+  EXPECT_EQ(error.message.find("process name 'robot' is in use by host bench pid 1007 since 2"), 0U)
+      << error.message;
+  EXPECT_NE(error.message.find(" (last renewal 80 ms ago)"), std::string::npos) << error.message;
+  EXPECT_EQ(Process("robot").instance, 7U);
+  EXPECT_TRUE(registry_.Renew(session));
+}
+
+TEST_F(RegistryTest, ALeaseThatIsNotRenewedIsSuspectedThenLost) {
+  const Session robot = Join("robot", 1);
+  const Session desk = Join("desk", 2);
+
+  Pass(700ms, {desk});
+  EXPECT_EQ(Process("robot").state, ProcessState::kAlive);
+  Pass(50ms, {desk});
+  EXPECT_EQ(Process("robot").state, ProcessState::kSuspect);
+  Pass(700ms, {desk});
+  EXPECT_EQ(Process("robot").state, ProcessState::kSuspect);
+  Pass(50ms, {desk});
+  EXPECT_EQ(Process("robot").state, ProcessState::kLost);
+  EXPECT_EQ(Process("robot").reason, "no renewal of its lease for 1500 ms");
+
+  EXPECT_EQ(registry_.Renew(robot).error().code, ErrorCode::kDenied);
+  EXPECT_EQ(Process("desk").state, ProcessState::kAlive);
+  EXPECT_EQ(registry_.peers().processes, std::vector{Process("desk")});
+}
+
+TEST_F(RegistryTest, ASuspectThatRenewsIsAliveAgain) {
+  const Session robot = Join("robot", 1);
+  Pass(800ms);
+  ASSERT_EQ(Process("robot").state, ProcessState::kSuspect);
+
+  ASSERT_TRUE(registry_.Renew(robot));
+
+  EXPECT_EQ(Process("robot").state, ProcessState::kAlive);
+  EXPECT_EQ(Process("robot").reason, "");
+}
+
+TEST_F(RegistryTest, AStandstillOfTheGcmItselfIsNobodysFault) {
+  const Session robot = Join("robot", 1);
+  registry_.Tick();
+
+  clock_.Advance(1h);
+  EXPECT_TRUE(registry_.Tick().empty());
+  EXPECT_EQ(Process("robot").state, ProcessState::kAlive);
+
+  EXPECT_TRUE(registry_.Renew(robot));
+  Pass(1600ms);
+  EXPECT_EQ(Process("robot").state, ProcessState::kLost);
+}
+
+TEST_F(RegistryTest, ALostNameMayBeTakenAndTheZombieIsFenced) {
+  const Session old = Join("robot", 1, {test::Arm()});
+  Pass(1600ms);
+
+  const Session taken = Join("robot", 2);
+
+  EXPECT_EQ(Process("robot").instance, 2U);
+  EXPECT_EQ(registry_.catalog().FindComponent("robot", "arm"), nullptr);
+  EXPECT_FALSE(registry_.Renew(old));
+  EXPECT_FALSE(registry_.Report(old, {}));
+  EXPECT_EQ(JoinError({test::ProcessNamed("robot", 1), {}, {}}, old).code, ErrorCode::kExists);
+  registry_.End(old, ProcessState::kLost, "late");
+  EXPECT_TRUE(registry_.Renew(taken));
+  EXPECT_EQ(Process("robot").state, ProcessState::kAlive);
+}
+
+TEST_F(RegistryTest, TheSameProcessTakesItsOwnMembershipOver) {
+  const Session old = Join("robot", 1, {test::Arm()});
+
+  EXPECT_EQ(JoinError({test::ProcessNamed("robot", 1), {}, {}}, old + 1).code, ErrorCode::kExists);
+  EXPECT_EQ(JoinError({test::ProcessNamed("robot", 2), {}, {}}, old).code, ErrorCode::kExists);
+  const Session next = Join("robot", 1, {test::Arm("other")}, {}, old);
+
+  EXPECT_NE(next, old);
+  EXPECT_FALSE(registry_.Renew(old));
+  EXPECT_EQ(registry_.catalog().FindComponent("robot", "arm"), nullptr);
+  EXPECT_NE(registry_.catalog().FindComponent("robot", "other"), nullptr);
+}
+
+TEST_F(RegistryTest, AProcessThatLeavesIsATombstoneUntilForgottenOrADayHasPassed) {
+  registry_.End(Join("robot", 1, {test::Arm()}), ProcessState::kLeft, "said good-bye");
+  registry_.End(Join("desk", 2), ProcessState::kLost, "killed");
+
+  EXPECT_EQ(Process("robot").state, ProcessState::kLeft);
+  EXPECT_NE(registry_.catalog().FindComponent("robot", "arm"), nullptr);
+  EXPECT_TRUE(registry_.Forget("robot"));
+  EXPECT_EQ(registry_.catalog().FindProcess("robot"), nullptr);
+
+  clock_.Advance(23h);
+  registry_.Tick();
+  EXPECT_NE(registry_.catalog().FindProcess("desk"), nullptr);
+  clock_.Advance(1h);
+  registry_.Tick();
+  EXPECT_EQ(registry_.catalog().FindProcess("desk"), nullptr);
+}
+
+TEST_F(RegistryTest, OnlyATombstoneCanBeForgotten) {
+  Join("robot", 1);
+
+  EXPECT_EQ(registry_.Forget("robot").error().message,
+            "process 'robot' is there; only one that is gone can be forgotten");
+  EXPECT_EQ(registry_.Forget("robott").error().message,
+            "no process 'robott'; did you mean 'robot'?");
+}
+
+TEST_F(RegistryTest, WhatAReportDoesNotChangeGetsNoRevision) {
+  const Session robot = Join("robot", 1, {test::Arm()});
+  const std::uint64_t before = registry_.catalog().revision();
+
+  ASSERT_TRUE(registry_.Report(
+      robot, {{{.kind = Kind::kComponent, .process = "robot", .components = {test::Arm()}},
+               {.kind = Kind::kComponentRemoved, .process = "robot", .component = "none"},
+               {.kind = Kind::kConnectionRemoved, .process = "robot", .connection = 17}}}));
+
+  EXPECT_EQ(registry_.catalog().revision(), before);
+}
+
+TEST_F(RegistryTest, AProcessReportsOfItselfAlone) {
+  const Session robot = Join("robot", 1, {test::Arm()});
+  Join("desk", 2);
+  auto imposter = test::ProcessNamed("robot", 99);
+  imposter.state = ProcessState::kLost;
+  ConnectionDescription foreign = Connection();
+  const Catalog before = registry_.catalog();
+  const std::vector<CatalogChange> changes = {
+      {.kind = Kind::kComponent, .process = "desk", .components = {test::Arm()}},
+      {.kind = Kind::kProcessRemoved, .process = "robot"},
+      {.kind = Kind::kProcess, .process = "robot"},
+      {.kind = Kind::kComponent, .process = "robot", .components = {test::Arm(""), test::Arm()}},
+      {.kind = Kind::kComponent, .process = "robot", .components = {test::Arm("a/b")}},
+      {.kind = Kind::kConnection, .process = "robot", .connections = {foreign}}};
+  for (const CatalogChange& change : changes) {
+    EXPECT_FALSE(registry_.Report(robot, {{change}}));
+    EXPECT_EQ(registry_.catalog(), before);
+  }
+
+  // Its address is its own to tell; who it is and how it does are not.
+  ASSERT_TRUE(registry_.Report(
+      robot, {{{.kind = Kind::kProcess, .process = "robot", .processes = {imposter}}}}));
+  EXPECT_EQ(Process("robot").address, imposter.address);
+  EXPECT_EQ(Process("robot").instance, 1U);
+  EXPECT_EQ(Process("robot").state, ProcessState::kAlive);
+}
+
+TEST_F(RegistryTest, AStepThatMakesNoSenseDoesNotKeepTheOthersBack) {
+  const Session robot = Join("robot", 1);
+
+  EXPECT_FALSE(registry_.Report(
+      robot, {{{.kind = Kind::kComponent, .process = "robot"},
+               {.kind = Kind::kComponent, .process = "robot", .components = {test::Arm()}}}}));
+
+  EXPECT_NE(registry_.catalog().FindComponent("robot", "arm"), nullptr);
+}
+
+TEST_F(RegistryTest, AJoinThatMakesNoSenseIsRefusedAsAWhole) {
+  const auto process = test::ProcessNamed("robot", 1);
+  const auto invalid = [&](message::Join join) {
+    EXPECT_EQ(JoinError(std::move(join)).code, ErrorCode::kInvalid);
+    EXPECT_TRUE(registry_.catalog().processes().empty());
+  };
+  invalid({test::ProcessNamed("", 1), {}, {}});
+  invalid({test::ProcessNamed("a b", 1), {}, {}});
+  invalid({test::ProcessNamed(std::string(1U << 20U, 'x'), 1), {}, {}});
+  invalid({process, {test::Arm(), test::Arm()}, {}});
+  invalid({process, {test::Arm("\x1b[31m")}, {}});
+  invalid({process, {}, {Connection()}});
+  invalid({test::ProcessNamed("desk", 1), {}, {Connection(1), Connection(2)}});
+  ComponentDescription bad_member = test::Arm();
+  bad_member.provided[0].commands[0].name = "Move To";
+  invalid({process, {bad_member}, {}});
+}
+
+TEST_F(RegistryTest, FreeTextsAreKeptPrintableAndShort) {
+  ComponentDescription arm = test::Arm();
+  arm.fault = "\x1b[2J" + std::string(1U << 20U, 'x');
+  auto process = test::ProcessNamed("robot", 1);
+  process.host = "evil\n";
+  ASSERT_TRUE(registry_.Join({process, {arm}, {}}, 0, nullptr));
+
+  const std::string fault = registry_.catalog().FindComponent("robot", "arm")->fault;
+  EXPECT_EQ(fault.substr(0, 8), "\\x1b[2Jx");
+  EXPECT_LT(fault.size(), 5000U);
+  EXPECT_EQ(Process("robot").host, "evil\\x0a");
+}
+
+TEST_F(RegistryTest, ALostProcessKeepsItsConnectionsAsWanted) {
+  registry_.End(Join("desk", 1, {test::Teleoperation()}, {Connection()}), ProcessState::kLost, "x");
+
+  const auto* connection = registry_.catalog().FindConnection(kRobot);
+  ASSERT_NE(connection, nullptr);
+  EXPECT_EQ(connection->state, ConnectionState::kPending);
+  EXPECT_EQ(connection->reason, "process 'desk' is gone");
+}
+
+TEST_F(RegistryTest, ConnectionsAreHandedBackOnceBothEndsAreThereAgain) {
+  const Session robot = Join("robot", 1, {test::Arm()});
+  registry_.End(Join("desk", 2, {test::Teleoperation()}, {Connection()}), ProcessState::kLost, "x");
+  EXPECT_TRUE(registry_.TakeDueHandBacks().empty());
+
+  const Session desk = Join("desk", 3);
+  EXPECT_TRUE(registry_.TakeDueHandBacks().empty());
+  ASSERT_TRUE(registry_.Report(
+      desk, {{{.kind = Kind::kComponent, .components = {test::Teleoperation()}}}}));
+
+  EXPECT_EQ(registry_.TakeDueHandBacks(), (std::vector{message::Wire{kRobot, kControl}}));
+  EXPECT_TRUE(registry_.TakeDueHandBacks().empty());
+  EXPECT_TRUE(registry_.Renew(robot));
+}
+
+TEST_F(RegistryTest, ConnectionsAreHandedBackToTheSameClassAlone) {
+  Join("robot", 1, {test::Arm()});
+  registry_.End(Join("desk", 2, {test::Teleoperation()}, {Connection()}), ProcessState::kLost, "x");
+  ComponentDescription other = test::Teleoperation();
+  other.class_name = "Joystick";
+
+  const Session desk = Join("desk", 3, {other});
+  EXPECT_TRUE(registry_.TakeDueHandBacks().empty());
+
+  ASSERT_TRUE(registry_.Report(
+      desk, {{{.kind = Kind::kComponent, .components = {test::Teleoperation()}}}}));
+  EXPECT_TRUE(registry_.TakeDueHandBacks().empty());
+}
+
+TEST_F(RegistryTest, NothingIsHandedBackToAProcessThatNeverStopped) {
+  Join("robot", 1, {test::Arm()});
+  registry_.End(Join("desk", 2, {test::Teleoperation()}, {Connection()}), ProcessState::kLost, "x");
+
+  Join("desk", 2, {test::Teleoperation()});
+
+  EXPECT_TRUE(registry_.TakeDueHandBacks().empty());
+  EXPECT_EQ(registry_.catalog().FindConnection(kRobot), nullptr);
+}
+
+TEST_F(RegistryTest, NothingIsHandedBackOverANewConnectionOrAForgottenProcess) {
+  Join("robot", 1, {test::Arm()});
+  registry_.End(Join("desk", 2, {test::Teleoperation()}, {Connection()}), ProcessState::kLost, "x");
+  registry_.End(Join("desk", 3, {test::Teleoperation()}, {Connection(9)}), ProcessState::kLost,
+                "x");
+  EXPECT_TRUE(registry_.TakeDueHandBacks().empty());
+
+  ASSERT_TRUE(registry_.Forget("desk"));
+  Join("desk", 4, {test::Teleoperation()});
+  EXPECT_TRUE(registry_.TakeDueHandBacks().empty());
+}
+
+TEST_F(RegistryTest, AProcessThatDiesAgainBeforeItsComponentsWereBackGetsItsConnectionsLater) {
+  Join("robot", 1, {test::Arm()});
+  registry_.End(Join("desk", 2, {test::Teleoperation()}, {Connection()}), ProcessState::kLost, "x");
+  registry_.End(Join("desk", 3), ProcessState::kLost, "x");
+
+  Join("desk", 4, {test::Teleoperation()});
+
+  EXPECT_EQ(registry_.TakeDueHandBacks(), (std::vector{message::Wire{kRobot, kControl}}));
+}
+
+}  // namespace
+}  // namespace tendon::server

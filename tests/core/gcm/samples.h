@@ -1,0 +1,87 @@
+#pragma once
+
+#include <tendon/gcm/catalog.h>
+
+#include <array>
+#include <chrono>
+#include <string>
+#include <thread>
+
+namespace tendon::test {
+
+using Joints = std::array<double, 7>;
+
+/// Something that offers joints to be read and moved: fits Robot() below.
+inline ProvidedDescription Control() {
+  return {.name = "Control",
+          .commands = {{.name = "GetJoints",
+                        .signature = SignatureOf<None, Joints>(CommandKind::kRead),
+                        .out_type = "float64[7]"},
+                       {.name = "MoveTo",
+                        .signature = SignatureOf<Joints, None>(CommandKind::kWrite),
+                        .in_type = "float64[7]"},
+                       {.name = "Scale",
+                        .signature = SignatureOf<double, Joints>(CommandKind::kQualifiedRead),
+                        .in_type = "float64",
+                        .out_type = "float64[7]"},
+                       {.name = "Stop", .signature = SignatureOf<None, None>(CommandKind::kVoid)}},
+          .events = {}};
+}
+
+inline RequiredDescription Robot(const std::string& name = "Robot") {
+  return {.name = name,
+          .functions = {{.name = "GetJoints",
+                         .signature = SignatureOf<None, Joints>(CommandKind::kRead),
+                         .out_type = "float64[7]"},
+                        {.name = "MoveTo",
+                         .signature = SignatureOf<Joints, None>(CommandKind::kWrite),
+                         .in_type = "float64[7]"}}};
+}
+
+inline ComponentDescription Arm(const std::string& name = "arm") {
+  return {.name = name,
+          .class_name = "SimulatedArm",
+          .library = "simulated_arm",
+          .state = ComponentState::kActive,
+          .period = 0.001,
+          .provided = {Control()},
+          .tables = {{.name = "state",
+                      .length = 1000,
+                      .columns = {{"Joints", "float64[7]", FingerprintOf<Joints>()}}}}};
+}
+
+inline ComponentDescription Teleoperation(const std::string& name = "teleoperation") {
+  return {.name = name,
+          .class_name = "Teleoperation",
+          .state = ComponentState::kActive,
+          .required = {Robot()}};
+}
+
+/// Offers something else under a name that sounds right.
+inline ComponentDescription FakeArm() {
+  ComponentDescription fake = Arm("fake");
+  fake.class_name = "FakeArm";
+  fake.provided[0].commands.erase(fake.provided[0].commands.begin() + 1);
+  return fake;
+}
+
+inline ProcessDescription ProcessNamed(const std::string& name, std::uint64_t instance) {
+  return {.name = name,
+          .instance = instance,
+          .host = "bench",
+          .pid = static_cast<std::int64_t>(1000 + instance),
+          .address = "127.0.0.1:" + std::to_string(20000 + instance % 10000)};
+}
+
+/// Waits until `condition()` is true; false when it never was.
+template <typename Condition>
+bool Eventually(Condition&& condition) {
+  const auto limit = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+  while (!condition()) {
+    if (std::chrono::steady_clock::now() > limit) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return true;
+}
+
+}  // namespace tendon::test

@@ -1,0 +1,158 @@
+#include <tests/core/gcm/bench.h>
+
+#include <latch>
+#include <thread>
+
+namespace tendon {
+namespace {
+
+using test::Eventually;
+using test::FakeProcess;
+using test::Recorder;
+
+class Watching : public test::Bench {};
+
+INSTANTIATE_TEST_SUITE_P(Over, Watching, testing::Values("loopback", "tcp"), test::NameOfParameter);
+
+TEST_P(Watching, ASnapshotComesFirstThenChanges) {
+  const auto robot = Join("robot", {test::Arm()});
+  const auto recorder = std::make_shared<Recorder>();
+  const auto client = Watch(recorder);
+  ASSERT_TRUE(Eventually([&] { return recorder->snapshots() == 1; }));
+  EXPECT_EQ(recorder->catalog(), gcm_->catalog());
+
+  const auto desk = Join("desk", {test::Teleoperation()});
+
+  EXPECT_TRUE(Eventually([&] { return client->catalog() == gcm_->catalog(); }));
+  EXPECT_TRUE(Eventually([&] { return recorder->catalog() == gcm_->catalog(); }));
+  EXPECT_EQ(recorder->snapshots(), 1);
+}
+
+TEST_P(Watching, AllWatchersSeeTheSameNumberedSequenceWhileProcessesComeAndGo) {
+  const auto one = std::make_shared<Recorder>();
+  const auto two = std::make_shared<Recorder>();
+  const auto first = Watch(one);
+  const auto second = Watch(two);
+
+  std::vector<std::thread> threads;
+  for (const std::string name : {"robot", "desk", "hall"}) {
+    threads.emplace_back([this, name] {
+      const auto middleware = NewMiddleware();
+      for (int i = 0; i < 10; ++i) {
+        FakeProcess process(middleware, name);
+        process.Add(test::Arm());
+        ASSERT_TRUE(process.Join(address_));
+        process.Add(test::Teleoperation());
+        if (i % 2 == 0) {
+          ASSERT_TRUE(process.Leave());
+        }
+        process.BreakLink();
+        ASSERT_TRUE(Eventually([&] { return StateOf(name) >= ProcessState::kLost; }));
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+
+  const Catalog last = gcm_->catalog();
+  ASSERT_TRUE(Eventually([&] { return one->catalog() == last && two->catalog() == last; }));
+  const auto changes = one->changes();
+  EXPECT_EQ(changes, two->changes());
+  ASSERT_EQ(changes.size(), last.revision());
+  for (std::size_t i = 0; i < changes.size(); ++i) ASSERT_EQ(changes[i].revision, i + 1);
+  EXPECT_EQ(one->snapshots() + two->snapshots(), 2);
+}
+
+/// Reads nothing after its first snapshot until it is released.
+class StuckListener final : public Recorder {
+ public:
+  void OnChanges(const std::vector<CatalogChange>& changes) override {
+    released.wait();
+    Recorder::OnChanges(changes);
+  }
+  std::latch released{1};
+};
+
+TEST_P(Watching, AWatcherThatDoesNotReadHoldsNobodyUpAndCatchesUpByASnapshot) {
+  const auto robot = Join("robot", {test::Arm()});
+  const auto stuck = std::make_shared<StuckListener>();
+  const auto quick = std::make_shared<Recorder>();
+  const auto stuck_client = Watch(stuck);
+  const auto quick_client = Watch(quick);
+  // Far more than links, sockets and the log of changes hold.
+  constexpr int kBatches = 80;
+  constexpr int kBatch = 100;
+  ComponentDescription arm = test::Arm();
+  for (int batch = 0; batch < kBatches; ++batch) {
+    std::vector<CatalogChange> changes;
+    for (int i = 0; i < kBatch; ++i) {
+      arm.fault = std::to_string(batch * kBatch + i) + std::string(4000, '.');
+      changes.push_back({.kind = CatalogChange::Kind::kComponent, .components = {arm}});
+    }
+    robot->Report(changes);
+    ASSERT_TRUE(Eventually([&] {
+      const Catalog seen = quick->catalog();
+      const auto* component = seen.FindComponent("robot", "arm");
+      return component != nullptr && component->fault == arm.fault;
+    })) << batch;
+  }
+  EXPECT_EQ(quick->snapshots(), 1);
+  EXPECT_EQ(quick->holes(), 0);
+
+  stuck->released.count_down();
+
+  EXPECT_TRUE(Eventually([&] { return stuck->catalog() == gcm_->catalog(); }));
+  EXPECT_EQ(stuck->snapshots(), 2);
+  EXPECT_EQ(stuck->holes(), 0);
+  EXPECT_LT(stuck->changes().size(), quick->changes().size());
+}
+
+TEST_P(Watching, AClientWithoutAGcmSaysWhereAndWhatToDo) {
+  gcm_.reset();
+  const auto recorder = std::make_shared<Recorder>();
+  GcmClient client(NewMiddleware(),
+                   {.name = "test", .address = address_, .timeout = std::chrono::milliseconds(100)},
+                   recorder);
+
+  const auto watching = client.WaitUntilWatching();
+
+  ASSERT_FALSE(watching);
+  EXPECT_EQ(watching.error().code, ErrorCode::kUnreachable);
+  EXPECT_EQ(watching.error().message.find("no GCM at " + address_ + " ("), 0U)
+      << watching.error().message;
+  EXPECT_NE(watching.error().message.find("); start one with: gcm serve"), std::string::npos);
+  const auto connected = Connect(client);
+  ASSERT_FALSE(connected);
+  EXPECT_EQ(connected.error().code, ErrorCode::kUnreachable);
+  ASSERT_TRUE(Eventually([&] { return !recorder->losses().empty(); }));
+  EXPECT_EQ(recorder->losses()[0].message, watching.error().message);
+}
+
+TEST_P(Watching, AClientFindsItsGcmAgain) {
+  auto robot = Join("robot", {test::Arm()});
+  const auto recorder = std::make_shared<Recorder>();
+  const auto client = Watch(recorder);
+
+  gcm_.reset();
+  ASSERT_TRUE(Eventually([&] { return recorder->losses().size() == 1; }));
+  EXPECT_EQ(client->catalog().processes().size(), 1U);  // what was known last
+  StartGcm(address_);
+  const auto desk = Join("desk", {test::Teleoperation()});
+
+  EXPECT_TRUE(client->WaitUntilWatching());
+  EXPECT_TRUE(Eventually([&] { return recorder->catalog() == gcm_->catalog(); }));
+  EXPECT_EQ(recorder->snapshots(), 2);
+  EXPECT_EQ(recorder->losses().size(), 1U);
+}
+
+TEST_P(Watching, AClientOfAnotherProtocolIsToldAtOnce) {
+  const auto middleware = NewMiddleware();
+  const auto handler = std::make_shared<ChannelHandler>();
+  const auto channel = Channel::Open(
+      *middleware, address_, {.instance = 1, .name = "stranger", .cookie = 17}, handler, kLong);
+
+  ASSERT_FALSE(channel);
+  EXPECT_EQ(channel.error().code, ErrorCode::kDenied);
+}
+
+}  // namespace
+}  // namespace tendon
