@@ -1,0 +1,48 @@
+#include <components/arm_supervisor/arm_supervisor.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+namespace arm {
+namespace {
+
+constexpr std::chrono::milliseconds kPeriod{20};
+
+/// What the drive of each joint has to turn in a middling posture; kg m^2, a rough estimate.
+constexpr JointVector kInertia{1.2, 1.4, 0.7, 0.8, 0.1, 0.1, 0.02};
+
+Activity ActivityOf(const JointState& joints) {
+  Activity activity;
+  for (std::size_t joint = 0; joint < kJoints; ++joint) {
+    const double speed = std::abs(joints.velocity[joint]);
+    activity.speed = std::max(activity.speed, speed);
+    activity.energy += 0.5 * kInertia[joint] * speed * speed;
+  }
+  return activity;
+}
+
+}  // namespace
+
+ArmSupervisor::ArmSupervisor(std::string name) : PeriodicTask(std::move(name), kPeriod) {
+  state_table().Add(activity_, "Activity");
+  state_table().Add(flange_, "Flange");
+  state_table().Add(events_, "Events");
+
+  auto& robot = AddRequiredInterface("Robot");
+  robot.AddFunction(get_joints_, "GetJoints");
+  robot.AddFunction(get_link_pose_, "GetLinkPose", tendon::Need::kOptional);
+  robot.AddEventHandlerVoid(&ArmSupervisor::OnGoalReached, this, "GoalReached");
+  robot.AddEventHandlerWrite(&ArmSupervisor::OnLimitExceeded, this, "LimitExceeded");
+}
+
+void ArmSupervisor::Run() {
+  ProcessQueuedCommands();
+  JointState joints;
+  activity_ = get_joints_(joints) ? ActivityOf(joints) : Activity{};
+  // Without an answer the flange stays where it was seen last.
+  (void)get_link_pose_(LinkId::kFlange, flange_);
+}
+
+}  // namespace arm

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <tendon/payload/payload.h>
+
+#include <cstdint>
+
+namespace arm {
+
+/// How much an arm moves.
+struct Activity {
+  double speed = 0.0;   ///< rad/s; of the fastest joint
+  double energy = 0.0;  ///< J; estimated, of the motion
+};
+
+/// What an arm has told since the supervisor was started.
+struct EventCounts {
+  std::uint64_t goals = 0;   ///< goals reached
+  std::uint64_t limits = 0;  ///< limits met
+};
+
+}  // namespace arm
+
+template <>
+inline constexpr auto tendon::kPayload<arm::Activity> =
+    tendon::Describe("arm.Activity", tendon::Field{"speed", &arm::Activity::speed, "rad/s"},
+                     tendon::Field{"energy", &arm::Activity::energy, "J"});
+
+template <>
+inline constexpr auto tendon::kPayload<arm::EventCounts> =
+    tendon::Describe("arm.EventCounts", tendon::Field{"goals", &arm::EventCounts::goals},
+                     tendon::Field{"limits", &arm::EventCounts::limits});

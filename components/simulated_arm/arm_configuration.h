@@ -1,0 +1,44 @@
+#pragma once
+
+#include <components/arm_interface/arm_payloads.h>
+
+#include <numbers>
+#include <string>
+
+namespace arm {
+
+/// The posture an arm of this build rests in: elbow up, hand down, nothing near a limit.
+inline constexpr JointVector kReadyPosture{0.0,
+                                           -std::numbers::pi / 4,
+                                           0.0,
+                                           -3 * std::numbers::pi / 4,
+                                           0.0,
+                                           std::numbers::pi / 2,
+                                           std::numbers::pi / 4};  // rad
+
+/// What can be said about a simulated arm. The defaults are the limits of a Franka Emika Panda:
+/// https://frankaemika.github.io/docs/control_parameters.html
+struct ArmConfiguration {
+  JointVector home = kReadyPosture;  ///< rad; where it begins
+  JointVector lower{-2.8973, -1.7628, -2.8973, -3.0718, -2.8973, -0.0175, -2.8973};  ///< rad
+  JointVector upper{2.8973, 1.7628, 2.8973, -0.0698, 2.8973, 3.7525, 2.8973};        ///< rad
+  JointVector velocity{2.175, 2.175, 2.175, 2.175, 2.61, 2.61, 2.61};  ///< greatest, rad/s
+  JointVector acceleration{15.0, 7.5, 10.0, 12.5, 15.0, 20.0, 20.0};   ///< greatest, rad/s^2
+  double bandwidth = 50.0;  ///< rad/s; how stiffly a joint follows, up to 500
+  double noise = 0.0;       ///< rad; standard deviation of a measured position
+};
+
+/// Throws ConfigurationError, which names `component`, the field and what is wrong with it.
+void RequireValid(const ArmConfiguration& configuration, const std::string& component);
+
+}  // namespace arm
+
+template <>
+inline constexpr auto tendon::kPayload<arm::ArmConfiguration> = tendon::Describe(
+    "arm.ArmConfiguration", tendon::Field{"home", &arm::ArmConfiguration::home, "rad"},
+    tendon::Field{"lower", &arm::ArmConfiguration::lower, "rad"},
+    tendon::Field{"upper", &arm::ArmConfiguration::upper, "rad"},
+    tendon::Field{"velocity", &arm::ArmConfiguration::velocity, "rad/s"},
+    tendon::Field{"acceleration", &arm::ArmConfiguration::acceleration, "rad/s^2"},
+    tendon::Field{"bandwidth", &arm::ArmConfiguration::bandwidth, "rad/s"},
+    tendon::Field{"noise", &arm::ArmConfiguration::noise, "rad"});

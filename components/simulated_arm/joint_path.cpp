@@ -1,0 +1,96 @@
+#include <components/simulated_arm/joint_path.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace arm {
+namespace {
+
+constexpr double kShortest = 0.1;     // s; of a motion
+constexpr double kShortDecay = 0.05;  // s; at least, else the jerk has no bound
+constexpr double kLongDecay = 0.5;    // s; at most, unless the brakes need more
+
+/// s in which the velocity of `start` can go to 0 with at most three quarters of the acceleration:
+/// 3/2 v / t is the greatest that a cubic has.
+double Braking(const JointPoint& start, const JointLimits& limits) {
+  return std::max(kShortDecay, 2.0 * std::abs(start.velocity) / limits.acceleration);
+}
+
+/// s that the motion at the start may take when there are `duration` s.
+double Decay(const JointPoint& start, double duration, const JointLimits& limits) {
+  return std::min(duration, std::max(kLongDecay, Braking(start, limits)));
+}
+
+/// rad that the joint goes on in `decay` s.
+double Coasted(const JointPoint& start, double decay) {
+  return decay * (start.velocity / 2.0 + start.acceleration * decay / 12.0);
+}
+
+/// The motion at the start, `time` s later.
+JointPoint Coast(const JointPoint& start, double decay, double time) {
+  const double s = time / decay;
+  const double v = start.velocity;
+  const double a = start.acceleration * decay;
+  const double position =
+      decay * s *
+      (v * (1.0 + s * s * (s / 2.0 - 1.0)) + a * s * (1.0 / 2.0 + s * (s / 4.0 - 2.0 / 3.0)));
+  const double velocity = v * (1.0 + s * s * (2.0 * s - 3.0)) + a * s * (1.0 + s * (s - 2.0));
+  const double acceleration = (v * 6.0 * s * (s - 1.0) + a * (1.0 + s * (3.0 * s - 4.0))) / decay;
+  return {position, velocity, acceleration};
+}
+
+/// Minimum jerk from 0 to 1 within 0 <= s <= 1, differentiated by s.
+JointPoint MinimumJerk(double s) {
+  const double rest = 1.0 - s;
+  return {s * s * s * (10.0 + s * (6.0 * s - 15.0)), 30.0 * s * s * rest * rest,
+          60.0 * s * rest * (1.0 - 2.0 * s)};
+}
+
+}  // namespace
+
+JointPath::JointPath(double position) : start_{position, 0.0, 0.0}, goal_(position) {}
+
+JointPath::JointPath(const JointPoint& start, double decay)
+    : start_(start), decay_(decay), goal_(start.position + Coasted(start, decay)) {}
+
+JointPath JointPath::MoveTo(const JointPoint& start, double goal, double duration,
+                            const JointLimits& limits) {
+  JointPath path(start, Decay(start, duration, limits));
+  path.duration_ = duration;
+  path.distance_ = goal - path.goal_;
+  path.goal_ = goal;
+  return path;
+}
+
+JointPath JointPath::Stop(const JointPoint& start, const JointLimits& limits) {
+  JointPath path(start, Braking(start, limits));
+  path.duration_ = path.decay_;
+  return path;
+}
+
+double JointPath::Lengthened(const JointPoint& start, double goal, double duration,
+                             const JointLimits& limits) {
+  // Minimum jerk has at most 15/8 of the mean velocity and 10/sqrt(3) distance/t^2. Half of the
+  // acceleration is for it, half for what the joint has at the start.
+  constexpr double kPeakVelocity = 15.0 / 8.0;
+  const double peak_acceleration = 10.0 / std::sqrt(3.0);
+  const double least = std::max({duration, kShortest, Braking(start, limits)});
+  const double decay = Decay(start, least, limits);
+  const double distance = std::abs(goal - start.position - Coasted(start, decay));
+  return std::max({least, kPeakVelocity * distance / limits.velocity,
+                   std::sqrt(peak_acceleration * distance / (0.5 * limits.acceleration))});
+}
+
+JointPoint JointPath::At(double time) const {
+  if (time >= duration_) return {goal_, 0.0, 0.0};
+  const double coasting = std::min(time, decay_);
+  const JointPoint coast = Coast(start_, decay_, coasting);
+  const JointPoint move = MinimumJerk(time / duration_);
+  const bool coasts = time < decay_;
+  return {start_.position + coast.position + distance_ * move.position,
+          (coasts ? coast.velocity : 0.0) + distance_ * move.velocity / duration_,
+          (coasts ? coast.acceleration : 0.0) +
+              distance_ * move.acceleration / (duration_ * duration_)};
+}
+
+}  // namespace arm

@@ -1,0 +1,125 @@
+#include <components/teleoperation/teleoperation.h>
+#include <tendon/base/error.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+namespace arm {
+namespace {
+
+constexpr std::chrono::milliseconds kPeriod{20};
+constexpr double kStep = std::chrono::duration<double>(kPeriod).count();  // s
+
+// A goal is sent ten times a second, each replacing the one before. An arm that moves with minimum
+// jerk to rest, and is told again and again, follows 0.6 durations behind: so much ahead lies the
+// goal.
+constexpr int kCyclesPerGoal = 5;
+constexpr double kDuration = 0.4;                                          // s, of a goal
+constexpr double kAhead = 0.6 * kDuration + kCyclesPerGoal * kStep / 2.0;  // s
+constexpr double kNear = 0.3;       // rad; further behind than this, the tour waits for the arm
+constexpr double kApproach = 2.5;   // s in which the tour is joined
+constexpr double kSpeedUp = 1.0;    // s in which the tour comes to full speed
+constexpr double kTurnAgain = 0.5;  // s in which further limits belong to the same turn
+
+Tour CheckedTour(const TeleoperationConfiguration& configuration, const std::string& name) {
+  const auto& [period, amplitude] = configuration;
+  if (!(period >= 4.0 && period <= 3600.0)) {
+    throw tendon::ConfigurationError("configuration of '" + name + "': period is " +
+                                     std::to_string(period) + ", expected 4 to 3600 s");
+  }
+  if (!(amplitude >= 0.0 && amplitude <= 3.0)) {
+    throw tendon::ConfigurationError("configuration of '" + name + "': amplitude is " +
+                                     std::to_string(amplitude) + ", expected 0 to 3");
+  }
+  return {period, amplitude};
+}
+
+/// From 0 to 1 in the course of `duration` s, with minimum jerk; 1 from then on.
+double Smooth(double time, double duration) {
+  const double s = std::min(1.0, time / duration);
+  return s * s * s * (10.0 + s * (6.0 * s - 15.0));
+}
+
+}  // namespace
+
+Teleoperation::Teleoperation(std::string name, const Configuration& configuration)
+    : PeriodicTask(std::move(name), kPeriod), tour_(CheckedTour(configuration, this->name())) {
+  state_table().Add(target_, "Target");
+  state_table().Add(tracking_, "Tracking");
+  state_table().Add(limits_, "Limits");
+
+  auto& robot = AddRequiredInterface("Robot");
+  robot.AddFunction(move_to_, "MoveTo");
+  robot.AddFunction(stop_, "Stop");
+  robot.AddFunction(get_joints_, "GetJoints");
+  robot.AddEventHandlerVoid(&Teleoperation::OnGoalReached, this, "GoalReached");
+  robot.AddEventHandlerWrite(&Teleoperation::OnLimitExceeded, this, "LimitExceeded");
+}
+
+void Teleoperation::Run() {
+  ProcessQueuedCommands();
+  JointState joints;
+  const tendon::Status status = get_joints_(joints);
+  if (status == tendon::Status::kNotConnected) is_leading_ = false;
+  if (!status) return;
+  if (!is_leading_) SetOut(joints);
+  GoOn(joints);
+}
+
+void Teleoperation::Cleanup() {
+  if (is_leading_) (void)stop_();
+}
+
+void Teleoperation::SetOut(const JointState& joints) {
+  is_leading_ = true;
+  time_ = 0.0;
+  direction_ = 1.0;
+  elapsed_ = 0.0;
+  turned_ = kTurnAgain;
+  cycles_to_goal_ = 0;
+  const JointVector begin = tour_.At(0.0);
+  for (std::size_t joint = 0; joint < kJoints; ++joint) {
+    detour_[joint] = joints.position[joint] - begin[joint];
+  }
+}
+
+void Teleoperation::GoOn(const JointState& joints) {
+  target_.position = PostureAt(0.0);
+  tracking_.worst = 0.0;
+  for (std::size_t joint = 0; joint < kJoints; ++joint) {
+    tracking_.error[joint] = target_.position[joint] - joints.position[joint];
+    tracking_.worst = std::max(tracking_.worst, std::abs(tracking_.error[joint]));
+  }
+  if (--cycles_to_goal_ <= 0) SendGoal();
+  turned_ += kStep;
+  if (tracking_.worst > kNear) return;
+  time_ += direction_ * kStep * Smooth(elapsed_, kSpeedUp);
+  elapsed_ += kStep;
+}
+
+void Teleoperation::SendGoal() {
+  // A goal that is refused is no loss: the next one follows.
+  (void)move_to_({.position = PostureAt(kAhead), .duration = kDuration});
+  cycles_to_goal_ = kCyclesPerGoal;
+}
+
+JointVector Teleoperation::PostureAt(double time_ahead) const {
+  const double elapsed = elapsed_ + time_ahead;
+  const double pace = direction_ * Smooth(elapsed_, kSpeedUp);
+  JointVector posture = tour_.At(time_ + pace * time_ahead);
+  const double rest = 1.0 - Smooth(elapsed, kApproach);
+  for (std::size_t joint = 0; joint < kJoints; ++joint) posture[joint] += rest * detour_[joint];
+  return posture;
+}
+
+void Teleoperation::OnLimitExceeded(const LimitFault& /*fault*/) {
+  ++limits_;
+  if (turned_ < kTurnAgain) return;
+  direction_ = -direction_;
+  turned_ = 0.0;
+  cycles_to_goal_ = 0;
+}
+
+}  // namespace arm

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <components/arm_interface/arm_payloads.h>
+#include <components/teleoperation/teleoperation_payloads.h>
+#include <components/teleoperation/tour.h>
+#include <tendon/interface/function.h>
+#include <tendon/task/periodic_task.h>
+
+#include <cstdint>
+#include <string>
+
+namespace arm {
+
+/// Leads an arm, any arm, through a tour of postures, at 50 Hz. It needs the interface `Robot` and
+/// does nothing until that is connected; then it sets out from where the arm is. It records
+/// `Target`, `Tracking` and `Limits` (how often the arm met a limit, upon which the tour turns
+/// round).
+class Teleoperation : public tendon::PeriodicTask {
+ public:
+  using Configuration = TeleoperationConfiguration;
+
+  /// ConfigurationError when a number of the configuration makes no sense.
+  explicit Teleoperation(std::string name, const Configuration& configuration = {});
+
+ private:
+  void Startup() override { is_leading_ = false; }
+  void Run() override;
+  void Cleanup() override;
+
+  void SetOut(const JointState& joints);
+  void GoOn(const JointState& joints);
+  void SendGoal();
+  [[nodiscard]] JointVector PostureAt(double time_ahead) const;
+
+  void OnGoalReached() { cycles_to_goal_ = 0; }
+  void OnLimitExceeded(const LimitFault& fault);
+
+  tendon::WriteFunction<JointGoal> move_to_;
+  tendon::VoidFunction stop_;
+  tendon::ReadFunction<JointState> get_joints_;
+
+  Tour tour_;
+  bool is_leading_ = false;
+  double time_ = 0.0;       // s on the tour
+  double direction_ = 1.0;  // 1, or -1 backwards
+  double elapsed_ = 0.0;    // s since it set out
+  double turned_ = 0.0;     // s since it turned round
+  JointVector detour_{};    // rad from the tour to where the arm was at the beginning
+  int cycles_to_goal_ = 0;
+
+  Target target_;
+  Tracking tracking_;
+  std::uint64_t limits_ = 0;
+};
+
+}  // namespace arm

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <components/arm_interface/arm_payloads.h>
+
+namespace arm {
+
+/// How the tour is made.
+struct TeleoperationConfiguration {
+  double period = 12.0;    ///< s for one round, 4 to 3600
+  double amplitude = 1.0;  ///< how far the joints swing, 0 to 3; over 1 it can meet the limits
+};
+
+/// Where the arm should be.
+struct Target {
+  JointVector position{};  ///< rad
+};
+
+/// How well it is there.
+struct Tracking {
+  JointVector error{};  ///< rad; target less actual
+  double worst = 0.0;   ///< rad; the greatest, without its sign
+};
+
+}  // namespace arm
+
+template <>
+inline constexpr auto tendon::kPayload<arm::TeleoperationConfiguration> =
+    tendon::Describe("arm.TeleoperationConfiguration",
+                     tendon::Field{"period", &arm::TeleoperationConfiguration::period, "s"},
+                     tendon::Field{"amplitude", &arm::TeleoperationConfiguration::amplitude});
+
+template <>
+inline constexpr auto tendon::kPayload<arm::Target> =
+    tendon::Describe("arm.Target", tendon::Field{"position", &arm::Target::position, "rad"});
+
+template <>
+inline constexpr auto tendon::kPayload<arm::Tracking> =
+    tendon::Describe("arm.Tracking", tendon::Field{"error", &arm::Tracking::error, "rad"},
+                     tendon::Field{"worst", &arm::Tracking::worst, "rad"});

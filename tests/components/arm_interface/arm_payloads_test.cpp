@@ -1,0 +1,48 @@
+#include <components/arm_interface/arm_payloads.h>
+#include <gtest/gtest.h>
+#include <tendon/payload/plot_channel.h>
+#include <tendon/payload/codec.h>
+#include <tendon/payload/json.h>
+
+namespace arm {
+namespace {
+
+template <typename T>
+std::string UnitOf(const char* path) {
+  const auto channel = tendon::FindChannel(tendon::SchemaOf<T>(), path);
+  return channel ? channel->unit : channel.error().message;
+}
+
+TEST(ArmPayloads, CarryTheirUnits) {
+  EXPECT_EQ(UnitOf<JointState>(".position[6]"), "rad");
+  EXPECT_EQ(UnitOf<JointState>(".velocity[0]"), "rad/s");
+  EXPECT_EQ(UnitOf<JointGoal>(".position[3]"), "rad");
+  EXPECT_EQ(UnitOf<JointGoal>(".duration"), "s");
+  EXPECT_EQ(UnitOf<LimitFault>(".position"), "rad");
+  EXPECT_EQ(UnitOf<Pose>(".position[2]"), "m");
+}
+
+TEST(ArmPayloads, ALinkIsWrittenByItsName) {
+  EXPECT_EQ(tendon::ToJson(LinkId::kFlange), "\"flange\"");
+  const auto link = tendon::FromJson<LinkId>("\"link_4\"");
+  ASSERT_TRUE(link);
+  EXPECT_EQ(*link, LinkId::kLink4);
+}
+
+TEST(ArmPayloads, ALinkThatNoArmHasDoesNotDecode) {
+  std::vector<std::byte> body;
+  tendon::Encode(std::int32_t{9}, body);
+  LinkId link = LinkId::kBase;
+
+  EXPECT_FALSE(tendon::Decode(body, link));
+}
+
+TEST(ArmPayloads, APoseIsTheBaseUnlessSaidOtherwise) {
+  const Pose pose;
+
+  EXPECT_EQ(pose.position, (std::array{0.0, 0.0, 0.0}));
+  EXPECT_EQ(pose.orientation, (std::array{0.0, 0.0, 0.0, 1.0}));
+}
+
+}  // namespace
+}  // namespace arm

@@ -1,0 +1,219 @@
+#include <components/simulated_arm/simulated_arm.h>
+#include <gtest/gtest.h>
+#include <support/allocation_guard.h>
+#include <support/wait.h>
+#include <tendon/manager/local_manager.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "components/arm_client.h"
+#include "components/stepped.h"
+
+namespace arm {
+namespace {
+
+using tendon::AllocationGuard;
+using tendon::ConfigurationError;
+using tendon::Status;
+using tendon_test::ArmClient;
+using tendon_test::Stepped;
+
+constexpr JointVector kPosture{0.8, -0.2, 0.3, -1.6, -0.4, 1.9, 0.1};
+
+/// An arm that the test steps, and a client of its Control.
+class SteppedArm : public testing::Test {
+ protected:
+  explicit SteppedArm(const ArmConfiguration& configuration = {})
+      : arm_(manager_.Add<Stepped<SimulatedArm>>("arm", configuration)),
+        client_(manager_.Add<ArmClient>("client")) {
+    EXPECT_TRUE(manager_.Connect({"client", "Robot"}, {"arm", "Control"}));
+    EXPECT_TRUE(manager_.StartAll());
+  }
+
+  JointState Joints() {
+    JointState joints;
+    EXPECT_EQ(client_.get_joints(joints), Status::kDone);
+    return joints;
+  }
+
+  tendon::LocalManager manager_;
+  Stepped<SimulatedArm>& arm_;
+  ArmClient& client_;
+};
+using SimulatedArmTest = SteppedArm;
+
+TEST_F(SimulatedArmTest, HasNoSampleBeforeItsFirstCycle) {
+  JointState joints;
+
+  EXPECT_EQ(client_.get_joints(joints), Status::kNoSample);
+}
+
+TEST_F(SimulatedArmTest, MovesToAGoalAndRaisesGoalReachedOnce) {
+  EXPECT_EQ(client_.move_to({kPosture, 1.0}), Status::kQueued);
+  arm_.Cycle(2000);
+
+  const JointState joints = Joints();
+  for (std::size_t joint = 0; joint < kJoints; ++joint) {
+    EXPECT_NEAR(joints.position[joint], kPosture[joint], 1e-3) << joint;
+    EXPECT_NEAR(joints.velocity[joint], 0.0, 1e-3) << joint;
+  }
+  EXPECT_EQ(client_.goals_reached, 1);
+  EXPECT_TRUE(client_.faults.empty());
+}
+
+TEST_F(SimulatedArmTest, RecordsTheGoalItIsGoingTo) {
+  EXPECT_TRUE(client_.move_to({kPosture, 4.0}));
+  arm_.Cycle();
+
+  EXPECT_EQ(arm_.Read<JointGoal>("Goal").position, kPosture);
+  EXPECT_EQ(arm_.Read<JointGoal>("Goal").duration, 4.0);
+}
+
+TEST_F(SimulatedArmTest, RaisesLimitExceededOnceWithTheJointAndItsPosition) {
+  JointVector beyond = kReadyPosture;
+  beyond[0] = 4.0;
+
+  EXPECT_TRUE(client_.move_to({beyond, 2.0}));
+  arm_.Cycle(8000);
+
+  ASSERT_EQ(client_.faults.size(), 1U);
+  EXPECT_EQ(client_.faults[0].joint, 0);
+  EXPECT_NEAR(client_.faults[0].position, ArmConfiguration().upper[0], 2e-3);
+  EXPECT_EQ(client_.goals_reached, 0);
+}
+
+TEST_F(SimulatedArmTest, StopHaltsIt) {
+  EXPECT_TRUE(client_.move_to({kPosture, 1.0}));
+  arm_.Cycle(500);
+  ASSERT_GT(std::abs(Joints().velocity[0]), 0.1);
+
+  EXPECT_EQ(client_.stop(), Status::kQueued);
+  arm_.Cycle(1000);
+
+  EXPECT_NEAR(Joints().velocity[0], 0.0, 1e-6);
+  EXPECT_LT(Joints().position[0], kPosture[0] - 0.1);
+  EXPECT_EQ(client_.goals_reached, 0);
+}
+
+TEST_F(SimulatedArmTest, CountsGoalsThatMakeNoSense) {
+  EXPECT_TRUE(client_.move_to({kPosture, std::nan("")}));
+  arm_.Cycle(10);
+
+  EXPECT_EQ(arm_.Read<std::uint64_t>("Refused"), 1U);
+  EXPECT_EQ(Joints().position, kReadyPosture);
+}
+
+TEST_F(SimulatedArmTest, TellsWhereItsLinksAre) {
+  arm_.Cycle();
+  Pose pose;
+
+  EXPECT_EQ(client_.get_link_pose(LinkId::kFlange, pose), Status::kDone);
+
+  EXPECT_NEAR(pose.position[0], 0.306891, 1e-6);
+  EXPECT_NEAR(pose.position[2], 0.590282, 1e-6);
+}
+
+TEST_F(SimulatedArmTest, ACycleAllocatesNothing) {
+  JointVector beyond = kReadyPosture;
+  beyond[0] = 4.0;
+  arm_.Cycle(10);
+
+  const AllocationGuard guard;
+  EXPECT_TRUE(client_.move_to({kPosture, 0.3}));
+  arm_.Cycle(2000);
+  EXPECT_TRUE(client_.move_to({beyond, 0.3}));
+  arm_.Cycle(4000);
+  EXPECT_TRUE(client_.stop());
+  arm_.Cycle(10);
+  EXPECT_EQ(client_.goals_reached, 1);
+  EXPECT_EQ(client_.faults.size(), 1U);
+}
+
+TEST_F(SimulatedArmTest, MoveToSaysThatItSetsSomethingInMotion) {
+  for (const auto& command : arm_.FindProvided("Control")->description().commands) {
+    EXPECT_EQ(command.hazard, command.name == "MoveTo" ? "motion" : "") << command.name;
+  }
+}
+
+class NoisyArm : public SteppedArm {
+ protected:
+  NoisyArm() : SteppedArm(Noisy()) {}
+  static ArmConfiguration Noisy() {
+    ArmConfiguration configuration;
+    configuration.noise = 0.01;
+    return configuration;
+  }
+};
+
+TEST_F(NoisyArm, MeasuresItsPositionWithNoiseButStandsStill) {
+  double sum = 0.0;
+  double squares = 0.0;
+  constexpr int kSamples = 4000;
+
+  for (int i = 0; i < kSamples; ++i) {
+    arm_.Cycle();
+    const double deviation = Joints().position[1] - kReadyPosture[1];
+    sum += deviation;
+    squares += deviation * deviation;
+  }
+
+  EXPECT_NEAR(sum / kSamples, 0.0, 0.001);
+  EXPECT_NEAR(std::sqrt(squares / kSamples), 0.01, 0.001);
+  EXPECT_EQ(Joints().velocity[1], 0.0);
+}
+
+std::string RefusalOf(const ArmConfiguration& configuration) {
+  try {
+    SimulatedArm arm("arm", configuration);
+  } catch (const ConfigurationError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(SimulatedArmConfiguration, TheDefaultsAreAccepted) { EXPECT_EQ(RefusalOf({}), "accepted"); }
+
+TEST(SimulatedArmConfiguration, NumbersThatMakeNoSenseAreNamed) {
+  ArmConfiguration crossed;
+  crossed.lower[3] = 1.0;
+  ArmConfiguration outside;
+  outside.home[0] = 3.0;
+  ArmConfiguration frozen;
+  frozen.velocity[6] = 0.0;
+  ArmConfiguration blurred;
+  blurred.noise = std::nan("");
+
+  EXPECT_EQ(RefusalOf(crossed),
+            "configuration of 'arm': lower[3] is 1.000000, which is not below upper[3] is "
+            "-0.069800");
+  EXPECT_EQ(RefusalOf(outside),
+            "configuration of 'arm': home[0] is 3.000000, outside of lower and upper");
+  EXPECT_EQ(RefusalOf(frozen),
+            "configuration of 'arm': velocity[6] is 0.000000, expected more than 0 rad/s");
+  EXPECT_EQ(RefusalOf(blurred), "configuration of 'arm': noise is nan, expected 0 to 1 rad");
+}
+
+TEST(SimulatedArmThread, RunsAtItsPaceAndBeginsAtRestAfterARestart) {
+  tendon::LocalManager manager;
+  auto& arm = manager.Add<SimulatedArm>("arm");
+  auto& client = manager.Add<ArmClient>("client");
+  ASSERT_TRUE(manager.Connect({"client", "Robot"}, {"arm", "Control"}));
+  ASSERT_TRUE(manager.StartAll());
+  const auto speed = [&client] {
+    JointState joints;
+    return client.get_joints(joints) ? std::abs(joints.velocity[0]) : 0.0;
+  };
+
+  ASSERT_TRUE(client.move_to({kPosture, 3.0}));
+  ASSERT_TRUE(EventuallyTrue([&] { return speed() > 0.05; }));
+  ASSERT_TRUE(manager.Stop("arm"));
+  const std::uint64_t rows = arm.tables().front()->next_tick();
+  ASSERT_TRUE(manager.Start("arm"));
+
+  ASSERT_TRUE(EventuallyTrue([&] { return arm.tables().front()->next_tick() > rows; }));
+  EXPECT_EQ(speed(), 0.0);
+}
+
+}  // namespace
+}  // namespace arm

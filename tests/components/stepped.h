@@ -1,0 +1,51 @@
+#pragma once
+
+#include <gtest/gtest.h>
+#include <tendon/base/clock.h>
+#include <tendon/task/task.h>
+
+#include <chrono>
+#include <concepts>
+
+namespace tendon_test {
+
+/// A task whose cycles the test makes, one after the other in its own thread: starting it begins
+/// no thread, and time is what it is told.
+template <std::derived_from<tendon::Task> T>
+class Stepped final : public T {
+ public:
+  using T::T;
+
+  /// So many cycles; false once it is faulted.
+  bool Cycle(int count = 1) {
+    bool is_good = true;
+    for (int i = 0; i < count; ++i) {
+      now_ += std::chrono::nanoseconds(static_cast<std::int64_t>(this->period() * 1e9));
+      is_good = this->DoCycle(now_);
+    }
+    return is_good;
+  }
+
+  /// The newest value of a column.
+  template <typename Value>
+  Value Read(const char* column) {
+    Value value{};
+    const auto* found =
+        dynamic_cast<const tendon::Column<Value>*>(this->state_table().Find(column));
+    EXPECT_NE(found, nullptr) << column;
+    if (found == nullptr) return value;
+    EXPECT_TRUE(found->ReadNewest(value)) << column;
+    return value;
+  }
+
+ private:
+  tendon::Result<void> Launch() override {
+    this->SetState(tendon::ComponentState::kActive);
+    return {};
+  }
+  void Halt() override { this->SetState(tendon::ComponentState::kFinished); }
+
+  tendon::SteadyTime now_{std::chrono::seconds(1)};
+};
+
+}  // namespace tendon_test

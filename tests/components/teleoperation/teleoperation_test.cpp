@@ -1,0 +1,267 @@
+#include <components/simulated_arm/simulated_arm.h>
+#include <components/teleoperation/teleoperation.h>
+#include <gtest/gtest.h>
+#include <support/allocation_guard.h>
+#include <support/wait.h>
+#include <tendon/base/error.h>
+#include <tendon/manager/local_manager.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "components/stepped.h"
+
+namespace arm {
+namespace {
+
+using tendon::AllocationGuard;
+using tendon_test::Stepped;
+
+constexpr int kArmCycles = 20;  // in one of the teleoperation
+
+/// Both components in the test's thread, time going on in both alike; not yet connected.
+class SteppedPair {
+ public:
+  explicit SteppedPair(const ArmConfiguration& arm_configuration = {},
+                       const TeleoperationConfiguration& configuration = {})
+      : arm(manager.Add<Stepped<SimulatedArm>>("arm", arm_configuration)),
+        teleoperation(manager.Add<Stepped<Teleoperation>>("teleoperation", configuration)) {
+    EXPECT_TRUE(manager.StartAll());
+  }
+
+  void Connect() { EXPECT_TRUE(manager.Connect({"teleoperation", "Robot"}, {"arm", "Control"})); }
+  /// Calls `look()` after each cycle of the teleoperation.
+  template <typename Look>
+  void Run(double seconds, Look look) {
+    for (int i = 0; i < static_cast<int>(std::lround(seconds * 50.0)); ++i) {
+      arm.Cycle(kArmCycles);
+      teleoperation.Cycle();
+      look();
+    }
+  }
+  void Run(double seconds) {
+    Run(seconds, [] {});
+  }
+
+  JointVector position() { return arm.Read<JointState>("Joints").position; }
+  double speed() {
+    double fastest = 0.0;
+    for (const double velocity : arm.Read<JointState>("Joints").velocity) {
+      fastest = std::max(fastest, std::abs(velocity));
+    }
+    return fastest;
+  }
+  double worst() { return teleoperation.Read<Tracking>("Tracking").worst; }
+  std::uint64_t limits() { return teleoperation.Read<std::uint64_t>("Limits"); }
+
+  tendon::LocalManager manager;
+  Stepped<SimulatedArm>& arm;
+  Stepped<Teleoperation>& teleoperation;
+};
+
+TEST(Teleoperation, DoesNothingUntilItIsConnected) {
+  SteppedPair pair;
+
+  pair.Run(3.0);
+
+  EXPECT_EQ(pair.position(), kReadyPosture);
+  EXPECT_EQ(pair.teleoperation.Read<Target>("Target").position, JointVector{});
+  EXPECT_EQ(pair.worst(), 0.0);
+}
+
+TEST(Teleoperation, SetsOutFromWhereTheArmIs) {
+  SteppedPair pair;
+  pair.Run(1.0);
+  pair.Connect();
+
+  pair.Run(0.02);
+
+  const JointVector target = pair.teleoperation.Read<Target>("Target").position;
+  for (std::size_t joint = 0; joint < kJoints; ++joint) {
+    EXPECT_NEAR(target[joint], kReadyPosture[joint], 1e-9) << joint;
+  }
+}
+
+TEST(Teleoperation, SetsTheArmInMotionWithinHalfASecond) {
+  SteppedPair pair;
+  pair.Connect();
+
+  pair.Run(0.5);
+
+  EXPECT_GT(pair.speed(), 0.02);
+}
+
+TEST(Teleoperation, LeadsTheArmWithoutAJump) {
+  SteppedPair pair;
+  pair.Connect();
+  JointVector before = kReadyPosture;
+
+  pair.Run(20.0, [&] {
+    const JointVector after = pair.position();
+    for (std::size_t joint = 0; joint < kJoints; ++joint) {
+      EXPECT_LT(std::abs(after[joint] - before[joint]), 0.04) << joint;  // rad in 20 ms
+    }
+    EXPECT_LT(pair.worst(), 0.15);
+    before = after;
+  });
+
+  EXPECT_EQ(pair.limits(), 0U);
+}
+
+TEST(Teleoperation, OnTheTourTheArmIsCloseBehind) {
+  SteppedPair pair;
+  pair.Connect();
+  pair.Run(4.0);
+  JointVector least = pair.position();
+  JointVector most = least;
+
+  pair.Run(14.0, [&] {
+    EXPECT_LT(pair.worst(), 0.05);
+    const JointVector position = pair.position();
+    for (std::size_t joint = 0; joint < kJoints; ++joint) {
+      least[joint] = std::min(least[joint], position[joint]);
+      most[joint] = std::max(most[joint], position[joint]);
+    }
+  });
+
+  EXPECT_NEAR(most[0] - least[0], 2.2, 0.1);
+  EXPECT_NEAR(most[3] - least[3], 1.1, 0.1);
+  EXPECT_GT(most[1] - least[1], 0.8);
+}
+
+TEST(Teleoperation, TurnsRoundWhereTheArmMeetsALimit) {
+  ArmConfiguration narrow;
+  narrow.upper[0] = 0.6;
+  SteppedPair pair(narrow);
+  pair.Connect();
+  double after_limit = 0.0;
+
+  pair.Run(30.0, [&] {
+    if (pair.limits() > 0) after_limit = std::min(after_limit, pair.position()[0]);
+  });
+
+  EXPECT_GE(pair.limits(), 2U);  // once a way, to and fro
+  EXPECT_LE(pair.limits(), 6U);  // and not in every cycle
+  EXPECT_LT(after_limit, -1.0);  // it went back all the way
+  EXPECT_LE(pair.position()[0], 0.6);
+}
+
+TEST(Teleoperation, SeveralLimitsAtATimeAreOneTurn) {
+  ArmConfiguration narrow;
+  narrow.upper[0] = 0.6;
+  narrow.lower[6] = 0.4;
+  narrow.upper[6] = 1.0;
+  SteppedPair pair(narrow);
+  pair.Connect();
+  JointVector before = kReadyPosture;
+  double moved = 0.0;
+
+  pair.Run(60.0, [&] {
+    const JointVector after = pair.position();
+    moved += std::abs(after[3] - before[3]);
+    before = after;
+  });
+
+  EXPECT_GE(pair.limits(), 4U);
+  EXPECT_GT(moved, 2.0);  // it never got stuck between them
+}
+
+TEST(Teleoperation, WaitsForAnArmThatIsHeldBack) {
+  ArmConfiguration slow;
+  slow.velocity.fill(0.1);
+  SteppedPair pair(slow);
+  pair.Connect();
+
+  pair.Run(20.0, [&] { EXPECT_LT(pair.worst(), 0.4); });
+}
+
+TEST(Teleoperation, AnArmThatIsDisconnectedComesToRest) {
+  SteppedPair pair;
+  pair.Connect();
+  pair.Run(5.0);
+  ASSERT_GT(pair.speed(), 0.1);
+
+  EXPECT_TRUE(pair.manager.Disconnect({"teleoperation", "Robot"}));
+  pair.Run(1.0);
+  const JointVector at_rest = pair.position();
+  pair.Run(1.0);
+
+  EXPECT_LT(pair.speed(), 1e-6);
+  EXPECT_EQ(pair.position(), at_rest);
+}
+
+TEST(Teleoperation, ConnectedAgainItSetsOutFromThere) {
+  SteppedPair pair;
+  pair.Connect();
+  pair.Run(7.0);
+  EXPECT_TRUE(pair.manager.Disconnect({"teleoperation", "Robot"}));
+  pair.Run(1.0);
+  const JointVector at_rest = pair.position();
+
+  pair.Connect();
+  pair.Run(0.02);
+  const JointVector target = pair.teleoperation.Read<Target>("Target").position;
+  pair.Run(5.0);
+
+  for (std::size_t joint = 0; joint < kJoints; ++joint) {
+    EXPECT_NEAR(target[joint], at_rest[joint], 1e-9) << joint;
+  }
+  EXPECT_GT(pair.speed(), 0.1);
+}
+
+TEST(Teleoperation, ACycleAllocatesNothing) {
+  SteppedPair pair;
+  pair.Connect();
+  pair.Run(1.0);
+
+  const AllocationGuard guard;
+  for (int i = 0; i < 100; ++i) {
+    pair.arm.Cycle(kArmCycles);
+    pair.teleoperation.Cycle();
+  }
+}
+
+TEST(Teleoperation, RefusesAConfigurationThatMakesNoSense) {
+  using tendon::ConfigurationError;
+  EXPECT_THROW(Teleoperation("teleoperation", {.period = 0.1, .amplitude = 1.0}),
+               ConfigurationError);
+  EXPECT_THROW(Teleoperation("teleoperation", {.period = 12.0, .amplitude = std::nan("")}),
+               ConfigurationError);
+  try {
+    Teleoperation teleoperation("teleoperation", {.period = 12.0, .amplitude = 4.0});
+    ADD_FAILURE() << "accepted";
+  } catch (const ConfigurationError& error) {
+    EXPECT_STREQ(error.what(),
+                 "configuration of 'teleoperation': amplitude is 4.000000, expected 0 to 3");
+  }
+}
+
+TEST(TeleoperationThread, DrivesAnArmAndStopsItWhenItIsStopped) {
+  tendon::LocalManager manager;
+  auto& arm = manager.Add<SimulatedArm>("arm");
+  auto& teleoperation = manager.Add<Teleoperation>("teleoperation");
+  ASSERT_TRUE(manager.StartAll());
+  ASSERT_TRUE(manager.Connect({"teleoperation", "Robot"}, {"arm", "Control"}));
+  const auto& joints =
+      dynamic_cast<const tendon::Column<JointState>&>(*arm.tables().front()->Find("Joints"));
+  const auto& tracking = dynamic_cast<const tendon::Column<Tracking>&>(
+      *teleoperation.tables().front()->Find("Tracking"));
+  const auto speed = [&joints] {
+    JointState state;
+    double fastest = 0.0;
+    if (!joints.ReadNewest(state)) return 0.0;
+    for (const double velocity : state.velocity) fastest = std::max(fastest, std::abs(velocity));
+    return fastest;
+  };
+
+  EXPECT_TRUE(EventuallyTrue([&] { return speed() > 0.3; }));
+  Tracking now;
+  EXPECT_TRUE(tracking.ReadNewest(now));
+  EXPECT_GT(now.worst, 0.0);
+  EXPECT_TRUE(manager.Stop("teleoperation"));
+
+  EXPECT_TRUE(EventuallyTrue([&] { return speed() < 1e-6; }));
+}
+
+}  // namespace
+}  // namespace arm
