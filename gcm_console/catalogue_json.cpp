@@ -1,0 +1,84 @@
+#include <gcm_console/catalogue_json.h>
+
+#include <nlohmann/json.hpp>
+
+namespace console {
+namespace {
+
+using nlohmann::ordered_json;
+
+template <typename List>
+ordered_json ListOf(const List& list) {
+  ordered_json all = ordered_json::array();
+  for (const auto& one : list) all.push_back(ToJson(one));
+  return all;
+}
+
+}  // namespace
+
+ordered_json ToJson(const tendon::ProcessEntry& entry) {
+  ordered_json components = ordered_json::array();
+  for (const auto& [name, component] : entry.components) components.push_back(ToJson(component));
+  ordered_json connections = ordered_json::array();
+  for (const auto& [id, connection] : entry.connections) connections.push_back(ToJson(connection));
+  return {{"name", entry.process.name},
+          {"state", ToString(entry.process.state)},
+          {"reason", entry.process.reason},
+          {"host", entry.process.host},
+          {"pid", entry.process.pid},
+          {"address", entry.process.address},
+          {"components", std::move(components)},
+          {"connections", std::move(connections)}};
+}
+
+ordered_json ToJson(const tendon::ComponentDescription& component) {
+  ordered_json tables = ordered_json::array();
+  for (const auto& table : component.tables) {
+    ordered_json columns = ordered_json::array();
+    for (const auto& column : table.columns) {
+      columns.push_back({{"name", column.name}, {"type", column.type}});
+    }
+    tables.push_back({{"name", table.name}, {"rows", table.length}, {"columns", columns}});
+  }
+  return {{"name", component.name},
+          {"class", component.class_name},
+          {"library", component.library},
+          {"state", ToString(component.state)},
+          {"fault", component.fault},
+          {"period", component.period},
+          {"provided", ListOf(component.provided)},
+          {"required", ListOf(component.required)},
+          {"tables", std::move(tables)}};
+}
+
+ordered_json ToJson(const tendon::ProvidedDescription& interface) {
+  return {{"name", interface.name},
+          {"commands", ListOf(interface.commands)},
+          {"events", ListOf(interface.events)}};
+}
+
+ordered_json ToJson(const tendon::RequiredDescription& interface) {
+  return {{"name", interface.name},
+          {"optional", interface.optional},
+          {"functions", ListOf(interface.functions)},
+          {"event_handlers", ListOf(interface.event_handlers)}};
+}
+
+ordered_json ToJson(const tendon::MemberDescription& member) {
+  ordered_json json = {{"name", member.name}, {"kind", ToString(member.signature.kind)}};
+  if (member.in_type != "tendon.None") json["in"] = member.in_type;
+  if (member.out_type != "tendon.None") json["out"] = member.out_type;
+  if (member.optional) json["optional"] = true;
+  if (!member.hazard.empty()) json["hazard"] = member.hazard;
+  return json;
+}
+
+ordered_json ToJson(const tendon::ConnectionDescription& connection) {
+  return {{"id", connection.id},
+          {"required", ToString(connection.required)},
+          {"provided", ToString(connection.provided)},
+          {"state", ToString(connection.state)},
+          {"reason", connection.reason}};
+}
+
+}  // namespace console

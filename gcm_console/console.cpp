@@ -1,0 +1,118 @@
+#include <gcm_console/console.h>
+#include <gcm_console/report.h>
+#include <gcm_console/verb.h>
+#include <program/middleware_choice.h>
+#include <tendon/base/name.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <exception>
+#include <ostream>
+
+namespace console {
+namespace {
+
+constexpr const char* kExitCodes =
+    "Exit codes: 0 done, 1 refused or failed, 2 usage, 3 no GCM, 4 not found, 5 incompatible,\n"
+    "6 time-out (outcome unknown), 7 denied, 130 interrupted.";
+
+/// The first word that is no option nor an option's value, if it is no verb.
+std::string UnknownVerb(const std::vector<std::string>& words, const CLI::App& app,
+                        const std::vector<std::string>& known) {
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (!words[i].starts_with('-')) {
+      const bool is_known = std::find(known.begin(), known.end(), words[i]) != known.end();
+      return is_known ? "" : words[i];
+    }
+    const CLI::Option* option = app.get_option_no_throw(words[i]);
+    if (option != nullptr && option->get_expected_min() > 0) ++i;
+  }
+  return "";
+}
+
+void AddSettings(CLI::App& app, Settings& settings, int& timeout_ms) {
+  app.add_option("--gcm", settings.gcm,
+                 "address of the GCM (default: $TENDON_GCM, 127.0.0.1:10705)");
+  app.add_option("--timeout", timeout_ms, "how long an answer may take, in ms")
+      ->check(CLI::Range(1, 3600000))
+      ->capture_default_str();
+  app.add_option("--middleware", settings.middleware, "how processes talk")
+      ->check(CLI::IsMember(program::MiddlewareNames()))
+      ->capture_default_str();
+  app.add_flag("--json", settings.json, "print JSON");
+  app.add_flag("--insecure", settings.insecure, "allow addresses off this machine, unencrypted");
+}
+
+/// The named verb ran, or why it did not.
+int Finish(const tendon::Result<program::ExitCode>& result, std::ostream& out, std::ostream& err) {
+  if (!result) {
+    err << "gcm: " << Plain(result.error().message) << '\n';
+    return program::ExitCodeOf(result.error().code);
+  }
+  if (!out.flush()) {
+    err << "gcm: cannot write the output\n";
+    return program::kRefused;
+  }
+  return *result;
+}
+
+}  // namespace
+
+std::vector<Verb> AllVerbs() {
+  std::vector<Verb> all;
+  for (auto* group : {&LookVerbs, &DataVerbs, &ActVerbs, &WireVerbs, &ServeVerbs}) {
+    auto verbs = group();
+    std::move(verbs.begin(), verbs.end(), std::back_inserter(all));
+  }
+  return all;
+}
+
+int RunCommandLine(const std::vector<std::string>& words, std::ostream& out, std::ostream& err,
+                   bool on_terminal) {
+  Settings settings;
+  settings.middleware = program::MiddlewareNames().front();
+  int timeout_ms = static_cast<int>(settings.timeout.count());
+  CLI::App app("Sees and steers a system of components through its GCM.", "gcm");
+  app.require_subcommand(1);
+  app.fallthrough();
+  app.footer(kExitCodes);
+  AddSettings(app, settings, timeout_ms);
+
+  std::vector<std::string> names;
+  std::string chosen;
+  Verb::Run run;
+  for (const Verb& verb : AllVerbs()) {
+    CLI::App* part = app.add_subcommand(verb.name, verb.summary);
+    part->fallthrough();
+    auto runner = verb.prepare(*part);
+    part->callback([&run, &chosen, runner, name = verb.name] {
+      run = runner;
+      chosen = name;
+    });
+    names.push_back(verb.name);
+  }
+  if (const std::string unknown = UnknownVerb(words, app, names); !unknown.empty()) {
+    err << "gcm: no verb '" << Plain(unknown) << "'" << tendon::DidYouMean(unknown, names)
+        << "; gcm --help lists them\n";
+    return program::kUsage;
+  }
+  try {
+    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+  } catch (const CLI::Success& asked) {
+    return app.exit(asked, out, err);
+  } catch (const CLI::ParseError& error) {
+    err << "gcm: " << Plain(error.what()) << "; gcm --help tells more\n";
+    return program::kUsage;
+  }
+  settings.gcm = program::GcmAddress(settings.gcm);
+  settings.timeout = std::chrono::milliseconds(timeout_ms);
+  try {
+    Context context(settings, chosen, out, on_terminal);
+    return Finish(run(context), out, err);
+  } catch (const std::exception& failure) {  // no memory, no files left
+    err << "gcm: " << Plain(failure.what()) << '\n';
+    return program::kRefused;
+  }
+}
+
+}  // namespace console

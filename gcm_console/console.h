@@ -1,0 +1,14 @@
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace console {
+
+/// Runs one command line, without the program's name: {"connect", "a/b/C", "d/e/F", "--json"}. Data
+/// goes to `out`, messages to `err`. Returns the exit code.
+int RunCommandLine(const std::vector<std::string>& words, std::ostream& out, std::ostream& err,
+                   bool on_terminal);
+
+}  // namespace console

@@ -1,0 +1,40 @@
+#include <gcm_console/context.h>
+#include <program/middleware_choice.h>
+
+#include <nlohmann/json.hpp>
+#include <ostream>
+#include <utility>
+
+namespace console {
+
+Context::Context(Settings settings, std::string verb, std::ostream& out, bool on_terminal)
+    : settings_(std::move(settings)),
+      verb_(std::move(verb)),
+      out_(out),
+      on_terminal_(on_terminal) {}
+
+tendon::Result<std::shared_ptr<tendon::Middleware>> Context::middleware() const {
+  const auto exposure =
+      settings_.insecure ? tendon::Exposure::kInsecure : tendon::Exposure::kLoopbackOnly;
+  return program::MakeMiddleware(settings_.middleware, exposure);
+}
+
+tendon::Result<tendon::GcmClient*> Context::Client() {
+  if (client_) return client_.get();
+  auto made = middleware();
+  if (!made) return made.error();
+  auto client = std::make_unique<tendon::GcmClient>(
+      *made, tendon::GcmClient::Options{
+                 .name = "gcm " + verb_, .address = settings_.gcm, .timeout = settings_.timeout});
+  if (auto watching = client->WaitUntilWatching(); !watching) return watching.error();
+  client_ = std::move(client);
+  return client_.get();
+}
+
+void Context::PrintJson(const nlohmann::ordered_json& content) const {
+  nlohmann::ordered_json document = {{"schema", 1}};
+  document.update(content);
+  out_ << document.dump(2) << '\n';
+}
+
+}  // namespace console

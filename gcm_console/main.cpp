@@ -1,0 +1,12 @@
+#include <gcm_console/console.h>
+#include <tendon/base/os/terminal.h>
+
+#include <iostream>
+#include <string>
+#include <vector>
+
+int main(int argc, char** argv) {
+  const std::vector<std::string> words(argv + 1, argv + argc);
+  return console::RunCommandLine(words, std::cout, std::cerr,
+                                 tendon::os::IsTerminal(tendon::os::Stream::kOutput));
+}

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <program/exit_code.h>
+#include <tendon/base/result.h>
+#include <tendon/gcm/system_file.h>
+#include <tendon/process/process.h>
+
+#include <string>
+
+namespace lcm {
+
+/// What the command line says.
+struct Options {
+  std::string name;
+  std::string gcm;
+  std::string system;  ///< a system file, or empty: start without components
+  std::string listen = "127.0.0.1:0";
+  std::string advertise;
+  std::string middleware;
+  bool insecure = false;
+};
+
+/// Runs a process until it is told to stop: loads the plug-ins that the system file names for it,
+/// makes its components, joins the GCM, makes its connections and starts everything. Returns the
+/// program's exit code; what went wrong is one sentence on stderr, and nothing is left half done.
+program::ExitCode Run(const Options& options);
+
+}  // namespace lcm

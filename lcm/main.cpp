@@ -1,0 +1,31 @@
+#include <lcm/lcm_program.h>
+#include <program/middleware_choice.h>
+#include <tendon/base/os/termination.h>
+
+#include <CLI/CLI.hpp>
+
+int main(int argc, char** argv) {
+  tendon::os::HoldTerminationSignals();
+  lcm::Options options;
+  options.middleware = program::MiddlewareNames().front();
+
+  CLI::App app("Runs the components of one process and joins a GCM.", "lcm");
+  app.add_option("--name", options.name, "name of this process")->required();
+  app.add_option("--gcm", options.gcm,
+                 "address of the GCM (default: $TENDON_GCM, 127.0.0.1:10705)");
+  app.add_option("--system", options.system, "system file with this process' components");
+  app.add_option("--listen", options.listen, "address for viewers and peers")
+      ->capture_default_str();
+  app.add_option("--advertise", options.advertise, "address to tell others, where it differs");
+  app.add_option("--middleware", options.middleware, "how processes talk")
+      ->check(CLI::IsMember(program::MiddlewareNames()))
+      ->capture_default_str();
+  app.add_flag("--insecure", options.insecure, "allow addresses off this machine, unencrypted");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? program::kOk : program::kUsage;
+  }
+  options.gcm = program::GcmAddress(options.gcm);
+  return lcm::Run(options);
+}

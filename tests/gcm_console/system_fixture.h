@@ -1,0 +1,50 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+
+#include "support/program.h"
+#include "support/wait.h"
+
+/// A GCM and, on demand, LCMs of the demo system, as real processes that know only each other.
+class SystemFixture : public testing::Test {
+ protected:
+  static std::string Binary(const std::string& name) {
+    return std::string(TENDON_BIN) + "/" + name;
+  }
+
+  /// Runs `gcm WORDS...` against the fixture's GCM.
+  Outcome Gcm(Program::Words words) const {
+    words.insert(words.begin(), {Binary("gcm"), "--gcm", address});
+    return RunProgram(words);
+  }
+  void StartGcm() {
+    gcm = std::make_unique<Program>(Program::Words{Binary("gcm"), "--gcm", address, "serve"},
+                                    std::map<std::string, std::string>{
+                                        {"XDG_STATE_HOME", testing::TempDir() + "/state-" + port}});
+    ASSERT_TRUE(EventuallyTrue([this] { return gcm->out().starts_with("GCM at "); })) << gcm->err();
+  }
+  std::unique_ptr<Program> StartLcm(const std::string& name, const std::string& system) const {
+    return std::make_unique<Program>(
+        Program::Words{Binary("lcm"), "--name", name, "--gcm", address, "--system", system});
+  }
+  /// Waits until `gcm WORDS...` says `text`.
+  testing::AssertionResult EventuallySays(const Program::Words& words,
+                                          const std::string& text) const {
+    Outcome last;
+    const bool said = EventuallyTrue([&] {
+      last = Gcm(words);
+      return last.out.find(text) != std::string::npos;
+    });
+    if (said) return testing::AssertionSuccess();
+    return testing::AssertionFailure() << "'" << text << "' was never said; the last words were:\n"
+                                       << last.out << last.err;
+  }
+
+  const std::string port = std::to_string(FreePort());
+  const std::string address = "127.0.0.1:" + port;
+  const std::string demo = TENDON_DEMO_SYSTEM;
+  std::unique_ptr<Program> gcm;
+};
