@@ -1,0 +1,191 @@
+#include <gcm_gui/activity/activity_model.h>
+#include <gcm_gui/models/row_roles.h>
+#include <gcm_gui/models/state_of.h>
+#include <gcm_gui/models/text.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace tendon::gui {
+namespace {
+
+constexpr std::size_t kKept = 500;
+
+QString Name(const InterfaceName& name) { return ToQString(ToString(name)); }
+
+QString VerbText(Action::Verb verb) {
+  switch (verb) {
+    case Action::Verb::kConnect:
+      return QStringLiteral("connect");
+    case Action::Verb::kDisconnect:
+      return QStringLiteral("disconnect");
+    case Action::Verb::kUndo:
+      return QStringLiteral("undo");
+    case Action::Verb::kForget:
+      return QStringLiteral("forget");
+  }
+  return {};
+}
+
+bool IsStep(const Action& action) {
+  const bool wiring =
+      action.verb == Action::Verb::kConnect || action.verb == Action::Verb::kDisconnect;
+  return wiring && action.outcome == Action::Outcome::kDone && !action.undone;
+}
+
+StateMark MarkOf(const Action& action) {
+  switch (action.outcome) {
+    case Action::Outcome::kRunning:
+      return StateMark::kConnecting;
+    case Action::Outcome::kDone:
+      return action.undone ? StateMark::kFinished : StateMark::kActive;
+    case Action::Outcome::kRefused:
+      break;
+  }
+  return StateMark::kWarning;
+}
+
+}  // namespace
+
+int ActivityModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(entries_.size());
+}
+
+int ActivityModel::columnCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : kColumnCount;
+}
+
+const Action& ActivityModel::action(int row) const {
+  return entries_.at(entries_.size() - 1 - static_cast<std::size_t>(row)).action;
+}
+
+QString ActivityModel::object(const Action& action) const {
+  if (!action.process.empty()) return ToQString(action.process);
+  if (action.required.interface.empty()) return {};
+  if (action.provided.interface.empty()) return Name(action.required);
+  return Name(action.required) + QStringLiteral(" → ") + Name(action.provided);
+}
+
+QString ActivityModel::outcome(const Action& action) const {
+  switch (action.outcome) {
+    case Action::Outcome::kRunning:
+      return QStringLiteral("…");
+    case Action::Outcome::kRefused:
+      return action.refusal;
+    case Action::Outcome::kDone:
+      break;
+  }
+  const QString time = DurationText(action.seconds);
+  return action.undone ? time + QStringLiteral(" · undone") : time;
+}
+
+QVariant ActivityModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid() || index.column() != kWhat) return {};
+  const Action& action = this->action(index.row());
+  switch (role) {
+    case Qt::DisplayRole:
+      return VerbText(action.verb);
+    case kTimeRole:
+      return ClockText(action.when);
+    case kGlyphMarkRole:
+      return QVariant::fromValue(MarkOf(action));
+    case kObjectRole:
+      return object(action);
+    case kDetailRole:
+    case Qt::ToolTipRole:
+      return outcome(action);
+    case kPathRole:
+      return action.required.interface.empty() ? ToQString(action.process) : Name(action.required);
+    case Qt::AccessibleTextRole:
+      return QStringList{VerbText(action.verb), object(action), outcome(action)}.join(' ');
+    default:
+      return {};
+  }
+}
+
+QString ActivityModel::command(int row) const {
+  const Action& action = this->action(row);
+  switch (action.verb) {
+    case Action::Verb::kConnect:
+      return QStringLiteral("gcm connect %1 %2").arg(Name(action.required), Name(action.provided));
+    case Action::Verb::kDisconnect:
+      return QStringLiteral("gcm disconnect %1").arg(Name(action.required));
+    case Action::Verb::kUndo:
+      return QStringLiteral("gcm undo");
+    case Action::Verb::kForget:
+      break;
+  }
+  return {};
+}
+
+bool ActivityModel::canUndo(int row) const {
+  if (!IsStep(action(row))) return false;
+  for (int newer = 0; newer < row; ++newer) {
+    if (IsStep(action(newer))) return false;
+  }
+  return true;
+}
+
+ActivityModel::Id ActivityModel::begin(Action action) {
+  if (entries_.size() == kKept) {
+    const auto last = static_cast<int>(kKept) - 1;
+    beginRemoveRows({}, last, last);
+    entries_.erase(entries_.begin());
+    endRemoveRows();
+  }
+  action.when = WallClock();
+  beginInsertRows({}, 0, 0);
+  entries_.push_back({++last_id_, std::move(action)});
+  endInsertRows();
+  return last_id_;
+}
+
+int ActivityModel::rowOf(Id id) const {
+  const auto it = std::find_if(entries_.rbegin(), entries_.rend(),
+                               [&](const Entry& entry) { return entry.id == id; });
+  return it == entries_.rend() ? -1 : static_cast<int>(it - entries_.rbegin());
+}
+
+void ActivityModel::changed(int row) {
+  Q_EMIT dataChanged(index(row, 0), index(row, kColumnCount - 1));
+}
+
+void ActivityModel::finish(Id id, double seconds, const QString& refusal) {
+  const int row = rowOf(id);
+  if (row < 0) return;
+  Action& action = entries_[entries_.size() - 1 - static_cast<std::size_t>(row)].action;
+  action.seconds = seconds;
+  action.refusal = refusal;
+  action.outcome = refusal.isEmpty() ? Action::Outcome::kDone : Action::Outcome::kRefused;
+  changed(row);
+  changedUndo();
+  Q_EMIT finished(Action(action));
+}
+
+void ActivityModel::changedUndo() {
+  // The newest that stands, and the one that stood before it.
+  int steps = 0;
+  for (int row = 0; row < rowCount() && steps < 2; ++row) {
+    if (!IsStep(action(row))) continue;
+    changed(row);
+    ++steps;
+  }
+}
+
+void ActivityModel::markUndone(Id undo, Action::Verb verb, const InterfaceName& required,
+                               const InterfaceName& provided) {
+  for (auto entry = entries_.rbegin(); entry != entries_.rend(); ++entry) {
+    Action& action = entry->action;
+    if (entry->id == undo) {
+      action.required = required;
+      action.provided = provided;
+      changed(static_cast<int>(entry - entries_.rbegin()));
+    } else if (IsStep(action) && action.verb == verb && action.required == required) {
+      action.undone = true;
+      changed(static_cast<int>(entry - entries_.rbegin()));
+      return changedUndo();
+    }
+  }
+}
+
+}  // namespace tendon::gui

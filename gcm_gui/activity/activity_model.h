@@ -1,0 +1,76 @@
+#pragma once
+
+#include <tendon/base/name.h>
+
+#include <QAbstractTableModel>
+#include <QString>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tendon::gui {
+
+/// One thing the user did to the system, and what came of it.
+struct Action {
+  enum class Verb { kConnect, kDisconnect, kUndo, kForget };
+  enum class Outcome { kRunning, kDone, kRefused };
+
+  Verb verb = Verb::kConnect;
+  InterfaceName required;  ///< of connect and disconnect; of undo once it is known
+  InterfaceName provided;
+  std::string process;  ///< of forget
+
+  Outcome outcome = Outcome::kRunning;
+  QString refusal;        ///< why it was refused
+  std::int64_t when = 0;  ///< it was asked for, ns since 1970
+  double seconds = 0;     ///< until the answer
+  bool undone = false;
+};
+
+/// What was done through this window, newest first.
+class ActivityModel : public QAbstractTableModel {
+  Q_OBJECT
+
+ public:
+  enum Column { kWhat, kLinks, kColumnCount };
+  using Id = std::uint64_t;
+
+  using QAbstractTableModel::QAbstractTableModel;
+
+  [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+  [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+  [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+
+  [[nodiscard]] const Action& action(int row) const;
+  /// The line that does the same in a terminal, or empty.
+  [[nodiscard]] QString command(int row) const;
+  /// Whether Undo would take back this one: the newest that stands.
+  [[nodiscard]] bool canUndo(int row) const;
+
+  Id begin(Action action);
+  /// The ends are those an undo turned out to have changed.
+  void finish(Id id, double seconds, const QString& refusal);
+  /// Marks the newest action that stands and had these ends.
+  void markUndone(Id undo, Action::Verb verb, const InterfaceName& required,
+                  const InterfaceName& provided);
+
+ Q_SIGNALS:
+  void finished(const tendon::gui::Action& action);
+
+ private:
+  struct Entry {
+    Id id;
+    Action action;
+  };
+  [[nodiscard]] int rowOf(Id id) const;
+  [[nodiscard]] QString object(const Action& action) const;
+  [[nodiscard]] QString outcome(const Action& action) const;
+  void changed(int row);
+  void changedUndo();
+
+  std::vector<Entry> entries_;  // oldest first
+  Id last_id_ = 0;
+};
+
+}  // namespace tendon::gui

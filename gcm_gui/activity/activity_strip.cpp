@@ -1,0 +1,98 @@
+#include <gcm_gui/activity/activity_strip.h>
+#include <gcm_gui/models/row_roles.h>
+#include <gcm_gui/models/text.h>
+#include <gcm_gui/theme/metrics.h>
+#include <gcm_gui/theme/theme.h>
+#include <gcm_gui/views/row_delegate.h>
+#include <gcm_gui/views/row_view.h>
+
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QPersistentModelIndex>
+#include <QTabBar>
+#include <QToolButton>
+
+namespace tendon::gui {
+namespace {
+
+constexpr int kLinksWidth = 200;
+
+QToolButton* MakeLink(const QString& text, const QString& name) {
+  auto* link = new QToolButton;
+  link->setText(text);
+  link->setObjectName(name);
+  link->setAccessibleName(text);
+  link->setCursor(Qt::PointingHandCursor);
+  SetRole(*link, QStringLiteral("accent"));
+  return link;
+}
+
+}  // namespace
+
+ActivityStrip::ActivityStrip(ActivityModel& activity, ProblemsModel& problems,
+                             SystemActions& actions, Selection& selection, QWidget* parent)
+    : TabPanel(QStringLiteral("strip"), parent), activity_(activity), actions_(actions) {
+  list_ = MakeRowList(activity, QStringLiteral("activity"),
+                      QStringLiteral("What you do to the system is listed here."));
+  list_->rows().setAllLeft(true);
+  list_->setSelectionMode(QAbstractItemView::SingleSelection);
+  list_->header()->setSectionResizeMode(ActivityModel::kLinks, QHeaderView::Fixed);
+  list_->header()->resizeSection(ActivityModel::kLinks, kLinksWidth);
+  RowView* problem_list =
+      MakeRowList(problems, QStringLiteral("problems"), QStringLiteral("Nothing is wrong."));
+  problem_list->rows().setAllLeft(true);
+  addPage(list_, QStringLiteral("Activity"));
+  problems_page_ = addPage(problem_list, QStringLiteral("Problems"));
+
+  connect(&activity, &QAbstractItemModel::rowsInserted, this,
+          [this](const QModelIndex&, int first, int last) { linkRows(first, last); });
+  connect(&activity, &QAbstractItemModel::dataChanged, this,
+          [this](const QModelIndex& first, const QModelIndex& last) {
+            linkRows(first.row(), last.row());
+          });
+  connect(&problems, &ProblemsModel::countChanged, this, &ActivityStrip::showProblemCount);
+  const auto select = [&selection](const QModelIndex& index) {
+    selection.select(index.siblingAtColumn(0).data(kPathRole).toString());
+  };
+  connect(list_, &QTreeView::clicked, this, select);
+  connect(problem_list, &QTreeView::clicked, this, select);
+  linkRows(0, activity.rowCount() - 1);
+  showProblemCount(problems.rowCount());
+}
+
+void ActivityStrip::linkRows(int first, int last) {
+  for (int row = first; row <= last; ++row) linkRow(row);
+}
+
+void ActivityStrip::linkRow(int row) {
+  const QModelIndex index = activity_.index(row, ActivityModel::kLinks);
+  auto* cell = new QWidget;
+  auto* line = new QHBoxLayout(cell);
+  line->setContentsMargins(0, 0, kInset - 6, 0);
+  line->setSpacing(0);
+  line->addStretch();
+  if (activity_.canUndo(row)) {
+    QToolButton* undo = MakeLink(QStringLiteral("Undo"), QStringLiteral("undo"));
+    connect(undo, &QToolButton::clicked, this, [this] { actions_.undo(); });
+    line->addWidget(undo);
+  }
+  if (const QString command = activity_.command(row); !command.isEmpty()) {
+    QToolButton* copy = MakeLink(QStringLiteral("Copy as command"), QStringLiteral("copyCommand"));
+    copy->setToolTip(command);
+    connect(copy, &QToolButton::clicked, this,
+            [command] { QGuiApplication::clipboard()->setText(command); });
+    line->addWidget(copy);
+  }
+  list_->setIndexWidget(index, cell);
+}
+
+void ActivityStrip::showProblemCount(int count) {
+  setTitle(problems_page_,
+           count == 0 ? QStringLiteral("Problems") : QStringLiteral("Problems %1").arg(count));
+  tabs().setTabTextColor(problems_page_,
+                         count == 0 ? QColor() : Theme::instance().color(Token::kWarning));
+}
+
+}  // namespace tendon::gui

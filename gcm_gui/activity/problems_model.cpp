@@ -1,0 +1,122 @@
+#include <gcm_gui/activity/problems_model.h>
+#include <gcm_gui/models/row_roles.h>
+#include <gcm_gui/models/state_of.h>
+#include <gcm_gui/models/text.h>
+
+#include <utility>
+
+namespace tendon::gui {
+namespace {
+
+QString WithReason(const QString& text, const std::string& reason) {
+  return reason.empty() ? text : text + QStringLiteral(": ") + ToQString(reason);
+}
+
+void AddProblemsOf(const ProcessEntry& entry, std::vector<Problem>& problems) {
+  const ProcessDescription& process = entry.process;
+  const QString name = ToQString(process.name);
+  if (process.state == ProcessState::kLost) {
+    problems.push_back({name, WithReason(name + QStringLiteral(" is lost"), process.reason),
+                        StateMark::kLost, process.since});
+    return;  // the rest follows from it
+  }
+  if (process.state == ProcessState::kSuspect) {
+    problems.push_back({name, name + QStringLiteral(" does not answer; its values may be old"),
+                        StateMark::kWarning, process.since});
+  }
+  for (const auto& [component_name, component] : entry.components) {
+    if (component.state != ComponentState::kFaulted) continue;
+    const QString path = name + '/' + ToQString(component_name);
+    problems.push_back({path, WithReason(path + QStringLiteral(" is faulted"), component.fault),
+                        StateMark::kFaulted, 0});
+  }
+  for (const auto& [id, connection] : entry.connections) {
+    if (connection.state != ConnectionState::kFailed) continue;
+    const QString path = ToQString(ToString(connection.required));
+    problems.push_back({path,
+                        WithReason(path + QStringLiteral(" is not connected"), connection.reason),
+                        StateMark::kRefused, 0});
+  }
+}
+
+}  // namespace
+
+int ProblemsModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(rows_.size());
+}
+
+int ProblemsModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : 1; }
+
+const Problem& ProblemsModel::problem(int row) const {
+  return rows_.at(static_cast<std::size_t>(row));
+}
+
+QVariant ProblemsModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid()) return {};
+  const Problem& problem = this->problem(index.row());
+  switch (role) {
+    case Qt::DisplayRole:
+    case Qt::ToolTipRole:
+    case Qt::AccessibleTextRole:
+      return problem.text;
+    case kTimeRole:
+      return problem.since == 0 ? QString() : ClockText(problem.since);
+    case kGlyphMarkRole:
+      return QVariant::fromValue(problem.mark);
+    case kPathRole:
+      return problem.path;
+    default:
+      return {};
+  }
+}
+
+void ProblemsModel::update(const Catalog& catalogue) {
+  of_system_.clear();
+  for (const auto& [name, entry] : catalogue.processes()) AddProblemsOf(entry, of_system_);
+  dropAnswered(catalogue);
+  std::vector<Problem> fresh = of_system_;
+  for (const auto& [required, problem] : refusals_) fresh.push_back(problem);
+  show(std::move(fresh));
+}
+
+void ProblemsModel::dropAnswered(const Catalog& catalogue) {
+  for (auto it = refusals_.begin(); it != refusals_.end();) {
+    const auto* connection = catalogue.FindConnection(it->first);
+    const bool connected = connection != nullptr && connection->state == ConnectionState::kActive;
+    it = connected || catalogue.FindRequired(it->first) == nullptr ? refusals_.erase(it)
+                                                                   : std::next(it);
+  }
+}
+
+void ProblemsModel::hear(const Action& finished) {
+  if (finished.verb != Action::Verb::kConnect) return;
+  if (finished.outcome == Action::Outcome::kRefused) {
+    refusals_[finished.required] = {ToQString(ToString(finished.required)), finished.refusal,
+                                    StateMark::kRefused, finished.when};
+  } else {
+    refusals_.erase(finished.required);
+  }
+  std::vector<Problem> fresh = of_system_;
+  for (const auto& [required, problem] : refusals_) fresh.push_back(problem);
+  show(std::move(fresh));
+}
+
+void ProblemsModel::show(std::vector<Problem> fresh) {
+  if (fresh == rows_) return;
+  const bool other_count = fresh.size() != rows_.size();
+  std::size_t same = 0;
+  while (same < rows_.size() && same < fresh.size() && rows_[same] == fresh[same]) ++same;
+  if (same < rows_.size()) {
+    beginRemoveRows({}, static_cast<int>(same), static_cast<int>(rows_.size()) - 1);
+    rows_.resize(same);
+    endRemoveRows();
+  }
+  if (same < fresh.size()) {
+    beginInsertRows({}, static_cast<int>(same), static_cast<int>(fresh.size()) - 1);
+    rows_ = std::move(fresh);
+    endInsertRows();
+  }
+  if (other_count) Q_EMIT countChanged(rowCount());
+}
+
+}  // namespace tendon::gui

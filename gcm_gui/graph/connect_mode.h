@@ -1,0 +1,76 @@
+#pragma once
+
+#include <gcm_gui/graph/layout/graph_picture.h>
+#include <gcm_gui/session/catalogue_store.h>
+#include <gcm_gui/session/system_actions.h>
+#include <tendon/interface/compatibility.h>
+
+#include <QObject>
+#include <QString>
+#include <optional>
+#include <vector>
+
+namespace tendon::gui {
+
+/// A port that the chosen one might be connected to.
+struct Candidate {
+  PortName port;
+  Compatibility compatibility;
+  int number = 0;     ///< the digit that picks it, 1 to 9; 0 for none
+  bool gone = false;  ///< its process is lost; connecting waits for its return
+  QString obstacle;   ///< what else is in the way: "is connected to robot/arm/Control"
+
+  [[nodiscard]] bool fits() const { return compatibility.fits() && obstacle.isEmpty(); }
+  /// Not by chance: some of its members are what is needed, or are meant to be.
+  [[nodiscard]] bool looksAlike() const;
+  /// Why it cannot be picked, one clause a line.
+  [[nodiscard]] QStringList reasons() const;
+};
+
+/// The moment between choosing one end of a connection and the other. Knows which ports fit and why
+/// the others do not; asks for the connection when one is picked.
+class ConnectMode : public QObject {
+  Q_OBJECT
+
+ public:
+  /// The candidates follow the catalogue; when the chosen port goes, the mode ends.
+  ConnectMode(const CatalogueStore& store, SystemActions& actions, QObject* parent = nullptr);
+
+  [[nodiscard]] bool active() const { return chosen_.has_value(); }
+  [[nodiscard]] const PortName& chosen() const { return *chosen_; }
+  /// Best first, those that do not fit last.
+  [[nodiscard]] const std::vector<Candidate>& candidates() const { return candidates_; }
+  /// Null while nothing fits, and for a port that is no candidate.
+  [[nodiscard]] const Candidate* best() const;
+  [[nodiscard]] const Candidate* find(const PortName& port) const;
+  /// The one that most resembles what is needed and does not fit, or null.
+  [[nodiscard]] const Candidate* bestLookAlike() const;
+
+ public Q_SLOTS:
+  /// False, with notice() telling why, when the port is not there or is connected already.
+  bool start(const tendon::gui::PortName& port);
+  void leave();
+  /// Connects; nothing happens but a notice() when it does not fit.
+  void pick(const tendon::gui::PortName& port);
+  void pickNumber(int number);
+  void pickBest();
+
+ Q_SIGNALS:
+  void changed();
+  void picked(const tendon::InterfaceName& required, const tendon::InterfaceName& provided);
+  /// One sentence for the user.
+  void notice(const QString& text);
+
+ private:
+  void follow();
+  void rank();
+  void addProvided(const RequiredDescription& required);
+  void addRequired(const ProvidedDescription& provided);
+
+  const CatalogueStore& store_;
+  SystemActions& actions_;
+  std::optional<PortName> chosen_;
+  std::vector<Candidate> candidates_;
+};
+
+}  // namespace tendon::gui

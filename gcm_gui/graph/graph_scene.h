@@ -1,0 +1,93 @@
+#pragma once
+
+#include <gcm_gui/graph/connect_mode.h>
+#include <gcm_gui/graph/items/edge_item.h>
+#include <gcm_gui/graph/layout/graph_layout.h>
+#include <gcm_gui/models/selection.h>
+#include <gcm_gui/session/catalogue_store.h>
+
+#include <QGraphicsScene>
+#include <QHash>
+#include <QString>
+#include <map>
+#include <optional>
+#include <set>
+#include <vector>
+
+namespace tendon::gui {
+
+class CardItem;
+class ComponentItem;
+class PortItem;
+class ProcessItem;
+
+/// The system as boxes, nodes and edges: shows the catalogue, the selection and the connect mode,
+/// and decides nothing. GUI thread.
+class GraphScene : public QGraphicsScene {
+  Q_OBJECT
+
+ public:
+  GraphScene(const CatalogueStore& store, const Selection& selection, const ConnectMode& mode,
+             QObject* parent = nullptr);
+  ~GraphScene() override;
+
+  [[nodiscard]] PortItem* port(const PortName& name) const;
+  [[nodiscard]] ComponentItem* component(const QString& path) const;
+  [[nodiscard]] std::vector<PortItem*> ports() const;
+  [[nodiscard]] const std::map<QString, ComponentItem*>& components() const { return components_; }
+  [[nodiscard]] const std::map<QString, ProcessItem*>& processes() const { return processes_; }
+  /// Of the connection of a required interface, or null.
+  [[nodiscard]] const EdgeItem* edge(const QString& required) const;
+  [[nodiscard]] const std::vector<CardItem*>& cards() const { return cards_; }
+  /// Around all nodes and boxes.
+  [[nodiscard]] QRectF contents() const { return contents_; }
+
+ public Q_SLOTS:
+  /// A dashed edge until forgotten, while a request for it is under way.
+  void showRequested(const tendon::InterfaceName& required, const tendon::InterfaceName& provided);
+  void forgetRequested(const tendon::InterfaceName& required);
+  /// The pointer is on this port: if it does not fit, a card says why.
+  void point(const std::optional<tendon::gui::PortName>& port);
+  /// Where cards can be seen.
+  void setVisible(const QRectF& visible) { visible_ = visible; }
+  void setNow(qint64 now);
+
+ Q_SIGNALS:
+  void contentsMoved();
+
+ protected:
+  void helpEvent(QGraphicsSceneHelpEvent* event) override;
+
+ private:
+  void showCatalogue();
+  void showProcesses(const GraphPicture& picture);
+  void showEdges(const GraphPicture& picture);
+  void showSelection();
+  void showMode();
+  void showRoles();
+  void showPreview();
+  void showCards();
+  void addCard(const Candidate& candidate, qsizetype reasons);
+  /// Moves it where it hides least, and returns how much that is.
+  double placeCard(CardItem& card, const PortItem& port) const;
+  [[nodiscard]] double crowding(const QRectF& rect) const;
+  [[nodiscard]] EdgeItem::Look lookOf(const ConnectionDescription& connection) const;
+
+  const CatalogueStore& store_;
+  const Selection& selection_;
+  const ConnectMode& mode_;
+  GraphLayout layout_;
+  std::map<QString, ProcessItem*> processes_;
+  std::map<QString, ComponentItem*> components_;
+  std::map<PortName, PortItem*> ports_;
+  std::map<QString, EdgeItem*> edges_;  // by the required interface
+  std::map<InterfaceName, InterfaceName> requested_;
+  EdgeItem* preview_;
+  std::vector<CardItem*> cards_;
+  std::optional<PortName> pointed_;
+  QRectF contents_;
+  QRectF visible_;
+  std::int64_t now_ = 0;
+};
+
+}  // namespace tendon::gui

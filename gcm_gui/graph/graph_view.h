@@ -1,0 +1,61 @@
+#pragma once
+
+#include <gcm_gui/graph/connect_mode.h>
+#include <gcm_gui/graph/graph_scene.h>
+#include <gcm_gui/models/selection.h>
+
+#include <QGraphicsView>
+#include <QPoint>
+#include <optional>
+
+namespace tendon::gui {
+
+/// The graph on the screen: wheel zooms, dragging moves, a click on a port begins or makes a
+/// connection (so does dragging from port to port), a click on anything else selects it. Shows all of the graph until the user has
+/// zoomed or moved it, and again after fit().
+class GraphView : public QGraphicsView {
+  Q_OBJECT
+
+ public:
+  GraphView(GraphScene& scene, Selection& selection, ConnectMode& mode, QWidget* parent = nullptr);
+
+  [[nodiscard]] GraphScene& graph() const { return scene_; }
+  /// The middle of a port's disc on this widget's viewport; nothing when there is no such port.
+  [[nodiscard]] std::optional<QPoint> pointOf(const PortName& port) const;
+
+ public Q_SLOTS:
+  void fit();
+  void zoomIn() { zoom(1.25); }
+  void zoomOut() { zoom(0.8); }
+  /// Moves the view, if it must, so that the component of `path` can be seen.
+  void reveal(const QString& path);
+
+ protected:
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void zoom(double factor);
+  void follow();
+  void pan(const QPoint& position);
+  void dragConnection(const QPoint& position);
+  void click(const QPoint& position);
+  bool connectKey(int key);
+  void selectNext(int key);
+  [[nodiscard]] std::optional<PortName> portAt(const QPoint& position) const;
+
+  GraphScene& scene_;
+  Selection& selection_;
+  ConnectMode& mode_;
+  bool following_ = true;
+  std::optional<QPoint> pressed_;
+  std::optional<PortName> pressed_port_;
+  bool dragging_ = false;
+};
+
+}  // namespace tendon::gui

@@ -1,0 +1,86 @@
+#include <gcm_gui/graph/items/component_item.h>
+#include <gcm_gui/graph/layout/node_metrics.h>
+#include <gcm_gui/models/state_of.h>
+#include <gcm_gui/theme/metrics.h>
+#include <gcm_gui/theme/theme.h>
+
+#include <QFontMetricsF>
+#include <QPainter>
+#include <QStyleOptionGraphicsItem>
+
+namespace tendon::gui {
+namespace {
+
+constexpr double kFarAway = 0.35;  // below this scale names cannot be read
+constexpr double kBar = 3;
+constexpr double kGoneOpacity = 0.5;
+
+}  // namespace
+
+ComponentItem::ComponentItem() { setZValue(2); }
+
+void ComponentItem::show(const NodePicture& picture, const QRectF& rect, bool gone) {
+  if (picture == picture_ && rect == sceneRect() && gone == gone_) return;
+  prepareGeometryChange();
+  picture_ = picture;
+  size_ = rect.size();
+  gone_ = gone;
+  setPos(rect.topLeft());
+  setOpacity(gone ? kGoneOpacity : 1.0);
+  setToolTip(picture.path + QStringLiteral(" · ") +
+             (gone ? QStringLiteral("lost") : WordOf(MarkOf(picture.state))));
+  std::size_t used = 0;
+  showPorts(picture.required, Side::kRequired, used);
+  showPorts(picture.provided, Side::kProvided, used);
+  while (ports_.size() > used) {
+    delete ports_.back();
+    ports_.pop_back();
+  }
+  update();
+}
+
+void ComponentItem::showPorts(const std::vector<PortPicture>& ports, Side side, std::size_t& used) {
+  int index = 0;
+  for (const PortPicture& port : ports) {
+    if (used == ports_.size()) ports_.push_back(new PortItem(this));
+    PortItem& item = *ports_[used++];
+    item.setPos(PortCentre(QRectF({}, size_), side, index++));
+    item.show(port, size_.width(), gone_);
+  }
+}
+
+void ComponentItem::setSelected(bool selected) {
+  if (selected == selected_) return;
+  selected_ = selected;
+  update();
+}
+
+QRectF ComponentItem::boundingRect() const { return QRectF({}, size_).adjusted(-1, -1, 1, 1); }
+
+void ComponentItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+  const Theme& theme = Theme::instance();
+  const QRectF rect = QRectF({}, size_).adjusted(0.5, 0.5, -0.5, -0.5);
+  const double scale =
+      QStyleOptionGraphicsItem::levelOfDetailFromTransform(painter->worldTransform());
+  const bool far_away = scale < kFarAway;
+  for (PortItem* port : ports_) port->setVisible(!far_away);
+
+  painter->setRenderHint(QPainter::Antialiasing, !far_away);
+  const QPen pen(theme.color(selected_ ? Token::kAccent : Token::kLine), selected_ ? 1.5 : 1);
+  painter->setPen(pen);
+  painter->setBrush(theme.color(Token::kRaised));
+  painter->drawRoundedRect(rect, kRadius, kRadius);
+
+  painter->setPen(Qt::NoPen);
+  painter->setBrush(theme.color(gone_ ? Token::kStale : ColorOf(MarkOf(picture_.state))));
+  painter->drawRoundedRect(QRectF(0, 0, kBar, size_.height()), kBar / 2, kBar / 2);
+  if (far_away) return;
+
+  painter->setFont(theme.strong());
+  painter->setPen(theme.color(Token::kText));
+  const QRectF head(kNodeInset, 2, size_.width() - 2 * kNodeInset, kNodeHead - 2);
+  painter->drawText(head, static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter) | Qt::TextSingleLine,
+                    picture_.name);
+}
+
+}  // namespace tendon::gui

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <gcm_gui/graph/items/port_item.h>
+#include <gcm_gui/graph/layout/graph_picture.h>
+
+#include <QGraphicsItem>
+#include <vector>
+
+namespace tendon::gui {
+
+/// A component: its name, the bar that tells its state, and its ports, which are children.
+class ComponentItem : public QGraphicsItem {
+ public:
+  enum { Type = UserType + 2 };
+
+  ComponentItem();
+
+  /// `rect` in the scene.
+  void show(const NodePicture& picture, const QRectF& rect, bool gone);
+  void setSelected(bool selected);
+
+  [[nodiscard]] const QString& path() const { return picture_.path; }
+  [[nodiscard]] const std::vector<PortItem*>& ports() const { return ports_; }
+  [[nodiscard]] QRectF sceneRect() const { return QRectF(pos(), size_); }
+  [[nodiscard]] bool gone() const { return gone_; }
+
+  [[nodiscard]] int type() const override { return Type; }
+  [[nodiscard]] QRectF boundingRect() const override;
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
+
+ private:
+  void showPorts(const std::vector<PortPicture>& ports, Side side, std::size_t& used);
+
+  NodePicture picture_;
+  QSizeF size_;
+  std::vector<PortItem*> ports_;
+  bool gone_ = false;
+  bool selected_ = false;
+};
+
+}  // namespace tendon::gui

@@ -1,0 +1,120 @@
+#include <gcm_gui/graph/items/edge_item.h>
+#include <gcm_gui/theme/state_mark.h>
+#include <gcm_gui/theme/theme.h>
+
+#include <QFontMetricsF>
+#include <QPainter>
+#include <QPainterPathStroker>
+#include <algorithm>
+#include <cmath>
+
+namespace tendon::gui {
+namespace {
+
+constexpr double kLeastBend = 36;
+constexpr double kMostBend = 160;
+constexpr double kClickWidth = 12;
+constexpr double kReasonWidth = 220;
+
+Token TokenOf(EdgeItem::Look look) {
+  switch (look) {
+    case EdgeItem::Look::kActive:
+      return Token::kOk;
+    case EdgeItem::Look::kPending:
+      return Token::kDim;
+    case EdgeItem::Look::kFailed:
+      return Token::kBad;
+    case EdgeItem::Look::kStale:
+      return Token::kStale;
+    case EdgeItem::Look::kPreview:
+      break;
+  }
+  return Token::kAccent;
+}
+
+QPainterPath Curve(const QPointF& from, const QPointF& to) {
+  const double distance = std::abs(to.x() - from.x());
+  // One that runs back bends further out, so that its ends still point along the ports.
+  const double wanted = to.x() > from.x() ? distance / 2 : distance / 3 + kLeastBend;
+  const QPointF bend(std::clamp(wanted, kLeastBend, kMostBend), 0);
+  QPainterPath path(from);
+  path.cubicTo(from + bend, to - bend, to);
+  return path;
+}
+
+}  // namespace
+
+EdgeItem::EdgeItem() { setZValue(1); }
+
+void EdgeItem::show(const QPointF& from, const QPointF& to, Look look, const QString& reason) {
+  if (from == from_ && to == to_ && look == look_ && reason == reason_) return;
+  prepareGeometryChange();
+  from_ = from;
+  to_ = to;
+  path_ = Curve(from, to);
+  look_ = look;
+  reason_ = reason;
+  setZValue(look == Look::kPreview ? 3 : 1);
+  setToolTip(reason.isEmpty() ? required_ : required_ + '\n' + reason);
+  update();
+}
+
+void EdgeItem::setSelected(bool selected) {
+  selected_ = selected;
+  const bool on_top = look_ == Look::kPreview || (selected && look_ == Look::kFailed);
+  setZValue(on_top ? 3 : 1);
+  update();
+}
+
+QRectF EdgeItem::boundingRect() const {
+  QRectF rect = path_.boundingRect().adjusted(-kClickWidth, -kClickWidth, kClickWidth, kClickWidth);
+  if (!reason_.isEmpty()) {
+    const QPointF middle = path_.pointAtPercent(0.5);
+    rect |= QRectF(middle.x() - kReasonWidth / 2, middle.y() - 24, kReasonWidth, 24);
+  }
+  return rect;
+}
+
+QPainterPath EdgeItem::shape() const {
+  if (look_ == Look::kPreview) return {};  // never in the way of a click
+  QPainterPathStroker stroker;
+  stroker.setWidth(kClickWidth);
+  return stroker.createStroke(path_);
+}
+
+void EdgeItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+  painter->setRenderHint(QPainter::Antialiasing);
+  const Token token = selected_ && look_ != Look::kPreview ? Token::kAccent : TokenOf(look_);
+  QPen pen(Theme::instance().color(token), look_ == Look::kPreview ? 1.5 : 2);
+  if (look_ != Look::kActive) pen.setDashPattern({3, 3});
+  pen.setCapStyle(Qt::FlatCap);
+  painter->setPen(pen);
+  painter->setBrush(Qt::NoBrush);
+  painter->drawPath(path_);
+  if (look_ == Look::kFailed && !reason_.isEmpty()) paintReason(*painter);
+}
+
+void EdgeItem::paintReason(QPainter& painter) const {
+  const Theme& theme = Theme::instance();
+  const QFontMetricsF metrics(theme.small());
+  const QString text = metrics.elidedText(reason_, Qt::ElideRight, kReasonWidth - 16);
+  const double room = to_.x() - from_.x();
+  if (room < metrics.horizontalAdvance(text) + 24 && !selected_) {
+    // No room between the nodes: the mark alone; the reason comes with the selection.
+    const QRectF disc(path_.pointAtPercent(0.5) - QPointF(9, 9), QSizeF(18, 18));
+    painter.setPen(theme.color(Token::kBad, 0.6));
+    painter.setBrush(theme.color(Token::kPanel));
+    painter.drawEllipse(disc);
+    return PaintMark(painter, disc, StateMark::kRefused);
+  }
+  QRectF rect(0, 0, metrics.horizontalAdvance(text) + 12, 18);
+  rect.moveCenter(path_.pointAtPercent(0.5) - QPointF(0, 14));
+  painter.setPen(theme.color(Token::kBad, 0.6));
+  painter.setBrush(theme.color(Token::kPanel));
+  painter.drawRoundedRect(rect, 4, 4);
+  painter.setFont(theme.small());
+  painter.setPen(theme.color(Token::kBad));
+  painter.drawText(rect, Qt::AlignCenter, text);
+}
+
+}  // namespace tendon::gui

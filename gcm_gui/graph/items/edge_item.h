@@ -1,0 +1,45 @@
+#pragma once
+
+#include <gcm_gui/graph/layout/graph_picture.h>
+
+#include <QGraphicsItem>
+#include <QPainterPath>
+#include <QString>
+
+namespace tendon::gui {
+
+/// A connection, drawn from the provided port to the required one.
+class EdgeItem : public QGraphicsItem {
+ public:
+  /// kPreview: not asked for yet.
+  enum class Look { kActive, kPending, kFailed, kStale, kPreview };
+  enum { Type = UserType + 4 };
+
+  EdgeItem();
+
+  void show(const QPointF& from, const QPointF& to, Look look, const QString& reason = {});
+  /// Named by its required end.
+  void setRequired(const QString& path) { required_ = path; }
+  void setSelected(bool selected);
+
+  [[nodiscard]] const QString& required() const { return required_; }
+  [[nodiscard]] Look look() const { return look_; }
+
+  [[nodiscard]] int type() const override { return Type; }
+  [[nodiscard]] QRectF boundingRect() const override;
+  [[nodiscard]] QPainterPath shape() const override;
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
+
+ private:
+  void paintReason(QPainter& painter) const;
+
+  QString required_;
+  QPointF from_;
+  QPointF to_;
+  QPainterPath path_;
+  Look look_ = Look::kActive;
+  QString reason_;
+  bool selected_ = false;
+};
+
+}  // namespace tendon::gui

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <gcm_gui/graph/layout/graph_picture.h>
+
+#include <QGraphicsItem>
+#include <QString>
+
+namespace tendon::gui {
+
+/// One interface of a component: a disc on the node's edge, filled when it is connected, and its
+/// name inside the node. Its position is the middle of the disc; all of it can be clicked.
+class PortItem : public QGraphicsItem {
+ public:
+  enum class Role { kPlain, kChosen, kCandidate, kUnfit };
+  enum { Type = UserType + 1 };
+
+  explicit PortItem(QGraphicsItem* parent);
+
+  void show(const PortPicture& picture, double node_width, bool gone);
+  /// In connect mode; `number` is the digit that picks it, 0 for none.
+  void setRole(Role role, int number = 0);
+
+  [[nodiscard]] const PortName& port() const { return picture_.port; }
+  [[nodiscard]] Role role() const { return role_; }
+  [[nodiscard]] int number() const { return number_; }
+
+  [[nodiscard]] int type() const override { return Type; }
+  [[nodiscard]] QRectF boundingRect() const override;
+  [[nodiscard]] QPainterPath shape() const override;
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
+
+ protected:
+  void hoverEnterEvent(QGraphicsSceneHoverEvent* event) override;
+  void hoverLeaveEvent(QGraphicsSceneHoverEvent* event) override;
+
+ private:
+  [[nodiscard]] QRectF clickRect() const;
+  void paintDisc(QPainter& painter) const;
+  void paintRings(QPainter& painter) const;
+
+  PortPicture picture_;
+  QString label_;
+  double node_width_ = 0;
+  Role role_ = Role::kPlain;
+  int number_ = 0;
+  bool gone_ = false;
+  bool hovered_ = false;
+};
+
+}  // namespace tendon::gui

@@ -1,0 +1,131 @@
+#include <gcm_gui/graph/layout/graph_picture.h>
+#include <gcm_gui/models/connection_index.h>
+#include <gcm_gui/models/text.h>
+#include <tendon/interface/compatibility.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <tuple>
+
+namespace tendon::gui {
+namespace {
+
+/// More fitting providers than this say nothing about where a client belongs.
+constexpr std::size_t kMostProviders = 3;
+
+QString ComponentPath(const InterfaceName& name) {
+  return ToQString(name.process + '/' + name.component);
+}
+
+/// Provided interfaces by one of their members: finds the few that are worth a comparison.
+class ProviderIndex {
+ public:
+  void Add(const InterfaceName& name, const ProvidedDescription& provided) {
+    for (const auto& command : provided.commands)
+      by_member_[Key(command)].push_back({name, &provided});
+    for (const auto& event : provided.events) by_member_[Key(event)].push_back({name, &provided});
+  }
+
+  /// Those that fill `required`. None for one that needs nothing: everything would.
+  [[nodiscard]] std::vector<InterfaceName> Fitting(const RequiredDescription& required) const {
+    std::vector<InterfaceName> fitting;
+    const MemberDescription* needed = FirstNeeded(required);
+    if (needed == nullptr) return fitting;
+    const auto it = by_member_.find(Key(*needed));
+    if (it == by_member_.end()) return fitting;
+    for (const auto& [name, provided] : it->second) {
+      if (Compare(required, *provided).fits()) fitting.push_back(name);
+      if (fitting.size() > kMostProviders) return {};
+    }
+    return fitting;
+  }
+
+ private:
+  struct Provider {
+    InterfaceName name;
+    const ProvidedDescription* description;
+  };
+  using MemberKey = std::tuple<std::string, Fingerprint, Fingerprint>;
+
+  static MemberKey Key(const MemberDescription& member) {
+    return {member.name, member.signature.in, member.signature.out};
+  }
+
+  static const MemberDescription* FirstNeeded(const RequiredDescription& required) {
+    for (const auto* members : {&required.functions, &required.event_handlers}) {
+      for (const auto& member : *members) {
+        if (!member.optional) return &member;
+      }
+    }
+    return nullptr;
+  }
+
+  std::map<MemberKey, std::vector<Provider>> by_member_;
+};
+
+NodePicture NodeOf(const ConnectionIndex& connections, const std::string& process,
+                   const ComponentDescription& component) {
+  NodePicture node;
+  node.name = ToQString(component.name);
+  node.path = ToQString(process + '/' + component.name);
+  node.state = component.state;
+  for (const auto& required : component.required) {
+    const InterfaceName name{process, component.name, required.name};
+    const auto* connection = connections.Of(name);
+    const bool active = connection != nullptr && connection->state == ConnectionState::kActive;
+    node.required.push_back({{Side::kRequired, name}, active});
+  }
+  for (const auto& provided : component.provided) {
+    const InterfaceName name{process, component.name, provided.name};
+    node.provided.push_back({{Side::kProvided, name}, connections.Clients(name) > 0});
+  }
+  return node;
+}
+
+std::vector<Affinity> AffinitiesOf(const Catalog& catalogue,
+                                   const std::vector<ConnectionDescription>& edges) {
+  ProviderIndex providers;
+  for (const auto& [process, entry] : catalogue.processes()) {
+    for (const auto& [name, component] : entry.components) {
+      for (const auto& provided : component.provided) {
+        providers.Add({process, name, provided.name}, provided);
+      }
+    }
+  }
+  std::set<Affinity> affinities;
+  for (const auto& edge : edges) {
+    affinities.insert({ComponentPath(edge.provided), ComponentPath(edge.required)});
+  }
+  for (const auto& [process, entry] : catalogue.processes()) {
+    for (const auto& [name, component] : entry.components) {
+      for (const auto& required : component.required) {
+        const QString client = ToQString(process + '/' + name);
+        for (const auto& fitting : providers.Fitting(required)) {
+          affinities.insert({ComponentPath(fitting), client});
+        }
+      }
+    }
+  }
+  std::erase_if(affinities, [](const Affinity& a) { return a.provider == a.client; });
+  return {affinities.begin(), affinities.end()};
+}
+
+}  // namespace
+
+GraphPicture PictureOf(const Catalog& catalogue) {
+  GraphPicture picture;
+  const ConnectionIndex connections(catalogue);
+  for (const auto& [name, entry] : catalogue.processes()) {
+    ProcessPicture process{ToQString(name), entry.process.state, entry.process.since, {}};
+    for (const auto& [component_name, component] : entry.components) {
+      process.nodes.push_back(NodeOf(connections, name, component));
+    }
+    picture.processes.push_back(std::move(process));
+  }
+  picture.edges = catalogue.connections();
+  picture.affinities = AffinitiesOf(catalogue, picture.edges);
+  return picture;
+}
+
+}  // namespace tendon::gui

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace tendon::gui {
+
+/// From a provider to its client, by index.
+struct LayerEdge {
+  std::size_t from = 0;
+  std::size_t to = 0;
+};
+
+/// The layer of each of `count` things, so that edges run to higher layers: the longest way from a
+/// thing without providers. Of each ring, the edge that closes it, met in order, is left out.
+[[nodiscard]] std::vector<int> LayersOf(std::size_t count, const std::vector<LayerEdge>& edges);
+
+}  // namespace tendon::gui

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <gcm_gui/graph/layout/graph_picture.h>
+
+#include <QPointF>
+#include <QRectF>
+#include <QSizeF>
+
+namespace tendon::gui {
+
+// Measures of the graph, in scene units, which are pixels at 100 %.
+inline constexpr double kPortPitch = 20;
+inline constexpr double kPortRadius = 5;
+inline constexpr double kNodeHead = 28;  ///< from a node's top to the room of its ports
+inline constexpr double kNodeTail = 6;
+inline constexpr double kNodeInset = 12;
+inline constexpr double kProcessHead = 28;  ///< from a process box's top to its nodes
+inline constexpr double kProcessInset = 14;
+
+/// What a node needs with the fonts of the theme.
+[[nodiscard]] QSizeF SizeOf(const NodePicture& node);
+
+/// The middle of a port's disc. `index` counts the ports of its side from above.
+[[nodiscard]] QPointF PortCentre(const QRectF& node, Side side, int index);
+
+}  // namespace tendon::gui

@@ -1,0 +1,294 @@
+#include <gcm_gui/inspector/component_connections.h>
+#include <gcm_gui/inspector/inspector.h>
+#include <gcm_gui/models/row_roles.h>
+#include <gcm_gui/models/state_of.h>
+#include <gcm_gui/models/text.h>
+#include <gcm_gui/theme/head_row.h>
+#include <gcm_gui/theme/metrics.h>
+#include <gcm_gui/theme/theme.h>
+#include <gcm_gui/views/fact_grid.h>
+#include <gcm_gui/views/row_delegate.h>
+#include <gcm_gui/views/row_view.h>
+#include <gcm_gui/views/state_label.h>
+#include <gcm_gui/views/tab_panel.h>
+#include <tendon/base/path.h>
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QStackedWidget>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <chrono>
+
+namespace tendon::gui {
+namespace {
+
+constexpr std::chrono::milliseconds kFiguresPeriod{250};
+enum Page { kNothingPage, kProcessPage, kComponentPage };
+
+bool HasCycle(const ComponentDescription& component) {
+  return std::any_of(component.tables.begin(), component.tables.end(), [](const auto& table) {
+    return table.name == "state" && std::any_of(table.columns.begin(), table.columns.end(),
+                                                [](const auto& c) { return c.name == "Cycle"; });
+  });
+}
+
+}  // namespace
+
+Inspector::Inspector(const CatalogueStore& store, ConnectionsModel& connections,
+                     Selection& selection, SignalSource& source, SystemActions& actions,
+                     QWidget* parent)
+    : QWidget(parent),
+      store_(store),
+      selection_(selection),
+      source_(source),
+      actions_(actions),
+      figures_(source),
+      connections_(new ComponentConnections(connections, this)) {
+  setObjectName(QStringLiteral("inspector"));
+  setAccessibleName(QStringLiteral("Inspector"));
+  setAutoFillBackground(true);
+  nothing_ = new QLabel;
+  nothing_->setWordWrap(true);
+  nothing_->setAlignment(Qt::AlignTop);
+  nothing_->setMargin(kInset);
+  SetRole(*nothing_, QStringLiteral("dim"));
+  pages_ = new QStackedWidget;
+  pages_->addWidget(nothing_);
+  pages_->addWidget(buildProcessPage());
+  pages_->addWidget(buildComponentPage());
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(buildHead());
+  column->addWidget(pages_, 1);
+
+  connect(&store, &CatalogueStore::changed, this, &Inspector::refresh);
+  connect(&selection, &Selection::changed, this, &Inspector::refresh);
+  connect(&source, &SignalSource::valuesArrived, &values_, &ValuesModel::showValues);
+  connect(&figures_timer_, &QTimer::timeout, this, &Inspector::showFigures);
+  figures_timer_.start(kFiguresPeriod);
+  refresh();
+}
+
+QWidget* Inspector::buildHead() {
+  auto* head = new HeadRow;
+  name_ = new QLabel;
+  name_->setObjectName(QStringLiteral("inspector.name"));
+  SetRole(*name_, QStringLiteral("strong"));
+  state_ = new StateLabel;
+  process_ = new QLabel;
+  SetRole(*process_, QStringLiteral("dim mono"));
+  head->addLeft(name_);
+  head->addLeft(state_);
+  head->addRight(process_);
+  return head;
+}
+
+QWidget* Inspector::buildProcessPage() {
+  auto* page = new QWidget;
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(0, 0, 0, 0);
+  process_facts_ = new FactGrid;
+  forget_ = new QPushButton(QStringLiteral("Forget this process"));
+  forget_->setObjectName(QStringLiteral("forget"));
+  forget_->setToolTip(QStringLiteral("Removes what is left of it from the catalogue"));
+  connect(forget_, &QPushButton::clicked, this,
+          [this] { actions_.forget(selection_.current().toStdString()); });
+  auto* line = new QHBoxLayout;
+  line->setContentsMargins(kInset, 0, kInset, 0);
+  line->addWidget(forget_);
+  line->addStretch();
+  column->addWidget(process_facts_);
+  column->addLayout(line);
+  column->addStretch();
+  return page;
+}
+
+QWidget* Inspector::buildComponentPage() {
+  auto* page = new QWidget;
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  component_facts_ = new FactGrid;
+  tabs_ = new TabPanel(QStringLiteral("inspectorTabs"));
+  tabs_->addPage(buildInterfaces(), QStringLiteral("Interfaces"));
+  values_page_ = tabs_->addPage(buildValues(), QStringLiteral("Values"));
+  tabs_->addPage(buildConnections(), QStringLiteral("Connections"));
+  connect(tabs_, &TabPanel::currentChanged, this, &Inspector::watchValues);
+  column->addWidget(component_facts_);
+  column->addWidget(tabs_, 1);
+  return page;
+}
+
+RowView* Inspector::buildInterfaces() {
+  interface_list_ = MakeRowList(interfaces_, QStringLiteral("inspector.interfaces"),
+                                QStringLiteral("This component has no interfaces."));
+  connect(interface_list_, &QTreeView::clicked, this, [this](const QModelIndex& index) {
+    if (interfaces_.row(index.row()).kind == InterfaceRow::Kind::kPeer) return;
+    selection_.select(index.data(kPathRole).toString());
+  });
+  connect(&interfaces_, &QAbstractItemModel::rowsInserted, this,
+          [this](const QModelIndex&, int first, int last) { addDisconnectButtons(first, last); });
+  return interface_list_;
+}
+
+RowView* Inspector::buildValues() {
+  RowView* list = MakeRowList(values_, QStringLiteral("inspector.values"),
+                              QStringLiteral("This component has no state table."));
+  list->setColumnHidden(ValuesModel::kValue, true);
+  list->rows().setValueColumn(ValuesModel::kValue);
+  list->setSelectionMode(QAbstractItemView::ExtendedSelection);
+  connect(&values_, &QAbstractItemModel::dataChanged, list->viewport(),
+          [list] { list->viewport()->update(); });
+  connect(list, &QTreeView::doubleClicked, this, [this](const QModelIndex& index) {
+    Q_EMIT plotRequested(index.data(kPathRole).toString(), values_.unit(index.row()));
+  });
+  connect(list->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this, list] {
+    QStringList paths;
+    for (const QModelIndex& index : list->selectionModel()->selectedRows()) {
+      paths.append(index.data(kPathRole).toString());
+    }
+    if (!paths.isEmpty()) selection_.setPaths(paths);
+  });
+  return list;
+}
+
+RowView* Inspector::buildConnections() {
+  RowView* list = MakeRowList(*connections_, QStringLiteral("inspector.connections"),
+                              QStringLiteral("This component is not connected."));
+  connect(list, &QTreeView::doubleClicked, this, [this](const QModelIndex& index) {
+    selection_.select(index.data(kPathRole).toString());
+  });
+  return list;
+}
+
+void Inspector::addDisconnectButtons(int first, int last) {
+  for (int row = first; row <= last; ++row) {
+    const InterfaceRow& interface = interfaces_.row(row);
+    if (interface.kind != InterfaceRow::Kind::kPeer) continue;
+    auto* cell = new QWidget;
+    auto* line = new QHBoxLayout(cell);
+    line->setContentsMargins(0, 0, kInset - 6, 0);
+    line->addStretch();
+    auto* button = new QToolButton;
+    button->setText(QStringLiteral("Disconnect"));
+    button->setCursor(Qt::PointingHandCursor);
+    button->setObjectName(QStringLiteral("disconnect"));
+    button->setAccessibleName(QStringLiteral("Disconnect ") +
+                              ToQString(ToString(interface.required)));
+    SetRole(*button, QStringLiteral("accent"));
+    connect(button, &QToolButton::clicked, this,
+            [this, required = interface.required] { actions_.disconnectInterface(required); });
+    line->addWidget(button);
+    interface_list_->setIndexWidget(interfaces_.index(row), cell);
+  }
+}
+
+void Inspector::refresh() {
+  const auto path = ParsePath(selection_.current().toStdString());
+  if (!path.ok())
+    return showNothing(
+        QStringLiteral("Select a component in the catalogue or in the "
+                       "graph to see what it offers and needs."));
+  const ProcessEntry* process = store_.catalogue().FindProcess(path->process);
+  if (process == nullptr) {
+    return showNothing(selection_.current() + QStringLiteral(" is not there."));
+  }
+  if (path->component.empty()) return showProcess(*process);
+  const auto component = process->components.find(path->component);
+  if (component == process->components.end()) {
+    return showNothing(selection_.current() + QStringLiteral(" is not there."));
+  }
+  showComponent(*process, component->second);
+}
+
+void Inspector::showNothing(const QString& text) {
+  name_->setText(QStringLiteral("Inspector"));
+  state_->setVisible(false);
+  process_->clear();
+  nothing_->setText(text);
+  pages_->setCurrentIndex(kNothingPage);
+  figures_.show({});
+  shown_component_.clear();
+  watchValues();
+}
+
+void Inspector::showProcess(const ProcessEntry& entry) {
+  const ProcessDescription& process = entry.process;
+  name_->setText(ToQString(process.name));
+  state_->setVisible(true);
+  const bool alive = process.state == ProcessState::kAlive;
+  state_->show(MarkOf(process.state),
+               alive ? QStringLiteral("alive") : ToQString(ToString(process.state)));
+  process_->clear();
+  FactGrid::Facts facts{{QStringLiteral("Host"), ToQString(process.host)},
+                        {QStringLiteral("Process id"), QString::number(process.pid)},
+                        {QStringLiteral("Address"), ToQString(process.address)},
+                        {QStringLiteral("Components"), QString::number(entry.components.size())},
+                        {QStringLiteral("Since"), ClockText(process.since).section('.', 0, 0)}};
+  if (!process.reason.empty()) facts.append({QStringLiteral("Reason"), ToQString(process.reason)});
+  process_facts_->show(facts);
+  forget_->setVisible(IsGone(process.state));
+  pages_->setCurrentIndex(kProcessPage);
+  figures_.show({});
+  shown_component_.clear();
+  watchValues();
+}
+
+void Inspector::showComponent(const ProcessEntry& entry, const ComponentDescription& component) {
+  const bool gone = IsGone(entry.process.state);
+  const QString path = ToQString(entry.process.name + '/' + component.name);
+  name_->setText(ToQString(component.name));
+  state_->setVisible(true);
+  state_->show(gone ? StateMark::kLost : MarkOf(component.state));
+  process_->setText(ToQString(entry.process.name));
+  wanted_period_ = component.period;
+  shown_component_ = path;
+  interfaces_.show(store_.catalogue(), entry.process.name, component.name);
+  values_.show(path, &component, gone);
+  connections_->setComponent(entry.process.name, component.name);
+  figures_.show(HasCycle(component) && !gone ? path : QString());
+  pages_->setCurrentIndex(kComponentPage);
+  showFigures();
+  watchValues();
+}
+
+void Inspector::showFigures() {
+  if (shown_component_.isEmpty()) return;
+  const auto path = ParsePath(shown_component_.toStdString());
+  const auto* component = store_.catalogue().FindComponent(path->process, path->component);
+  if (component == nullptr) return;
+  FactGrid::Facts facts{{QStringLiteral("Class"), ToQString(component->class_name)}};
+  if (!component->fault.empty())
+    facts.append({QStringLiteral("Fault"), ToQString(component->fault)});
+  const QString none = QStringLiteral("–");
+  if (wanted_period_ > 0) {
+    const double period = figures_.known() ? figures_.period() : wanted_period_;
+    facts.append({QStringLiteral("Period"), DurationText(period)});
+    const auto half = figures_.lateness(0.5);
+    const auto most = figures_.lateness(0.99);
+    facts.append(
+        {QStringLiteral("Lateness p50 / p99"),
+         half && most ? DurationText(*half) + QStringLiteral(" / ") + DurationText(*most) : none});
+    facts.append({QStringLiteral("Overruns"),
+                  figures_.known() ? QString::number(figures_.overruns()) : none});
+    const double load = 100 * figures_.compute() / wanted_period_;
+    facts.append({QStringLiteral("Compute"),
+                  figures_.known() ? QStringLiteral("%1 · %2 %")
+                                         .arg(DurationText(figures_.compute()),
+                                              QString::number(load, 'f', load < 10 ? 1 : 0))
+                                   : none});
+  }
+  component_facts_->show(facts);
+}
+
+void Inspector::watchValues() {
+  const bool wanted = pages_->currentIndex() == kComponentPage && tabs_->current() == values_page_;
+  source_.watch(&values_, wanted ? values_.columns() : QSet<QString>());
+}
+
+}  // namespace tendon::gui

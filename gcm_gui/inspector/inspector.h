@@ -1,0 +1,79 @@
+#pragma once
+
+#include <gcm_gui/inspector/cycle_figures.h>
+#include <gcm_gui/inspector/interfaces_model.h>
+#include <gcm_gui/inspector/values_model.h>
+#include <gcm_gui/models/connections_model.h>
+#include <gcm_gui/models/selection.h>
+#include <gcm_gui/session/catalogue_store.h>
+#include <gcm_gui/session/signal_source.h>
+#include <gcm_gui/session/system_actions.h>
+
+#include <QTimer>
+#include <QWidget>
+
+class QLabel;
+class QPushButton;
+class QStackedWidget;
+
+namespace tendon::gui {
+
+class ComponentConnections;
+class FactGrid;
+class RowView;
+class StateLabel;
+class TabPanel;
+
+/// The right column: all about the component that is selected, or that what is selected belongs to;
+/// or about a process. Follows the selection and the catalogue.
+class Inspector : public QWidget {
+  Q_OBJECT
+
+ public:
+  Inspector(const CatalogueStore& store, ConnectionsModel& connections, Selection& selection,
+            SignalSource& source, SystemActions& actions, QWidget* parent = nullptr);
+
+ Q_SIGNALS:
+  void plotRequested(const QString& path, const QString& unit);
+
+ private:
+  QWidget* buildHead();
+  QWidget* buildComponentPage();
+  QWidget* buildProcessPage();
+  RowView* buildInterfaces();
+  RowView* buildValues();
+  RowView* buildConnections();
+  void refresh();
+  void showComponent(const ProcessEntry& process, const ComponentDescription& component);
+  void showProcess(const ProcessEntry& process);
+  void showNothing(const QString& text);
+  void showFigures();
+  void watchValues();
+  void addDisconnectButtons(int first, int last);
+
+  const CatalogueStore& store_;
+  Selection& selection_;
+  SignalSource& source_;
+  SystemActions& actions_;
+  InterfacesModel interfaces_;
+  ValuesModel values_;
+  CycleFigures figures_;
+  ComponentConnections* connections_;
+  QTimer figures_timer_;
+
+  QLabel* name_;
+  StateLabel* state_;
+  QLabel* process_;
+  FactGrid* component_facts_;
+  FactGrid* process_facts_;
+  QPushButton* forget_;
+  QLabel* nothing_;
+  RowView* interface_list_;
+  TabPanel* tabs_;
+  QStackedWidget* pages_;
+  int values_page_ = 0;
+  QString shown_component_;
+  double wanted_period_ = 0;  // s
+};
+
+}  // namespace tendon::gui

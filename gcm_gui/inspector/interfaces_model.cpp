@@ -1,0 +1,186 @@
+#include <gcm_gui/inspector/interfaces_model.h>
+#include <gcm_gui/models/connection_index.h>
+#include <gcm_gui/models/row_roles.h>
+#include <gcm_gui/models/state_of.h>
+#include <gcm_gui/models/text.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace tendon::gui {
+namespace {
+
+using Kind = InterfaceRow::Kind;
+
+class RowBuilder {
+ public:
+  RowBuilder(const Catalog& catalogue, const std::string& process,
+             const ComponentDescription& component)
+      : catalogue_(catalogue), connections_(catalogue), process_(process), component_(component) {}
+
+  std::vector<InterfaceRow> Build() && {
+    for (const auto& required : component_.required) AddRequired(required);
+    for (const auto& provided : component_.provided) AddProvided(provided);
+    return std::move(rows_);
+  }
+
+ private:
+  void AddRequired(const RequiredDescription& required) {
+    const InterfaceName name{process_, component_.name, required.name};
+    const auto* connection = connections_.Of(name);
+    const StateMark mark = MarkOf(connection);
+    Add({Kind::kRequired,
+         PathOf(name),
+         ToQString(required.name),
+         QStringLiteral("required"),
+         WordOf(mark),
+         mark,
+         {}});
+    if (connection != nullptr) {
+      AddPeer(QStringLiteral("← "), connection->provided, name, mark);
+    }
+    AddMembers(name, Kind::kMember, required.functions);
+    AddMembers(name, Kind::kEvent, required.event_handlers);
+  }
+
+  void AddProvided(const ProvidedDescription& provided) {
+    const InterfaceName name{process_, component_.name, provided.name};
+    Add({Kind::kProvided,
+         PathOf(name),
+         ToQString(provided.name),
+         QStringLiteral("provided"),
+         CountText(connections_.Clients(name), QStringLiteral("client")),
+         StateMark::kConnected,
+         {}});
+    AddClients(name);
+    const auto table = std::find_if(component_.tables.begin(), component_.tables.end(),
+                                    [&](const auto& t) { return t.name == provided.name; });
+    if (table == component_.tables.end()) {
+      AddMembers(name, Kind::kMember, provided.commands);
+    } else {
+      for (const auto& column : table->columns) {
+        Add({Kind::kColumn,
+             PathOf(name) + '.' + ToQString(column.name),
+             ToQString(column.name),
+             ToQString(column.type),
+             {},
+             {},
+             {}});
+      }
+    }
+    AddMembers(name, Kind::kEvent, provided.events);
+  }
+
+  void AddClients(const InterfaceName& provided) {
+    for (const auto& [process, entry] : catalogue_.processes()) {
+      for (const auto& [id, connection] : entry.connections) {
+        if (connection.provided != provided) continue;
+        AddPeer(QStringLiteral("→ "), connection.required, connection.required,
+                MarkOf(connection.state));
+      }
+    }
+  }
+
+  void AddMembers(const InterfaceName& interface, Kind kind,
+                  const std::vector<MemberDescription>& members) {
+    for (const auto& member : members) {
+      const QString value =
+          kind == Kind::kEvent ? QString() : ToQString(ToString(member.signature.kind));
+      Add({kind,
+           PathOf(interface) + '.' + ToQString(member.name),
+           ToQString(member.name),
+           TypesText(member, TypeNames::kShort),
+           value,
+           {},
+           {}});
+    }
+  }
+
+  /// "teleoperation/Robot", which fits; the process stands behind it, the whole path in the tip.
+  void AddPeer(const QString& arrow, const InterfaceName& peer, const InterfaceName& required,
+               StateMark mark) {
+    const QString name = ToQString(peer.component + '/' + peer.interface);
+    const QString process = peer.process == process_ ? QString() : ToQString(peer.process);
+    Add({Kind::kPeer, PathOf(peer), arrow + name, process, {}, mark, required});
+  }
+
+  static QString PathOf(const InterfaceName& name) { return ToQString(tendon::ToString(name)); }
+  void Add(InterfaceRow row) { rows_.push_back(std::move(row)); }
+
+  const Catalog& catalogue_;
+  ConnectionIndex connections_;
+  const std::string& process_;
+  const ComponentDescription& component_;
+  std::vector<InterfaceRow> rows_;
+};
+
+QVariant NameData(const InterfaceRow& row, int role) {
+  const bool interface = row.kind == Kind::kRequired || row.kind == Kind::kProvided;
+  switch (role) {
+    case Qt::DisplayRole:
+      return row.name;
+    case kFaceRole:
+      if (row.kind == Kind::kPeer) return static_cast<int>(Face::kMono);
+      return static_cast<int>(interface ? Face::kStrong : Face::kPlain);
+    case kGlyphMarkRole:
+      return interface ? QVariant::fromValue(row.mark) : QVariant();
+    case kGlyphRole:
+      if (row.kind == Kind::kMember) return QStringLiteral("ƒ");
+      if (row.kind == Kind::kEvent) return QStringLiteral("⚡");
+      return row.kind == Kind::kColumn ? QStringLiteral("~") : QStringLiteral(" ");
+    case kDetailRole:
+      return row.types;
+    default:
+      return {};
+  }
+}
+
+}  // namespace
+
+int InterfacesModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(rows_.size());
+}
+
+const InterfaceRow& InterfacesModel::row(int row) const {
+  return rows_.at(static_cast<std::size_t>(row));
+}
+
+QVariant InterfacesModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid()) return {};
+  const InterfaceRow& row = this->row(index.row());
+  switch (role) {
+    case kPathRole:
+      return row.path;
+    case Qt::ToolTipRole:
+      return row.types.isEmpty() ? row.path : row.path + '\n' + row.types;
+    case Qt::AccessibleTextRole:
+      return QStringList{row.name, row.types, row.value}.join(' ').simplified();
+    case kTrailRole:
+      return row.value;
+    default:
+      return NameData(row, role);
+  }
+}
+
+void InterfacesModel::show(const Catalog& catalogue, const std::string& process,
+                           const std::string& component) {
+  std::vector<InterfaceRow> fresh;
+  if (const auto* description = catalogue.FindComponent(process, component)) {
+    fresh = RowBuilder(catalogue, process, *description).Build();
+  }
+  if (fresh == rows_) return;
+  std::size_t same = 0;
+  while (same < rows_.size() && same < fresh.size() && rows_[same] == fresh[same]) ++same;
+  if (same < rows_.size()) {
+    beginRemoveRows({}, static_cast<int>(same), static_cast<int>(rows_.size()) - 1);
+    rows_.resize(same);
+    endRemoveRows();
+  }
+  if (same < fresh.size()) {
+    beginInsertRows({}, static_cast<int>(same), static_cast<int>(fresh.size()) - 1);
+    rows_ = std::move(fresh);
+    endInsertRows();
+  }
+}
+
+}  // namespace tendon::gui

@@ -1,0 +1,97 @@
+#include <gcm_gui/session/hosted_gcm.h>
+#include <gcm_gui/session/session.h>
+#include <gcm_gui/theme/theme.h>
+#include <gcm_gui/window/main_window.h>
+#include <gcm_gui/window/ui_description.h>
+#include <gcm_gui/window/watched_application.h>
+#include <program/exit_code.h>
+#include <program/middleware_choice.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+#include <string>
+
+namespace {
+
+struct Options {
+  std::string gcm;
+  std::string listen;
+  std::string theme = "system";
+  std::string middleware = program::MiddlewareNames().front();
+  std::string describe_ui;
+  bool insecure = false;
+};
+
+void AddOptions(CLI::App& app, Options& options) {
+  auto* gcm = app.add_option("--gcm", options.gcm,
+                             "address of the GCM (default: $TENDON_GCM, 127.0.0.1:10705); never "
+                             "hosts one when given");
+  app.add_option("--listen", options.listen, "host a GCM at this address")->excludes(gcm);
+  app.add_option("--theme", options.theme, "dark, light or system")
+      ->check(CLI::IsMember({"dark", "light", "system"}))
+      ->capture_default_str();
+  app.add_option("--middleware", options.middleware, "how processes talk")
+      ->check(CLI::IsMember(program::MiddlewareNames()))
+      ->capture_default_str();
+  app.add_flag("--insecure", options.insecure, "allow addresses off this machine, unencrypted");
+  app.add_option("--describe-ui", options.describe_ui,
+                 "keep writing to this file where things are on the screen, for UI tests");
+}
+
+tendon::gui::Theme::Choice ThemeChoice(const std::string& name) {
+  using Choice = tendon::gui::Theme::Choice;
+  if (name == "dark") return Choice::kDark;
+  return name == "light" ? Choice::kLight : Choice::kSystem;
+}
+
+int Fail(const tendon::Error& error) {
+  std::cerr << "gcm-gui: " << error.message << std::endl;
+  return program::ExitCodeOf(error.code);
+}
+
+int Run(const Options& options) {
+  const auto exposure =
+      options.insecure ? tendon::Exposure::kInsecure : tendon::Exposure::kLoopbackOnly;
+  const auto middleware = program::MakeMiddleware(options.middleware, exposure);
+  if (!middleware) return Fail(middleware.error());
+
+  std::string address = options.listen.empty() ? program::GcmAddress(options.gcm) : options.listen;
+  const bool given = !options.gcm.empty() || qEnvironmentVariableIsSet("TENDON_GCM");
+  std::unique_ptr<tendon::gui::HostedGcm> hosted;
+  if (!given || !options.listen.empty()) {
+    auto started = tendon::gui::HostedGcm::Start(*middleware, address);
+    if (started) {
+      hosted = std::move(*started);
+      address = hosted->address();
+    } else if (!options.listen.empty() || started.error().code != tendon::ErrorCode::kExists) {
+      return Fail(started.error());
+    }
+  }
+
+  tendon::gui::Session session(*middleware, address, hosted != nullptr);
+  tendon::gui::MainWindow window(
+      {session.store(), session.link(), session.activity(), session, session.liveSignals()});
+  if (!options.describe_ui.empty()) {
+    new tendon::gui::UiDescription(window, QString::fromStdString(options.describe_ui));
+  }
+  window.show();
+  return QApplication::exec();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  tendon::gui::WatchedApplication application(argc, argv);
+  QApplication::setApplicationName("gcm-gui");
+  Options options;
+  CLI::App app("Shows and steers a running system.", "gcm-gui");
+  AddOptions(app, options);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? program::kOk : program::kUsage;
+  }
+  tendon::gui::Theme::instance().choose(ThemeChoice(options.theme));
+  return Run(options);
+}

@@ -1,0 +1,403 @@
+#include <gcm_gui/models/catalogue_model.h>
+#include <gcm_gui/models/row_roles.h>
+#include <gcm_gui/models/text.h>
+
+#include <QMimeData>
+#include <QSet>
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+namespace tendon::gui {
+namespace {
+
+bool IsSame(const CatalogueItem& a, const CatalogueItem& b) {
+  return a.kind == b.kind && a.path == b.path;
+}
+
+/// Takes over what `fresh` says of the row itself; false when nothing differs.
+bool TakeOver(CatalogueItem& item, const CatalogueItem& fresh) {
+  const auto all = [](auto& i) {
+    return std::tie(i.name, i.detail, i.value, i.unit, i.mark, i.state, i.gone, i.since, i.type,
+                    i.channel);
+  };
+  if (all(item) == all(fresh)) return false;
+  all(item) = all(fresh);
+  return true;
+}
+
+void Renumber(CatalogueItem& parent, std::size_t from) {
+  for (std::size_t row = from; row < parent.children.size(); ++row) {
+    parent.children[row]->row = static_cast<int>(row);
+  }
+}
+
+QString Glyph(ItemKind kind) {
+  switch (kind) {
+    case ItemKind::kCommand:
+    case ItemKind::kFunction:
+      return QStringLiteral("ƒ");
+    case ItemKind::kEvent:
+    case ItemKind::kHandler:
+      return QStringLiteral("⚡");
+    case ItemKind::kColumn:
+      return QStringLiteral("~");
+    case ItemKind::kGroup:
+    case ItemKind::kChannel:
+      return QStringLiteral("·");
+    default:
+      return {};
+  }
+}
+
+Face FaceOf(ItemKind kind) {
+  if (kind == ItemKind::kProcess) return Face::kStrong;
+  return kind <= ItemKind::kRequired ? Face::kPlain : Face::kMono;
+}
+
+void CollectSignals(const CatalogueItem& item, QList<CurveKey>& names) {
+  if (item.kind == ItemKind::kChannel) names.append({item.path, item.unit});
+  for (const auto& child : item.children) CollectSignals(*child, names);
+}
+
+}  // namespace
+
+CatalogueModel::CatalogueModel(QObject* parent)
+    : QAbstractItemModel(parent), root_(std::make_unique<CatalogueItem>()) {}
+
+CatalogueModel::~CatalogueModel() = default;
+
+QModelIndex CatalogueModel::index(int row, int column, const QModelIndex& parent) const {
+  if (!hasIndex(row, column, parent)) return {};
+  return createIndex(row, column, itemFor(parent).children[static_cast<std::size_t>(row)].get());
+}
+
+QModelIndex CatalogueModel::parent(const QModelIndex& index) const {
+  if (!index.isValid()) return {};
+  return indexFor(*itemFor(index).parent);
+}
+
+int CatalogueModel::rowCount(const QModelIndex& parent) const {
+  if (parent.column() > 0) return 0;
+  return static_cast<int>(itemFor(parent).children.size());
+}
+
+int CatalogueModel::columnCount(const QModelIndex&) const { return kColumnCount; }
+
+QVariant CatalogueModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
+  return section == kName ? QStringLiteral("Name") : QStringLiteral("Value");
+}
+
+QVariant CatalogueModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid()) return {};
+  const CatalogueItem& item = itemFor(index);
+  switch (role) {
+    case kPathRole:
+      return item.path;
+    case kKindRole:
+      return static_cast<int>(item.kind);
+    case kStaleRole:
+      return item.gone;
+    case Qt::ToolTipRole:
+      return item.detail.isEmpty() ? item.path : item.path + '\n' + item.detail;
+    case Qt::AccessibleTextRole:
+      return QStringList{item.name, KindWord(item.kind), valueText(item)}.join(
+          QStringLiteral(", "));
+    default:
+      return index.column() == kName ? nameData(item, role) : valueData(item, role);
+  }
+}
+
+QVariant CatalogueModel::nameData(const CatalogueItem& item, int role) const {
+  switch (role) {
+    case Qt::DisplayRole:
+      return item.name;
+    case kGlyphRole:
+      return Glyph(item.kind);
+    case kGlyphMarkRole:
+      if (item.kind == ItemKind::kProvided) return QVariant::fromValue(StateMark::kConnected);
+      return item.kind == ItemKind::kRequired ? QVariant::fromValue(*item.mark) : QVariant();
+    case kFaceRole:
+      return static_cast<int>(FaceOf(item.kind));
+    case kStruckRole:
+      return item.kind == ItemKind::kProcess && item.gone;
+    default:
+      return {};
+  }
+}
+
+QVariant CatalogueModel::valueData(const CatalogueItem& item, int role) const {
+  const bool required = item.kind == ItemKind::kRequired;
+  switch (role) {
+    case Qt::DisplayRole:
+      return valueText(item);
+    case kMarkRole:
+      return required || !item.mark ? QVariant() : QVariant::fromValue(*item.mark);
+    case kUnitRole: {
+      const bool told_above =
+          item.parent->kind == ItemKind::kGroup && item.parent->unit == item.unit;
+      return told_above ? QString() : item.unit;
+    }
+    case kQuietRole:
+      return item.kind < ItemKind::kColumn;
+    case kAccentRole:
+      return required && item.mark == StateMark::kNotConnected && !item.gone;
+    case kProseRole:
+      return item.kind <= ItemKind::kRequired && item.kind != ItemKind::kComponent;
+    default:
+      return {};
+  }
+}
+
+QString CatalogueModel::valueText(const CatalogueItem& item) const {
+  if (item.kind == ItemKind::kProcess && item.gone) {
+    return item.state + ' ' + AgeText(now_ - item.since);
+  }
+  if (item.kind != ItemKind::kColumn && item.kind != ItemKind::kChannel) return item.value;
+  const CatalogueItem* column = columnFor(item);
+  const auto values = values_.constFind(column->path);
+  if (values == values_.constEnd()) return {};
+  const bool scalar = values->channels->size() == 1 && item.children.empty();
+  if (item.kind == ItemKind::kColumn && !scalar) return values->text;
+  const auto channel = static_cast<std::size_t>(std::max(item.channel, 0));
+  if (channel >= values->values.size()) return {};
+  return ChannelText((*values->channels)[channel], values->values[channel]);
+}
+
+Qt::ItemFlags CatalogueModel::flags(const QModelIndex& index) const {
+  if (!index.isValid()) return Qt::NoItemFlags;
+  Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
+  if (itemFor(index).kind >= ItemKind::kColumn) flags |= Qt::ItemIsDragEnabled;
+  return flags;
+}
+
+QStringList CatalogueModel::mimeTypes() const { return {kPathMimeType}; }
+
+QMimeData* CatalogueModel::mimeData(const QModelIndexList& indexes) const {
+  QList<CurveKey> keys;
+  for (const QModelIndex& index : indexes) {
+    if (index.column() == kName) keys.append(signalsBelow(itemFor(index).path));
+  }
+  auto* data = new QMimeData;
+  data->setData(kPathMimeType, EncodedPaths(keys));
+  return data;
+}
+
+QModelIndex CatalogueModel::indexOf(const QString& path) const {
+  const CatalogueItem* item = by_path_.value(path);
+  return item == nullptr ? QModelIndex() : indexFor(*item);
+}
+
+const CatalogueItem* CatalogueModel::item(const QModelIndex& index) const {
+  return index.isValid() ? &itemFor(index) : nullptr;
+}
+
+int CatalogueModel::itemCount() const {
+  return static_cast<int>(std::count_if(by_path_.begin(), by_path_.end(), [](const auto* item) {
+    return item->kind <= ItemKind::kColumn;
+  }));
+}
+
+QList<CurveKey> CatalogueModel::signalsBelow(const QString& path) const {
+  QList<CurveKey> names;
+  const CatalogueItem* item = by_path_.value(path);
+  if (item == nullptr) return names;
+  CollectSignals(*item, names);
+  const auto values = values_.constFind(path);
+  if (names.isEmpty() && values != values_.constEnd() && values->channels->size() == 1) {
+    names.append({path, ToQString(values->channels->front().unit)});
+  }
+  return names;
+}
+
+QString CatalogueModel::columnOf(const QModelIndex& index) const {
+  if (!index.isValid()) return {};
+  const CatalogueItem* column = columnFor(itemFor(index));
+  return column == nullptr ? QString() : column->path;
+}
+
+const CatalogueItem* CatalogueModel::columnFor(const CatalogueItem& item) const {
+  const CatalogueItem* column = &item;
+  while (column != nullptr && column->kind != ItemKind::kColumn) column = column->parent;
+  return column;
+}
+
+QModelIndex CatalogueModel::indexFor(const CatalogueItem& item, int column) const {
+  if (&item == root_.get()) return {};
+  return createIndex(item.row, column, &item);
+}
+
+const CatalogueItem& CatalogueModel::itemFor(const QModelIndex& index) const {
+  return index.isValid() ? *static_cast<const CatalogueItem*>(index.constInternalPointer())
+                         : *root_;
+}
+
+void CatalogueModel::update(const Catalog& catalogue, const Touched& touched) {
+  const ConnectionIndex connections(catalogue);
+  const std::string* whole = nullptr;
+  for (const TouchedPart& part : touched) {  // a process comes before its components
+    if (whole != nullptr && part.process == *whole) continue;
+    if (part.component.empty()) {
+      updateProcess(catalogue, connections, part.process);
+      whole = &part.process;
+    } else {
+      updateComponent(catalogue, connections, part);
+    }
+  }
+}
+
+void CatalogueModel::updateProcess(const Catalog& catalogue, const ConnectionIndex& connections,
+                                   const std::string& name) {
+  const ProcessEntry* entry = catalogue.FindProcess(name);
+  const QString path = ToQString(name);
+  auto& processes = root_->children;
+  const auto place = std::lower_bound(processes.begin(), processes.end(), path,
+                                      [](const auto& a, const QString& b) { return a->path < b; });
+  const auto row = static_cast<int>(place - processes.begin());
+  const bool known = place != processes.end() && (*place)->path == path;
+  if (entry == nullptr) {
+    if (known) removeChild(*root_, row);
+    return;
+  }
+  auto fresh = BuildProcess(connections, *entry);
+  if (known) {
+    merge(**place, *fresh);
+  } else {
+    insertChild(*root_, row, std::move(fresh));
+  }
+}
+
+void CatalogueModel::updateComponent(const Catalog& catalogue, const ConnectionIndex& connections,
+                                     const TouchedPart& part) {
+  const ProcessEntry* entry = catalogue.FindProcess(part.process);
+  CatalogueItem* process = by_path_.value(ToQString(part.process));
+  if (entry == nullptr || process == nullptr)
+    return updateProcess(catalogue, connections, part.process);
+  const auto it = entry->components.find(part.component);
+  const QString path = ToQString(part.process + '/' + part.component);
+  auto& components = process->children;
+  const auto place = std::find_if(components.begin(), components.end(),
+                                  [&](const auto& c) { return c->path >= path; });
+  const auto row = static_cast<int>(place - components.begin());
+  const bool known = place != components.end() && (*place)->path == path;
+  if (it == entry->components.end()) {
+    if (known) removeChild(*process, row);
+    return;
+  }
+  auto fresh = BuildComponent(connections, *entry, it->second);
+  if (known) {
+    merge(**place, *fresh);
+  } else {
+    insertChild(*process, row, std::move(fresh));
+  }
+}
+
+void CatalogueModel::merge(CatalogueItem& item, CatalogueItem& fresh) {
+  const bool same_type = item.type == fresh.type;
+  if (item.kind == ItemKind::kColumn && same_type) fresh.unit = item.unit;
+  if (TakeOver(item, fresh)) Q_EMIT dataChanged(indexFor(item), indexFor(item, kValue));
+  if (item.kind == ItemKind::kColumn && same_type && fresh.children.empty()) {
+    for (const auto& child : item.children) setGone(*child, item.gone);
+    return;
+  }
+  if (item.kind == ItemKind::kColumn && !same_type) values_.remove(item.path);
+  mergeChildren(item, std::move(fresh.children));
+}
+
+void CatalogueModel::mergeChildren(CatalogueItem& parent,
+                                   std::vector<std::unique_ptr<CatalogueItem>> fresh) {
+  QSet<QString> wanted;
+  for (const auto& child : fresh) wanted.insert(child->path);
+  for (auto row = static_cast<int>(parent.children.size()); row-- > 0;) {
+    if (!wanted.contains(parent.children[static_cast<std::size_t>(row)]->path)) {
+      removeChild(parent, row);
+    }
+  }
+  for (std::size_t row = 0; row < fresh.size(); ++row) {
+    const auto& children = parent.children;
+    const CatalogueItem* known = by_path_.value(fresh[row]->path);
+    // One that has come to stand elsewhere is taken out; it comes again in its new place.
+    while (known != nullptr && known->parent == &parent && children[row].get() != known) {
+      removeChild(parent, static_cast<int>(row));
+    }
+    if (row < children.size() && IsSame(*children[row], *fresh[row])) {
+      merge(*children[row], *fresh[row]);
+    } else {
+      insertChild(parent, static_cast<int>(row), std::move(fresh[row]));
+    }
+  }
+  while (parent.children.size() > fresh.size()) {
+    removeChild(parent, static_cast<int>(parent.children.size()) - 1);
+  }
+}
+
+void CatalogueModel::insertChild(CatalogueItem& parent, int row,
+                                 std::unique_ptr<CatalogueItem> child) {
+  beginInsertRows(indexFor(parent), row, row);
+  child->parent = &parent;
+  enter(*child);
+  parent.children.insert(parent.children.begin() + row, std::move(child));
+  Renumber(parent, static_cast<std::size_t>(row));
+  endInsertRows();
+}
+
+void CatalogueModel::removeChild(CatalogueItem& parent, int row) {
+  beginRemoveRows(indexFor(parent), row, row);
+  const auto place = parent.children.begin() + row;
+  forget(**place);
+  parent.children.erase(place);
+  Renumber(parent, static_cast<std::size_t>(row));
+  endRemoveRows();
+}
+
+void CatalogueModel::setGone(CatalogueItem& item, bool gone) {
+  if (item.gone == gone) return;
+  item.gone = gone;
+  Q_EMIT dataChanged(indexFor(item), indexFor(item, kValue));
+  for (const auto& child : item.children) setGone(*child, gone);
+}
+
+void CatalogueModel::enter(CatalogueItem& item) {
+  by_path_.insert(item.path, &item);
+  for (const auto& child : item.children) enter(*child);
+}
+
+void CatalogueModel::forget(CatalogueItem& item) {
+  for (const auto& child : item.children) forget(*child);
+  values_.remove(item.path);
+  if (by_path_.value(item.path) == &item) by_path_.remove(item.path);
+}
+
+void CatalogueModel::showValues(const QString& column, const ColumnValues& values) {
+  CatalogueItem* item = by_path_.value(column);
+  if (item == nullptr || item->kind != ItemKind::kColumn) return;
+  const auto known = values_.constFind(column);
+  const bool same_shape = known != values_.constEnd() && known->channels == values.channels;
+  values_.insert(column, values);
+  if (!same_shape) mergeChildren(*item, BuildChannels(*item, *values.channels));
+  if (!same_shape && values.channels->size() == 1 && item->children.empty()) {
+    item->unit = ToQString(values.channels->front().unit);
+  }
+  emitValuesChanged(*item);
+}
+
+void CatalogueModel::emitValuesChanged(CatalogueItem& item) {
+  if (item.kind == ItemKind::kColumn)
+    Q_EMIT dataChanged(indexFor(item, kValue), indexFor(item, kValue));
+  if (item.children.empty()) return;
+  Q_EMIT dataChanged(indexFor(*item.children.front(), kValue),
+                     indexFor(*item.children.back(), kValue), {Qt::DisplayRole});
+  for (const auto& child : item.children) {
+    if (!child->children.empty()) emitValuesChanged(*child);
+  }
+}
+
+void CatalogueModel::setNow(qint64 now) {
+  now_ = now;
+  for (const auto& process : root_->children) {
+    if (process->gone) Q_EMIT dataChanged(indexFor(*process, kValue), indexFor(*process, kValue));
+  }
+}
+
+}  // namespace tendon::gui

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <gcm_gui/models/catalogue_item.h>
+#include <gcm_gui/plot/series/signal_path.h>
+#include <gcm_gui/session/catalogue_store.h>
+#include <gcm_gui/session/signal_source.h>
+
+#include <QAbstractItemModel>
+#include <QHash>
+#include <QList>
+#include <QString>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace tendon::gui {
+
+/// The catalogue as a tree: process, component, interface, member, and below the columns of state
+/// tables their values. What stays the same in an update stays where it is, also over a restart of
+/// its process. GUI thread.
+class CatalogueModel : public QAbstractItemModel {
+  Q_OBJECT
+
+ public:
+  enum Column { kName, kValue, kColumnCount };
+
+  explicit CatalogueModel(QObject* parent = nullptr);
+  ~CatalogueModel() override;
+
+  [[nodiscard]] QModelIndex index(int row, int column, const QModelIndex& parent) const override;
+  [[nodiscard]] QModelIndex parent(const QModelIndex& index) const override;
+  [[nodiscard]] int rowCount(const QModelIndex& parent) const override;
+  [[nodiscard]] int columnCount(const QModelIndex& parent) const override;
+  [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+  [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation,
+                                    int role) const override;
+  [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
+  [[nodiscard]] QStringList mimeTypes() const override;
+  [[nodiscard]] QMimeData* mimeData(const QModelIndexList& indexes) const override;
+
+  /// Invalid where there is none.
+  [[nodiscard]] QModelIndex indexOf(const QString& path) const;
+  /// Null for an invalid index. Valid until the next update.
+  [[nodiscard]] const CatalogueItem* item(const QModelIndex& index) const;
+  /// Rows in all, without those below columns.
+  [[nodiscard]] int itemCount() const;
+
+  /// The numbers at and below a path, in order; empty where nothing is known of it yet.
+  [[nodiscard]] QList<CurveKey> signalsBelow(const QString& path) const;
+  /// The column that a row at or below it belongs to, or empty.
+  [[nodiscard]] QString columnOf(const QModelIndex& index) const;
+
+ public Q_SLOTS:
+  void update(const tendon::Catalog& catalogue, const tendon::gui::Touched& touched);
+  void showValues(const QString& column, const tendon::gui::ColumnValues& values);
+  /// The time, ns since 1970, for "lost 12 s".
+  void setNow(qint64 now);
+
+ private:
+  void updateProcess(const Catalog& catalogue, const ConnectionIndex& connections,
+                     const std::string& name);
+  void updateComponent(const Catalog& catalogue, const ConnectionIndex& connections,
+                       const TouchedPart& part);
+  void merge(CatalogueItem& item, CatalogueItem& fresh);
+  void mergeChildren(CatalogueItem& parent, std::vector<std::unique_ptr<CatalogueItem>> fresh);
+  void insertChild(CatalogueItem& parent, int row, std::unique_ptr<CatalogueItem> child);
+  void removeChild(CatalogueItem& parent, int row);
+  void setGone(CatalogueItem& item, bool gone);
+  void enter(CatalogueItem& item);
+  void forget(CatalogueItem& item);
+  void emitValuesChanged(CatalogueItem& item);
+
+  [[nodiscard]] QModelIndex indexFor(const CatalogueItem& item, int column = kName) const;
+  [[nodiscard]] const CatalogueItem& itemFor(const QModelIndex& index) const;
+  [[nodiscard]] const CatalogueItem* columnFor(const CatalogueItem& item) const;
+  [[nodiscard]] QString valueText(const CatalogueItem& item) const;
+  [[nodiscard]] QVariant nameData(const CatalogueItem& item, int role) const;
+  [[nodiscard]] QVariant valueData(const CatalogueItem& item, int role) const;
+
+  std::unique_ptr<CatalogueItem> root_;
+  QHash<QString, CatalogueItem*> by_path_;
+  QHash<QString, ColumnValues> values_;  // of columns
+  std::int64_t now_ = 0;
+};
+
+}  // namespace tendon::gui

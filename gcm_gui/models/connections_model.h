@@ -1,0 +1,37 @@
+#pragma once
+
+#include <gcm_gui/session/catalogue_store.h>
+
+#include <QAbstractTableModel>
+#include <QString>
+#include <vector>
+
+namespace tendon::gui {
+
+/// All connections, one a row, sorted by the required interface, which names it.
+class ConnectionsModel : public QAbstractTableModel {
+  Q_OBJECT
+
+ public:
+  enum Column { kRequired, kProvided, kState, kColumnCount };
+
+  using QAbstractTableModel::QAbstractTableModel;
+
+  [[nodiscard]] int rowCount(const QModelIndex& parent) const override;
+  [[nodiscard]] int columnCount(const QModelIndex& parent) const override;
+  [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+  [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation,
+                                    int role) const override;
+
+  [[nodiscard]] const ConnectionDescription& connection(int row) const;
+  /// -1 where there is none.
+  [[nodiscard]] int rowOf(const QString& required) const;
+
+ public Q_SLOTS:
+  void update(const tendon::Catalog& catalogue);
+
+ private:
+  std::vector<ConnectionDescription> rows_;
+};
+
+}  // namespace tendon::gui

@@ -1,0 +1,80 @@
+#include <gcm_gui/models/filter_expression.h>
+#include <tendon/base/path.h>
+
+#include <algorithm>
+
+namespace tendon::gui {
+namespace {
+
+/// Whether `text` is the item's kind, or for commands and functions its way of execution.
+bool IsOfType(const CatalogueItem& item, const QString& text) {
+  const CatalogueItem* it = &item;
+  for (; it != nullptr && it->parent != nullptr; it = it->parent) {
+    if (KindWord(it->kind).startsWith(text)) return true;
+    const bool has_way = it->kind == ItemKind::kCommand || it->kind == ItemKind::kFunction;
+    if (has_way && it->value.startsWith(text)) return true;
+    // A process or component holds all kinds: it is meant only by its own.
+    if (it->kind <= ItemKind::kComponent) return false;
+    if (it->parent->kind <= ItemKind::kComponent) return false;
+  }
+  return false;
+}
+
+/// The state of the nearest row upwards that has one.
+bool IsInState(const CatalogueItem& item, const QString& text) {
+  const CatalogueItem* it = &item;
+  while (it != nullptr && it->state.isEmpty()) it = it->parent;
+  return it != nullptr && it->state.startsWith(text);
+}
+
+bool IsInProcess(const CatalogueItem& item, const QString& pattern) {
+  const QString process = item.folded.section('/', 0, 0);
+  if (process.startsWith(pattern)) return true;
+  return MatchesGlob(pattern.toStdString(), process.toStdString());
+}
+
+}  // namespace
+
+FilterExpression::FilterExpression(const QString& text) {
+  for (QString word : text.toLower().split(' ', Qt::SkipEmptyParts)) {
+    Term term;
+    if (word.startsWith('-')) {
+      term.negated = true;
+      word.remove(0, 1);
+    }
+    constexpr std::pair<const char*, Kind> kKinds[] = {
+        {"type:", Kind::kType}, {"state:", Kind::kState}, {"proc:", Kind::kProcess}};
+    for (const auto& [prefix, kind] : kKinds) {
+      if (!word.startsWith(QLatin1String(prefix))) continue;
+      term.kind = kind;
+      word.remove(0, QLatin1String(prefix).size());
+    }
+    if (term.kind != Kind::kWord && word.startsWith('!')) {
+      term.negated = !term.negated;
+      word.remove(0, 1);
+    }
+    term.text = word;
+    if (!word.isEmpty()) terms_.push_back(term);
+  }
+}
+
+bool FilterExpression::Holds(const Term& term, const CatalogueItem& item) {
+  switch (term.kind) {
+    case Kind::kWord:
+      return item.folded.contains(term.text);
+    case Kind::kType:
+      return IsOfType(item, term.text);
+    case Kind::kState:
+      return IsInState(item, term.text);
+    case Kind::kProcess:
+      return IsInProcess(item, term.text);
+  }
+  return false;
+}
+
+bool FilterExpression::Matches(const CatalogueItem& item) const {
+  return std::all_of(terms_.begin(), terms_.end(),
+                     [&](const Term& term) { return Holds(term, item) != term.negated; });
+}
+
+}  // namespace tendon::gui

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QStringList>
+
+namespace tendon::gui {
+
+/// What is selected, by path, in every view at once: tree, graph, tables and inspector show the
+/// same. A path stays selected while the thing it names is gone. GUI thread.
+class Selection : public QObject {
+  Q_OBJECT
+
+ public:
+  using QObject::QObject;
+
+  /// In the order of selecting; the last is the current one.
+  [[nodiscard]] const QStringList& paths() const { return paths_; }
+  [[nodiscard]] QString current() const { return paths_.isEmpty() ? QString() : paths_.last(); }
+  [[nodiscard]] bool contains(const QString& path) const { return paths_.contains(path); }
+
+ public Q_SLOTS:
+  void select(const QString& path) { setPaths(path.isEmpty() ? QStringList() : QStringList(path)); }
+  void setPaths(const QStringList& paths);
+  void clear() { setPaths({}); }
+
+ Q_SIGNALS:
+  void changed(const QStringList& paths);
+  /// The user asked to see it in the other views (F4).
+  void revealRequested(const QString& path);
+
+ private:
+  QStringList paths_;
+};
+
+}  // namespace tendon::gui

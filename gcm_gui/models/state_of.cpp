@@ -1,0 +1,57 @@
+#include <gcm_gui/models/state_of.h>
+
+namespace tendon::gui {
+
+StateMark MarkOf(ProcessState state) {
+  switch (state) {
+    case ProcessState::kAlive:
+      return StateMark::kActive;
+    case ProcessState::kSuspect:
+      return StateMark::kWarning;
+    case ProcessState::kLost:
+      return StateMark::kLost;
+    case ProcessState::kLeft:
+      break;
+  }
+  return StateMark::kFinished;
+}
+
+StateMark MarkOf(ComponentState state) {
+  switch (state) {
+    case ComponentState::kConstructed:
+      return StateMark::kConstructed;
+    case ComponentState::kReady:
+      return StateMark::kReady;
+    case ComponentState::kActive:
+      return StateMark::kActive;
+    case ComponentState::kSuspended:
+      return StateMark::kSuspended;
+    case ComponentState::kFinished:
+      return StateMark::kFinished;
+    case ComponentState::kFaulted:
+      break;
+  }
+  return StateMark::kFaulted;
+}
+
+StateMark MarkOf(ConnectionState state) {
+  switch (state) {
+    case ConnectionState::kPending:
+      return StateMark::kConnecting;
+    case ConnectionState::kActive:
+      return StateMark::kConnected;
+    case ConnectionState::kFailed:
+      break;
+  }
+  return StateMark::kRefused;
+}
+
+StateMark MarkOf(const ConnectionDescription* connection) {
+  return connection == nullptr ? StateMark::kNotConnected : MarkOf(connection->state);
+}
+
+bool IsGone(ProcessState state) {
+  return state == ProcessState::kLost || state == ProcessState::kLeft;
+}
+
+}  // namespace tendon::gui

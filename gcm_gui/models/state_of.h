@@ -1,0 +1,21 @@
+#pragma once
+
+#include <gcm_gui/theme/state_mark.h>
+#include <tendon/gcm/catalog.h>
+
+#include <QMetaType>
+
+namespace tendon::gui {
+
+[[nodiscard]] StateMark MarkOf(ProcessState state);
+[[nodiscard]] StateMark MarkOf(ComponentState state);
+[[nodiscard]] StateMark MarkOf(ConnectionState state);
+/// Null: nothing is connected.
+[[nodiscard]] StateMark MarkOf(const ConnectionDescription* connection);
+
+/// Whether the process is gone, so that what it had is shown grey.
+[[nodiscard]] bool IsGone(ProcessState state);
+
+}  // namespace tendon::gui
+
+Q_DECLARE_METATYPE(tendon::gui::StateMark)

@@ -1,0 +1,94 @@
+#include <gcm_gui/models/text.h>
+
+#include <QDateTime>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace tendon::gui {
+namespace {
+
+constexpr std::int64_t kSecond = 1'000'000'000;
+
+/// `value` with so many decimals that four digits are seen.
+QString FourDigits(double value) {
+  const double size = std::abs(value);
+  const int decimals = size < 10 ? 3 : size < 100 ? 2 : size < 1000 ? 1 : 0;
+  return QString::number(value, 'f', decimals);
+}
+
+}  // namespace
+
+QString ToQString(std::string_view text) {
+  return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+QString NumberText(double value) {
+  const double size = std::abs(value);
+  if (!std::isfinite(value)) return QString::number(value);
+  if (value == std::floor(value) && size < 1e9) return QString::number(value, 'f', 0);
+  if (size >= 1e6) return QString::number(value, 'e', 3);
+  if (size >= 1) return FourDigits(value);
+  return size >= 0.01 ? QString::number(value, 'f', 4) : QString::number(value, 'g', 4);
+}
+
+QString ChannelText(const PlotChannel& channel, double value) {
+  if (std::isnan(value)) return QStringLiteral("–");
+  if (channel.schema.kind() == Schema::Kind::kBool) {
+    return value != 0 ? QStringLiteral("true") : QStringLiteral("false");
+  }
+  for (const auto& enumerator : channel.schema.enumerators()) {
+    if (enumerator.value == static_cast<std::int32_t>(value)) return ToQString(enumerator.name);
+  }
+  return NumberText(value);
+}
+
+QString RateOfPeriodText(double period) {
+  if (period <= 0) return {};
+  const double rate = 1 / period;
+  if (rate >= 1000) return QString::number(rate / 1000, 'g', 4) + QStringLiteral(" kHz");
+  return QString::number(rate, 'g', 4) + QStringLiteral(" Hz");
+}
+
+QString DurationText(double seconds) {
+  const double size = std::abs(seconds);
+  if (size < 1e-3) return QString::number(std::round(seconds * 1e6)) + QStringLiteral(" µs");
+  if (size < 1) return FourDigits(seconds * 1e3) + QStringLiteral(" ms");
+  return QString::number(seconds, 'f', 2) + QStringLiteral(" s");
+}
+
+QString AgeText(std::int64_t nanoseconds) {
+  const std::int64_t seconds = std::max<std::int64_t>(0, nanoseconds / kSecond);
+  if (seconds < 120) return QStringLiteral("%1 s").arg(seconds);
+  if (seconds < 7200) return QStringLiteral("%1 min").arg(seconds / 60);
+  return QStringLiteral("%1 h").arg(seconds / 3600);
+}
+
+QString ClockText(std::int64_t when) {
+  return QDateTime::fromMSecsSinceEpoch(when / 1'000'000).toString(QStringLiteral("HH:mm:ss.zzz"));
+}
+
+QString CountText(std::int64_t count, const QString& noun) {
+  if (count == 0) return {};
+  return QStringLiteral("%1 %2%3").arg(count).arg(noun, count == 1 ? "" : "s");
+}
+
+QString TypesText(const MemberDescription& member, TypeNames names) {
+  const auto name = [names](const std::string& type) {
+    if (type == kPayload<None>.name) return QString();
+    const QString whole = ToQString(type);
+    return names == TypeNames::kWhole ? whole : whole.section('.', -1);
+  };
+  const QString in = name(member.in_type);
+  const QString out = name(member.out_type);
+  if (in.isEmpty()) return out;
+  return out.isEmpty() ? in : in + QStringLiteral(" → ") + out;
+}
+
+std::int64_t WallClock() {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(
+             std::chrono::system_clock::now().time_since_epoch())
+      .count();
+}
+
+}  // namespace tendon::gui

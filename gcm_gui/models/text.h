@@ -1,0 +1,45 @@
+#pragma once
+
+#include <tendon/interface/description.h>
+#include <tendon/payload/plot_channel.h>
+
+#include <QString>
+#include <cstdint>
+#include <string_view>
+
+/// Numbers and times as the window's tables show them: short, of steady width, without locale.
+namespace tendon::gui {
+
+[[nodiscard]] QString ToQString(std::string_view text);
+
+/// "0.2013", "-1.250", "1.2e+07", "12": integers as they are, else four significant digits at
+/// least.
+[[nodiscard]] QString NumberText(double value);
+
+/// A number as its channel means it: "on", "true", "12", "0.2013"; "–" for none.
+[[nodiscard]] QString ChannelText(const PlotChannel& channel, double value);
+
+/// Of a period in seconds: "1 kHz", "50 Hz", "0.5 Hz"; empty for none.
+[[nodiscard]] QString RateOfPeriodText(double period);
+
+/// A duration in seconds: "38 µs", "1.000 ms", "2.50 s".
+[[nodiscard]] QString DurationText(double seconds);
+
+/// How long ago, from nanoseconds: "12 s", "3 min", "2 h".
+[[nodiscard]] QString AgeText(std::int64_t nanoseconds);
+
+/// The time of day of `when`, ns since 1970: "12:04:31.208".
+[[nodiscard]] QString ClockText(std::int64_t when);
+
+/// "1 client", "3 clients", "" for none.
+[[nodiscard]] QString CountText(std::int64_t count, const QString& noun);
+
+/// What goes in and comes out: "JointGoal", "LinkId → Pose", "" for neither. With the whole names
+/// "arm.LinkId → arm.Pose".
+enum class TypeNames { kShort, kWhole };
+[[nodiscard]] QString TypesText(const MemberDescription& member, TypeNames names);
+
+/// Now, in ns since 1970, as ProcessDescription::since counts.
+[[nodiscard]] std::int64_t WallClock();
+
+}  // namespace tendon::gui

@@ -1,0 +1,76 @@
+#include <gcm_gui/plot/canvas/axis_labels.h>
+#include <gcm_gui/plot/series/axis_range.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace tendon::gui {
+namespace {
+
+constexpr double kSpacing = 8;
+constexpr double kHuge = 1e6;  // numbers from here on, and steps below the next, get an exponent
+constexpr double kTiny = 1e-5;
+
+// A tick at 0 may come as -0 or as 1e-17.
+double Cleaned(double value, double step) { return std::abs(value) < step * 1e-6 ? 0 : value; }
+
+}  // namespace
+
+AxisLabels::AxisLabels() {
+  enableComponent(Backbone, false);
+  enableComponent(Ticks, false);
+  setSpacing(kSpacing);
+}
+
+void AxisLabels::setStep(double step) {
+  if (step == step_) return;
+  step_ = step;
+  invalidateCache();
+}
+
+bool AxisLabels::setColor(const QColor& color) {
+  if (color == color_) return false;
+  color_ = color;
+  invalidateCache();
+  return true;
+}
+
+QwtText AxisLabels::label(double value) const {
+  QwtText text(textOf(value));
+  text.setColor(color_);
+  return text;
+}
+
+QString AxisLabels::textOf(double value) const {
+  const double shown = Cleaned(value, step_);
+  const bool plain = std::abs(value) < kHuge && step_ > kTiny;
+  if (plain || shown == 0) return QString::number(shown, 'f', DecimalsOf(step_));
+  return QString::number(shown, 'g', 5);
+}
+
+double AxisLabels::extent(const QFont& font) const {
+  const double wanted = QwtScaleDraw::extent(font);
+  if (orientation() == Qt::Horizontal) return wanted;
+  widest_ = std::max(widest_, wanted);
+  return widest_;
+}
+
+bool TimeLabels::setLive(bool live) {
+  if (live == live_) return false;
+  live_ = live;
+  invalidateCache();
+  return true;
+}
+
+QString TimeLabels::textOf(double value) const {
+  const double seconds = Cleaned(value, step());
+  if (seconds == 0) return live_ ? QStringLiteral("now") : QStringLiteral("0 s");
+  if (step() >= 3600) return QString::number(seconds / 3600, 'f', 0) + " h";
+  if (step() >= 60) return QString::number(seconds / 60, 'f', 0) + " min";
+  if (step() < 1e-3) {
+    return QString::number(seconds * 1e3, 'f', DecimalsOf(step() * 1e3)) + " ms";
+  }
+  return QString::number(seconds, 'f', DecimalsOf(step())) + " s";
+}
+
+}  // namespace tendon::gui

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <gcm_gui/plot/canvas/span_raster.h>
+#include <gcm_gui/plot/series/curve_set.h>
+#include <gcm_gui/plot/series/time_window.h>
+#include <qwt_plot_item.h>
+
+namespace tendon::gui {
+
+/// All curves of a plot, as one item. Draws what `window` shows of them, each on its unit's axis.
+class CurveLayer final : public QwtPlotItem {
+ public:
+  /// Both must outlive this item.
+  CurveLayer(const CurveSet& curves, const TimeWindow& window);
+
+  /// The slices in which the curves are drawn on a canvas of `rect` at `device_pixel_ratio`.
+  [[nodiscard]] TimeSlices slicesOf(const QwtScaleMap& x_map, const QRectF& rect,
+                                    double device_pixel_ratio) const;
+
+  void draw(QPainter* painter, const QwtScaleMap& x_map, const QwtScaleMap& y_map,
+            const QRectF& canvas_rect) const override;
+
+ private:
+  void drawDots(QPainter& painter, const Curve& curve, const QwtScaleMap& x_map,
+                const QwtScaleMap& y_map, const QRectF& rect) const;
+
+  const CurveSet& curves_;
+  const TimeWindow& window_;
+  mutable SpanRaster raster_;
+};
+
+}  // namespace tendon::gui

@@ -1,0 +1,111 @@
+#include <gcm_gui/plot/canvas/gap_bands.h>
+#include <gcm_gui/theme/theme.h>
+#include <qwt_scale_map.h>
+
+#include <QFontMetricsF>
+#include <QPainter>
+#include <QSet>
+#include <algorithm>
+
+namespace tendon::gui {
+namespace {
+
+constexpr double kZ = 15;  // above the grid, below the curves
+constexpr double kNarrowest = 2;
+constexpr double kTint = 0.16;
+constexpr double kSilentTint = 0.10;
+constexpr double kLabelSpace = 8;
+
+QString TextOf(std::uint64_t lost) {
+  return lost > 0 ? QString::number(lost) + " lost" : QStringLiteral("restarted");
+}
+
+}  // namespace
+
+GapBands::GapBands(const CurveSet& curves, const TimeWindow& window)
+    : curves_(curves), window_(window) {
+  setZ(kZ);
+  setItemAttribute(Legend, false);
+  setItemAttribute(AutoScale, false);
+}
+
+void GapBands::draw(QPainter* painter, const QwtScaleMap& x_map, const QwtScaleMap&,
+                    const QRectF& canvas_rect) const {
+  const Theme& theme = Theme::instance();
+  QSet<QString> sources;  // columns of one table have the same gaps
+  for (const auto& curve : curves_.curves()) {
+    const QString source = SourceOf(curve->path());
+    if (curve->samples().empty() || !curve->isVisible() || sources.contains(source)) continue;
+    sources << source;
+    const std::vector<Band> bands = bandsOf(*curve, x_map, canvas_rect);
+    for (const Band& band : bands) {
+      const QRectF rect(band.left, canvas_rect.top(), band.right - band.left, canvas_rect.height());
+      const Token token = band.lost > 0 ? Token::kBad : Token::kStale;
+      painter->fillRect(rect & canvas_rect, theme.color(token, kTint));
+    }
+    drawLabels(*painter, bands, canvas_rect);
+    if (!curve->isStale()) continue;
+    const SampleRing& samples = curve->samples();
+    const double silent_since = x_map.transform(
+        static_cast<double>(samples.time(samples.endIndex() - 1) - window_.origin()) / 1e9);
+    const QRectF silence(QPointF(silent_since, canvas_rect.top()), canvas_rect.bottomRight());
+    if (silence.width() > 0) {
+      painter->fillRect(silence & canvas_rect, theme.color(Token::kStale, kSilentTint));
+    }
+  }
+}
+
+// Those that would touch each other are drawn as one.
+std::vector<GapBands::Band> GapBands::bandsOf(const Curve& curve, const QwtScaleMap& x_map,
+                                              const QRectF& rect) const {
+  const auto x_of = [&](std::int64_t time_ns) {
+    return x_map.transform(static_cast<double>(time_ns - window_.origin()) / 1e9);
+  };
+  std::vector<Band> bands;
+  for (const Gap& gap : curve.samples().gaps()) {
+    Band band{.left = x_of(gap.from_ns), .right = x_of(gap.to_ns), .lost = gap.lost};
+    if (band.right < rect.left()) continue;
+    if (band.left > rect.right()) break;
+    band.right = std::max(band.right, band.left + kNarrowest);
+    if (!bands.empty() && band.left < bands.back().right + 1) {
+      bands.back().right = band.right;
+      bands.back().lost += band.lost;
+    } else {
+      bands.push_back(band);
+    }
+  }
+  return bands;
+}
+
+// Labels that would overlap become one, with the sum.
+void GapBands::drawLabels(QPainter& painter, const std::vector<Band>& bands,
+                          const QRectF& rect) const {
+  std::vector<Band> labels;
+  const QFontMetricsF metrics(Theme::instance().small());
+  const auto half_width = [&](const Band& band) {
+    return (metrics.horizontalAdvance(TextOf(band.lost)) + kLabelSpace) / 2;
+  };
+  const auto centre = [](const Band& band) { return (band.left + band.right) / 2; };
+  for (const Band& band : bands) {
+    if (!labels.empty() &&
+        centre(band) - centre(labels.back()) < half_width(band) + half_width(labels.back())) {
+      labels.back().right = band.right;
+      labels.back().lost += band.lost;
+    } else {
+      labels.push_back(band);
+    }
+  }
+  painter.save();
+  painter.setFont(Theme::instance().small());
+  for (const Band& label : labels) {
+    painter.setPen(Theme::instance().color(label.lost > 0 ? Token::kBad : Token::kDim));
+    const double width = 2 * half_width(label);
+    const double left = std::clamp(centre(label) - width / 2, rect.left(),
+                                   std::max(rect.left(), rect.right() - width));
+    painter.drawText(QRectF(left, rect.top() + 2, width, metrics.height()), Qt::AlignCenter,
+                     TextOf(label.lost));
+  }
+  painter.restore();
+}
+
+}  // namespace tendon::gui

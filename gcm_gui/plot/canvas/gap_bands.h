@@ -1,0 +1,36 @@
+#pragma once
+
+#include <gcm_gui/plot/series/curve_set.h>
+#include <gcm_gui/plot/series/time_window.h>
+#include <qwt_plot_item.h>
+
+#include <vector>
+
+namespace tendon::gui {
+
+/// Where rows are missing: a tint over the whole height with the number of rows lost, another one
+/// where a source was restarted or has fallen silent.
+class GapBands final : public QwtPlotItem {
+ public:
+  /// Both must outlive this item.
+  GapBands(const CurveSet& curves, const TimeWindow& window);
+
+  void draw(QPainter* painter, const QwtScaleMap& x_map, const QwtScaleMap& y_map,
+            const QRectF& canvas_rect) const override;
+
+ private:
+  struct Band {
+    double left;
+    double right;
+    std::uint64_t lost;  // 0: not known
+  };
+
+  [[nodiscard]] std::vector<Band> bandsOf(const Curve& curve, const QwtScaleMap& x_map,
+                                          const QRectF& rect) const;
+  void drawLabels(QPainter& painter, const std::vector<Band>& bands, const QRectF& rect) const;
+
+  const CurveSet& curves_;
+  const TimeWindow& window_;
+};
+
+}  // namespace tendon::gui

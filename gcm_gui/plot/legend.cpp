@@ -1,0 +1,212 @@
+#include <gcm_gui/plot/legend.h>
+#include <gcm_gui/theme/icon.h>
+#include <gcm_gui/theme/metrics.h>
+#include <gcm_gui/theme/theme.h>
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace tendon::gui {
+namespace {
+
+constexpr int kLegendRowHeight = 18;
+constexpr int kSwatchWidth = 12;
+constexpr int kSwatchHeight = 3;
+constexpr int kSpace = 8;
+constexpr double kBackground = 0.94;
+constexpr double kHiddenOpacity = 0.45;
+
+// Laid out once and painted many times: the legend is painted with each frame of the plot.
+void SetText(QStaticText& text, const QString& content, const QFont& font) {
+  if (text.text() == content) return;
+  text.setTextFormat(Qt::PlainText);
+  text.setText(content);
+  text.prepare({}, font);
+}
+
+int WidthOf(const QStaticText& text) { return static_cast<int>(std::ceil(text.size().width())); }
+
+}  // namespace
+
+LegendRow::LegendRow(QWidget* parent) : QWidget(parent) {
+  setFixedHeight(kLegendRowHeight);
+  setFocusPolicy(Qt::TabFocus);
+  setCursor(Qt::PointingHandCursor);
+}
+
+void LegendRow::setEntry(const LegendEntry& entry) {
+  if (entry == entry_) return;
+  entry_ = entry;
+  setObjectName("legend:" + entry.path);
+  setAccessibleName(entry.stale ? QString("%1, %2").arg(entry.path, entry.name)
+                                : QString("%1 %2 %3").arg(entry.name, entry.value, entry.unit));
+  setToolTip(entry.path);
+  SetText(name_, entry.name, Theme::instance().small());
+  SetText(value_, entry.value, Theme::instance().smallMono());
+  SetText(unit_, entry.unit, Theme::instance().small());
+  update();
+}
+
+int LegendRow::nameWidth() const { return WidthOf(name_); }
+
+int LegendRow::valueWidth() const { return WidthOf(value_); }
+
+int LegendRow::unitWidth() const { return WidthOf(unit_); }
+
+void LegendRow::setColumns(int name_width, int value_width, int unit_width) {
+  name_width_ = name_width;
+  value_width_ = value_width;
+  unit_width_ = unit_width;
+  setFixedWidth(kSwatchWidth + kSpace + name_width + 2 * kSpace + value_width +
+                (unit_width > 0 ? kSpace / 2 + unit_width : 0));
+}
+
+QRect LegendRow::markRect() const {
+  return {0, (height() - kSwatchWidth) / 2, kSwatchWidth, kSwatchWidth};
+}
+
+bool LegendRow::event(QEvent* event) {
+  switch (event->type()) {
+    case QEvent::Enter:
+    case QEvent::Leave:
+    case QEvent::FocusIn:
+    case QEvent::FocusOut:
+      update();
+      break;
+    case QEvent::ShortcutOverride:
+      // Its keys are meant for it, even if the window has a shortcut of the same key.
+      if (isOwnKey(static_cast<QKeyEvent*>(event)->key())) event->accept();
+      break;
+    default:
+      break;
+  }
+  return QWidget::event(event);
+}
+
+void LegendRow::paintMark(QPainter& painter) const {
+  const Theme& theme = Theme::instance();
+  if (isPointedAt()) return PaintIcon(painter, markRect(), "close", Token::kText);
+  const QColor color = entry_.stale ? theme.color(Token::kStale) : theme.curve(entry_.color_index);
+  painter.fillRect(0, (height() - kSwatchHeight) / 2, kSwatchWidth, kSwatchHeight, color);
+}
+
+void LegendRow::paintEvent(QPaintEvent*) {
+  const Theme& theme = Theme::instance();
+  QPainter painter(this);
+  painter.setOpacity(entry_.shown ? 1.0 : kHiddenOpacity);
+  paintMark(painter);
+  const auto paint = [&](int x, const QStaticText& text, const QFont& font, Token token) {
+    painter.setFont(font);
+    painter.setPen(theme.color(token));
+    painter.drawStaticText(QPointF(x, (height() - text.size().height()) / 2), text);
+  };
+  const Token token = entry_.stale ? Token::kDim : Token::kText;
+  const int name_left = kSwatchWidth + kSpace;
+  const int value_right = name_left + name_width_ + 2 * kSpace + value_width_;
+  paint(name_left, name_, theme.small(), token);
+  paint(value_right - WidthOf(value_), value_, theme.smallMono(), token);
+  paint(value_right + kSpace / 2, unit_, theme.small(), Token::kDim);
+  if (!hasFocus()) return;
+  painter.setPen(theme.color(Token::kAccent));
+  painter.drawRect(rect().adjusted(0, 0, -1, -1));
+}
+
+void LegendRow::mousePressEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton) return event->ignore();
+  if (markRect().contains(event->pos())) {
+    Q_EMIT removeRequested(entry_.path);
+  } else {
+    Q_EMIT toggled(entry_.path);
+  }
+}
+
+bool LegendRow::isOwnKey(int key) {
+  return key == Qt::Key_Delete || key == Qt::Key_Backspace || key == Qt::Key_Space;
+}
+
+void LegendRow::keyPressEvent(QKeyEvent* event) {
+  if (!isOwnKey(event->key())) return QWidget::keyPressEvent(event);
+  if (event->key() == Qt::Key_Space) {
+    Q_EMIT toggled(entry_.path);
+  } else {
+    Q_EMIT removeRequested(entry_.path);
+  }
+}
+
+Legend::Legend(QWidget* parent) : QFrame(parent), column_(new QVBoxLayout(this)) {
+  setObjectName("legend");
+  setAccessibleName("Legend");
+  column_->setContentsMargins(kSpace, kGrid, kSpace, kGrid);
+  column_->setSpacing(0);
+  hide();
+  // Its fonts may be others: the next entries make the rows anew.
+  connect(&Theme::instance(), &Theme::changed, this, [this] { makeRows(0); });
+}
+
+void Legend::setEntries(const std::vector<LegendEntry>& entries) {
+  const auto same_path = [](const LegendRow* row, const LegendEntry& entry) {
+    return row->entry().path == entry.path;
+  };
+  if (!std::equal(rows_.begin(), rows_.end(), entries.begin(), entries.end(), same_path)) {
+    makeRows(entries.size());
+    value_width_ = 0;
+  }
+  for (std::size_t i = 0; i < entries.size(); ++i) rows_[i]->setEntry(entries[i]);
+  alignColumns();
+  setVisible(!rows_.empty());
+}
+
+void Legend::makeRows(std::size_t count) {
+  while (rows_.size() > count) {
+    rows_.back()->deleteLater();
+    rows_.back()->hide();
+    column_->removeWidget(rows_.back());
+    rows_.pop_back();
+  }
+  while (rows_.size() < count) {
+    auto* row = new LegendRow(this);
+    connect(row, &LegendRow::toggled, this, &Legend::toggled);
+    connect(row, &LegendRow::removeRequested, this, &Legend::removeRequested);
+    column_->addWidget(row);
+    rows_.push_back(row);
+  }
+}
+
+void Legend::alignColumns() {
+  const int name_width = widest(&LegendRow::nameWidth);
+  value_width_ = std::max(value_width_, widest(&LegendRow::valueWidth));
+  const int unit_width = widest(&LegendRow::unitWidth);
+  for (LegendRow* row : rows_) row->setColumns(name_width, value_width_, unit_width);
+  adjustSize();
+}
+
+int Legend::widest(const std::function<int(const LegendRow&)>& width) const {
+  int result = 0;
+  for (const LegendRow* row : rows_) result = std::max(result, width(*row));
+  return result;
+}
+
+void Legend::paintEvent(QPaintEvent*) {
+  const Theme& theme = Theme::instance();
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(theme.color(Token::kLine));
+  painter.setBrush(theme.color(Token::kPanel, kBackground));
+  painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), kRadius, kRadius);
+}
+
+QString LegendValue(double value, const AxisRange& range) {
+  constexpr double kHuge = 1e7;
+  if (!std::isfinite(value) || std::abs(value) >= kHuge || range.span() < 1e-9) {
+    return QString::number(value, 'g', 6);
+  }
+  const int decimals = DecimalsOf(NiceStep(range.span(), 6) / 100);
+  return QString::number(value, 'f', decimals);
+}
+
+}  // namespace tendon::gui

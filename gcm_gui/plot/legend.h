@@ -1,0 +1,101 @@
+#pragma once
+
+#include <gcm_gui/plot/series/curve_set.h>
+
+#include <QFrame>
+#include <QStaticText>
+#include <QString>
+#include <functional>
+#include <vector>
+
+class QLabel;
+class QVBoxLayout;
+
+namespace tendon::gui {
+
+/// What one row of a legend says.
+struct LegendEntry {
+  QString path;
+  QString name;
+  QString value;  ///< already in digits
+  QString unit;
+  int color_index = 0;
+  bool stale = false;  ///< then `name` says what is waited for, in grey
+  bool shown = true;   ///< the curve is visible
+
+  bool operator==(const LegendEntry&) const = default;
+};
+
+/// One curve: colour, name, value, unit, and a cross to remove it, which appears under the mouse
+/// and with the focus. A click or Space hides and shows the curve, Delete removes it.
+class LegendRow : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit LegendRow(QWidget* parent);
+
+  void setEntry(const LegendEntry& entry);
+  [[nodiscard]] const LegendEntry& entry() const { return entry_; }
+  [[nodiscard]] int nameWidth() const;
+  [[nodiscard]] int valueWidth() const;
+  [[nodiscard]] int unitWidth() const;
+  /// All rows of a legend have the same columns.
+  void setColumns(int name_width, int value_width, int unit_width);
+
+ Q_SIGNALS:
+  void toggled(const QString& path);
+  void removeRequested(const QString& path);
+
+ protected:
+  bool event(QEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  [[nodiscard]] static bool isOwnKey(int key);
+  [[nodiscard]] QRect markRect() const;
+  void paintMark(QPainter& painter) const;
+  [[nodiscard]] bool isPointedAt() const { return underMouse() || hasFocus(); }
+
+  LegendEntry entry_;
+  QStaticText name_;
+  QStaticText value_;
+  QStaticText unit_;
+  int name_width_ = 0;
+  int value_width_ = 0;
+  int unit_width_ = 0;
+};
+
+/// The curves of a plot with their present values, in a corner of its canvas.
+class Legend : public QFrame {
+  Q_OBJECT
+
+ public:
+  explicit Legend(QWidget* parent);
+
+  /// Cheap when only values change.
+  void setEntries(const std::vector<LegendEntry>& entries);
+  [[nodiscard]] const std::vector<LegendRow*>& rows() const { return rows_; }
+
+ Q_SIGNALS:
+  void toggled(const QString& path);
+  void removeRequested(const QString& path);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void makeRows(std::size_t count);
+  void alignColumns();
+  [[nodiscard]] int widest(const std::function<int(const LegendRow&)>& width) const;
+
+  QVBoxLayout* column_;
+  std::vector<LegendRow*> rows_;
+  int value_width_ = 0;  // only grows, so that the legend does not tremble
+};
+
+/// `value` with two digits more than its axis' labels.
+[[nodiscard]] QString LegendValue(double value, const AxisRange& range);
+
+}  // namespace tendon::gui

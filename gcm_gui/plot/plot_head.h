@@ -1,0 +1,47 @@
+#pragma once
+
+#include <gcm_gui/plot/series/curve_set.h>
+#include <gcm_gui/theme/head_row.h>
+
+#include <chrono>
+#include <vector>
+
+class QTabBar;
+class QToolButton;
+
+namespace tendon::gui {
+
+class RateBadge;
+
+/// The head of the plots: a tab for each, [+], and of the chosen one the rate, the window's length
+/// and the pause.
+class PlotHead : public HeadRow {
+  Q_OBJECT
+
+ public:
+  explicit PlotHead(QWidget* parent = nullptr);
+
+  [[nodiscard]] QTabBar& tabs() { return *tabs_; }
+  void setFigures(const std::vector<SourceFigures>& figures);
+  void setWindow(std::chrono::nanoseconds length);
+  void setPaused(bool paused);
+
+ Q_SIGNALS:
+  void newPlotRequested();
+  void windowChosen(std::chrono::nanoseconds length);
+  void pauseToggled(bool paused);
+
+ private:
+  void buildWindowMenu();
+
+  QTabBar* tabs_;
+  QToolButton* plus_;
+  RateBadge* badge_;
+  QToolButton* window_;
+  QToolButton* pause_;
+};
+
+/// "30 s", "5 min", "1 h".
+[[nodiscard]] QString LengthText(std::chrono::nanoseconds length);
+
+}  // namespace tendon::gui

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <QObject>
+#include <QPoint>
+
+class QKeyEvent;
+class QMouseEvent;
+class QWheelEvent;
+
+namespace tendon::gui {
+
+class PlotView;
+
+/// The hands on a plot's canvas, while data streams:
+///
+/// - wheel: zoom in time around the mouse; Ctrl+wheel: in values; sideways: move in time
+/// - drag: zoom to the rectangle, Escape gives up; Shift+drag: move
+/// - double click, End: live again; Alt+Left: back to what was shown before
+/// - keys: Left, Right, + and -, Ctrl with + and - for values
+class PlotNavigator : public QObject {
+  Q_OBJECT
+
+ public:
+  /// Watches the canvas of `view`, which owns it.
+  explicit PlotNavigator(PlotView& view);
+
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  enum class Drag { kNone, kZoom, kPan };
+
+  bool press(const QMouseEvent& event);
+  bool move(const QMouseEvent& event);
+  bool release(const QMouseEvent& event);
+  bool wheel(const QWheelEvent& event);
+  bool key(const QKeyEvent& event);
+  void endDrag();
+
+  PlotView& view_;
+  Drag drag_ = Drag::kNone;
+  QPoint pressed_;
+  QPoint last_;
+  bool moves_values_ = false;
+};
+
+}  // namespace tendon::gui

@@ -1,0 +1,199 @@
+#include <gcm_gui/plot/plot_head.h>
+#include <gcm_gui/plot/plot_panel.h>
+#include <gcm_gui/plot/plot_view.h>
+
+#include <QMenu>
+#include <QSet>
+#include <QStackedWidget>
+#include <QTabBar>
+#include <QVBoxLayout>
+#include <algorithm>
+
+namespace tendon::gui {
+namespace {
+
+constexpr int kHeadPeriod = 250;  // ms
+
+}  // namespace
+
+PlotPanel::PlotPanel(QWidget* parent)
+    : QWidget(parent), head_(new PlotHead(this)), plots_(new QStackedWidget(this)) {
+  setObjectName("plotPanel");
+  setAccessibleName("Plots");
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(head_);
+  column->addWidget(plots_, 1);
+  buildTabs();
+  connect(head_, &PlotHead::newPlotRequested, this, [this] { addPlot(); });
+  connect(head_, &PlotHead::windowChosen, this, &PlotPanel::setWindow);
+  connect(head_, &PlotHead::pauseToggled, this, &PlotPanel::setPaused);
+  connect(&head_timer_, &QTimer::timeout, this, &PlotPanel::updateHead);
+  head_timer_.start(kHeadPeriod);
+  addPlot();
+}
+
+void PlotPanel::buildTabs() {
+  QTabBar& tabs = head_->tabs();
+  tabs.setContextMenuPolicy(Qt::CustomContextMenu);
+  connect(&tabs, &QTabBar::currentChanged, this, &PlotPanel::showPlot);
+  connect(&tabs, &QWidget::customContextMenuRequested, this, &PlotPanel::showTabMenu);
+}
+
+PlotView& PlotPanel::addPlot() {
+  auto* view = new PlotView(plots_);
+  view->setPaused(paused_);
+  connect(view, &PlotView::curvesDropped, this, [this, view](const QList<CurveKey>& keys) {
+    for (const CurveKey& key : keys) add(*view, key);
+  });
+  connect(view, &PlotView::curveRemovalRequested, this,
+          [this, view](const QString& path) { removeFrom(*view, path); });
+  connect(view, &PlotView::liveChanged, this, [this](bool live) {
+    if (live) setPaused(false);
+  });
+  plots_->addWidget(view);
+  const int index = head_->tabs().addTab({});
+  nameTab(*view);
+  head_->tabs().setCurrentIndex(index);
+  showPlot(index);
+  return *view;
+}
+
+void PlotPanel::closePlot(int index) {
+  PlotView& view = plot(index);
+  QStringList paths;
+  for (const auto& curve : view.curves().curves()) paths << curve->path();
+  for (const QString& path : paths) removeFrom(view, path);
+  if (plotCount() == 1) return;
+  head_->tabs().removeTab(index);
+  plots_->removeWidget(&view);
+  view.deleteLater();
+  showPlot(head_->tabs().currentIndex());
+}
+
+void PlotPanel::showTabMenu(const QPoint& position) {
+  const int index = head_->tabs().tabAt(position);
+  if (index < 0) return;
+  auto* menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  menu->addAction("Close plot", this, [this, index] { closePlot(index); });
+  menu->popup(head_->tabs().mapToGlobal(position));
+}
+
+void PlotPanel::showPlot(int index) {
+  plots_->setCurrentIndex(index);
+  updateHead();
+}
+
+// By the column of its first curve; by its number while it is empty.
+void PlotPanel::nameTab(const PlotView& view) {
+  const int index = plots_->indexOf(&view);
+  const auto& curves = view.curves().curves();
+  const QString name =
+      curves.empty() ? QString("Plot %1").arg(index + 1) : ColumnOf(curves.front()->path());
+  head_->tabs().setTabText(index, name);
+  plot(index).setAccessibleName("Plot " + name);
+}
+
+PlotView& PlotPanel::plot(int index) const {
+  return static_cast<PlotView&>(*plots_->widget(index));
+}
+
+int PlotPanel::plotCount() const { return plots_->count(); }
+
+int PlotPanel::currentIndex() const { return plots_->currentIndex(); }
+
+void PlotPanel::addSignal(const QString& path, const QString& unit) {
+  add(currentPlot(), {.path = path, .unit = unit});
+}
+
+void PlotPanel::add(PlotView& view, const CurveKey& key) {
+  if (view.curve(key.path) != nullptr) return;
+  const bool wanted = !isPlotted(key.path);
+  view.addCurve(key);
+  shareMemory();
+  nameTab(view);
+  updateHead();
+  if (wanted) Q_EMIT subscriptionWanted(key.path);
+}
+
+void PlotPanel::removeSignal(const QString& path) {
+  for (int i = 0; i < plotCount(); ++i) removeFrom(plot(i), path);
+}
+
+void PlotPanel::removeFrom(PlotView& view, const QString& given) {
+  if (view.curve(given) == nullptr) return;
+  const QString path = given;  // may be the curve's own
+  view.removeCurve(path);
+  shareMemory();
+  nameTab(view);
+  updateHead();
+  if (!isPlotted(path)) Q_EMIT subscriptionReleased(path);
+}
+
+bool PlotPanel::isPlotted(const QString& path) const { return paths().contains(path); }
+
+QStringList PlotPanel::paths() const {
+  QStringList paths;
+  for (int i = 0; i < plotCount(); ++i) {
+    for (const auto& curve : plot(i).curves().curves()) {
+      if (!paths.contains(curve->path())) paths << curve->path();
+    }
+  }
+  return paths;
+}
+
+void PlotPanel::append(const QString& path, std::span<const Sample> samples) {
+  for (int i = 0; i < plotCount(); ++i) {
+    if (Curve* curve = plot(i).curve(path)) curve->append(samples);
+  }
+}
+
+void PlotPanel::beginEpoch(const QString& path) {
+  for (int i = 0; i < plotCount(); ++i) {
+    if (Curve* curve = plot(i).curve(path)) curve->beginEpoch();
+  }
+}
+
+void PlotPanel::setStale(const QString& path, const QString& reason) {
+  for (int i = 0; i < plotCount(); ++i) {
+    Curve* curve = plot(i).curve(path);
+    if (curve != nullptr) curve->setStale(reason.isEmpty() ? WaitingFor(path) : reason);
+  }
+}
+
+void PlotPanel::setPaused(bool paused) {
+  if (paused == paused_) return;
+  paused_ = paused;
+  for (int i = 0; i < plotCount(); ++i) plot(i).setPaused(paused);
+  head_->setPaused(paused);
+  Q_EMIT pausedChanged(paused);
+}
+
+void PlotPanel::setWindow(std::chrono::nanoseconds length) {
+  currentPlot().setWindow(length);
+  updateHead();
+}
+
+void PlotPanel::setMemoryBudget(std::size_t bytes) {
+  memory_ = bytes;
+  shareMemory();
+}
+
+void PlotPanel::shareMemory() {
+  std::size_t count = 0;
+  for (int i = 0; i < plotCount(); ++i) count += plot(i).curves().curves().size();
+  const std::size_t limit = memory_ / SampleRing::kBytesPerSample / std::max<std::size_t>(count, 1);
+  for (int i = 0; i < plotCount(); ++i) {
+    for (const auto& curve : plot(i).curves().curves()) curve->setLimit(limit);
+  }
+}
+
+void PlotPanel::updateHead() {
+  if (plotCount() == 0) return;
+  head_->setFigures(currentPlot().figures());
+  head_->setWindow(currentPlot().window().length());
+}
+
+}  // namespace tendon::gui

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <gcm_gui/plot/series/sample_ring.h>
+#include <gcm_gui/plot/series/signal_path.h>
+
+#include <QTimer>
+#include <QWidget>
+#include <chrono>
+#include <span>
+
+class QStackedWidget;
+
+namespace tendon::gui {
+
+class PlotHead;
+class PlotView;
+
+/// The plots of the window, one a tab.
+///
+/// The owner hears subscriptionWanted() and subscriptionReleased(), and brings what it gets by
+/// append(). A path may be in several plots; it is wanted once. GUI thread.
+class PlotPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  static constexpr std::size_t kDefaultMemory = 200'000'000;
+
+  explicit PlotPanel(QWidget* parent = nullptr);
+
+  /// To the plot in front; nothing happens when it is there already.
+  void addSignal(const QString& path, const QString& unit);
+  /// From all plots.
+  void removeSignal(const QString& path);
+  /// Of paths in no plot nothing is kept.
+  void append(const QString& path, std::span<const Sample> samples);
+  /// The source was restarted: its ticks begin anew.
+  void beginEpoch(const QString& path);
+  /// Nothing comes until append() is called again; an empty `reason` says whose rows are waited
+  /// for.
+  void setStale(const QString& path, const QString& reason = {});
+  [[nodiscard]] QStringList paths() const;
+
+  /// Stops the views; samples go on being kept.
+  void setPaused(bool paused);
+  [[nodiscard]] bool isPaused() const { return paused_; }
+  /// Of the plot in front.
+  void setWindow(std::chrono::nanoseconds length);
+  /// For the samples of all plots, in bytes.
+  void setMemoryBudget(std::size_t bytes);
+
+  /// An empty plot, in front.
+  PlotView& addPlot();
+  /// The last one is emptied instead.
+  void closePlot(int index);
+  [[nodiscard]] PlotView& currentPlot() const { return plot(currentIndex()); }
+  [[nodiscard]] PlotView& plot(int index) const;
+  [[nodiscard]] int plotCount() const;
+  [[nodiscard]] int currentIndex() const;
+
+ Q_SIGNALS:
+  void subscriptionWanted(const QString& path);
+  void subscriptionReleased(const QString& path);
+  void pausedChanged(bool paused);
+
+ private:
+  void buildTabs();
+  void add(PlotView& view, const CurveKey& key);
+  void removeFrom(PlotView& view, const QString& path);
+  void showPlot(int index);
+  void showTabMenu(const QPoint& position);
+  void nameTab(const PlotView& view);
+  void updateHead();
+  void shareMemory();
+  [[nodiscard]] bool isPlotted(const QString& path) const;
+
+  PlotHead* head_;
+  QStackedWidget* plots_;
+  QTimer head_timer_;
+  std::size_t memory_ = kDefaultMemory;
+  bool paused_ = false;
+};
+
+}  // namespace tendon::gui

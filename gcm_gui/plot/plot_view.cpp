@@ -1,0 +1,411 @@
+#include <gcm_gui/plot/canvas/axis_labels.h>
+#include <gcm_gui/plot/canvas/curve_layer.h>
+#include <gcm_gui/plot/canvas/gap_bands.h>
+#include <gcm_gui/plot/legend.h>
+#include <gcm_gui/plot/plot_navigator.h>
+#include <gcm_gui/plot/plot_overlay.h>
+#include <gcm_gui/plot/plot_view.h>
+#include <gcm_gui/theme/icon.h>
+#include <gcm_gui/theme/metrics.h>
+#include <gcm_gui/theme/theme.h>
+#include <qwt_plot_canvas.h>
+#include <qwt_plot_grid.h>
+#include <qwt_plot_layout.h>
+#include <qwt_scale_div.h>
+#include <qwt_scale_map.h>
+#include <qwt_scale_widget.h>
+
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QFontMetrics>
+#include <QMimeData>
+#include <QPainter>
+#include <QPushButton>
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <utility>
+
+namespace tendon::gui {
+namespace {
+
+constexpr std::array kValueAxes{QwtAxis::YLeft, QwtAxis::YRight};
+constexpr int kSide = 46;        // labels of a Y axis, and the empty side without one
+constexpr int kTop = 14;         // units stand there
+constexpr int kFrame = 16;       // ms
+constexpr int kLegendTicks = 6;  // frames between two changes of its numbers
+constexpr int kTimeSteps = 6;
+constexpr int kValueSteps = 7;
+constexpr auto kHint = "Select a value and press P, or drag it here";
+
+std::int64_t LocalNow() {
+  return std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+QwtScaleDiv Division(const AxisRange& range, double step) {
+  const std::vector<double> ticks = TicksOf(range, step);
+  return QwtScaleDiv(range.low, range.high, {}, {}, QList<double>(ticks.begin(), ticks.end()));
+}
+
+template <typename Labels>
+Labels& LabelsOf(QwtPlot& plot, QwtAxisId axis) {
+  return static_cast<Labels&>(*plot.axisScaleDraw(axis));
+}
+
+}  // namespace
+
+PlotView::PlotView(QWidget* parent)
+    : QwtPlot(parent), newest_ns_(std::numeric_limits<std::int64_t>::min()) {
+  setAccessibleName("Plot");
+  setAcceptDrops(true);
+  setAutoReplot(false);
+  build();
+  buildAxes();
+  takeTheme();
+  curvesChanged();
+  connect(&Theme::instance(), &Theme::changed, this, &PlotView::takeTheme);
+  timer_.setTimerType(Qt::PreciseTimer);
+  connect(&timer_, &QTimer::timeout, this, &PlotView::refresh);
+}
+
+void PlotView::build() {
+  auto* canvas_widget = qobject_cast<QwtPlotCanvas*>(canvas());
+  canvas_widget->setFrameStyle(QFrame::NoFrame);
+  canvas_widget->setAutoFillBackground(false);
+  canvas_widget->setCursor(Qt::ArrowCursor);
+  canvas_widget->setFocusIndicator(QwtPlotCanvas::CanvasFocusIndicator);
+  canvas_widget->setObjectName("canvas");
+  canvas_widget->setAccessibleName("Plot canvas");
+  setFrameStyle(QFrame::NoFrame);
+  setContentsMargins(0, kTop, 0, kGrid);
+  grid_ = new QwtPlotGrid;
+  grid_->attach(this);
+  (new GapBands(curves_, window_))->attach(this);
+  layer_ = new CurveLayer(curves_, window_);
+  layer_->attach(this);
+  overlay_ = new PlotOverlay(canvas());
+  legend_ = new Legend(canvas());
+  legend_->move(2 * kGrid, 2 * kGrid);
+  live_pill_ = new QPushButton(ThemeIcon("play", Token::kOnAccent), "Live", canvas());
+  live_pill_->setObjectName("live");
+  live_pill_->setAccessibleName("Follow live data again");
+  live_pill_->setToolTip("Follow live data again (double click)");
+  live_pill_->setFocusPolicy(Qt::TabFocus);
+  SetRole(*live_pill_, "primary");
+  live_pill_->hide();
+  connect(live_pill_, &QPushButton::clicked, this, &PlotView::goLive);
+  connect(legend_, &Legend::removeRequested, this, &PlotView::curveRemovalRequested);
+  connect(legend_, &Legend::toggled, this, [this](const QString& path) {
+    if (Curve* toggled = curve(path)) toggled->setVisible(!toggled->isVisible());
+    changed();
+    updateLegend();
+  });
+  new PlotNavigator(*this);
+}
+
+void PlotView::buildAxes() {
+  plotLayout()->setCanvasMargin(0);
+  plotLayout()->setAlignCanvasToScales(true);
+  plotLayout()->setSpacing(0);
+  setAxisScaleDraw(QwtAxis::XBottom, new TimeLabels);
+  for (const auto axis : kValueAxes) {
+    setAxisScaleDraw(axis, new AxisLabels);
+    axisScaleDraw(axis)->setMinimumExtent(kSide);
+  }
+  // What labels may stick out beyond the ends of an axis, whichever there are: else the canvas
+  // would move with them.
+  const QFontMetrics metrics(Theme::instance().small());
+  const int across = metrics.horizontalAdvance("-00.000 s") / 2;
+  const int along = (metrics.height() + 1) / 2;
+  for (const auto axis : {QwtAxis::XBottom, QwtAxis::YLeft, QwtAxis::YRight}) {
+    const int end = axis == QwtAxis::XBottom ? across : along;
+    axisWidget(axis)->setMargin(0);
+    axisWidget(axis)->setSpacing(0);
+    axisWidget(axis)->setMinBorderDist(end, end);
+  }
+}
+
+void PlotView::takeTheme() {
+  const Theme& theme = Theme::instance();
+  LabelsOf<TimeLabels>(*this, QwtAxis::XBottom).setColor(theme.color(Token::kDim));
+  for (const auto axis : {QwtAxis::XBottom, QwtAxis::YLeft, QwtAxis::YRight}) {
+    setAxisFont(axis, theme.small());
+    axisWidget(axis)->update();
+  }
+  grid_->setPen(theme.color(Token::kLine), 0);
+  changed();
+  updateValueAxes();
+  updateLegend();
+  if (curves_.empty()) replot();  // the timer stands still
+}
+
+Curve& PlotView::addCurve(const CurveKey& key) {
+  Curve& curve = curves_.add(key);
+  curvesChanged();
+  return curve;
+}
+
+void PlotView::removeCurve(const QString& path) {
+  if (curves_.remove(path)) curvesChanged();
+}
+
+void PlotView::curvesChanged() {
+  const bool empty = curves_.empty();
+  overlay_->setHint(empty ? kHint : "");
+  grid_->setVisible(!empty);
+  for (const auto axis : {QwtAxis::XBottom, QwtAxis::YLeft, QwtAxis::YRight}) {
+    setAxisVisible(axis, !empty);
+  }
+  // The right one keeps its place while it has nothing to say.
+  axisScaleDraw(QwtAxis::YRight)
+      ->enableComponent(QwtAbstractScaleDraw::Labels, curves_.axes().size() > 1);
+  setAccessibleDescription(empty ? kHint : QString("%1 curves").arg(curves_.curves().size()));
+  if (isVisible() && !empty) timer_.start(kFrame);
+  changed();
+  updateTimeAxis();
+  updateValueAxes();
+  updateLegend();
+  update();
+}
+
+void PlotView::setWindow(std::chrono::nanoseconds length) {
+  window_.setLength(length);
+  changed();
+}
+
+void PlotView::setPaused(bool paused) {
+  if (paused) {
+    window_.follow(now(), columns() * devicePixelRatioF());
+    window_.hold();
+  } else {
+    window_.goLive();
+  }
+  changed();
+}
+
+void PlotView::goLive() {
+  window_.goLive();
+  for (UnitAxis& axis : curves_.axes()) axis.fitted = true;
+  former_views_.clear();
+  changed();
+}
+
+bool PlotView::isLive() const { return window_.isLive(); }
+
+void PlotView::zoomTime(double factor, double x) {
+  window_.zoom(factor, invTransform(QwtAxis::XBottom, x));
+  changed();
+}
+
+void PlotView::zoomValues(double factor, double y) {
+  const QwtScaleMap map = canvasMap(QwtAxis::YLeft);
+  const double at = (y - map.p1()) / (map.p2() - map.p1());  // of the height, from below
+  for (UnitAxis& axis : curves_.axes()) {
+    const double fixed = axis.range.low + at * axis.range.span();
+    axis.range = {.low = fixed + (axis.range.low - fixed) * factor,
+                  .high = fixed + (axis.range.high - fixed) * factor};
+    axis.fitted = false;
+  }
+  changed();
+}
+
+void PlotView::panTime(double pixels) {
+  window_.pan((window_.to() - window_.from()) * pixels / columns());
+  changed();
+}
+
+void PlotView::panValues(double pixels) {
+  for (UnitAxis& axis : curves_.axes()) {
+    const double by = axis.range.span() * pixels / canvas()->height();
+    axis.range = {.low = axis.range.low + by, .high = axis.range.high + by};
+    axis.fitted = false;
+  }
+  changed();
+}
+
+void PlotView::zoomTo(const QRect& rect) {
+  remember();
+  window_.show(invTransform(QwtAxis::XBottom, rect.left()),
+               invTransform(QwtAxis::XBottom, rect.right()));
+  const QwtScaleMap map = canvasMap(QwtAxis::YLeft);
+  const auto part = [&](int y) { return (y - map.p1()) / (map.p2() - map.p1()); };
+  for (UnitAxis& axis : curves_.axes()) {
+    const AxisRange all = axis.range;
+    axis.range = {.low = all.low + part(rect.bottom()) * all.span(),
+                  .high = all.low + part(rect.top()) * all.span()};
+    axis.fitted = false;
+  }
+  changed();
+}
+
+void PlotView::remember() { former_views_.push_back({window_, curves_.axes()}); }
+
+void PlotView::goBack() {
+  if (former_views_.empty()) return;
+  const View former = std::move(former_views_.back());
+  former_views_.pop_back();
+  window_ = former.window;
+  for (UnitAxis& axis : curves_.axes()) {
+    for (const UnitAxis& there : former.axes) {
+      if (there.unit == axis.unit) {
+        axis.range = there.range;
+        axis.fitted = there.fitted;
+      }
+    }
+  }
+  changed();
+}
+
+void PlotView::setHover(std::optional<int> x) {
+  if (x == hover_) return;
+  hover_ = curves_.empty() ? std::nullopt : x;
+  updateLegend();
+}
+
+std::vector<SourceFigures> PlotView::figures() const { return curves_.figures(now()); }
+
+void PlotView::changed() {
+  dirty_ = true;
+  updateLive();
+}
+
+void PlotView::updateLive() {
+  const auto& axes = curves_.axes();
+  const bool fitted =
+      std::all_of(axes.begin(), axes.end(), [](const UnitAxis& axis) { return axis.fitted; });
+  live_pill_->setVisible(!curves_.empty() && !(isLive() && fitted));
+  live_pill_->adjustSize();
+  live_pill_->move(canvas()->width() - live_pill_->width() - 2 * kGrid, 2 * kGrid);
+  if (was_live_ == isLive()) return;
+  was_live_ = isLive();
+  Q_EMIT liveChanged(was_live_);
+}
+
+std::int64_t PlotView::now() const { return clock_.now(LocalNow()); }
+
+// As the time axis counts them; not quite the canvas' width.
+double PlotView::columns() const {
+  const QwtScaleMap map = canvasMap(QwtAxis::XBottom);
+  return std::max(1.0, map.p2() - map.p1());
+}
+
+void PlotView::noticeSamples() {
+  const std::int64_t newest = curves_.newestTime();
+  if (newest == newest_ns_) return;
+  newest_ns_ = newest;
+  clock_.hear(newest, LocalNow());
+  dirty_ = true;
+}
+
+void PlotView::refresh() {
+  noticeSamples();
+  const bool moved = window_.follow(now(), columns() * devicePixelRatioF());
+  if (ticks_++ % kLegendTicks == 0) updateLegend();
+  if (!moved && !std::exchange(dirty_, false)) return;
+  dirty_ = false;
+  updateTimeAxis();
+  curves_.fitAxes(layer_->slicesOf(canvasMap(QwtAxis::XBottom), canvas()->contentsRect(),
+                                   canvas()->devicePixelRatioF()));
+  updateValueAxes();
+  replot();
+}
+
+void PlotView::updateTimeAxis() {
+  const AxisRange range{.low = window_.from(), .high = window_.to()};
+  const double step = NiceTimeStep(range.span(), kTimeSteps);
+  auto& labels = LabelsOf<TimeLabels>(*this, QwtAxis::XBottom);
+  labels.setStep(step);
+  if (labels.setLive(isLive())) axisWidget(QwtAxis::XBottom)->update();
+  setAxisScaleDiv(QwtAxis::XBottom, Division(range, step));
+}
+
+void PlotView::updateValueAxes() {
+  const Theme& theme = Theme::instance();
+  const auto& axes = curves_.axes();
+  for (std::size_t i = 0; i < kValueAxes.size() && i < axes.size(); ++i) {
+    const AxisRange& range = axes[i].range;
+    const double step = NiceStep(range.span(), kValueSteps);
+    auto& labels = LabelsOf<AxisLabels>(*this, kValueAxes[i]);
+    labels.setStep(step);
+    setAxisScaleDiv(kValueAxes[i], Division(range, step));
+    const bool colored = axes.size() > 1 && axes[i].color_index >= 0;
+    const QColor color = colored ? theme.curve(axes[i].color_index) : theme.color(Token::kDim);
+    if (labels.setColor(color)) axisWidget(kValueAxes[i])->update();
+  }
+}
+
+void PlotView::drawCanvas(QPainter* painter) {
+  painter->fillRect(canvas()->contentsRect(), Theme::instance().color(Token::kPanel));
+  QwtPlot::drawCanvas(painter);
+}
+
+void PlotView::updateLegend() {
+  std::optional<std::int64_t> at;
+  if (hover_) {
+    const double seconds = invTransform(QwtAxis::XBottom, *hover_);
+    at = window_.timeAt(seconds);
+    const int decimals = DecimalsOf(NiceTimeStep(window_.to() - window_.from(), kTimeSteps)) + 2;
+    overlay_->setHairline(hover_, QString::number(seconds, 'f', decimals) + " s");
+  } else {
+    overlay_->setHairline({});
+  }
+  std::vector<LegendEntry> entries;
+  for (const auto& curve : curves_.curves()) {
+    const std::optional<double> value = at ? curve->valueAt(*at) : curve->latestValue();
+    const bool stale = curve->isStale() && !at;
+    entries.push_back(
+        {.path = curve->path(),
+         .name = stale ? curve->staleReason() : ShortName(curve->path()),
+         .value = value && !stale ? LegendValue(*value, curves_.axisOf(*curve).range) : QString(),
+         .unit = stale ? QString() : curve->unit(),
+         .color_index = curve->colorIndex(),
+         .stale = stale,
+         .shown = curve->isVisible()});
+  }
+  legend_->setEntries(entries);
+}
+
+void PlotView::showEvent(QShowEvent* event) {
+  QwtPlot::showEvent(event);
+  if (!curves_.empty()) timer_.start(kFrame);
+}
+
+void PlotView::hideEvent(QHideEvent* event) {
+  QwtPlot::hideEvent(event);
+  timer_.stop();
+}
+
+void PlotView::resizeEvent(QResizeEvent* event) {
+  QwtPlot::resizeEvent(event);
+  changed();
+}
+
+// Units, above the axes.
+void PlotView::paintEvent(QPaintEvent* event) {
+  QwtPlot::paintEvent(event);
+  const Theme& theme = Theme::instance();
+  const auto& axes = curves_.axes();
+  QPainter painter(this);
+  painter.setFont(theme.small());
+  const QRect area = canvas()->geometry();
+  for (std::size_t i = 0; i < kValueAxes.size() && i < axes.size(); ++i) {
+    const bool left = i == 0;
+    const QRect place = left ? QRect(2 * kGrid, 0, area.width(), kTop)
+                             : QRect(area.left(), 0, area.width() + kSide - kGrid, kTop);
+    painter.setPen(static_cast<const AxisLabels&>(*axisScaleDraw(kValueAxes[i])).color());
+    painter.drawText(place, (left ? Qt::AlignLeft : Qt::AlignRight), axes[i].unit);
+  }
+}
+
+void PlotView::dragEnterEvent(QDragEnterEvent* event) {
+  if (event->mimeData()->hasFormat(kPathMimeType)) event->acceptProposedAction();
+}
+
+void PlotView::dropEvent(QDropEvent* event) {
+  const QList<CurveKey> keys = PathsIn(*event->mimeData());
+  if (keys.isEmpty()) return;
+  event->acceptProposedAction();
+  Q_EMIT curvesDropped(keys);
+}
+
+}  // namespace tendon::gui

@@ -1,0 +1,75 @@
+#include <gcm_gui/plot/rate_badge.h>
+#include <gcm_gui/theme/theme.h>
+
+#include <QStringList>
+#include <QToolTip>
+#include <algorithm>
+#include <limits>
+
+namespace tendon::gui {
+namespace {
+
+QString Number(double hz) {
+  if (hz >= 99.95) return QString::number(hz, 'f', 0);
+  // A rate is not written more exactly than a second of rows can tell.
+  return QString::number(hz, 'g', hz >= 9.995 ? 3 : 2);
+}
+
+std::uint64_t Lost(const std::vector<SourceFigures>& figures) {
+  std::uint64_t lost = 0;
+  for (const SourceFigures& each : figures) lost += each.lost;
+  return lost;
+}
+
+}  // namespace
+
+QString RateText(double hz) { return Number(hz) + " Hz"; }
+
+QString BadgeText(const std::vector<SourceFigures>& figures) {
+  if (figures.empty()) return {};
+  double slowest = std::numeric_limits<double>::infinity();
+  double fastest = 0;
+  std::uint64_t repeated = 0;
+  int silent = 0;
+  for (const SourceFigures& each : figures) {
+    if (each.rate > 0) slowest = std::min(slowest, each.rate);
+    fastest = std::max(fastest, each.rate);
+    repeated += each.repeated;
+    silent += each.rate > 0 ? 0 : 1;
+  }
+  const QString rate = RateText(fastest);
+  const bool alike = fastest == 0 || RateText(slowest) == rate;
+  QString text = alike ? rate : Number(slowest) + QStringLiteral("–") + rate;
+  text += QStringLiteral(" · %1 lost").arg(Lost(figures));
+  if (repeated > 0) text += QStringLiteral(" · %1 repeated").arg(repeated);
+  if (silent > 0 && fastest > 0) text += QStringLiteral(" · %1 silent").arg(silent);
+  return text;
+}
+
+RateBadge::RateBadge(QWidget* parent) : QToolButton(parent) {
+  setObjectName("rateBadge");
+  setFocusPolicy(Qt::TabFocus);
+  SetRole(*this, "mono dim");
+  connect(this, &QToolButton::clicked, this,
+          [this] { QToolTip::showText(mapToGlobal(rect().bottomLeft()), toolTip(), this); });
+}
+
+void RateBadge::setFigures(const std::vector<SourceFigures>& figures) {
+  setVisible(!figures.empty());
+  const QString badge = BadgeText(figures);
+  if (badge != text()) {
+    setText(badge);
+    setAccessibleName("Rate and lost rows: " + badge);
+  }
+  SetRole(*this, Lost(figures) > 0 ? "mono bad" : "mono dim");
+  QStringList lines;
+  for (const SourceFigures& each : figures) {
+    lines << QString("%1: %2, %3 rows lost, %4 repeated")
+                 .arg(each.source, RateText(each.rate))
+                 .arg(each.lost)
+                 .arg(each.repeated);
+  }
+  setToolTip(lines.join('\n'));
+}
+
+}  // namespace tendon::gui

@@ -1,0 +1,60 @@
+#include <gcm_gui/plot/series/curve.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace tendon::gui {
+namespace {
+
+constexpr std::int64_t kSecondNs = 1'000'000'000;
+
+}  // namespace
+
+QString WaitingFor(const QString& path) { return "waiting for " + SourceOf(path); }
+
+Curve::Curve(CurveKey key, int color_index)
+    : key_(std::move(key)), color_index_(color_index), stale_reason_(WaitingFor(key_.path)) {}
+
+void Curve::append(std::span<const Sample> samples) {
+  if (samples.empty()) return;
+  samples_.append(samples);
+  stale_reason_.clear();
+}
+
+std::optional<double> Curve::valueAt(std::int64_t time_ns) const {
+  const std::uint64_t next = samples_.lowerBound(time_ns + 1);
+  if (next == samples_.firstIndex()) return {};
+  const auto& gaps = samples_.gaps();
+  const bool in_gap = std::any_of(gaps.begin(), gaps.end(), [&](const Gap& gap) {
+    return gap.from_ns < time_ns && time_ns < gap.to_ns;
+  });
+  if (in_gap) return {};
+  if (next == samples_.endIndex() && isStale()) return {};
+  return samples_.value(next - 1);
+}
+
+std::optional<double> Curve::latestValue() const {
+  if (samples_.empty()) return {};
+  return samples_.value(samples_.endIndex() - 1);
+}
+
+double Curve::rate() const {
+  const std::uint64_t end = samples_.endIndex();
+  if (end - samples_.firstIndex() < 2) return 0;
+  const std::int64_t newest = samples_.time(end - 1);
+  const std::uint64_t first = std::min(samples_.lowerBound(newest - kSecondNs), end - 2);
+  const std::int64_t span = newest - samples_.time(first);
+  if (span <= 0) return 0;
+  return static_cast<double>(end - 1 - first) * kSecondNs / static_cast<double>(span);
+}
+
+const Envelope& Curve::envelope(const TimeSlices& slices) const {
+  if (slices != envelope_slices_ || samples_.endIndex() != envelope_end_) {
+    envelope_.build(samples_, slices);
+    envelope_slices_ = slices;
+    envelope_end_ = samples_.endIndex();
+  }
+  return envelope_;
+}
+
+}  // namespace tendon::gui

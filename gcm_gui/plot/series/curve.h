@@ -1,0 +1,62 @@
+#pragma once
+
+#include <gcm_gui/plot/series/envelope.h>
+#include <gcm_gui/plot/series/sample_ring.h>
+#include <gcm_gui/plot/series/signal_path.h>
+
+#include <QString>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+namespace tendon::gui {
+
+/// One signal in one plot: its samples, its colour, and whether its source is heard of. GUI thread.
+class Curve {
+ public:
+  Curve(CurveKey key, int color_index);
+
+  [[nodiscard]] const QString& path() const { return key_.path; }
+  [[nodiscard]] const QString& unit() const { return key_.unit; }
+  /// For Theme::curve().
+  [[nodiscard]] int colorIndex() const { return color_index_; }
+
+  /// Ends staleness.
+  void append(std::span<const Sample> samples);
+  /// See SampleRing::beginEpoch().
+  void beginEpoch() { samples_.beginEpoch(); }
+  void setLimit(std::size_t samples) { samples_.setLimit(samples); }
+  [[nodiscard]] const SampleRing& samples() const { return samples_; }
+
+  /// Nothing comes: `reason` says what is waited for. A new curve is stale from the start.
+  void setStale(const QString& reason) { stale_reason_ = reason; }
+  [[nodiscard]] bool isStale() const { return !stale_reason_.isEmpty(); }
+  [[nodiscard]] const QString& staleReason() const { return stale_reason_; }
+
+  void setVisible(bool visible) { visible_ = visible; }
+  [[nodiscard]] bool isVisible() const { return visible_; }
+
+  /// Of the last sample at `time_ns` or before, within the same stretch of unbroken samples.
+  [[nodiscard]] std::optional<double> valueAt(std::int64_t time_ns) const;
+  [[nodiscard]] std::optional<double> latestValue() const;
+  /// Rows a second that arrived, over the latest second of the source's time; 0 with less than two.
+  [[nodiscard]] double rate() const;
+  /// The curve as slices show it. Built when asked for other slices than the last time, or when
+  /// samples have come.
+  [[nodiscard]] const Envelope& envelope(const TimeSlices& slices) const;
+
+ private:
+  CurveKey key_;
+  int color_index_;
+  bool visible_ = true;
+  QString stale_reason_;
+  SampleRing samples_;
+  mutable Envelope envelope_;
+  mutable TimeSlices envelope_slices_;
+  mutable std::uint64_t envelope_end_ = 0;
+};
+
+/// "waiting for robot/arm/state"
+[[nodiscard]] QString WaitingFor(const QString& path);
+
+}  // namespace tendon::gui

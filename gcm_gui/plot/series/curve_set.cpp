@@ -1,0 +1,110 @@
+#include <gcm_gui/plot/series/curve_set.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace tendon::gui {
+namespace {
+
+UnitAxis* AxisFor(std::vector<UnitAxis>& axes, const QString& unit) {
+  const auto found = std::find_if(axes.begin(), axes.end(),
+                                  [&](const UnitAxis& axis) { return axis.unit == unit; });
+  return found == axes.end() ? nullptr : &*found;
+}
+
+double PresentRate(const Curve& curve, std::int64_t now_ns) {
+  const double rate = curve.rate();
+  const SampleRing& samples = curve.samples();
+  if (rate <= 0) return 0;
+  const auto silence = static_cast<double>(now_ns - samples.time(samples.endIndex() - 1));
+  return silence > std::max(1e9, 2e9 / rate) ? 0 : rate;
+}
+
+}  // namespace
+
+Curve& CurveSet::add(const CurveKey& key) {
+  if (Curve* there = find(key.path)) return *there;
+  curves_.push_back(std::make_unique<Curve>(key, freeColor()));
+  updateAxes();
+  return *curves_.back();
+}
+
+bool CurveSet::remove(const QString& path) {
+  const bool removed =
+      std::erase_if(curves_, [&](const auto& curve) { return curve->path() == path; }) > 0;
+  updateAxes();
+  return removed;
+}
+
+Curve* CurveSet::find(const QString& path) const {
+  const auto found = std::find_if(curves_.begin(), curves_.end(),
+                                  [&](const auto& curve) { return curve->path() == path; });
+  return found == curves_.end() ? nullptr : found->get();
+}
+
+const UnitAxis& CurveSet::axisOf(const Curve& curve) const {
+  return *std::find_if(axes_.begin(), axes_.end(),
+                       [&](const UnitAxis& axis) { return axis.unit == curve.unit(); });
+}
+
+void CurveSet::updateAxes() {
+  std::vector<UnitAxis> axes;
+  for (const auto& curve : curves_) {
+    if (UnitAxis* shared = AxisFor(axes, curve->unit())) {
+      shared->color_index = -1;
+      continue;
+    }
+    const UnitAxis* there = AxisFor(axes_, curve->unit());
+    axes.push_back(there != nullptr ? *there : UnitAxis{.unit = curve->unit()});
+    axes.back().color_index = curve->colorIndex();
+  }
+  axes_ = std::move(axes);
+}
+
+// The first colour no curve has; with more curves than colours they begin anew.
+int CurveSet::freeColor() const {
+  int color = 0;
+  const auto taken = [&](const auto& curve) { return curve->colorIndex() == color; };
+  while (std::any_of(curves_.begin(), curves_.end(), taken)) ++color;
+  return color;
+}
+
+void CurveSet::fitAxes(const TimeSlices& slices) {
+  for (UnitAxis& axis : axes_) {
+    if (!axis.fitted) continue;
+    AxisRange data{.low = std::numeric_limits<double>::infinity(),
+                   .high = -std::numeric_limits<double>::infinity()};
+    for (const auto& curve : curves_) {
+      if (curve->unit() != axis.unit || !curve->isVisible()) continue;
+      const Envelope& envelope = curve->envelope(slices);
+      data.low = std::min(data.low, envelope.lowest());
+      data.high = std::max(data.high, envelope.highest());
+    }
+    if (data.low <= data.high) axis.range = FittedRange(axis.range, data);
+  }
+}
+
+std::int64_t CurveSet::newestTime() const {
+  std::int64_t newest = std::numeric_limits<std::int64_t>::min();
+  for (const auto& curve : curves_) {
+    const SampleRing& samples = curve->samples();
+    if (!samples.empty()) newest = std::max(newest, samples.time(samples.endIndex() - 1));
+  }
+  return newest;
+}
+
+std::vector<SourceFigures> CurveSet::figures(std::int64_t now_ns) const {
+  std::vector<SourceFigures> figures;
+  for (const auto& curve : curves_) {
+    const QString source = SourceOf(curve->path());
+    auto each = std::find_if(figures.begin(), figures.end(),
+                             [&](const SourceFigures& there) { return there.source == source; });
+    if (each == figures.end()) each = figures.insert(each, SourceFigures{.source = source});
+    each->rate = std::max(each->rate, PresentRate(*curve, now_ns));
+    each->lost = std::max(each->lost, curve->samples().lost());
+    each->repeated = std::max(each->repeated, curve->samples().repeated());
+  }
+  return figures;
+}
+
+}  // namespace tendon::gui

@@ -1,0 +1,177 @@
+#include <gcm_gui/plot/series/envelope.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace tendon::gui {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+bool IsFinite(double value) { return std::abs(value) <= std::numeric_limits<double>::max(); }
+
+}  // namespace
+
+// Where the line has come to, and what it has met in the present slice.
+struct Envelope::Pen {
+  bool down = false;
+  std::int64_t time_ns = 0;
+  double value = 0;
+  std::size_t slice = 0;
+  double low = 0;
+  double high = 0;
+};
+
+void Envelope::build(const SampleRing& ring, const TimeSlices& slices) {
+  if (!moveOn(ring, slices)) start(ring, slices);
+  slices_ = slices;
+  ring_first_ = ring.firstIndex();
+  placeEnds(slices);
+  drawUntil(ring, slices.to_ns);
+  lowest_ = kInfinity;
+  highest_ = -kInfinity;
+  for (const double each : low()) lowest_ = std::min(lowest_, each);
+  for (const double each : high()) highest_ = std::max(highest_, each);
+}
+
+void Envelope::start(const SampleRing& ring, const TimeSlices& slices) {
+  low_.assign(slices.count + 2, kInfinity);
+  high_.assign(slices.count + 2, -kInfinity);
+  // One sample before: the line enters between two samples.
+  next_ = std::max(ring.lowerBound(slices.from_ns), ring.firstIndex() + 1) - 1;
+}
+
+// Keeps what was drawn, moved to the left. Returns false when all is to be drawn anew.
+bool Envelope::moveOn(const SampleRing& ring, const TimeSlices& slices) {
+  constexpr std::int64_t kRounding = 2;  // ns
+  const std::int64_t by_ns = slices.from_ns - slices_.from_ns;
+  const double width = static_cast<double>(slices_.to_ns - slices_.from_ns) /
+                       static_cast<double>(std::max<std::size_t>(slices_.count, 1));
+  const double by = std::round(static_cast<double>(by_ns) / width);
+  const bool as_wide =
+      slices.count == slices_.count && std::abs(slices.to_ns - slices_.to_ns - by_ns) <= kRounding;
+  const bool by_whole_ones = std::abs(by * width - static_cast<double>(by_ns)) <= kRounding;
+  if (!as_wide || !by_whole_ones || by < 0 || by >= static_cast<double>(slices.count)) return false;
+  // The last line that was drawn may have ended behind the slices: it is drawn again.
+  if (next_ < ring.firstIndex() + 2) return false;
+  const bool shown_samples_left = ring.firstIndex() != ring_first_ &&
+                                  (ring.empty() || ring.time(ring.firstIndex()) > slices.from_ns);
+  if (shown_samples_left) return false;
+  next_ -= 2;
+  const auto count = static_cast<std::ptrdiff_t>(by);
+  for (auto [values, empty] : {std::pair(&low_, kInfinity), std::pair(&high_, -kInfinity)}) {
+    std::fill(std::copy(values->begin() + 1 + count, values->end() - 1, values->begin() + 1),
+              values->end(), empty);
+  }
+  return true;
+}
+
+void Envelope::placeEnds(const TimeSlices& slices) {
+  ends_.clear();
+  const double width = static_cast<double>(slices.to_ns - slices.from_ns) /
+                       static_cast<double>(std::max<std::size_t>(slices.count, 1));
+  for (std::size_t i = 0; i <= slices.count; ++i) {
+    const double end = static_cast<double>(i) * width + 0.5;
+    ends_.push_back(slices.from_ns + static_cast<std::int64_t>(end));
+  }
+  ends_.push_back(std::numeric_limits<std::int64_t>::max());
+}
+
+// One sample more: the line leaves between two samples.
+void Envelope::drawUntil(const SampleRing& ring, std::int64_t time_ns) {
+  const std::uint64_t to = std::min(ring.lowerBound(time_ns) + 1, ring.endIndex());
+  const auto& gaps = ring.gaps();
+  auto gap =
+      std::upper_bound(gaps.begin(), gaps.end(), next_,
+                       [](std::uint64_t index, const Gap& each) { return index < each.index; });
+  for (; gap != gaps.end() && gap->index < to; ++gap) {
+    draw(ring, next_, gap->index);
+    next_ = gap->index;
+  }
+  draw(ring, next_, to);
+  next_ = std::max(next_, to);
+}
+
+void Envelope::draw(const SampleRing& ring, std::uint64_t from, std::uint64_t to) {
+  Pen pen;
+  while (from < to) {
+    const SampleRing::Stretch stretch = ring.stretch(from, to);
+    draw(stretch, pen);
+    from += stretch.times.size();
+  }
+  if (pen.down) leave(pen);
+}
+
+void Envelope::draw(SampleRing::Stretch stretch, Pen& pen) {
+  const auto [times, values] = stretch;
+  std::size_t i = 0;
+  while (i < times.size()) {
+    if (!IsFinite(values[i])) {
+      if (pen.down) leave(pen);
+      pen.down = false;
+      ++i;
+      continue;
+    }
+    pen.down ? lineTo(pen, times[i], values[i]) : moveTo(pen, times[i], values[i]);
+    // All but the first of many samples in a slice pass here: by fours, then one by one.
+    double low = pen.low;
+    double high = pen.high;
+    const std::int64_t end = ends_[pen.slice];
+    for (++i; i + 4 <= times.size() && times[i + 3] < end; i += 4) {
+      const double* v = &values[i];
+      const double zero = (v[0] - v[0]) + (v[1] - v[1]) + (v[2] - v[2]) + (v[3] - v[3]);
+      if (zero != 0) break;  // NaN: one of them is not finite
+      low = std::min(low, std::min(std::min(v[0], v[1]), std::min(v[2], v[3])));
+      high = std::max(high, std::max(std::max(v[0], v[1]), std::max(v[2], v[3])));
+    }
+    for (; i < times.size() && times[i] < end && IsFinite(values[i]); ++i) {
+      low = std::min(low, values[i]);
+      high = std::max(high, values[i]);
+    }
+    pen.low = low;
+    pen.high = high;
+    pen.time_ns = times[i - 1];
+    pen.value = values[i - 1];
+  }
+}
+
+void Envelope::moveTo(Pen& pen, std::int64_t time_ns, double value) {
+  const auto end = std::upper_bound(ends_.begin(), ends_.end() - 1, time_ns);
+  enter(pen, static_cast<std::size_t>(end - ends_.begin()), value);
+  pen.down = true;
+  pen.time_ns = time_ns;
+  pen.value = value;
+}
+
+// Through all slices on the way; what happens at a border belongs to both its slices.
+void Envelope::lineTo(Pen& pen, std::int64_t time_ns, double value) {
+  if (time_ns >= ends_[pen.slice]) {
+    const double slope = (value - pen.value) / static_cast<double>(time_ns - pen.time_ns);
+    while (time_ns >= ends_[pen.slice]) {
+      const double border = pen.value + slope * static_cast<double>(ends_[pen.slice] - pen.time_ns);
+      pen.low = std::min(pen.low, border);
+      pen.high = std::max(pen.high, border);
+      leave(pen);
+      enter(pen, pen.slice + 1, border);
+    }
+  }
+  pen.low = std::min(pen.low, value);
+  pen.high = std::max(pen.high, value);
+  pen.time_ns = time_ns;
+  pen.value = value;
+}
+
+void Envelope::enter(Pen& pen, std::size_t slice, double value) {
+  pen.slice = slice;
+  pen.low = value;
+  pen.high = value;
+}
+
+void Envelope::leave(const Pen& pen) {
+  low_[pen.slice] = std::min(low_[pen.slice], pen.low);
+  high_[pen.slice] = std::max(high_[pen.slice], pen.high);
+}
+
+}  // namespace tendon::gui

@@ -1,0 +1,140 @@
+#include <gcm_gui/plot/series/sample_ring.h>
+
+#include <algorithm>
+#include <bit>
+#include <iterator>
+#include <utility>
+
+namespace tendon::gui {
+namespace {
+
+constexpr std::size_t kFirstCapacity = 1024;
+// A signal of which every other row is lost must not fill the memory with gaps.
+constexpr std::size_t kMostGaps = 16384;
+// A clock may be corrected by so much between two epochs; the ring then waits for it.
+constexpr std::int64_t kClockToleranceNs = 1'000'000'000;
+
+std::size_t Capacity(std::size_t limit) { return std::bit_floor(std::max(limit, std::size_t{2})); }
+
+}  // namespace
+
+SampleRing::SampleRing(std::size_t limit) : limit_(Capacity(limit)) {
+  reallocate(std::min(limit_, kFirstCapacity));
+}
+
+void SampleRing::append(std::span<const Sample> samples) {
+  for (const Sample& sample : samples) {
+    if (!continues(sample)) continue;
+    last_tick_ = sample.tick;
+    const std::int64_t newest = empty() ? sample.time_ns : time(end_ - 1);
+    push(std::max(sample.time_ns, newest), sample.value);
+  }
+}
+
+// Whether the sample belongs at the end. Notes the gap before it.
+bool SampleRing::continues(const Sample& sample) {
+  if (empty()) {
+    epoch_begins_ = false;
+    base_index_ = end_;
+    base_tick_ = sample.tick;
+    return true;
+  }
+  const bool later = sample.time_ns > time(end_ - 1);
+  if (epoch_begins_ || (sample.tick < last_tick_ && later)) {
+    epoch_begins_ = false;
+    if (sample.time_ns + kClockToleranceNs < time(end_ - 1)) forgetUntil(end_);
+    if (empty()) return continues(sample);
+    addGap(Gap::Cause::kRestart, sample);
+    return true;
+  }
+  if (sample.tick <= last_tick_) {
+    ++repeated_;
+    return false;
+  }
+  if (sample.tick != last_tick_ + 1) addGap(Gap::Cause::kLost, sample);
+  return true;
+}
+
+void SampleRing::addGap(Gap::Cause cause, const Sample& next) {
+  const std::uint64_t lost = cause == Gap::Cause::kLost ? next.tick - last_tick_ - 1 : 0;
+  lost_ += lost;
+  const std::int64_t from = time(end_ - 1);
+  gaps_.push_back({.cause = cause,
+                   .index = end_,
+                   .tick = next.tick,
+                   .lost = lost,
+                   .from_ns = from,
+                   .to_ns = std::max(from, next.time_ns)});
+  if (gaps_.size() > kMostGaps) forgetUntil(gaps_.front().index);
+}
+
+void SampleRing::push(std::int64_t time_ns, double value) {
+  if (end_ - first_ == times_.size()) {
+    if (times_.size() < limit_) {
+      reallocate(times_.size() * 2);
+    } else {
+      forgetUntil(first_ + 1);
+    }
+  }
+  times_[end_ & mask()] = time_ns;
+  values_[end_ & mask()] = value;
+  ++end_;
+}
+
+void SampleRing::forgetUntil(std::uint64_t index) {
+  first_ = std::max(first_, index);
+  while (!gaps_.empty() && gaps_.front().index <= first_) {
+    base_index_ = gaps_.front().index;
+    base_tick_ = gaps_.front().tick;
+    gaps_.pop_front();
+  }
+}
+
+void SampleRing::setLimit(std::size_t samples) {
+  limit_ = Capacity(samples);
+  if (times_.size() <= limit_) return;
+  if (end_ - first_ > limit_) forgetUntil(end_ - limit_);
+  reallocate(limit_);
+}
+
+void SampleRing::reallocate(std::size_t capacity) {
+  std::vector<std::int64_t> times(capacity);
+  std::vector<double> values(capacity);
+  for (std::uint64_t index = first_; index < end_; ++index) {
+    times[index & (capacity - 1)] = time(index);
+    values[index & (capacity - 1)] = value(index);
+  }
+  times_ = std::move(times);
+  values_ = std::move(values);
+}
+
+std::uint64_t SampleRing::tick(std::uint64_t index) const {
+  const auto after =
+      std::upper_bound(gaps_.begin(), gaps_.end(), index,
+                       [](std::uint64_t wanted, const Gap& gap) { return wanted < gap.index; });
+  if (after == gaps_.begin()) return base_tick_ + (index - base_index_);
+  const Gap& gap = *std::prev(after);
+  return gap.tick + (index - gap.index);
+}
+
+std::uint64_t SampleRing::lowerBound(std::int64_t time_ns) const {
+  std::uint64_t low = first_;
+  std::uint64_t high = end_;
+  while (low < high) {
+    const std::uint64_t middle = low + (high - low) / 2;
+    if (time(middle) < time_ns) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  return low;
+}
+
+SampleRing::Stretch SampleRing::stretch(std::uint64_t from, std::uint64_t to) const {
+  const std::size_t offset = from & mask();
+  const std::size_t count = std::min<std::size_t>(to - from, times_.size() - offset);
+  return {.times = {times_.data() + offset, count}, .values = {values_.data() + offset, count}};
+}
+
+}  // namespace tendon::gui

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <span>
+#include <vector>
+
+namespace tendon::gui {
+
+/// The value of one signal in one row of its state table.
+struct Sample {
+  std::int64_t time_ns = 0;  ///< when the row was written, on the source's steady clock
+  std::uint64_t tick = 0;    ///< the number of the row: grows by one from row to row
+  double value = 0;
+};
+
+/// An interruption: nothing is known between the samples before and after it.
+struct Gap {
+  enum class Cause { kLost, kRestart };
+
+  Cause cause = Cause::kLost;
+  std::uint64_t index = 0;  ///< of the first sample after it
+  std::uint64_t tick = 0;   ///< of that sample
+  std::uint64_t lost = 0;   ///< rows that never arrived; not known, and 0, after a restart
+  std::int64_t from_ns = 0;
+  std::int64_t to_ns = 0;
+};
+
+/// The latest samples of one signal, oldest first, and where some are missing.
+///
+/// A sample is named by its index, which counts from the very first one and stays the same when
+/// older ones make room. Times never decrease. Memory grows with the samples up to a limit, 16
+/// bytes each. One thread.
+class SampleRing {
+ public:
+  static constexpr std::size_t kBytesPerSample = sizeof(std::int64_t) + sizeof(double);
+  static constexpr std::size_t kDefaultLimit = std::size_t{1} << 20;
+
+  /// A contiguous part of the ring.
+  struct Stretch {
+    std::span<const std::int64_t> times;
+    std::span<const double> values;
+  };
+
+  explicit SampleRing(std::size_t limit = kDefaultLimit);
+
+  /// Amortised O(1) a sample. One that skips ticks makes a gap; one whose tick was there already
+  /// is counted and left out; a lower tick at a later time means that the source was restarted.
+  void append(std::span<const Sample> samples);
+  /// The source was restarted: its ticks begin anew with the next sample, behind a gap. A clock
+  /// that was set back makes the ring start over, as the old samples can no longer be placed.
+  void beginEpoch() { epoch_begins_ = true; }
+  /// At most so many samples, rounded down to a power of two; the oldest ones go.
+  void setLimit(std::size_t samples);
+
+  [[nodiscard]] std::uint64_t firstIndex() const { return first_; }
+  [[nodiscard]] std::uint64_t endIndex() const { return end_; }
+  [[nodiscard]] bool empty() const { return first_ == end_; }
+  [[nodiscard]] std::int64_t time(std::uint64_t index) const { return times_[index & mask()]; }
+  [[nodiscard]] double value(std::uint64_t index) const { return values_[index & mask()]; }
+  [[nodiscard]] std::uint64_t tick(std::uint64_t index) const;
+  /// Index of the first sample at `time_ns` or later; endIndex() when there is none. O(log n).
+  [[nodiscard]] std::uint64_t lowerBound(std::int64_t time_ns) const;
+  /// The longest contiguous part of [from, to) that begins at `from`.
+  [[nodiscard]] Stretch stretch(std::uint64_t from, std::uint64_t to) const;
+  /// By index. Gaps older than the oldest sample are forgotten.
+  [[nodiscard]] const std::deque<Gap>& gaps() const { return gaps_; }
+
+  // Since the very first sample.
+  [[nodiscard]] std::uint64_t lost() const { return lost_; }          ///< rows
+  [[nodiscard]] std::uint64_t repeated() const { return repeated_; }  ///< rows
+
+ private:
+  [[nodiscard]] std::uint64_t mask() const { return times_.size() - 1; }
+  [[nodiscard]] bool continues(const Sample& sample);
+  void push(std::int64_t time_ns, double value);
+  void addGap(Gap::Cause cause, const Sample& next);
+  void forgetUntil(std::uint64_t index);
+  void reallocate(std::size_t capacity);
+
+  std::vector<std::int64_t> times_;
+  std::vector<double> values_;
+  std::deque<Gap> gaps_;
+  std::size_t limit_;
+  std::uint64_t first_ = 0;
+  std::uint64_t end_ = 0;
+  std::uint64_t base_index_ = 0;  // a sample at or before the oldest, from which ticks run unbroken
+  std::uint64_t base_tick_ = 0;   // its tick
+  std::uint64_t last_tick_ = 0;
+  std::uint64_t lost_ = 0;
+  std::uint64_t repeated_ = 0;
+  bool epoch_begins_ = false;
+};
+
+}  // namespace tendon::gui

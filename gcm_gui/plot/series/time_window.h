@@ -1,0 +1,45 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+
+namespace tendon::gui {
+
+/// Which part of time a plot shows. Live: the last so many seconds, and now at the right edge.
+/// Held: what the user has chosen, while samples go on arriving unseen.
+///
+/// Seconds count from origin(): now when live, the moment of holding when held.
+class TimeWindow {
+ public:
+  [[nodiscard]] bool isLive() const { return live_; }
+  [[nodiscard]] std::chrono::nanoseconds length() const { return length_; }
+  /// The right edge stays; so does a held window held.
+  void setLength(std::chrono::nanoseconds length);
+
+  /// Moves a live window until now is at its right edge, by whole columns of a canvas that is
+  /// `columns` wide: then each column keeps its samples, and the curve glides without flicker.
+  /// Returns whether it has moved. A held window stays.
+  bool follow(std::int64_t now_ns, double columns);
+  void hold() { live_ = false; }
+  void goLive();
+
+  // These hold the window. `at_s` stays where it is on the canvas.
+  void zoom(double factor, double at_s);
+  void pan(double by_s);
+  void show(double from_s, double to_s);
+
+  [[nodiscard]] std::int64_t origin() const { return origin_ns_; }  ///< ns
+  [[nodiscard]] double from() const { return from_s_; }
+  [[nodiscard]] double to() const { return to_s_; }
+  /// Time of a point of the axis.
+  [[nodiscard]] std::int64_t timeAt(double seconds) const;
+
+ private:
+  std::chrono::nanoseconds length_ = std::chrono::seconds(30);
+  std::int64_t origin_ns_ = 0;
+  double from_s_ = -30;
+  double to_s_ = 0;
+  bool live_ = true;
+};
+
+}  // namespace tendon::gui

@@ -1,0 +1,136 @@
+#include <gcm_gui/models/text.h>
+#include <gcm_gui/session/column_feed.h>
+#include <tendon/payload/json.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace tendon::gui {
+namespace {
+
+bool HasSequence(const Schema& schema) {
+  switch (schema.kind()) {
+    case Schema::Kind::kSequence:
+      return true;
+    case Schema::Kind::kArray:
+      return HasSequence(schema.element());
+    case Schema::Kind::kStructure:
+      return std::any_of(schema.fields().begin(), schema.fields().end(),
+                         [](const auto& field) { return HasSequence(field.schema); });
+    default:
+      return false;
+  }
+}
+
+bool SameShape(const std::vector<PlotChannel>& a, const std::vector<PlotChannel>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const PlotChannel& x, const PlotChannel& y) { return x.path == y.path; });
+}
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
+
+void ColumnFeed::OnSubscribed(const std::vector<Schema>& columns) {
+  const std::lock_guard lock(mutex_);
+  if (columns.empty()) return;
+  schema_ = columns.front();
+  varies_ = HasSequence(*schema_);
+  shape_ = std::make_shared<const std::vector<PlotChannel>>(Channels(*schema_));
+  newest_row_.clear();
+  fresh_ = true;
+  stale_.reset();
+  for (auto& [field, tap] : taps_) resolve(field, tap);
+}
+
+void ColumnFeed::resolve(const std::string& field, Tap& tap) const {
+  if (!schema_) return;
+  auto channel = FindChannel(*schema_, field);
+  if (channel.ok()) {
+    tap.channel = std::move(*channel);
+    tap.stale.reset();
+  } else {
+    tap.channel.reset();
+    tap.stale = ToQString(channel.error().message);
+  }
+}
+
+void ColumnFeed::OnRows(const RowBatch& batch) {
+  const std::lock_guard lock(mutex_);
+  if (!schema_ || batch.count == 0) return;
+  const bool new_epoch = batch.epoch != epoch_;
+  epoch_ = batch.epoch;
+  for (auto& [field, tap] : taps_) feed(tap, batch, new_epoch);
+  const auto row = batch.cell(batch.count - 1, 0);
+  newest_row_.assign(row.begin(), row.end());
+  fresh_ = true;
+}
+
+void ColumnFeed::feed(Tap& tap, const RowBatch& batch, bool new_epoch) const {
+  if (!tap.channel) return;
+  tap.stale.reset();
+  if (new_epoch || tap.runs.empty()) tap.runs.push_back({new_epoch, {}});
+  std::size_t waiting = 0;
+  for (const Run& run : tap.runs) waiting += run.samples.size();
+  std::vector<Sample>& samples = tap.runs.back().samples;
+  for (std::size_t row = 0; row < batch.count && waiting < kMostWaiting; ++row, ++waiting) {
+    const double value = ReadChannel(*tap.channel, batch.cell(row, 0)).value_or(kNone);
+    samples.push_back({batch.times[row], batch.ticks[row], value});
+  }
+}
+
+void ColumnFeed::OnStale(const Error& reason) {
+  const std::lock_guard lock(mutex_);
+  const bool not_there = reason.code == ErrorCode::kUnreachable;
+  stale_ = not_there ? QString() : ToQString(reason.message);
+  for (auto& [field, tap] : taps_) tap.stale = stale_;
+}
+
+void ColumnFeed::tap(const std::string& field) {
+  const std::lock_guard lock(mutex_);
+  const auto [it, added] = taps_.try_emplace(field);
+  if (!added) return;
+  it->second.stale = stale_;
+  resolve(field, it->second);
+}
+
+void ColumnFeed::untap(const std::string& field) {
+  const std::lock_guard lock(mutex_);
+  taps_.erase(field);
+}
+
+ColumnFeed::Taken ColumnFeed::take(const std::string& field) {
+  const std::lock_guard lock(mutex_);
+  const auto it = taps_.find(field);
+  if (it == taps_.end()) return {};
+  return {std::exchange(it->second.runs, {}), std::exchange(it->second.stale, std::nullopt)};
+}
+
+ChannelList ColumnFeed::shapeOf(const std::vector<std::byte>& row) {
+  if (varies_ && !row.empty()) {
+    auto channels = Channels(*schema_, row);
+    if (!SameShape(channels, *shape_)) {
+      shape_ = std::make_shared<const std::vector<PlotChannel>>(std::move(channels));
+    }
+  }
+  return shape_;
+}
+
+std::optional<ColumnValues> ColumnFeed::takeValues() {
+  const std::lock_guard lock(mutex_);
+  if (!std::exchange(fresh_, false)) return std::nullopt;
+  ColumnValues values;
+  values.channels = shapeOf(newest_row_);
+  if (newest_row_.empty()) return values;
+  values.values.reserve(values.channels->size());
+  for (const PlotChannel& channel : *values.channels) {
+    values.values.push_back(ReadChannel(channel, newest_row_).value_or(kNone));
+  }
+  if (values.channels->empty()) {
+    if (const auto json = ToJson(*schema_, newest_row_); json.ok()) values.text = ToQString(*json);
+  }
+  return values;
+}
+
+}  // namespace tendon::gui

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <gcm_gui/plot/series/sample_ring.h>
+#include <gcm_gui/session/signal_source.h>
+#include <tendon/process/telemetry_client.h>
+
+#include <cstddef>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tendon::gui {
+
+/// The rows of one column on their way to the GUI thread: network threads put them in, the GUI
+/// thread takes them out. Of tapped numbers every row is kept, of the rest only the newest row.
+///
+/// Thread-safe; holds its lock for no longer than one batch takes.
+class ColumnFeed final : public RowSink {
+ public:
+  /// At most so many samples of a number wait to be taken; more are left out, and seen as lost.
+  static constexpr std::size_t kMostWaiting = std::size_t{1} << 18;
+
+  /// Samples of one start of the source.
+  struct Run {
+    bool begins_epoch = false;
+    std::vector<Sample> samples;
+  };
+  struct Taken {
+    std::vector<Run> runs;
+    std::optional<QString> stale;  ///< since then nothing has come, and why
+  };
+
+  void OnSubscribed(const std::vector<Schema>& columns) override;
+  void OnRows(const RowBatch& batch) override;
+  void OnStale(const Error& reason) override;
+
+  /// `field` is what follows the column in a path: ".position[0]", or empty.
+  void tap(const std::string& field);
+  void untap(const std::string& field);
+  [[nodiscard]] Taken take(const std::string& field);
+  /// The newest row, when one has come (or the column has become known) since the last call.
+  [[nodiscard]] std::optional<ColumnValues> takeValues();
+
+ private:
+  struct Tap {
+    std::optional<PlotChannel> channel;
+    std::vector<Run> runs;
+    std::optional<QString> stale;
+  };
+
+  void resolve(const std::string& field, Tap& tap) const;
+  void feed(Tap& tap, const RowBatch& batch, bool new_epoch) const;
+  [[nodiscard]] ChannelList shapeOf(const std::vector<std::byte>& row);
+
+  std::mutex mutex_;
+  std::optional<Schema> schema_;
+  bool varies_ = false;  // the schema has sequences, so each row may have other channels
+  std::uint64_t epoch_ = 0;
+  std::map<std::string, Tap> taps_;
+  std::optional<QString> stale_;
+  std::vector<std::byte> newest_row_;
+  bool fresh_ = false;
+  ChannelList shape_;
+};
+
+}  // namespace tendon::gui

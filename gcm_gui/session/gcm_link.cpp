@@ -1,0 +1,29 @@
+#include <gcm_gui/models/text.h>
+#include <gcm_gui/session/gcm_link.h>
+
+namespace tendon::gui {
+
+void GcmLink::setAddress(const QString& address, bool hosted) {
+  address_ = address;
+  hosted_ = hosted;
+  since_ = WallClock();
+  Q_EMIT changed();
+}
+
+void GcmLink::setConnected() {
+  reason_.clear();
+  enter(State::kConnected);
+}
+
+void GcmLink::setUnreachable(const QString& reason) {
+  reason_ = reason;
+  enter(state_ == State::kSearching ? State::kSearching : State::kLost);
+}
+
+void GcmLink::enter(State state) {
+  if (state != state_) since_ = WallClock();
+  state_ = state;
+  Q_EMIT changed();
+}
+
+}  // namespace tendon::gui

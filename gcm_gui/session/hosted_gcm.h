@@ -1,0 +1,37 @@
+#pragma once
+
+#include <tendon/base/result.h>
+#include <tendon/middleware/middleware.h>
+
+#include <memory>
+#include <string>
+
+namespace tendon {
+class GlobalManager;
+class Process;
+}  // namespace tendon
+
+namespace tendon::gui {
+
+/// A GCM in this program, and this program's own process, "gcm", as its first member.
+class HostedGcm {
+ public:
+  /// Errors: kExists where there is a GCM at this address already, and others of
+  /// Middleware::Listen().
+  static Result<std::unique_ptr<HostedGcm>> Start(const std::shared_ptr<Middleware>& middleware,
+                                                  const std::string& address);
+  HostedGcm(const HostedGcm&) = delete;
+  HostedGcm& operator=(const HostedGcm&) = delete;
+  ~HostedGcm();
+
+  /// Where others reach it.
+  [[nodiscard]] std::string address() const;
+
+ private:
+  explicit HostedGcm(std::unique_ptr<GlobalManager> manager);
+
+  std::unique_ptr<GlobalManager> manager_;
+  std::unique_ptr<Process> process_;
+};
+
+}  // namespace tendon::gui

@@ -1,0 +1,130 @@
+#include <gcm_gui/models/text.h>
+#include <gcm_gui/session/column_feed.h>
+#include <gcm_gui/session/live_signals.h>
+
+namespace tendon::gui {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr milliseconds kRowsPeriod{33};
+constexpr milliseconds kValuesPeriod{100};
+constexpr milliseconds kSweepPeriod{1000};
+constexpr int kIdleSweeps = 3;
+
+/// What follows the column: ".position[0]".
+std::string FieldOf(const QString& column, const QString& signal) {
+  return signal.mid(column.size()).toStdString();
+}
+
+}  // namespace
+
+QString ColumnPathOf(const QString& signal) {
+  auto path = ParsePath(signal.toStdString());
+  if (!path.ok() || path->member.empty()) return {};
+  path->field.clear();
+  return ToQString(ToString(*path));
+}
+
+LiveSignals::LiveSignals(TelemetryClient& telemetry, QObject* parent)
+    : SignalSource(parent), telemetry_(telemetry) {
+  connect(&rows_timer_, &QTimer::timeout, this, &LiveSignals::drain);
+  connect(&values_timer_, &QTimer::timeout, this, &LiveSignals::drainValues);
+  connect(&sweep_timer_, &QTimer::timeout, this, &LiveSignals::dropUnused);
+  rows_timer_.start(kRowsPeriod);
+  values_timer_.start(kValuesPeriod);
+  sweep_timer_.start(kSweepPeriod);
+}
+
+LiveSignals::~LiveSignals() {
+  for (const auto& [path, column] : columns_) telemetry_.Unsubscribe(column.id);
+}
+
+LiveSignals::Column* LiveSignals::open(const QString& path) {
+  if (const auto it = columns_.find(path); it != columns_.end()) return &it->second;
+  const auto parsed = ParsePath(path.toStdString());
+  if (!parsed.ok() || parsed->member.empty()) return nullptr;
+  Column& column = columns_[path];
+  column.feed = std::make_shared<ColumnFeed>();
+  column.id = telemetry_.Subscribe(
+      {parsed->process, parsed->component, parsed->interface, {parsed->member}}, column.feed);
+  return &column;
+}
+
+void LiveSignals::subscribe(const QString& signal) {
+  const QString path = ColumnPathOf(signal);
+  Column* column = open(path);
+  if (column == nullptr) return;
+  if (++column->users[signal] == 1) column->feed->tap(FieldOf(path, signal));
+}
+
+void LiveSignals::release(const QString& signal) {
+  const QString path = ColumnPathOf(signal);
+  const auto it = columns_.find(path);
+  if (it == columns_.end()) return;
+  const auto user = it->second.users.find(signal);
+  if (user == it->second.users.end() || --user->second > 0) return;
+  it->second.users.erase(user);
+  it->second.feed->untap(FieldOf(path, signal));
+}
+
+void LiveSignals::watch(const QObject* owner, const QSet<QString>& columns) {
+  if (!known_owners_.contains(owner)) {
+    known_owners_.insert(owner);
+    connect(owner, &QObject::destroyed, this, [this, owner] {
+      watch(owner, {});
+      known_owners_.remove(owner);
+    });
+  }
+  for (auto& [path, column] : columns_) {
+    if (!columns.contains(path)) column.watchers.remove(owner);
+  }
+  for (const QString& path : columns) {
+    if (Column* column = open(path)) column->watchers.insert(owner);
+  }
+}
+
+void LiveSignals::drain() {
+  // What a receiver does in return may subscribe or release: walk over a copy of the names.
+  QList<std::pair<QString, QString>> signals_of_columns;
+  for (const auto& [path, column] : columns_) {
+    for (const auto& [signal, users] : column.users) signals_of_columns.append({path, signal});
+  }
+  for (const auto& [path, signal] : signals_of_columns) {
+    const auto it = columns_.find(path);
+    if (it != columns_.end() && it->second.users.contains(signal)) drainSignal(it->second, signal);
+  }
+}
+
+void LiveSignals::drainSignal(Column& column, const QString& signal) {
+  const ColumnFeed::Taken taken = column.feed->take(FieldOf(ColumnPathOf(signal), signal));
+  for (const auto& run : taken.runs) {
+    if (run.begins_epoch) Q_EMIT epochBegan(signal);
+    if (!run.samples.empty()) Q_EMIT samplesArrived(signal, run.samples);
+  }
+  if (taken.stale) Q_EMIT wentStale(signal, *taken.stale);
+}
+
+void LiveSignals::drainValues() {
+  QList<std::pair<QString, ColumnValues>> arrived;
+  for (auto& [path, column] : columns_) {
+    if (column.watchers.isEmpty()) continue;
+    if (auto values = column.feed->takeValues()) arrived.append({path, std::move(*values)});
+  }
+  for (const auto& [path, values] : arrived) Q_EMIT valuesArrived(path, values);
+}
+
+void LiveSignals::dropUnused() {
+  for (auto it = columns_.begin(); it != columns_.end();) {
+    Column& column = it->second;
+    column.idle_sweeps = column.used() ? 0 : column.idle_sweeps + 1;
+    if (column.idle_sweeps < kIdleSweeps) {
+      ++it;
+      continue;
+    }
+    telemetry_.Unsubscribe(column.id);
+    it = columns_.erase(it);
+  }
+}
+
+}  // namespace tendon::gui

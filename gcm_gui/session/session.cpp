@@ -1,0 +1,129 @@
+#include <gcm_gui/models/text.h>
+#include <gcm_gui/session/session.h>
+
+#include <chrono>
+#include <utility>
+
+namespace tendon::gui {
+namespace {
+
+double SecondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+template <typename T>
+std::optional<Error> RefusalOf(const Result<T>& result) {
+  return result.ok() ? std::nullopt : std::optional(result.error());
+}
+
+}  // namespace
+
+class Session::Listener final : public GcmListener {
+ public:
+  Listener(Session& session, std::shared_ptr<Courier> courier)
+      : session_(session), courier_(std::move(courier)) {}
+
+  void OnSnapshot(const Catalog& catalogue) override {
+    courier_->post([this, catalogue] { session_.hearSnapshot(catalogue); });
+  }
+  void OnChanges(const std::vector<CatalogChange>& changes) override {
+    courier_->post([this, changes] { session_.hearChanges(changes); });
+  }
+  void OnGcmLost(const Error& reason) override {
+    courier_->post([this, reason] { session_.hearLost(reason); });
+  }
+
+ private:
+  Session& session_;  // used in its own thread only, while it lives
+  std::shared_ptr<Courier> courier_;
+};
+
+Session::Session(std::shared_ptr<Middleware> middleware, const std::string& address, bool hosted)
+    : courier_(std::make_shared<Courier>(this)) {
+  link_.setAddress(ToQString(address), hosted);
+  GcmClient::Options options;
+  options.name = "gcm-gui";
+  options.address = address;
+  client_ = std::make_unique<GcmClient>(std::move(middleware), options,
+                                        std::make_shared<Listener>(*this, courier_));
+  live_signals_ = std::make_unique<LiveSignals>(client_->telemetry());
+}
+
+Session::~Session() {
+  courier_->detach();
+  live_signals_.reset();
+  client_.reset();
+}
+
+void Session::hearSnapshot(const Catalog& catalogue) {
+  store_.replace(catalogue);
+  link_.setConnected();
+}
+
+void Session::hearChanges(const std::vector<CatalogChange>& changes) { store_.apply(changes); }
+
+void Session::hearLost(const Error& reason) { link_.setUnreachable(ToQString(reason.message)); }
+
+Session::Finish Session::begin(Action action) {
+  const ActivityModel::Id id = activity_.begin(std::move(action));
+  const auto start = std::chrono::steady_clock::now();
+  return [this, courier = courier_, id, start](const std::optional<Error>& refusal) {
+    const double seconds = SecondsSince(start);
+    courier->post([this, id, seconds, refusal] { finish(id, seconds, refusal); });
+  };
+}
+
+void Session::finish(ActivityModel::Id id, double seconds, const std::optional<Error>& refusal) {
+  QString text;
+  if (refusal) {
+    text = refusal->message.empty() ? ToQString(tendon::ToString(refusal->code))
+                                    : ToQString(refusal->message);
+  }
+  activity_.finish(id, seconds, text);
+}
+
+void Session::connectInterfaces(const InterfaceName& required, const InterfaceName& provided) {
+  Action action;
+  action.verb = Action::Verb::kConnect;
+  action.required = required;
+  action.provided = provided;
+  client_->Connect(required, provided, [finish = begin(std::move(action))](const auto& result) {
+    finish(RefusalOf(result));
+  });
+}
+
+void Session::disconnectInterface(const InterfaceName& required) {
+  Action action;
+  action.verb = Action::Verb::kDisconnect;
+  action.required = required;
+  client_->Disconnect(required, [finish = begin(std::move(action))](const auto& result) {
+    finish(RefusalOf(result));
+  });
+}
+
+void Session::undo() {
+  Action action;
+  action.verb = Action::Verb::kUndo;
+  const auto start = std::chrono::steady_clock::now();
+  const ActivityModel::Id id = activity_.begin(std::move(action));
+  client_->Undo([this, courier = courier_, id, start](const auto& result) {
+    courier->post([this, id, seconds = SecondsSince(start), result] {
+      finish(id, seconds, RefusalOf(result));
+      if (!result.ok()) return;
+      const bool connected = result->verb == "connect";
+      activity_.markUndone(id, connected ? Action::Verb::kConnect : Action::Verb::kDisconnect,
+                           result->wire.required, result->wire.provided);
+    });
+  });
+}
+
+void Session::forget(const std::string& process) {
+  Action action;
+  action.verb = Action::Verb::kForget;
+  action.process = process;
+  client_->Forget(process, [finish = begin(std::move(action))](const auto& result) {
+    finish(RefusalOf(result));
+  });
+}
+
+}  // namespace tendon::gui

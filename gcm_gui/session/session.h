@@ -1,0 +1,58 @@
+#pragma once
+
+#include <gcm_gui/activity/activity_model.h>
+#include <gcm_gui/session/catalogue_store.h>
+#include <gcm_gui/session/courier.h>
+#include <gcm_gui/session/gcm_link.h>
+#include <gcm_gui/session/live_signals.h>
+#include <gcm_gui/session/system_actions.h>
+#include <tendon/gcm/client.h>
+
+#include <QObject>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace tendon::gui {
+
+/// The window's one connection to the system: the only class that hears network threads. All it
+/// hears arrives in the GUI thread, in order; nothing it is asked to do waits.
+class Session : public QObject, public SystemActions {
+  Q_OBJECT
+
+ public:
+  /// Looks for the GCM at `address`, for as long as it takes.
+  Session(std::shared_ptr<Middleware> middleware, const std::string& address, bool hosted);
+  ~Session() override;
+
+  [[nodiscard]] CatalogueStore& store() { return store_; }
+  [[nodiscard]] GcmLink& link() { return link_; }
+  [[nodiscard]] ActivityModel& activity() { return activity_; }
+  [[nodiscard]] LiveSignals& liveSignals() { return *live_signals_; }
+
+  void connectInterfaces(const InterfaceName& required, const InterfaceName& provided) override;
+  void disconnectInterface(const InterfaceName& required) override;
+  void undo() override;
+  void forget(const std::string& process) override;
+
+ private:
+  class Listener;
+  using Finish = std::function<void(const std::optional<Error>&)>;
+
+  void hearSnapshot(const Catalog& catalogue);
+  void hearChanges(const std::vector<CatalogChange>& changes);
+  void hearLost(const Error& reason);
+  /// Enters the action, and returns what takes its result to the GUI thread from any thread.
+  Finish begin(Action action);
+  void finish(ActivityModel::Id id, double seconds, const std::optional<Error>& refusal);
+
+  CatalogueStore store_;
+  GcmLink link_;
+  ActivityModel activity_;
+  std::shared_ptr<Courier> courier_;
+  std::unique_ptr<GcmClient> client_;
+  std::unique_ptr<LiveSignals> live_signals_;
+};
+
+}  // namespace tendon::gui

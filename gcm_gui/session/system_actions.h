@@ -1,0 +1,26 @@
+#pragma once
+
+#include <tendon/base/name.h>
+
+#include <string>
+
+namespace tendon::gui {
+
+/// What a user can change of the system. Each returns at once; what came of it is told by the
+/// activity list, and the catalogue shows it.
+class SystemActions {
+ public:
+  SystemActions() = default;
+  SystemActions(const SystemActions&) = delete;
+  SystemActions& operator=(const SystemActions&) = delete;
+  virtual ~SystemActions() = default;
+
+  virtual void connectInterfaces(const InterfaceName& required, const InterfaceName& provided) = 0;
+  virtual void disconnectInterface(const InterfaceName& required) = 0;
+  /// Takes back the last step that stands.
+  virtual void undo() = 0;
+  /// Removes what is left of a lost process.
+  virtual void forget(const std::string& process) = 0;
+};
+
+}  // namespace tendon::gui

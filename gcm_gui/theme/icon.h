@@ -1,0 +1,20 @@
+#pragma once
+
+#include <gcm_gui/theme/tokens.h>
+
+#include <QIcon>
+#include <QString>
+
+class QPainter;
+class QRectF;
+
+namespace tendon::gui {
+
+/// The drawing `name` of resources/icons in a colour of the theme. Sharp at every scale, and
+/// follows the theme by itself; disabled ones are stale.
+[[nodiscard]] QIcon ThemeIcon(const QString& name, Token token = Token::kDim);
+
+/// The same, for delegates and scenes.
+void PaintIcon(QPainter& painter, const QRectF& rect, const QString& name, Token token);
+
+}  // namespace tendon::gui

@@ -1,0 +1,112 @@
+#include <gcm_gui/theme/state_mark.h>
+#include <gcm_gui/theme/theme.h>
+
+#include <QIconEngine>
+#include <QPainter>
+#include <QPixmap>
+#include <QPolygonF>
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace tendon::gui {
+namespace {
+
+enum class Shape { kDisc, kRing, kDashedRing, kHalfDisc, kSquare, kBars, kTriangle, kCross };
+
+struct Look {
+  const char* word;
+  Shape shape;
+  Token color;
+};
+
+// In the order of StateMark.
+constexpr std::array<Look, kStateMarkCount> kLooks{{
+    {"constructed", Shape::kRing, Token::kDim},
+    {"ready", Shape::kHalfDisc, Token::kDim},
+    {"active", Shape::kDisc, Token::kOk},
+    {"suspended", Shape::kBars, Token::kWarning},
+    {"finished", Shape::kSquare, Token::kDim},
+    {"faulted", Shape::kCross, Token::kBad},
+    {"connected", Shape::kDisc, Token::kAccent},
+    {"connecting", Shape::kDashedRing, Token::kAccent},
+    {"not connected", Shape::kRing, Token::kAccent},
+    {"refused", Shape::kCross, Token::kBad},
+    {"warning", Shape::kTriangle, Token::kWarning},
+    {"lost", Shape::kCross, Token::kBad},
+}};
+
+const Look& LookOf(StateMark mark) { return kLooks.at(static_cast<std::size_t>(mark)); }
+
+// Within the square from -1 to 1.
+void PaintShape(QPainter& painter, Shape shape, const QColor& color) {
+  QPen pen(color, 0.42);
+  pen.setCapStyle(Qt::RoundCap);
+  const bool outlined =
+      shape == Shape::kRing || shape == Shape::kDashedRing || shape == Shape::kCross;
+  if (shape == Shape::kDashedRing) pen.setDashPattern({1.2, 1.8});
+  painter.setPen(outlined || shape == Shape::kHalfDisc ? pen : QPen(Qt::NoPen));
+  painter.setBrush(outlined ? QBrush(Qt::NoBrush) : QBrush(color));
+  switch (shape) {
+    case Shape::kDisc:
+      return painter.drawEllipse(QPointF(), 1.0, 1.0);
+    case Shape::kRing:
+    case Shape::kDashedRing:
+      return painter.drawEllipse(QPointF(), 0.85, 0.85);
+    case Shape::kHalfDisc:
+      return painter.drawChord(QRectF(-0.85, -0.85, 1.7, 1.7), 90 * 16, 180 * 16);
+    case Shape::kSquare:
+      return painter.drawRect(QRectF(-0.85, -0.85, 1.7, 1.7));
+    case Shape::kBars:
+      painter.drawRect(QRectF(-0.9, -1, 0.65, 2));
+      return painter.drawRect(QRectF(0.25, -1, 0.65, 2));
+    case Shape::kTriangle:
+      return painter.drawPolygon(QPolygonF({{0, -1.05}, {1.15, 0.95}, {-1.15, 0.95}}));
+    case Shape::kCross:
+      painter.drawLine(QPointF(-0.8, -0.8), QPointF(0.8, 0.8));
+      return painter.drawLine(QPointF(-0.8, 0.8), QPointF(0.8, -0.8));
+  }
+}
+
+class MarkIconEngine final : public QIconEngine {
+ public:
+  explicit MarkIconEngine(StateMark mark) : mark_(mark) {}
+
+  void paint(QPainter* painter, const QRect& rect, QIcon::Mode, QIcon::State) override {
+    PaintMark(*painter, rect, mark_);
+  }
+
+  QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
+    QPixmap pixmap(size);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    paint(&painter, {{}, size}, mode, state);
+    return pixmap;
+  }
+
+  [[nodiscard]] QIconEngine* clone() const override { return new MarkIconEngine(mark_); }
+
+ private:
+  StateMark mark_;
+};
+
+}  // namespace
+
+QString WordOf(StateMark mark) { return QString::fromLatin1(LookOf(mark).word); }
+
+Token ColorOf(StateMark mark) { return LookOf(mark).color; }
+
+void PaintMark(QPainter& painter, const QRectF& rect, StateMark mark) {
+  const Look& look = LookOf(mark);
+  const double radius = std::min(rect.width(), rect.height()) * 0.27;
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.translate(rect.center());
+  painter.scale(radius, radius);
+  PaintShape(painter, look.shape, Theme::instance().color(look.color));
+  painter.restore();
+}
+
+QIcon MarkIcon(StateMark mark) { return QIcon(new MarkIconEngine(mark)); }
+
+}  // namespace tendon::gui

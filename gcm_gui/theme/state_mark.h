@@ -1,0 +1,42 @@
+#pragma once
+
+#include <gcm_gui/theme/tokens.h>
+
+#include <QIcon>
+#include <QString>
+
+class QPainter;
+class QRectF;
+
+namespace tendon::gui {
+
+/// What a component, a process, a port or an edge is found to be.
+enum class StateMark {
+  kConstructed,
+  kReady,
+  kActive,
+  kSuspended,
+  kFinished,
+  kFaulted,
+  kConnected,
+  kConnecting,
+  kNotConnected,
+  kRefused,
+  kWarning,
+  kLost,
+};
+inline constexpr int kStateMarkCount = 12;
+
+/// "active", "not connected": always shown or spoken beside the shape.
+[[nodiscard]] QString WordOf(StateMark mark);
+
+[[nodiscard]] Token ColorOf(StateMark mark);
+
+/// The shape that tells it without colour: disc, ring, half disc, square, bars, triangle, cross.
+/// Fills about 8 pixels of `rect`'s centre at 16 pixels, and grows with it.
+void PaintMark(QPainter& painter, const QRectF& rect, StateMark mark);
+
+/// The same as an icon that follows the theme.
+[[nodiscard]] QIcon MarkIcon(StateMark mark);
+
+}  // namespace tendon::gui

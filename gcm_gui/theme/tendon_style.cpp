@@ -1,0 +1,111 @@
+#include <gcm_gui/theme/metrics.h>
+#include <gcm_gui/theme/tendon_style.h>
+#include <gcm_gui/theme/theme.h>
+
+#include <QAbstractItemView>
+#include <QPainter>
+#include <QPolygonF>
+#include <QStyleOption>
+#include <algorithm>
+
+namespace tendon::gui {
+namespace {
+
+// ▸ and ▾, drawn, because not every font has them.
+void DrawBranchArrow(const QStyleOption& option, QPainter& painter) {
+  if (!option.state.testFlag(QStyle::State_Children)) return;
+  constexpr double kHalf = 4;
+  const QPointF centre = QRectF(option.rect).center();
+  QPolygonF arrow({{-kHalf / 2, -kHalf}, {kHalf / 2 + 0.5, 0}, {-kHalf / 2, kHalf}});
+  if (option.state.testFlag(QStyle::State_Open)) {
+    arrow = QPolygonF({{-kHalf, -kHalf / 2}, {kHalf, -kHalf / 2}, {0, kHalf / 2 + 0.5}});
+  }
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(Theme::instance().color(Token::kDim));
+  painter.drawPolygon(arrow.translated(centre));
+  painter.restore();
+}
+
+void DrawFocus(const QStyleOption& option, QPainter& painter) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Theme::instance().color(Token::kAccent));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawRoundedRect(QRectF(option.rect).adjusted(0.5, 0.5, -0.5, -0.5), kGrid, kGrid);
+  painter.restore();
+}
+
+}  // namespace
+
+TendonStyle::TendonStyle() : QProxyStyle("Fusion") {}
+
+void TendonStyle::polish(QWidget* widget) {
+  QProxyStyle::polish(widget);
+  if (auto* view = qobject_cast<QAbstractItemView*>(widget)) view->setFrameShape(QFrame::NoFrame);
+}
+
+int TendonStyle::pixelMetric(PixelMetric metric, const QStyleOption* option,
+                             const QWidget* widget) const {
+  switch (metric) {
+    case PM_SplitterWidth:
+    case PM_DockWidgetSeparatorExtent:
+      return kGap;
+    case PM_TreeViewIndentation:
+      return kIndent;
+    case PM_ScrollBarExtent:
+      return 10;
+    case PM_SmallIconSize:
+    case PM_ButtonIconSize:
+    case PM_TabBarIconSize:
+      return 16;
+    case PM_TabBarTabShiftHorizontal:
+    case PM_TabBarTabShiftVertical:
+    case PM_ButtonShiftHorizontal:
+    case PM_ButtonShiftVertical:
+      return 0;
+    default:
+      return QProxyStyle::pixelMetric(metric, option, widget);
+  }
+}
+
+int TendonStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                           QStyleHintReturn* result) const {
+  switch (hint) {
+    case SH_EtchDisabledText:
+    case SH_ItemView_ActivateItemOnSingleClick:
+    case SH_ItemView_ArrowKeysNavigateIntoChildren:
+      return hint == SH_ItemView_ArrowKeysNavigateIntoChildren ? 1 : 0;
+    case SH_ToolTip_WakeUpDelay:
+      return 400;
+    default:
+      return QProxyStyle::styleHint(hint, option, widget, result);
+  }
+}
+
+QSize TendonStyle::sizeFromContents(ContentsType type, const QStyleOption* option,
+                                    const QSize& size, const QWidget* widget) const {
+  QSize result = QProxyStyle::sizeFromContents(type, option, size, widget);
+  if (type == CT_ItemViewItem) result.setHeight(std::max(result.height(), kRowHeight));
+  return result;
+}
+
+void TendonStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option,
+                                QPainter* painter, const QWidget* widget) const {
+  switch (element) {
+    case PE_IndicatorBranch:
+      return DrawBranchArrow(*option, *painter);
+    case PE_FrameFocusRect:
+      // In an item view the selection says where the focus is; a mouse needs no telling.
+      if (option->state.testFlag(State_KeyboardFocusChange) &&
+          qobject_cast<const QAbstractItemView*>(widget) == nullptr) {
+        DrawFocus(*option, *painter);
+      }
+      return;
+    default:
+      return QProxyStyle::drawPrimitive(element, option, painter, widget);
+  }
+}
+
+}  // namespace tendon::gui

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <QProxyStyle>
+
+namespace tendon::gui {
+
+/// What palette and style sheet cannot say: the height of rows, the arrows of trees, how wide
+/// splitters are. Item views are drawn here and not by the style sheet, which would slow them.
+class TendonStyle : public QProxyStyle {
+  Q_OBJECT
+
+ public:
+  TendonStyle();
+
+  void polish(QWidget* widget) override;
+  using QProxyStyle::polish;
+  int pixelMetric(PixelMetric metric, const QStyleOption* option,
+                  const QWidget* widget) const override;
+  int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                QStyleHintReturn* result) const override;
+  QSize sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& size,
+                         const QWidget* widget) const override;
+  void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                     const QWidget* widget) const override;
+};
+
+}  // namespace tendon::gui

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <gcm_gui/theme/tokens.h>
+
+#include <QFont>
+#include <QObject>
+
+class QWidget;
+
+namespace tendon::gui {
+
+class SystemAppearance;
+
+/// The look of the whole application: style, palette, style sheet and fonts, dark or light.
+///
+/// A widget that paints itself takes its colours from here each time it paints, and repaints on
+/// changed(); nothing else sets a colour. GUI thread only.
+class Theme : public QObject {
+  Q_OBJECT
+
+ public:
+  enum class Choice { kSystem, kDark, kLight };
+
+  /// The one of this QApplication, which it belongs to. The first call dresses the application.
+  static Theme& instance();
+
+  [[nodiscard]] Choice choice() const { return choice_; }
+  /// Takes effect at once, also on open windows.
+  void choose(Choice choice);
+  [[nodiscard]] Appearance appearance() const { return appearance_; }
+
+  [[nodiscard]] QColor color(Token token) const { return ColorOf(token, appearance_); }
+  /// `opacity` from 0 to 1.
+  [[nodiscard]] QColor color(Token token, double opacity) const;
+  [[nodiscard]] QColor curve(int index) const { return CurveColor(index, appearance_); }
+
+  [[nodiscard]] const QFont& text() const { return text_; }      ///< all but what follows
+  [[nodiscard]] const QFont& strong() const { return strong_; }  ///< heads and names
+  [[nodiscard]] const QFont& mono() const { return mono_; }      ///< numbers, paths, types
+  [[nodiscard]] const QFont& small() const { return small_; }    ///< axes and legends
+  [[nodiscard]] const QFont& smallMono() const { return small_mono_; }
+
+ Q_SIGNALS:
+  void changed();
+
+ private:
+  explicit Theme(QObject* parent);
+
+  void follow();
+  void dress();
+  void weighFonts();
+  [[nodiscard]] QString styleSheet() const;
+
+  SystemAppearance* system_;
+  Choice choice_ = Choice::kSystem;
+  Appearance appearance_;
+  QFont text_;
+  QFont strong_;
+  QFont mono_;
+  QFont small_;
+  QFont small_mono_;
+};
+
+/// Gives a label or a tool button its part in the style sheet: "dim", "strong", "mono", "ok",
+/// "warning", "bad", "accent", several separated by blanks; "" for none. A push button may be
+/// "primary".
+void SetRole(QWidget& widget, const QString& role);
+
+}  // namespace tendon::gui

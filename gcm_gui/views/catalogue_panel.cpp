@@ -1,0 +1,102 @@
+#include <gcm_gui/models/text.h>
+#include <gcm_gui/theme/head_row.h>
+#include <gcm_gui/theme/metrics.h>
+#include <gcm_gui/theme/theme.h>
+#include <gcm_gui/views/catalogue_panel.h>
+#include <gcm_gui/views/catalogue_tree.h>
+
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QVBoxLayout>
+#include <chrono>
+
+namespace tendon::gui {
+namespace {
+
+constexpr std::chrono::milliseconds kCountPause{200};
+
+}  // namespace
+
+CataloguePanel::CataloguePanel(CatalogueFilter& filter, Selection& selection, SignalSource& source,
+                               QWidget* parent)
+    : QWidget(parent),
+      filter_(filter),
+      count_(new QLabel),
+      field_(new QLineEdit),
+      tree_(new CatalogueTree(filter, selection, source)) {
+  setObjectName(QStringLiteral("cataloguePanel"));
+  setAutoFillBackground(true);
+  SetRole(*count_, QStringLiteral("dim"));
+  count_->setObjectName(QStringLiteral("catalogueCount"));
+  auto* head = new HeadRow(QStringLiteral("Catalogue"));
+  head->addRight(count_);
+  field_->setObjectName(QStringLiteral("filter"));
+  field_->setAccessibleName(QStringLiteral("Filter the catalogue"));
+  field_->setPlaceholderText(QStringLiteral("Filter: arm type:read state:active"));
+  field_->setToolTip(
+      QStringLiteral("Words must all be in the path; also -word, type:, state:, "
+                     "proc:  (Ctrl+F)"));
+  field_->setClearButtonEnabled(true);
+  field_->installEventFilter(this);
+  auto* around_field = new QVBoxLayout;
+  around_field->setContentsMargins(kInset - 2, 2 * kGrid, kInset - 2, 2 * kGrid);
+  around_field->addWidget(field_);
+
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(head);
+  column->addLayout(around_field);
+  column->addWidget(tree_, 1);
+
+  count_soon_.setSingleShot(true);
+  count_soon_.setInterval(kCountPause);
+  connect(&count_soon_, &QTimer::timeout, this, &CataloguePanel::showCount);
+  connect(field_, &QLineEdit::textChanged, &filter_, &CatalogueFilter::setText);
+  connect(&filter_, &CatalogueFilter::filterApplied, this, &CataloguePanel::showCount);
+  const auto count_soon = [this] { count_soon_.start(); };
+  connect(&filter_, &QAbstractItemModel::rowsInserted, this, count_soon);
+  connect(&filter_, &QAbstractItemModel::rowsRemoved, this, count_soon);
+  tree_->setEmptyText(QStringLiteral("Nothing here yet."));
+  showCount();
+}
+
+void CataloguePanel::showCount() {
+  const int all = filter_.catalogue().itemCount();
+  const QString items = all == 0 ? QString() : CountText(all, QStringLiteral("item"));
+  count_->setText(filter_.active() ? QStringLiteral("%1 of %2").arg(filter_.matchCount()).arg(all)
+                                   : items);
+  tree_->setEmptyText(filter_.active() ? QStringLiteral("No row fits the filter.")
+                                       : QStringLiteral("Nothing here yet."));
+}
+
+void CataloguePanel::focusFilter() {
+  field_->setFocus(Qt::ShortcutFocusReason);
+  field_->selectAll();
+}
+
+bool CataloguePanel::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride &&
+      static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
+    event->accept();  // it clears the field before it means anything to the window
+    return true;
+  }
+  if (event->type() == QEvent::KeyPress) {
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    if (key == Qt::Key_Escape) {
+      field_->clear();
+      filter_.applyText({});
+      tree_->setFocus();
+      return true;
+    }
+    if (key == Qt::Key_Down || key == Qt::Key_Return) {
+      filter_.applyText(field_->text());
+      tree_->setFocus();
+      return true;
+    }
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+}  // namespace tendon::gui

@@ -1,0 +1,192 @@
+#include <gcm_gui/models/row_roles.h>
+#include <gcm_gui/views/catalogue_tree.h>
+#include <gcm_gui/views/row_delegate.h>
+
+#include <QHeaderView>
+#include <QScopedValueRollback>
+#include <chrono>
+
+namespace tendon::gui {
+namespace {
+
+constexpr std::chrono::milliseconds kSettle{50};
+constexpr int kMostExpanded = 200;  // rows that a filter opens by itself
+
+}  // namespace
+
+CatalogueTree::CatalogueTree(CatalogueFilter& filter, Selection& selection, SignalSource& source,
+                             QWidget* parent)
+    : RowView(parent), filter_(filter), selection_(selection), source_(source) {
+  setObjectName(QStringLiteral("catalogue"));
+  setAccessibleName(QStringLiteral("Catalogue"));
+  setSelectionMode(ExtendedSelection);
+  setDragEnabled(true);
+  setDragDropMode(DragOnly);
+  // Before the selection hears of it: what goes with its row stays selected by its path.
+  connect(&filter, &QAbstractItemModel::rowsAboutToBeRemoved, this, [this] { removing_ = true; });
+  setModel(&filter);
+  setColumnHidden(CatalogueModel::kValue, true);
+  rows().setValueColumn(CatalogueModel::kValue);
+  header()->setSectionResizeMode(CatalogueModel::kName, QHeaderView::Stretch);
+  settle_.setSingleShot(true);
+  settle_.setInterval(kSettle);
+  connect(&settle_, &QTimer::timeout, this, &CatalogueTree::watchVisible);
+  connectModel();
+  restore({}, 0, filter.rowCount({}) - 1);
+}
+
+void CatalogueTree::connectModel() {
+  connect(model(), &QAbstractItemModel::rowsInserted, this,
+          [this](const QModelIndex& parent, int first, int last) {
+            restore(parent, first, last);
+            showSelection();
+            settle_.start();
+          });
+  connect(model(), &QAbstractItemModel::rowsRemoved, this, [this] {
+    removing_ = false;
+    settle_.start();
+  });
+  connect(model(), &QAbstractItemModel::dataChanged, viewport(), [this] { viewport()->update(); });
+  connect(&filter_, &CatalogueFilter::filterApplied, this, &CatalogueTree::applyFilter);
+  connect(&selection_, &Selection::changed, this, &CatalogueTree::showSelection);
+  connect(selectionModel(), &QItemSelectionModel::selectionChanged, this,
+          &CatalogueTree::publishSelection);
+  connect(this, &QTreeView::doubleClicked, this, &CatalogueTree::activateRow);
+  const auto remember = [this](const QModelIndex& index, bool open) {
+    settle_.start();
+    if (restoring_ || filter_.active()) return;
+    const QString path = index.data(kPathRole).toString();
+    if (open) {
+      expanded_.insert(path);
+      collapsed_.remove(path);
+    } else {
+      expanded_.remove(path);
+      collapsed_.insert(path);
+    }
+  };
+  connect(this, &QTreeView::expanded, this,
+          [remember](const QModelIndex& i) { remember(i, true); });
+  connect(this, &QTreeView::collapsed, this,
+          [remember](const QModelIndex& i) { remember(i, false); });
+}
+
+bool CatalogueTree::wantsExpanded(const QModelIndex& index) const {
+  const QString path = index.data(kPathRole).toString();
+  const bool is_process = index.data(kKindRole).toInt() == static_cast<int>(ItemKind::kProcess);
+  return expanded_.contains(path) || (is_process && !collapsed_.contains(path));
+}
+
+void CatalogueTree::restore(const QModelIndex& parent, int first, int last) {
+  const QScopedValueRollback guard(restoring_, true);
+  for (int row = first; row <= last; ++row) {
+    const QModelIndex index = model()->index(row, 0, parent);
+    if (wantsExpanded(index)) setExpanded(index, true);
+    restore(index, 0, model()->rowCount(index) - 1);
+  }
+}
+
+void CatalogueTree::applyFilter() {
+  const QScopedValueRollback guard(restoring_, true);
+  if (filter_.active() && filter_.matchCount() <= kMostExpanded) {
+    expandToDepth(3);
+  } else if (!filter_.active()) {
+    collapseAll();
+    restore({}, 0, filter_.rowCount({}) - 1);
+    scrollTo(currentIndex());
+  }
+  settle_.start();
+}
+
+void CatalogueTree::activateRow(const QModelIndex& index) {
+  const CatalogueItem* item = filter_.item(index);
+  if (item == nullptr) return;
+  if (item->kind >= ItemKind::kColumn) {
+    Q_EMIT plotRequested(item->path);
+  } else if (item->kind == ItemKind::kRequired || item->kind == ItemKind::kProvided) {
+    Q_EMIT connectRequested(item->path);
+  } else {
+    setExpanded(index, !isExpanded(index));
+  }
+}
+
+void CatalogueTree::publishSelection() {
+  if (publishing_ || removing_) return;
+  const QScopedValueRollback guard(publishing_, true);
+  QStringList paths;
+  for (const QModelIndex& index : selectionModel()->selectedRows()) {
+    paths.append(index.data(kPathRole).toString());
+  }
+  // The row last pointed at is the current one.
+  const QString current = currentIndex().data(kPathRole).toString();
+  if (paths.removeOne(current)) paths.append(current);
+  selection_.setPaths(paths);
+}
+
+void CatalogueTree::showSelection() {
+  if (publishing_) return;
+  const QScopedValueRollback guard(publishing_, true);
+  QItemSelection rows;
+  for (const QString& path : selection_.paths()) {
+    const QModelIndex index = filter_.indexOf(path);
+    if (index.isValid()) rows.select(index, index);
+  }
+  selectionModel()->select(rows, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+  const QModelIndex current = filter_.indexOf(selection_.current());
+  if (current.isValid()) {
+    selectionModel()->setCurrentIndex(current, QItemSelectionModel::NoUpdate);
+  }
+}
+
+void CatalogueTree::reveal(const QString& path) {
+  const QModelIndex index = filter_.indexOf(path);
+  if (!index.isValid()) return;
+  for (QModelIndex above = index.parent(); above.isValid(); above = above.parent()) expand(above);
+  scrollTo(index);
+}
+
+QHash<QString, QRect> CatalogueTree::visibleRows() const {
+  QHash<QString, QRect> rows;
+  QModelIndex index = indexAt({1, 1});
+  while (index.isValid()) {
+    const QRect rect = visualRect(index);
+    if (rect.top() >= viewport()->height()) break;
+    rows.insert(index.data(kPathRole).toString(), rect);
+    index = indexBelow(index);
+  }
+  return rows;
+}
+
+void CatalogueTree::watchVisible() {
+  QSet<QString> columns;
+  QModelIndex index = isVisible() ? indexAt({1, 1}) : QModelIndex();
+  while (index.isValid() && visualRect(index).top() < viewport()->height()) {
+    const CatalogueItem* item = filter_.item(index);
+    if (item->kind >= ItemKind::kColumn && !item->gone) {
+      columns.insert(filter_.catalogue().columnOf(filter_.mapToSource(index)));
+    }
+    index = indexBelow(index);
+  }
+  source_.watch(this, columns);
+}
+
+void CatalogueTree::resizeEvent(QResizeEvent* event) {
+  RowView::resizeEvent(event);
+  settle_.start();
+}
+
+void CatalogueTree::showEvent(QShowEvent* event) {
+  RowView::showEvent(event);
+  settle_.start();
+}
+
+void CatalogueTree::hideEvent(QHideEvent* event) {
+  RowView::hideEvent(event);
+  settle_.start();
+}
+
+void CatalogueTree::scrollContentsBy(int dx, int dy) {
+  RowView::scrollContentsBy(dx, dy);
+  settle_.start();
+}
+
+}  // namespace tendon::gui

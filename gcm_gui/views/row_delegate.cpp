@@ -1,0 +1,141 @@
+#include <gcm_gui/models/row_roles.h>
+#include <gcm_gui/models/state_of.h>
+#include <gcm_gui/theme/metrics.h>
+#include <gcm_gui/theme/theme.h>
+#include <gcm_gui/views/row_delegate.h>
+
+#include <QAbstractItemView>
+#include <QFontMetrics>
+#include <QPainter>
+#include <algorithm>
+
+namespace tendon::gui {
+namespace {
+
+constexpr int kGlyphWidth = 16;
+constexpr int kSpace = 6;
+constexpr int kHeaderPadding = 8;  // under the words of a header
+
+/// Draws as much of `text` as fits, and returns the width it took.
+int PaintText(QPainter& painter, const QRect& rect, const QString& text, const QFont& font,
+              Token token, Qt::Alignment side) {
+  if (text.isEmpty() || rect.width() <= 0) return 0;
+  const QFontMetrics metrics(font);
+  const QString shown = metrics.elidedText(text, Qt::ElideRight, rect.width());
+  painter.setFont(font);
+  painter.setPen(Theme::instance().color(token));
+  painter.drawText(rect, static_cast<int>(side | Qt::AlignVCenter) | Qt::TextSingleLine, shown);
+  return metrics.horizontalAdvance(shown);
+}
+
+QFont FontOf(const QModelIndex& index) {
+  const Theme& theme = Theme::instance();
+  switch (static_cast<Face>(index.data(kFaceRole).toInt())) {
+    case Face::kStrong:
+      return theme.strong();
+    case Face::kMono:
+      return theme.mono();
+    case Face::kPlain:
+      break;
+  }
+  return theme.text();
+}
+
+}  // namespace
+
+QSize RowDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
+  return {QStyledItemDelegate::sizeHint(option, index).width(), kRowHeight};
+}
+
+void RowDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
+                        const QModelIndex& index) const {
+  painter->save();
+  QRect rect = option.rect;
+  if (const auto* view = qobject_cast<const QAbstractItemView*>(option.widget)) {
+    // Buttons of the row stand at its right end.
+    const QWidget* buttons = view->indexWidget(index);
+    if (buttons != nullptr) rect.setRight(rect.right() - buttons->childrenRect().width() - kInset);
+  }
+  const bool is_value = index.column() > 0 && !all_left_;
+  if (index.column() == 0 && value_column_ >= 0) {
+    rect = paintValue(*painter, rect, index.siblingAtColumn(value_column_));
+    rect.setRight(rect.right() - kSpace);
+  }
+  if (const QString trail = index.data(kTrailRole).toString(); !trail.isEmpty()) {
+    rect.setRight(rect.right() - kInset);
+    const int used =
+        PaintText(*painter, rect, trail, Theme::instance().text(), Token::kDim, Qt::AlignRight);
+    rect.setRight(rect.right() - used - kSpace);
+  }
+  if (is_value) {
+    paintValue(*painter, rect, index);
+  } else {
+    paintName(*painter, rect, index);
+  }
+  painter->restore();
+}
+
+QRect RowDelegate::paintValue(QPainter& painter, QRect rect, const QModelIndex& index) const {
+  const Theme& theme = Theme::instance();
+  const bool stale = index.data(kStaleRole).toBool();
+  const bool accent = index.data(kAccentRole).toBool();
+  const bool prose = index.data(kProseRole).toBool();
+  const QString text = index.data().toString();
+  rect.setRight(rect.right() - kInset);
+
+  const QRect room = rect.adjusted(rect.width() / 4, 0, 0, 0);  // the name keeps a quarter at least
+  int used = 0;
+  if (const QString unit = index.data(kUnitRole).toString(); !unit.isEmpty()) {
+    used = PaintText(painter, room, unit, theme.mono(), Token::kDim, Qt::AlignRight) + kSpace;
+  }
+  const Token token = accent                                     ? Token::kAccent
+                      : stale || index.data(kQuietRole).toBool() ? Token::kDim
+                                                                 : Token::kText;
+  used += PaintText(painter, room.adjusted(0, 0, -used, 0), text,
+                    prose ? theme.text() : theme.mono(), token, Qt::AlignRight);
+  const QVariant mark = index.data(kMarkRole);
+  if (mark.isValid()) {
+    const QRect place(rect.right() - used - kGlyphWidth - 2, rect.top(), kGlyphWidth,
+                      rect.height());
+    PaintMark(painter, place, mark.value<StateMark>());
+    used += kGlyphWidth + 2;
+  }
+  return rect.adjusted(0, 0, -used, 0);
+}
+
+QRect RowDelegate::paintName(QPainter& painter, QRect rect, const QModelIndex& index) const {
+  rect.setLeft(rect.left() + (index.column() == 0 ? left_inset_ : kHeaderPadding));
+  const bool stale = index.data(kStaleRole).toBool();
+  if (const QString time = index.data(kTimeRole).toString(); !time.isEmpty()) {
+    const QFont& mono = Theme::instance().mono();
+    rect.setLeft(rect.left() + kSpace +
+                 PaintText(painter, rect, time, mono, Token::kDim, Qt::AlignLeft));
+  }
+  const QVariant mark = index.data(kGlyphMarkRole);
+  const QString glyph = index.data(kGlyphRole).toString();
+  const QRect place(rect.left(), rect.top(), kGlyphWidth, rect.height());
+  if (mark.isValid()) {
+    painter.setOpacity(stale ? 0.45 : 1.0);
+    PaintMark(painter, place, mark.value<StateMark>());
+    painter.setOpacity(1.0);
+  } else if (!glyph.isEmpty()) {
+    PaintText(painter, place, glyph, Theme::instance().text(), Token::kDim, Qt::AlignHCenter);
+  }
+  if (mark.isValid() || !glyph.isEmpty()) rect.setLeft(rect.left() + kGlyphWidth + kSpace / 2);
+
+  QFont font = FontOf(index);
+  font.setStrikeOut(index.data(kStruckRole).toBool());
+  const int used = PaintText(painter, rect, index.data().toString(), font,
+                             stale ? Token::kDim : Token::kText, Qt::AlignLeft);
+  rect.setLeft(rect.left() + used + kSpace);
+  if (const QString object = index.data(kObjectRole).toString(); !object.isEmpty()) {
+    const QFont& mono = Theme::instance().mono();
+    const int width = PaintText(painter, rect, object, mono, Token::kText, Qt::AlignLeft);
+    rect.setLeft(rect.left() + width + 2 * kSpace);
+  }
+  PaintText(painter, rect, index.data(kDetailRole).toString(), Theme::instance().mono(),
+            Token::kDim, Qt::AlignLeft);
+  return rect;
+}
+
+}  // namespace tendon::gui

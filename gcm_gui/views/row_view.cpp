@@ -1,0 +1,77 @@
+#include <gcm_gui/theme/metrics.h>
+#include <gcm_gui/theme/theme.h>
+#include <gcm_gui/views/row_delegate.h>
+#include <gcm_gui/views/row_view.h>
+
+#include <QHeaderView>
+#include <QPainter>
+
+namespace tendon::gui {
+namespace {
+
+constexpr int kTreeInset = 6;  // of the arrows from the edge
+
+}  // namespace
+
+RowView::RowView(QWidget* parent) : QTreeView(parent), delegate_(new RowDelegate(this)) {
+  setItemDelegate(delegate_);
+  setHeaderHidden(true);
+  setUniformRowHeights(true);
+  setFrameShape(QFrame::NoFrame);
+  setIndentation(kIndent);
+  delegate_->setLeftInset(kTreeInset);
+  setMouseTracking(true);
+  setExpandsOnDoubleClick(false);
+  setVerticalScrollMode(ScrollPerPixel);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  header()->setStretchLastSection(false);
+  header()->setMinimumSectionSize(kRowHeight);
+  connect(&Theme::instance(), &Theme::changed, viewport(), qOverload<>(&QWidget::update));
+}
+
+void RowView::drawRow(QPainter* painter, const QStyleOptionViewItem& option,
+                      const QModelIndex& index) const {
+  const bool selected = selectionModel() != nullptr && selectionModel()->isSelected(index);
+  const bool hovered =
+      option.rect.contains(viewport()->mapFromGlobal(QCursor::pos())) && viewport()->underMouse();
+  const Theme& theme = Theme::instance();
+  if (selected) {
+    painter->fillRect(option.rect, theme.color(Token::kSelection));
+  } else if (hovered) {
+    painter->fillRect(option.rect, theme.color(Token::kRaised));
+  }
+  QStyleOptionViewItem plain = option;
+  plain.state &= ~(QStyle::State_Selected | QStyle::State_MouseOver);
+  plain.showDecorationSelected = false;
+  QTreeView::drawRow(painter, plain, index);
+}
+
+void RowView::drawBranches(QPainter* painter, const QRect& rect, const QModelIndex& index) const {
+  QTreeView::drawBranches(painter, rect.translated(kTreeInset, 0), index);
+}
+
+void RowView::paintEvent(QPaintEvent* event) {
+  QTreeView::paintEvent(event);
+  if (empty_text_.isEmpty() || model() == nullptr || model()->rowCount(rootIndex()) > 0) return;
+  QPainter painter(viewport());
+  painter.setFont(Theme::instance().text());
+  painter.setPen(Theme::instance().color(Token::kDim));
+  painter.drawText(viewport()->rect().adjusted(kInset, kInset, -kInset, -kInset),
+                   static_cast<int>(Qt::AlignHCenter | Qt::AlignTop) | Qt::TextWordWrap,
+                   empty_text_);
+}
+
+RowView* MakeRowList(QAbstractItemModel& model, const QString& name, const QString& empty_text) {
+  auto* list = new RowView;
+  list->setObjectName(name);
+  list->setAccessibleName(name);
+  list->setRootIsDecorated(false);
+  list->setIndentation(0);
+  list->rows().setLeftInset(10);
+  list->setModel(&model);
+  list->setEmptyText(empty_text);
+  list->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+  return list;
+}
+
+}  // namespace tendon::gui

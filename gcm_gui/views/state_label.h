@@ -1,0 +1,32 @@
+#pragma once
+
+#include <gcm_gui/theme/state_mark.h>
+
+#include <QString>
+#include <QWidget>
+
+namespace tendon::gui {
+
+/// A mark and its word, in the state's colour.
+class StateLabel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit StateLabel(QWidget* parent = nullptr);
+
+  /// An empty text shows the mark's own word.
+  void show(StateMark mark, const QString& text = {});
+  [[nodiscard]] const QString& text() const { return text_; }
+
+  [[nodiscard]] QSize sizeHint() const override;
+  [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  StateMark mark_ = StateMark::kReady;
+  QString text_;
+};
+
+}  // namespace tendon::gui

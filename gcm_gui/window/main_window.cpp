@@ -1,0 +1,282 @@
+#include <gcm_gui/activity/activity_strip.h>
+#include <gcm_gui/graph/graph_scene.h>
+#include <gcm_gui/graph/graph_view.h>
+#include <gcm_gui/inspector/inspector.h>
+#include <gcm_gui/models/row_roles.h>
+#include <gcm_gui/models/text.h>
+#include <gcm_gui/plot/plot_panel.h>
+#include <gcm_gui/theme/metrics.h>
+#include <gcm_gui/theme/theme.h>
+#include <gcm_gui/views/catalogue_panel.h>
+#include <gcm_gui/views/catalogue_tree.h>
+#include <gcm_gui/views/row_delegate.h>
+#include <gcm_gui/views/row_view.h>
+#include <gcm_gui/views/tab_panel.h>
+#include <gcm_gui/window/empty_state.h>
+#include <gcm_gui/window/main_window.h>
+#include <gcm_gui/window/notice_line.h>
+#include <gcm_gui/window/plot_binding.h>
+#include <gcm_gui/window/top_bar.h>
+#include <gcm_gui/window/zoom_buttons.h>
+#include <tendon/base/path.h>
+
+#include <QAction>
+#include <QHeaderView>
+#include <QSplitter>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <chrono>
+
+namespace tendon::gui {
+namespace {
+
+constexpr QSize kWindow{1280, 800};
+constexpr int kCatalogueWidth = 280;
+constexpr int kInspectorWidth = 312;
+constexpr int kStripHeight = 124;
+constexpr int kPlotsHeight = 268;
+constexpr int kLeastPlotsHeight = 120;
+constexpr std::chrono::seconds kSecond{1};
+
+QSplitter* MakeSplitter(Qt::Orientation orientation, const QString& name) {
+  auto* splitter = new QSplitter(orientation);
+  splitter->setObjectName(name);
+  splitter->setChildrenCollapsible(false);
+  splitter->setHandleWidth(kGap);
+  return splitter;
+}
+
+}  // namespace
+
+MainWindow::MainWindow(WindowParts parts)
+    : parts_(parts), filter_(catalogue_model_), mode_(parts.store, parts.actions) {
+  setObjectName(QStringLiteral("window"));
+  setWindowTitle(QStringLiteral("gcm-gui"));
+  resize(kWindow);
+  connectModels();
+  buildViews();
+  connectViews();
+  addKeys();
+  second_.start(kSecond);
+  connect(&second_, &QTimer::timeout, this, &MainWindow::tick);
+  tick();
+  showPage();
+  catalogue_->tree().setFocus();
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::connectModels() {
+  CatalogueStore& store = parts_.store;
+  connect(&store, &CatalogueStore::changed, &catalogue_model_, &CatalogueModel::update);
+  connect(&store, &CatalogueStore::changed, &connections_, &ConnectionsModel::update);
+  connect(&store, &CatalogueStore::changed, &problems_, &ProblemsModel::update);
+  connect(&store, &CatalogueStore::changed, this, &MainWindow::showPage);
+  connect(&parts_.source, &SignalSource::valuesArrived, &catalogue_model_,
+          &CatalogueModel::showValues);
+  connect(&parts_.activity, &ActivityModel::finished, &problems_, &ProblemsModel::hear);
+  Touched all;
+  for (const auto& [name, entry] : store.catalogue().processes()) all.insert({name, {}});
+  catalogue_model_.update(store.catalogue(), all);
+  connections_.update(store.catalogue());
+  problems_.update(store.catalogue());
+}
+
+void MainWindow::buildViews() {
+  top_bar_ = new TopBar(parts_.store, parts_.link);
+  catalogue_ = new CataloguePanel(filter_, selection_, parts_.source);
+  inspector_ = new Inspector(parts_.store, connections_, selection_, parts_.source, parts_.actions);
+  strip_ = new ActivityStrip(parts_.activity, problems_, parts_.actions, selection_);
+
+  auto* columns = MakeSplitter(Qt::Horizontal, QStringLiteral("columns"));
+  columns->addWidget(catalogue_);
+  columns->addWidget(buildCentre());
+  columns->addWidget(inspector_);
+  columns->setStretchFactor(1, 1);
+  columns->setSizes(
+      {kCatalogueWidth, kWindow.width() - kCatalogueWidth - kInspectorWidth, kInspectorWidth});
+  auto* rows = MakeSplitter(Qt::Vertical, QStringLiteral("rows"));
+  rows->addWidget(columns);
+  rows->addWidget(strip_);
+  rows->setStretchFactor(0, 1);
+  rows->setSizes({kWindow.height() - kStripHeight - kTopBarHeight, kStripHeight});
+
+  auto* body = new QWidget;
+  auto* column = new QVBoxLayout(body);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(kGap);
+  column->addWidget(top_bar_);
+  column->addWidget(rows, 1);
+  const auto dress = [body] {
+    QPalette palette = body->palette();
+    palette.setColor(QPalette::Window, Theme::instance().color(Token::kCanvas));
+    body->setPalette(palette);
+  };
+  setCentralWidget(body);
+  body->setAutoFillBackground(true);
+  dress();
+  connect(&Theme::instance(), &Theme::changed, body, dress);
+}
+
+QWidget* MainWindow::buildCentre() {
+  centre_ = new TabPanel(QStringLiteral("centre"));
+  centre_->addPage(buildGraphPage(), QStringLiteral("Graph"));
+  centre_->addPage(buildConnectionsPage(), QStringLiteral("Connections"));
+  notice_ = new NoticeLine(mode_, parts_.activity);
+  centre_->addRight(notice_);
+  plots_ = new PlotPanel;
+  plots_->setAutoFillBackground(true);
+  plots_->setMinimumHeight(kLeastPlotsHeight);
+  binding_ = new PlotBinding(*plots_, parts_.source, catalogue_model_, this);
+  auto* rows = MakeSplitter(Qt::Vertical, QStringLiteral("centreRows"));
+  rows->addWidget(centre_);
+  rows->addWidget(plots_);
+  rows->setStretchFactor(0, 1);
+  rows->setSizes({kWindow.height() - kStripHeight - kTopBarHeight - kPlotsHeight, kPlotsHeight});
+  return rows;
+}
+
+QWidget* MainWindow::buildGraphPage() {
+  scene_ = new GraphScene(parts_.store, selection_, mode_, this);
+  graph_ = new GraphView(*scene_, selection_, mode_);
+  new ZoomButtons(*graph_);
+  graph_page_ = new QStackedWidget;
+  graph_page_->addWidget(new EmptyState(parts_.link));
+  graph_page_->addWidget(graph_);
+  return graph_page_;
+}
+
+QWidget* MainWindow::buildConnectionsPage() {
+  RowView* list = MakeRowList(connections_, QStringLiteral("connections"),
+                              QStringLiteral("Nothing is connected."));
+  list->rows().setAllLeft(true);
+  list->rows().setLeftInset(2 * kGrid);
+  list->setHeaderHidden(false);
+  list->header()->setSectionResizeMode(QHeaderView::Stretch);
+  connect(list, &QTreeView::clicked, this, [this](const QModelIndex& index) {
+    selection_.select(index.siblingAtColumn(0).data(kPathRole).toString());
+  });
+  return list;
+}
+
+void MainWindow::connectViews() {
+  connect(&catalogue_->tree(), &CatalogueTree::plotRequested, binding_, &PlotBinding::plot);
+  connect(&catalogue_->tree(), &CatalogueTree::connectRequested, this,
+          &MainWindow::startConnecting);
+  connect(&catalogue_->tree(), &QTreeView::clicked, this, [this](const QModelIndex& index) {
+    if (mode_.active()) pickInConnectMode(index.data(kPathRole).toString());
+  });
+  connect(inspector_, &Inspector::plotRequested, binding_, &PlotBinding::plotSignal);
+  connect(binding_, &PlotBinding::notice, notice_, &NoticeLine::tell);
+  connect(top_bar_, &TopBar::problemsRequested, strip_, &ActivityStrip::showProblems);
+  connect(top_bar_, &TopBar::pauseRequested, plots_, &PlotPanel::setPaused);
+  connect(plots_, &PlotPanel::pausedChanged, top_bar_, &TopBar::showPaused);
+  connect(&problems_, &ProblemsModel::countChanged, top_bar_, &TopBar::showProblemCount);
+  top_bar_->showProblemCount(problems_.rowCount());
+  connect(&mode_, &ConnectMode::picked, scene_, &GraphScene::showRequested);
+  connect(&mode_, &ConnectMode::picked, this, [this](const InterfaceName& required) {
+    selection_.select(ToQString(ToString(required)));
+  });
+  connect(&parts_.activity, &ActivityModel::finished, scene_,
+          [this](const Action& action) { scene_->forgetRequested(action.required); });
+}
+
+void MainWindow::addKey(const QKeySequence& key, const QString& name, void (MainWindow::*slot)()) {
+  auto* action = new QAction(name, this);
+  action->setObjectName(name);
+  action->setShortcut(key);
+  connect(action, &QAction::triggered, this, slot);
+  addAction(action);
+}
+
+void MainWindow::addKeys() {
+  addKey(Qt::Key_P, QStringLiteral("Plot"), &MainWindow::plotSelection);
+  addKey(Qt::Key_C, QStringLiteral("Connect"), &MainWindow::connectSelection);
+  addKey(Qt::Key_D, QStringLiteral("Disconnect"), &MainWindow::disconnectSelection);
+  addKey(Qt::Key_F4, QStringLiteral("Reveal"), &MainWindow::revealSelection);
+  addKey(Qt::Key_Escape, QStringLiteral("Leave"), &MainWindow::escape);
+  const auto add = [this](const QKeySequence& key, const QString& name, auto function) {
+    auto* action = new QAction(name, this);
+    action->setObjectName(name);
+    action->setShortcut(key);
+    connect(action, &QAction::triggered, this, function);
+    addAction(action);
+  };
+  add(QKeySequence::Undo, QStringLiteral("Undo"), [this] { parts_.actions.undo(); });
+  add(QKeySequence::Find, QStringLiteral("Filter"), [this] { catalogue_->focusFilter(); });
+  add(Qt::Key_Space, QStringLiteral("Pause"), [this] { plots_->setPaused(!plots_->isPaused()); });
+}
+
+void MainWindow::plotSelection() {
+  for (const QString& path : selection_.paths()) binding_->plot(path);
+}
+
+void MainWindow::startConnecting(const QString& path) {
+  const auto name = ParseInterfaceName(path.section('.', 0, 0).toStdString());
+  if (!name.ok()) return;
+  const bool required = parts_.store.catalogue().FindRequired(*name) != nullptr;
+  centre_->setCurrent(0);
+  if (!mode_.start({required ? Side::kRequired : Side::kProvided, *name})) return;
+  selection_.select(path);
+  graph_->reveal(path);
+  graph_->setFocus();
+}
+
+void MainWindow::pickInConnectMode(const QString& path) {
+  const auto name = ParseInterfaceName(path.section('.', 0, 0).toStdString());
+  if (!name.ok()) return;
+  const bool to_provided = mode_.chosen().side == Side::kRequired;
+  mode_.pick({to_provided ? Side::kProvided : Side::kRequired, *name});
+}
+
+void MainWindow::connectSelection() {
+  const auto path = ParsePath(selection_.current().toStdString());
+  if (!path.ok()) return notice_->tell(QStringLiteral("Select an interface to connect it"));
+  if (!path->interface.empty()) return startConnecting(selection_.current());
+  const auto* component = parts_.store.catalogue().FindComponent(path->process, path->component);
+  if (component != nullptr) {
+    for (const auto& required : component->required) {
+      const InterfaceName name{path->process, path->component, required.name};
+      if (parts_.store.catalogue().FindConnection(name) != nullptr) continue;
+      return startConnecting(ToQString(ToString(name)));
+    }
+  }
+  notice_->tell(selection_.current() + QStringLiteral(" has no unconnected required interface"));
+}
+
+void MainWindow::disconnectSelection() {
+  const QString interface = selection_.current().section('.', 0, 0);
+  const auto name = ParseInterfaceName(interface.toStdString());
+  if (name.ok() && parts_.store.catalogue().FindConnection(*name) != nullptr) {
+    return parts_.actions.disconnectInterface(*name);
+  }
+  notice_->tell(QStringLiteral("Select a connected required interface to disconnect it"));
+}
+
+void MainWindow::revealSelection() {
+  catalogue_->tree().reveal(selection_.current());
+  graph_->reveal(selection_.current());
+}
+
+void MainWindow::escape() {
+  if (mode_.active()) return mode_.leave();
+  notice_->tell({});
+}
+
+void MainWindow::showPage() {
+  const auto& processes = parts_.store.catalogue().processes();
+  const bool any = std::any_of(processes.begin(), processes.end(),
+                               [](const auto& entry) { return !entry.second.components.empty(); });
+  graph_page_->setCurrentWidget(any || processes.size() > 1 ? static_cast<QWidget*>(graph_)
+                                                            : graph_page_->widget(0));
+}
+
+void MainWindow::tick() {
+  const qint64 now = WallClock();
+  catalogue_model_.setNow(now);
+  scene_->setNow(now);
+  top_bar_->setNow(now);
+}
+
+}  // namespace tendon::gui

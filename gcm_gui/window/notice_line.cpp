@@ -1,0 +1,103 @@
+#include <gcm_gui/models/text.h>
+#include <gcm_gui/theme/metrics.h>
+#include <gcm_gui/theme/theme.h>
+#include <gcm_gui/window/notice_line.h>
+
+#include <QFontMetrics>
+#include <QPainter>
+#include <chrono>
+
+namespace tendon::gui {
+namespace {
+
+constexpr std::chrono::seconds kShown{8};
+
+int WidthOf(const QString& text, const QFont& font) {
+  return QFontMetrics(font).horizontalAdvance(text);
+}
+
+}  // namespace
+
+NoticeLine::NoticeLine(const ConnectMode& mode, const ActivityModel& activity, QWidget* parent)
+    : QWidget(parent), mode_(mode) {
+  setObjectName(QStringLiteral("notice"));
+  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
+  fade_.setSingleShot(true);
+  fade_.setInterval(kShown);
+  connect(&fade_, &QTimer::timeout, this, [this] { tell({}); });
+  connect(&mode, &ConnectMode::changed, this, &NoticeLine::refresh);
+  connect(&mode, &ConnectMode::notice, this, &NoticeLine::tell);
+  connect(&activity, &ActivityModel::finished, this, &NoticeLine::hear);
+  connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
+}
+
+void NoticeLine::tell(const QString& text) {
+  notice_ = text;
+  if (!text.isEmpty()) fade_.start();
+  refresh();
+}
+
+void NoticeLine::hear(const Action& finished) {
+  if (finished.outcome == Action::Outcome::kRefused) return tell(finished.refusal);
+  const QString time = DurationText(finished.seconds);
+  switch (finished.verb) {
+    case Action::Verb::kConnect:
+      return tell(QStringLiteral("Connected in %1 · Ctrl+Z undoes").arg(time));
+    case Action::Verb::kDisconnect:
+      return tell(QStringLiteral("Disconnected in %1 · Ctrl+Z undoes").arg(time));
+    case Action::Verb::kUndo:
+      return tell(QStringLiteral("Undone in %1").arg(time));
+    case Action::Verb::kForget:
+      return tell(QStringLiteral("Forgotten"));
+  }
+}
+
+void NoticeLine::showMode() {
+  const PortName& port = mode_.chosen();
+  const QString other =
+      port.side == Side::kRequired ? QStringLiteral("provided") : QStringLiteral("required");
+  before_ = QStringLiteral("Connect ");
+  path_ = ToQString(ToString(port.name));
+  after_ =
+      mode_.best() != nullptr
+          ? QStringLiteral(" · pick a %1 interface · Esc").arg(other)
+          : QStringLiteral(" · no %1 interface fits; point at one to see why · Esc").arg(other);
+}
+
+void NoticeLine::refresh() {
+  before_ = notice_;
+  path_.clear();
+  after_.clear();
+  if (mode_.active()) showMode();
+  setToolTip(text());
+  setAccessibleName(text());
+  updateGeometry();
+  update();
+}
+
+QSize NoticeLine::sizeHint() const {
+  const Theme& theme = Theme::instance();
+  return {WidthOf(before_, theme.text()) + WidthOf(path_, theme.mono()) +
+              WidthOf(after_, theme.text()) + 2,
+          kRowHeight};
+}
+
+QSize NoticeLine::minimumSizeHint() const { return {0, kRowHeight}; }
+
+void NoticeLine::paintEvent(QPaintEvent*) {
+  const Theme& theme = Theme::instance();
+  QPainter painter(this);
+  QRect room = rect();
+  const auto put = [&](const QString& text, const QFont& font, Token token) {
+    painter.setFont(font);
+    painter.setPen(theme.color(token));
+    const QString shown = QFontMetrics(font).elidedText(text, Qt::ElideRight, room.width());
+    painter.drawText(room, Qt::AlignVCenter | Qt::AlignLeft, shown);
+    room.setLeft(room.left() + WidthOf(shown, font));
+  };
+  put(before_, theme.text(), Token::kDim);
+  put(path_, theme.mono(), Token::kAccent);
+  put(after_, theme.text(), Token::kDim);
+}
+
+}  // namespace tendon::gui

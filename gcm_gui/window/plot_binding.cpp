@@ -1,0 +1,45 @@
+#include <gcm_gui/models/catalogue_model.h>
+#include <gcm_gui/plot/plot_panel.h>
+#include <gcm_gui/window/plot_binding.h>
+
+namespace tendon::gui {
+
+PlotBinding::PlotBinding(PlotPanel& panel, SignalSource& source, const CatalogueModel& model,
+                         QObject* parent)
+    : QObject(parent), panel_(panel), model_(model) {
+  connect(&panel, &PlotPanel::subscriptionWanted, &source, &SignalSource::subscribe);
+  connect(&panel, &PlotPanel::subscriptionReleased, &source, &SignalSource::release);
+  connect(&source, &SignalSource::samplesArrived, &panel, &PlotPanel::append);
+  connect(&source, &SignalSource::epochBegan, &panel, &PlotPanel::beginEpoch);
+  connect(&source, &SignalSource::wentStale, this, &PlotBinding::showStale);
+}
+
+void PlotBinding::showStale(const QString& path, const QString& reason) {
+  const CatalogueItem* process = model_.item(model_.indexOf(path.section('/', 0, 0)));
+  // That a process is gone is said in many places; the legend says whose rows it waits for.
+  const bool gone = process == nullptr || process->gone;
+  panel_.setStale(path, gone ? QString() : reason);
+}
+
+void PlotBinding::plot(const QString& path) {
+  const QList<CurveKey> keys = model_.signalsBelow(path);
+  const CatalogueItem* item = model_.item(model_.indexOf(path));
+  if (item == nullptr) return;
+  if (item->kind < ItemKind::kColumn || keys.isEmpty()) {
+    Q_EMIT notice(path + QStringLiteral(" is no number; select a column or a value of a state "
+                                        "table to plot it"));
+    return;
+  }
+  for (const CurveKey& key : keys.mid(0, kMostAtOnce)) panel_.addSignal(key.path, key.unit);
+  if (keys.size() > kMostAtOnce) {
+    Q_EMIT notice(QStringLiteral("The first %1 of %2 numbers are plotted; select those you need")
+                      .arg(kMostAtOnce)
+                      .arg(keys.size()));
+  }
+}
+
+void PlotBinding::plotSignal(const QString& path, const QString& unit) {
+  panel_.addSignal(path, unit);
+}
+
+}  // namespace tendon::gui

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <gcm_gui/session/signal_source.h>
+
+#include <QObject>
+#include <QString>
+
+namespace tendon::gui {
+
+class CatalogueModel;
+class PlotPanel;
+
+/// Brings the plots the rows that they ask for.
+class PlotBinding : public QObject {
+  Q_OBJECT
+
+ public:
+  /// At most so many curves come into a plot at one go.
+  static constexpr int kMostAtOnce = 16;
+
+  PlotBinding(PlotPanel& panel, SignalSource& source, const CatalogueModel& model,
+              QObject* parent = nullptr);
+
+ public Q_SLOTS:
+  /// All numbers at and below a path of the catalogue.
+  void plot(const QString& path);
+  void plotSignal(const QString& path, const QString& unit);
+
+ Q_SIGNALS:
+  /// One sentence when nothing could be plotted, or not all of it.
+  void notice(const QString& text);
+
+ private:
+  void showStale(const QString& path, const QString& reason);
+
+  PlotPanel& panel_;
+  const CatalogueModel& model_;
+};
+
+}  // namespace tendon::gui

@@ -1,0 +1,138 @@
+#include <gcm_gui/models/text.h>
+#include <gcm_gui/theme/icon.h>
+#include <gcm_gui/theme/metrics.h>
+#include <gcm_gui/theme/theme.h>
+#include <gcm_gui/window/pill.h>
+#include <gcm_gui/window/top_bar.h>
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+
+namespace tendon::gui {
+namespace {
+
+constexpr int kLogo = 20;
+
+QString Counts(const Catalog& catalogue) {
+  std::int64_t components = 0;
+  for (const auto& [name, entry] : catalogue.processes()) {
+    components += static_cast<std::int64_t>(entry.components.size());
+  }
+  const auto count = [](std::int64_t number, const char* noun) {
+    return QStringLiteral("%1 %2%3").arg(number).arg(QLatin1String(noun),
+                                                     QLatin1String(number == 1 ? "" : "s"));
+  };
+  return QStringList{QStringLiteral("%1 process%2")
+                         .arg(catalogue.processes().size())
+                         .arg(QLatin1String(catalogue.processes().size() == 1 ? "" : "es")),
+                     count(components, "component"),
+                     count(static_cast<std::int64_t>(catalogue.connections().size()), "connection")}
+      .join(QStringLiteral(" · "));
+}
+
+void ToggleTheme() {
+  Theme& theme = Theme::instance();
+  const bool dark = theme.appearance() == Appearance::kDark;
+  theme.choose(dark ? Theme::Choice::kLight : Theme::Choice::kDark);
+}
+
+}  // namespace
+
+TopBar::TopBar(const CatalogueStore& store, const GcmLink& link, QWidget* parent)
+    : QFrame(parent),
+      store_(store),
+      link_(link),
+      link_pill_(new Pill),
+      problem_pill_(new Pill),
+      pause_(new QPushButton(QStringLiteral("Pause view"))) {
+  setObjectName(QStringLiteral("topBar"));
+  setAutoFillBackground(true);
+  setFixedHeight(kTopBarHeight);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(kInset, 0, kInset, 0);
+  row->setSpacing(kInset);
+  auto* logo = new QLabel;
+  const auto draw_logo = [logo] {
+    logo->setPixmap(ThemeIcon(QStringLiteral("logo"), Token::kAccent).pixmap(kLogo, kLogo));
+  };
+  draw_logo();
+  connect(&Theme::instance(), &Theme::changed, logo, draw_logo);
+  link_pill_->setObjectName(QStringLiteral("gcmState"));
+  link_pill_->setFocusPolicy(Qt::NoFocus);
+  problem_pill_->setObjectName(QStringLiteral("problemCount"));
+  row->addWidget(logo);
+  row->addWidget(link_pill_);
+  row->addWidget(problem_pill_);
+  row->addStretch();
+  addButtons();
+
+  connect(problem_pill_, &QAbstractButton::clicked, this, &TopBar::problemsRequested);
+  connect(&store, &CatalogueStore::changed, this, &TopBar::showLink);
+  connect(&link, &GcmLink::changed, this, &TopBar::showLink);
+  setNow(WallClock());
+  showProblemCount(0);
+}
+
+void TopBar::addButtons() {
+  auto* row = static_cast<QHBoxLayout*>(layout());
+  pause_->setObjectName(QStringLiteral("pause"));
+  pause_->setCheckable(true);
+  pause_->setToolTip(QStringLiteral("Stops what is drawn, never the data  (Space)"));
+  pause_->setFocusPolicy(Qt::TabFocus);
+  connect(pause_, &QPushButton::clicked, this, &TopBar::pauseRequested);
+  auto* theme = new QPushButton;
+  theme->setObjectName(QStringLiteral("theme"));
+  theme->setAccessibleName(QStringLiteral("Dark or light"));
+  theme->setToolTip(QStringLiteral("Dark or light"));
+  theme->setIcon(ThemeIcon(QStringLiteral("theme"), Token::kText));
+  theme->setFocusPolicy(Qt::TabFocus);
+  connect(theme, &QPushButton::clicked, this, &ToggleTheme);
+  row->addWidget(pause_);
+  row->addWidget(theme);
+  showPaused(false);
+}
+
+QString TopBar::linkText() const { return link_pill_->spoken(); }
+
+void TopBar::showLink() {
+  const QString age = AgeText(now_ - link_.since());
+  switch (link_.state()) {
+    case GcmLink::State::kSearching:
+      link_pill_->show(StateMark::kConnecting, QStringLiteral("No GCM found at ") + link_.address(),
+                       QStringLiteral("looking every second"));
+      break;
+    case GcmLink::State::kLost:
+      link_pill_->show(StateMark::kLost, QStringLiteral("GCM lost %1 ago").arg(age),
+                       QStringLiteral("retrying ") + link_.address());
+      break;
+    case GcmLink::State::kConnected:
+      link_pill_->show(StateMark::kActive,
+                       link_.isHosted() ? QStringLiteral("Hosting the GCM on this machine")
+                                        : QStringLiteral("GCM at ") + link_.address(),
+                       Counts(store_.catalogue()));
+      break;
+  }
+  link_pill_->setToolTip(link_.reason().isEmpty() ? link_.address() : link_.reason());
+}
+
+void TopBar::showProblemCount(int count) {
+  problem_pill_->show(StateMark::kWarning, QString::number(count));
+  problem_pill_->setAccessibleName(count == 1 ? QStringLiteral("1 problem")
+                                              : QStringLiteral("%1 problems").arg(count));
+  problem_pill_->setVisible(count > 0);
+}
+
+void TopBar::showPaused(bool paused) {
+  pause_->setChecked(paused);
+  pause_->setText(paused ? QStringLiteral("Resume view") : QStringLiteral("Pause view"));
+  pause_->setIcon(
+      ThemeIcon(paused ? QStringLiteral("play") : QStringLiteral("pause"), Token::kText));
+}
+
+void TopBar::setNow(qint64 now) {
+  now_ = now;
+  showLink();
+}
+
+}  // namespace tendon::gui

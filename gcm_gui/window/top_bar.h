@@ -1,0 +1,47 @@
+#pragma once
+
+#include <gcm_gui/session/catalogue_store.h>
+#include <gcm_gui/session/gcm_link.h>
+
+#include <QFrame>
+
+class QPushButton;
+
+namespace tendon::gui {
+
+class Pill;
+
+/// The top of the window: how the GCM is and what it knows, how many problems there are, and the
+/// window's own switches.
+class TopBar : public QFrame {
+  Q_OBJECT
+
+ public:
+  TopBar(const CatalogueStore& store, const GcmLink& link, QWidget* parent = nullptr);
+
+  /// The whole sentence about the GCM, as it is shown.
+  [[nodiscard]] QString linkText() const;
+
+ public Q_SLOTS:
+  void showProblemCount(int count);
+  void showPaused(bool paused);
+  /// The time, ns since 1970, for "lost 12 s".
+  void setNow(qint64 now);
+
+ Q_SIGNALS:
+  void problemsRequested();
+  void pauseRequested(bool paused);
+
+ private:
+  void showLink();
+  void addButtons();
+
+  const CatalogueStore& store_;
+  const GcmLink& link_;
+  std::int64_t now_ = 0;
+  Pill* link_pill_;
+  Pill* problem_pill_;
+  QPushButton* pause_;
+};
+
+}  // namespace tendon::gui

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <QByteArray>
+#include <QJsonObject>
+#include <QObject>
+#include <QString>
+#include <QTimer>
+
+namespace tendon::gui {
+
+class MainWindow;
+
+/// A diagnostic for tests that drive the real program with a real mouse: writes, five times a
+/// second while anything changes, a JSON file that says where on the screen things are and what the
+/// window knows.
+///
+///     window, widgets   rectangles [x, y, width, height] by object name; a tab is `name/title`
+///     rows              of the catalogue, by path
+///     nodes, ports      of the graph, by path; a port is its disc, with `role` and `number`
+///     facts             of the GCM, processes, connections, curves, selection, connect mode
+class UiDescription : public QObject {
+  Q_OBJECT
+
+ public:
+  UiDescription(MainWindow& window, const QString& file);
+
+ private:
+  void write();
+  [[nodiscard]] QJsonObject widgets() const;
+  [[nodiscard]] QJsonObject rows() const;
+  [[nodiscard]] QJsonObject nodes() const;
+  [[nodiscard]] QJsonObject ports() const;
+  [[nodiscard]] QJsonObject facts() const;
+
+  MainWindow& window_;
+  QString file_;
+  QByteArray written_;
+  QTimer timer_;
+};
+
+}  // namespace tendon::gui

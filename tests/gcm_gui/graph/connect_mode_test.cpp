@@ -1,0 +1,135 @@
+#include <gcm_gui/graph/connect_mode.h>
+#include <gtest/gtest.h>
+
+#include <QSignalSpy>
+
+#include "support/fakes.h"
+#include "support/sample_system.h"
+
+namespace tendon::gui {
+namespace {
+
+const InterfaceName kRobot{"desk", "teleoperation", "Robot"};
+const InterfaceName kControl{"robot", "controller", "Control"};
+
+class ConnectModeTest : public ::testing::Test {
+ protected:
+  ConnectModeTest() { Show(); }
+
+  void Show() { store_.apply(system_.TakeChanges()); }
+
+  SystemBuilder system_ = LookSystem(0);
+  CatalogueStore store_;
+  RecordingActions actions_;
+  ConnectMode mode_{store_, actions_};
+};
+
+TEST_F(ConnectModeTest, WhatFitsComesFirstAndIsNumbered) {
+  ASSERT_TRUE(mode_.start({Side::kRequired, kRobot}));
+
+  ASSERT_NE(mode_.best(), nullptr);
+  EXPECT_EQ(mode_.best()->port.name, kControl);
+  EXPECT_EQ(mode_.best()->number, 1);
+  const Candidate* drives = mode_.find({Side::kProvided, {"robot", "arm", "Drives"}});
+  ASSERT_NE(drives, nullptr);
+  EXPECT_FALSE(drives->fits());
+  EXPECT_EQ(drives->number, 0);
+}
+
+TEST_F(ConnectModeTest, ALookAlikeSaysWhyItDoesNotFit) {
+  mode_.start({Side::kRequired, kRobot});
+
+  const Candidate* drives = mode_.bestLookAlike();
+  ASSERT_NE(drives, nullptr);
+  EXPECT_EQ(drives->port.name, (InterfaceName{"robot", "arm", "Drives"}));
+  EXPECT_EQ(drives->reasons(), QStringList{"missing write command 'MoveTo' of arm.JointGoal"});
+}
+
+TEST_F(ConnectModeTest, ADigitConnectsAndEndsTheMode) {
+  QSignalSpy picked(&mode_, &ConnectMode::picked);
+  mode_.start({Side::kRequired, kRobot});
+
+  mode_.pickNumber(1);
+
+  EXPECT_EQ(actions_.asked,
+            QStringList{"connect desk/teleoperation/Robot robot/controller/Control"});
+  EXPECT_FALSE(mode_.active());
+  EXPECT_EQ(picked.count(), 1);
+}
+
+TEST_F(ConnectModeTest, StartsFromTheProvidedEndAsWell) {
+  mode_.start({Side::kProvided, kControl});
+  mode_.pickBest();
+
+  EXPECT_EQ(actions_.asked,
+            QStringList{"connect desk/teleoperation/Robot robot/controller/Control"});
+}
+
+TEST_F(ConnectModeTest, AConnectedInterfaceTellsWhatToDoInstead) {
+  QSignalSpy notice(&mode_, &ConnectMode::notice);
+
+  EXPECT_FALSE(mode_.start({Side::kRequired, {"robot", "controller", "Arm"}}));
+
+  ASSERT_EQ(notice.count(), 1);
+  EXPECT_EQ(notice.front().front().toString(),
+            "robot/controller/Arm is connected to robot/arm/Drives · D disconnects");
+}
+
+TEST_F(ConnectModeTest, AConnectedInterfaceIsNoCandidate) {
+  mode_.start({Side::kProvided, {"robot", "arm", "Drives"}});
+
+  const Candidate* arm = mode_.find({Side::kRequired, {"robot", "controller", "Arm"}});
+  ASSERT_NE(arm, nullptr);
+  EXPECT_FALSE(arm->fits());
+  EXPECT_EQ(arm->reasons(), QStringList{"is connected to robot/arm/Drives"});
+}
+
+TEST_F(ConnectModeTest, PickingWhatDoesNotFitConnectsNothingAndSaysWhy) {
+  QSignalSpy notice(&mode_, &ConnectMode::notice);
+  mode_.start({Side::kRequired, kRobot});
+
+  mode_.pick({Side::kProvided, {"robot", "arm", "Drives"}});
+
+  EXPECT_TRUE(actions_.asked.isEmpty());
+  EXPECT_TRUE(mode_.active());
+  ASSERT_EQ(notice.count(), 1);
+  EXPECT_TRUE(notice.front().front().toString().contains("MoveTo"));
+}
+
+TEST_F(ConnectModeTest, EndsWhenTheChosenPortGoesOrIsConnected) {
+  mode_.start({Side::kRequired, kRobot});
+  system_.Connect(kRobot, kControl);
+  Show();
+  EXPECT_FALSE(mode_.active());
+
+  mode_.start({Side::kProvided, kControl});
+  system_.RemoveComponent("robot", "controller");
+  Show();
+  EXPECT_FALSE(mode_.active());
+}
+
+TEST_F(ConnectModeTest, FollowsTheCatalogueWhileItIsOn) {
+  mode_.start({Side::kRequired, kRobot});
+  ComponentDescription other = *system_.catalog().FindComponent("robot", "controller");
+  other.name = "backup";
+  system_.Component("robot", other);
+  Show();
+
+  EXPECT_NE(mode_.find({Side::kProvided, {"robot", "backup", "Control"}}), nullptr);
+  EXPECT_EQ(mode_.candidates()[1].number, 2);
+}
+
+TEST_F(ConnectModeTest, LostProvidersComeAfterThoseAlive) {
+  ComponentDescription other = *system_.catalog().FindComponent("robot", "controller");
+  system_.Process("away").Component("away", other).Process("away", ProcessState::kLost, 1);
+  Show();
+
+  mode_.start({Side::kRequired, kRobot});
+
+  EXPECT_EQ(mode_.best()->port.name.process, "robot");
+  EXPECT_EQ(mode_.candidates()[1].port.name.process, "away");
+  EXPECT_TRUE(mode_.candidates()[1].gone);
+}
+
+}  // namespace
+}  // namespace tendon::gui

@@ -1,0 +1,212 @@
+#include <gcm_gui/graph/graph_view.h>
+#include <gcm_gui/graph/items/card_item.h>
+#include <gcm_gui/graph/items/component_item.h>
+#include <gcm_gui/graph/items/port_item.h>
+#include <gcm_gui/graph/items/process_item.h>
+#include <gtest/gtest.h>
+
+#include <QTest>
+
+#include "support/fakes.h"
+#include "support/sample_system.h"
+
+namespace tendon::gui {
+namespace {
+
+const PortName kRobot{Side::kRequired, {"desk", "teleoperation", "Robot"}};
+const PortName kControl{Side::kProvided, {"robot", "controller", "Control"}};
+const PortName kDrives{Side::kProvided, {"robot", "arm", "Drives"}};
+
+class GraphViewTest : public ::testing::Test {
+ protected:
+  GraphViewTest() {
+    Show();
+    view_.resize(900, 480);
+    view_.show();
+    view_.fit();
+  }
+
+  void Show() { store_.apply(system_.TakeChanges()); }
+
+  void Click(const PortName& port) {
+    QTest::mouseClick(view_.viewport(), Qt::LeftButton, {}, view_.pointOf(port).value());
+  }
+
+  SystemBuilder system_ = LookSystem(0);
+  CatalogueStore store_;
+  RecordingActions actions_;
+  Selection selection_;
+  ConnectMode mode_{store_, actions_};
+  GraphScene scene_{store_, selection_, mode_};
+  GraphView view_{scene_, selection_, mode_};
+};
+
+TEST_F(GraphViewTest, TwoClicksConnect) {
+  Click(kRobot);
+  ASSERT_TRUE(mode_.active());
+  EXPECT_EQ(scene_.port(kRobot)->role(), PortItem::Role::kChosen);
+  EXPECT_EQ(scene_.port(kControl)->role(), PortItem::Role::kCandidate);
+  EXPECT_EQ(scene_.port(kControl)->number(), 1);
+  EXPECT_EQ(scene_.port(kDrives)->role(), PortItem::Role::kUnfit);
+
+  Click(kControl);
+
+  EXPECT_EQ(actions_.asked,
+            QStringList{"connect desk/teleoperation/Robot robot/controller/Control"});
+  EXPECT_EQ(scene_.port(kControl)->role(), PortItem::Role::kPlain);
+}
+
+TEST_F(GraphViewTest, DraggingFromPortToPortConnects) {
+  const QPoint from = view_.pointOf(kRobot).value();
+  const QPoint to = view_.pointOf(kControl).value();
+
+  QTest::mousePress(view_.viewport(), Qt::LeftButton, {}, from);
+  QTest::mouseMove(view_.viewport(), (from + to) / 2);
+  EXPECT_TRUE(mode_.active());
+  QTest::mouseMove(view_.viewport(), to);
+  QTest::mouseRelease(view_.viewport(), Qt::LeftButton, {}, to);
+
+  EXPECT_EQ(actions_.asked,
+            QStringList{"connect desk/teleoperation/Robot robot/controller/Control"});
+}
+
+TEST_F(GraphViewTest, ALookAlikeHasACardAtOnceThatCoversNoNode) {
+  Click(kRobot);
+
+  ASSERT_EQ(scene_.cards().size(), 1u);
+  const CardItem& card = *scene_.cards().front();
+  EXPECT_EQ(card.title(), "arm / Drives does not fit");
+  const QRectF rect(card.pos(), card.size());
+  for (const auto& [path, item] : scene_.components()) {
+    EXPECT_FALSE(rect.intersects(item->sceneRect())) << path.toStdString();
+  }
+}
+
+TEST_F(GraphViewTest, PointingAtWhatDoesNotFitSaysWhy) {
+  Click(kRobot);
+  const PortName state{Side::kProvided, {"robot", "force_sensor", "state"}};
+
+  QTest::mouseMove(view_.viewport(), view_.pointOf(state).value());
+
+  ASSERT_EQ(scene_.cards().size(), 1u);
+  EXPECT_EQ(scene_.cards().front()->title(), "force_sensor / state does not fit");
+}
+
+TEST_F(GraphViewTest, KeysPickAndLeave) {
+  Click(kRobot);
+  QTest::keyClick(&view_, Qt::Key_Escape);
+  EXPECT_FALSE(mode_.active());
+
+  Click(kRobot);
+  QTest::keyClick(&view_, Qt::Key_1);
+  EXPECT_EQ(actions_.asked.size(), 1);
+
+  Click(kControl);
+  QTest::keyClick(&view_, Qt::Key_Return);
+  EXPECT_EQ(actions_.asked.size(), 2);
+}
+
+TEST_F(GraphViewTest, AClickBesideEverythingLeavesTheMode) {
+  Click(kRobot);
+
+  QTest::mouseClick(view_.viewport(), Qt::LeftButton, {}, QPoint(3, 3));
+
+  EXPECT_FALSE(mode_.active());
+  EXPECT_TRUE(selection_.paths().isEmpty());
+}
+
+TEST_F(GraphViewTest, AClickSelectsComponentsProcessesAndConnections) {
+  const auto click = [&](const QPointF& scene) {
+    QTest::mouseClick(view_.viewport(), Qt::LeftButton, {}, view_.mapFromScene(scene));
+  };
+  const QRectF arm = scene_.component("robot/arm")->sceneRect();
+  click(arm.topLeft() + QPointF(30, 14));
+  EXPECT_EQ(selection_.current(), "robot/arm");
+
+  click(scene_.processes().at("desk")->scenePos() + QPointF(20, 12));
+  EXPECT_EQ(selection_.current(), "desk");
+
+  const QPointF from = scene_.port(kDrives)->scenePos();
+  const QPointF to = scene_.port({Side::kRequired, {"robot", "controller", "Arm"}})->scenePos();
+  click((from + to) / 2);
+  EXPECT_EQ(selection_.current(), "robot/controller/Arm");
+}
+
+TEST_F(GraphViewTest, AnEdgeShowsHowItsConnectionIs) {
+  const QString host = "desk/view/Host";
+  EXPECT_EQ(scene_.edge(host)->look(), EdgeItem::Look::kActive);
+
+  system_.Connect({"desk", "view", "Host"}, {"desk", "host_monitor", "state"},
+                  ConnectionState::kFailed, "no answer");
+  Show();
+  EXPECT_EQ(scene_.edge(host)->look(), EdgeItem::Look::kFailed);
+
+  system_.Connect({"desk", "view", "Host"}, {"desk", "host_monitor", "state"},
+                  ConnectionState::kPending);
+  Show();
+  EXPECT_EQ(scene_.edge(host)->look(), EdgeItem::Look::kPending);
+}
+
+TEST_F(GraphViewTest, ARequestIsDashedUntilItsAnswer) {
+  const QString robot = "desk/teleoperation/Robot";
+  ASSERT_EQ(scene_.edge(robot), nullptr);
+
+  scene_.showRequested(kRobot.name, kControl.name);
+  ASSERT_NE(scene_.edge(robot), nullptr);
+  EXPECT_EQ(scene_.edge(robot)->look(), EdgeItem::Look::kPending);
+
+  scene_.forgetRequested(kRobot.name);
+  EXPECT_EQ(scene_.edge(robot), nullptr);
+}
+
+TEST_F(GraphViewTest, ALostProcessFadesAndSaysSinceWhen) {
+  system_.Process("robot", ProcessState::kLost, 0);
+  Show();
+  scene_.setNow(12'000'000'000);
+
+  EXPECT_EQ(scene_.processes().at("robot")->title(), "robot · lost 12 s");
+  EXPECT_TRUE(scene_.component("robot/arm")->gone());
+  EXPECT_EQ(scene_.edge("robot/controller/Arm")->look(), EdgeItem::Look::kStale);
+}
+
+TEST_F(GraphViewTest, DraggingMovesTheViewAndSelectsNothing) {
+  const QPoint before = view_.pointOf(kRobot).value();
+
+  QTest::mousePress(view_.viewport(), Qt::LeftButton, {}, QPoint(5, 5));
+  QTest::mouseMove(view_.viewport(), QPoint(25, 25));
+  QTest::mouseMove(view_.viewport(), QPoint(45, 35));
+  QTest::mouseRelease(view_.viewport(), Qt::LeftButton, {}, QPoint(45, 35));
+
+  EXPECT_EQ(view_.pointOf(kRobot).value() - before, QPoint(40, 30));
+  EXPECT_FALSE(mode_.active());
+}
+
+TEST_F(GraphViewTest, ItFitsUntilTheUserHasZoomed) {
+  system_.Process("extra")
+      .Component("extra", Task("a", 1, {}))
+      .Component("extra", Task("b", 1, {}));
+  Show();
+  EXPECT_TRUE(
+      view_.mapToScene(view_.viewport()->rect()).boundingRect().contains(scene_.contents()));
+
+  view_.zoomIn();
+  const QTransform zoomed = view_.transform();
+  system_.Component("extra", Task("c", 1, {}));
+  Show();
+  EXPECT_EQ(view_.transform(), zoomed);
+
+  view_.fit();
+  EXPECT_TRUE(
+      view_.mapToScene(view_.viewport()->rect()).boundingRect().contains(scene_.contents()));
+}
+
+TEST_F(GraphViewTest, ArrowKeysWalkTheGraph) {
+  selection_.select("robot/arm");
+
+  QTest::keyClick(&view_, Qt::Key_Right);
+
+  EXPECT_EQ(selection_.current(), "robot/controller");
+}
+
+}  // namespace
+}  // namespace tendon::gui

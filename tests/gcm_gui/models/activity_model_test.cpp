@@ -1,0 +1,117 @@
+#include <gcm_gui/activity/activity_model.h>
+#include <gcm_gui/activity/problems_model.h>
+#include <gtest/gtest.h>
+
+#include <QAbstractItemModelTester>
+#include <QSignalSpy>
+
+#include "support/sample_system.h"
+
+namespace tendon::gui {
+namespace {
+
+const InterfaceName kRobot{"desk", "teleoperation", "Robot"};
+const InterfaceName kControl{"robot", "controller", "Control"};
+
+Action Connecting() {
+  Action action;
+  action.required = kRobot;
+  action.provided = kControl;
+  return action;
+}
+
+TEST(ActivityModel, ShowsTheNewestActionFirstWithTheLineThatDoesTheSame) {
+  ActivityModel model;
+  QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
+  Action disconnecting;
+  disconnecting.verb = Action::Verb::kDisconnect;
+  disconnecting.required = kRobot;
+
+  model.begin(Connecting());
+  model.begin(disconnecting);
+
+  EXPECT_EQ(model.command(0), "gcm disconnect desk/teleoperation/Robot");
+  EXPECT_EQ(model.command(1), "gcm connect desk/teleoperation/Robot robot/controller/Control");
+}
+
+TEST(ActivityModel, OnlyTheNewestStepThatStandsCanBeUndone) {
+  ActivityModel model;
+  const auto first = model.begin(Connecting());
+  EXPECT_FALSE(model.canUndo(0));  // still running
+  model.finish(first, 0.038, {});
+  const auto second = model.begin(Connecting());
+  model.finish(second, 0.1, "robot/controller does not run");
+
+  EXPECT_FALSE(model.canUndo(0));  // refused
+  EXPECT_TRUE(model.canUndo(1));
+}
+
+TEST(ActivityModel, AnUndoneStepSaysSoAndTheOneBeforeCanBeUndone) {
+  ActivityModel model;
+  Action other = Connecting();
+  other.required.interface = "Other";
+  model.finish(model.begin(other), 0.1, {});
+  model.finish(model.begin(Connecting()), 0.1, {});
+  Action undo;
+  undo.verb = Action::Verb::kUndo;
+  const auto id = model.begin(undo);
+  model.finish(id, 0.02, {});
+
+  model.markUndone(id, Action::Verb::kConnect, kRobot, kControl);
+
+  EXPECT_TRUE(model.action(1).undone);
+  EXPECT_TRUE(model.canUndo(2));
+  EXPECT_EQ(model.action(0).required, kRobot);
+}
+
+TEST(ActivityModel, ARefusalStaysInItsRow) {
+  ActivityModel model;
+  QSignalSpy finished(&model, &ActivityModel::finished);
+
+  model.finish(model.begin(Connecting()), 0.01, "does not fit");
+
+  EXPECT_EQ(finished.count(), 1);
+  EXPECT_TRUE(model.index(0, 0).data(Qt::AccessibleTextRole).toString().contains("does not fit"));
+}
+
+TEST(ProblemsModel, ListsLostProcessesFaultsAndFailedConnections) {
+  ProblemsModel model;
+  QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
+  SystemBuilder system = LookSystem(1);
+  ComponentDescription arm = *system.catalog().FindComponent("robot", "arm");
+  arm.state = ComponentState::kFaulted;
+  arm.fault = "joint 3 is out of range";
+  system.Component("robot", arm);
+  system.Connect({"desk", "view", "Host"}, {"desk", "host_monitor", "state"},
+                 ConnectionState::kFailed, "no answer in 2 s");
+
+  model.update(system.catalog());
+
+  ASSERT_EQ(model.rowCount(), 3);
+  EXPECT_EQ(model.problem(0).text, "desk/view/Host is not connected: no answer in 2 s");
+  EXPECT_EQ(model.problem(1).text, "robot/arm is faulted: joint 3 is out of range");
+  EXPECT_EQ(model.problem(2).text, "vision is lost: its connection broke");
+}
+
+TEST(ProblemsModel, ARefusalStaysUntilTheInterfaceIsConnected) {
+  ProblemsModel model;
+  SystemBuilder system = LookSystem(0);
+  model.update(system.catalog());
+  const int before = model.rowCount();
+  QSignalSpy counts(&model, &ProblemsModel::countChanged);
+  Action refused = Connecting();
+  refused.outcome = Action::Outcome::kRefused;
+  refused.refusal = "does not fit";
+
+  model.hear(refused);
+  model.update(system.catalog());
+  EXPECT_EQ(model.rowCount(), before + 1);
+
+  system.Connect(kRobot, kControl);
+  model.update(system.catalog());
+  EXPECT_EQ(model.rowCount(), before);
+  EXPECT_EQ(counts.count(), 2);
+}
+
+}  // namespace
+}  // namespace tendon::gui

@@ -1,0 +1,200 @@
+#include <gcm_gui/models/catalogue_model.h>
+#include <gcm_gui/models/row_roles.h>
+#include <gtest/gtest.h>
+
+#include <QAbstractItemModelTester>
+#include <QPersistentModelIndex>
+#include <QSignalSpy>
+#include <random>
+
+#include "support/fakes.h"
+#include "support/sample_system.h"
+
+namespace tendon::gui {
+namespace {
+
+constexpr std::int64_t kSecond = 1'000'000'000;
+
+class CatalogueModelTest : public ::testing::Test {
+ protected:
+  CatalogueModelTest() {
+    QObject::connect(&store_, &CatalogueStore::changed, &model_, &CatalogueModel::update);
+  }
+
+  void Show(SystemBuilder& system) { store_.apply(system.TakeChanges()); }
+
+  QString Text(const QString& path, int column = CatalogueModel::kName) const {
+    return model_.indexOf(path).siblingAtColumn(column).data().toString();
+  }
+  QString Value(const QString& path) const { return Text(path, CatalogueModel::kValue); }
+
+  CatalogueStore store_;
+  CatalogueModel model_;
+  QAbstractItemModelTester tester_{&model_, QAbstractItemModelTester::FailureReportingMode::Fatal};
+};
+
+TEST_F(CatalogueModelTest, ShowsProcessesComponentsInterfacesAndMembers) {
+  SystemBuilder system = LookSystem(0);
+  Show(system);
+
+  EXPECT_EQ(Text("robot"), "robot");
+  EXPECT_EQ(Value("robot"), "localhost");
+  EXPECT_EQ(Value("robot/arm"), "1 kHz");
+  EXPECT_EQ(Value("robot/arm/Drives"), "1 client");
+  EXPECT_EQ(Value("robot/arm/Drives.SetTorques"), "write");
+  EXPECT_EQ(Value("robot/arm/Drives.LimitExceeded"), "event");
+  EXPECT_EQ(Value("desk/teleoperation/Robot"), "not connected");
+  EXPECT_EQ(Value("robot/controller/Arm"), "← arm/Drives");
+}
+
+TEST_F(CatalogueModelTest, AStateTableShowsItsColumnsInPlaceOfItsReadCommands) {
+  SystemBuilder system = LookSystem(0);
+  Show(system);
+
+  const QModelIndex state = model_.indexOf("robot/arm/state");
+  ASSERT_EQ(model_.rowCount(state), 2);
+  EXPECT_EQ(model_.item(model_.index(0, 0, state))->kind, ItemKind::kColumn);
+}
+
+TEST_F(CatalogueModelTest, ALostProcessIsStruckThroughAndSaysSinceWhen) {
+  SystemBuilder system = LookSystem(100 * kSecond);
+  Show(system);
+  model_.setNow(112 * kSecond);
+
+  EXPECT_EQ(Value("vision"), "lost 12 s");
+  EXPECT_TRUE(model_.indexOf("vision").data(kStruckRole).toBool());
+  EXPECT_TRUE(model_.indexOf("vision/camera/Video").data(kStaleRole).toBool());
+  EXPECT_FALSE(model_.indexOf("robot/arm").data(kStaleRole).toBool());
+}
+
+TEST_F(CatalogueModelTest, AValueOpensItsColumnIntoFieldsAndElements) {
+  SystemBuilder system = LookSystem(0);
+  Show(system);
+  ASSERT_EQ(model_.rowCount(model_.indexOf("robot/arm/state.Joints")), 0);
+
+  ScriptedSignals source;
+  QObject::connect(&source, &SignalSource::valuesArrived, &model_, &CatalogueModel::showValues);
+  source.send("robot/arm/state.Joints", JointSchema(2), {0.2013, -0.3987, 0, 1});
+
+  EXPECT_EQ(Value("robot/arm/state.Joints.position[0]"), "0.2013");
+  EXPECT_EQ(Value("robot/arm/state.Joints.position[1]"), "-0.3987");
+  EXPECT_EQ(model_.indexOf("robot/arm/state.Joints.position").siblingAtColumn(1).data(kUnitRole),
+            "rad");
+  const QList<CurveKey> keys = model_.signalsBelow("robot/arm/state.Joints.velocity");
+  ASSERT_EQ(keys.size(), 2);
+  EXPECT_EQ(keys[1], (CurveKey{"robot/arm/state.Joints.velocity[1]", "rad/s"}));
+}
+
+TEST_F(CatalogueModelTest, NewValuesChangeRowsButInsertNone) {
+  SystemBuilder system = LookSystem(0);
+  Show(system);
+  ScriptedSignals source;
+  QObject::connect(&source, &SignalSource::valuesArrived, &model_, &CatalogueModel::showValues);
+  source.send("robot/arm/state.Joints", JointSchema(2), {1, 2, 3, 4});
+  QSignalSpy inserted(&model_, &QAbstractItemModel::rowsInserted);
+  QSignalSpy changed(&model_, &QAbstractItemModel::dataChanged);
+
+  source.send("robot/arm/state.Joints", JointSchema(2), {5, 6, 7, 8});
+
+  EXPECT_EQ(inserted.count(), 0);
+  EXPECT_GT(changed.count(), 0);
+  EXPECT_EQ(Value("robot/arm/state.Joints.position[0]"), "5");
+}
+
+TEST_F(CatalogueModelTest, WhatStaysTheSameKeepsItsRowOverARestart) {
+  SystemBuilder system = LookSystem(0);
+  Show(system);
+  const QPersistentModelIndex arm = model_.indexOf("robot/arm");
+  const ComponentDescription description = *system.catalog().FindComponent("robot", "arm");
+
+  system.Process("robot", ProcessState::kLost, kSecond);
+  Show(system);
+  system.Process("robot", ProcessState::kAlive, 0, 2).Component("robot", description);
+  Show(system);
+
+  ASSERT_TRUE(arm.isValid());
+  EXPECT_EQ(QModelIndex(arm), model_.indexOf("robot/arm"));
+  EXPECT_FALSE(arm.data(kStaleRole).toBool());
+}
+
+TEST_F(CatalogueModelTest, AConnectionChangesTheRowsOfBothEndsOnly) {
+  SystemBuilder system = LookSystem(0);
+  Show(system);
+  QSignalSpy inserted(&model_, &QAbstractItemModel::rowsInserted);
+  QSignalSpy removed(&model_, &QAbstractItemModel::rowsRemoved);
+
+  system.Connect({"desk", "teleoperation", "Robot"}, {"robot", "controller", "Control"});
+  Show(system);
+
+  EXPECT_EQ(Value("desk/teleoperation/Robot"), "← controller/Control");
+  EXPECT_EQ(Value("robot/controller/Control"), "1 client");
+  EXPECT_EQ(inserted.count() + removed.count(), 0);
+}
+
+TEST_F(CatalogueModelTest, ASnapshotTakesAwayWhatIsNoLongerThere) {
+  SystemBuilder system = LookSystem(0);
+  Show(system);
+  SystemBuilder other;
+  other.Process("gcm");
+
+  store_.replace(other.catalog());
+
+  EXPECT_EQ(model_.rowCount({}), 1);
+  EXPECT_FALSE(model_.indexOf("robot/arm").isValid());
+  EXPECT_EQ(model_.itemCount(), 1);
+}
+
+/// Any change at any time; QAbstractItemModelTester aborts on the first inconsistency.
+TEST_F(CatalogueModelTest, FollowsRandomChangesAndEndsLikeAFreshModel) {
+  SystemBuilder system;
+  std::mt19937 random(20261121);
+  const auto pick = [&](int count) {
+    return static_cast<int>(random() % static_cast<unsigned>(count));
+  };
+  const auto process = [&] { return "p" + std::to_string(pick(4)); };
+  const auto component = [&] { return "c" + std::to_string(pick(5)); };
+  for (int step = 0; step < 600; ++step) {
+    switch (pick(8)) {
+      case 0:
+        system.Process(process(), pick(2) == 0 ? ProcessState::kLost : ProcessState::kAlive, step,
+                       static_cast<std::uint64_t>(pick(3)));
+        break;
+      case 1:
+        system.RemoveProcess(process());
+        break;
+      case 2:
+        system.RemoveComponent(process(), component());
+        break;
+      case 3:
+        system.Connect({process(), component(), "Arm"}, {process(), component(), "state"});
+        break;
+      case 4:
+        system.Disconnect({process(), component(), "Arm"});
+        break;
+      default: {
+        std::vector<ColumnDescription> columns;
+        for (int i = pick(3); i >= 0; --i) columns.push_back(Column("x" + std::to_string(i), "t"));
+        ComponentDescription task = Task(component(), 1e-3, columns);
+        if (pick(2) == 0) task.required.push_back({"Arm", {Read("Get", "t")}, {}, false});
+        system.Component(process(), task);
+      }
+    }
+    if (pick(3) == 0) Show(system);
+    const ColumnValues values{
+        std::make_shared<const std::vector<PlotChannel>>(Channels(JointSchema(1 + step % 3))),
+        {},
+        {}};
+    model_.showValues(QString::fromStdString(process() + "/" + component() + "/state.x1"), values);
+  }
+  Show(system);
+
+  CatalogueModel fresh;
+  Touched all;
+  for (const auto& [name, entry] : system.catalog().processes()) all.insert({name, {}});
+  fresh.update(system.catalog(), all);
+  EXPECT_EQ(model_.itemCount(), fresh.itemCount());
+  EXPECT_EQ(model_.rowCount({}), fresh.rowCount({}));
+}
+
+}  // namespace
+}  // namespace tendon::gui

@@ -1,0 +1,202 @@
+#include <gcm_gui/session/live_signals.h>
+#include <gtest/gtest.h>
+#include <tendon/payload/codec.h>
+
+#include <QSignalSpy>
+#include <map>
+#include <set>
+
+#include "support/fakes.h"
+
+namespace tendon::gui {
+namespace {
+
+/// Holds the sinks, so that the test plays the network.
+class ScriptedTelemetry final : public TelemetryClient {
+ public:
+  struct Entry {
+    TableSubscription table;
+    std::shared_ptr<RowSink> sink;
+  };
+
+  Id Subscribe(const TableSubscription& table, std::shared_ptr<RowSink> sink) override {
+    entries[++last_id_] = {table, std::move(sink)};
+    return last_id_;
+  }
+  void Unsubscribe(Id id) override { entries.erase(id); }
+
+  std::map<Id, Entry> entries;
+
+ private:
+  Id last_id_ = 0;
+};
+
+/// Sends rows of two doubles, `position[0..1]`, whose first is the tick.
+void SendRows(RowSink& sink, std::uint64_t epoch, std::uint64_t first, std::size_t count) {
+  std::vector<std::uint64_t> ticks;
+  std::vector<std::int64_t> times;
+  std::vector<std::vector<std::byte>> cells;
+  for (std::size_t i = 0; i < count; ++i) {
+    ticks.push_back(first + i);
+    times.push_back(static_cast<std::int64_t>((first + i) * 1'000'000));
+    std::vector<std::byte> cell;
+    Encode(std::array<double, 2>{static_cast<double>(first + i), 0.5}, cell);
+    cells.push_back(std::move(cell));
+  }
+  RowBatch batch;
+  batch.epoch = epoch;
+  batch.count = count;
+  batch.ticks = ticks;
+  batch.times = times;
+  batch.cell = [&](std::size_t row, std::size_t) { return std::span<const std::byte>(cells[row]); };
+  sink.OnRows(batch);
+}
+
+Schema PositionSchema() {
+  return Schema::Structure("t.P",
+                           {{"position", "rad", Schema::Array(Schema(Schema::Kind::kFloat64), 2)}});
+}
+
+class LiveSignalsTest : public ::testing::Test {
+ protected:
+  LiveSignalsTest() {
+    QObject::connect(&live_, &SignalSource::samplesArrived, &live_,
+                     [this](const QString& signal, std::span<const Sample> samples) {
+                       for (const Sample& sample : samples) rows_[signal].push_back(sample);
+                     });
+  }
+
+  RowSink& Sink() { return *telemetry_.entries.begin()->second.sink; }
+
+  ScriptedTelemetry telemetry_;
+  LiveSignals live_{telemetry_};
+  std::map<QString, std::vector<Sample>> rows_;
+  const QString first_ = "robot/arm/state.Joints.position[0]";
+  const QString second_ = "robot/arm/state.Joints.position[1]";
+};
+
+TEST_F(LiveSignalsTest, NumbersOfOneColumnShareOneSubscription) {
+  live_.subscribe(first_);
+  live_.subscribe(second_);
+  QObject owner;
+  live_.watch(&owner, {"robot/arm/state.Joints"});
+
+  ASSERT_EQ(telemetry_.entries.size(), 1u);
+  const TableSubscription& table = telemetry_.entries.begin()->second.table;
+  EXPECT_EQ(table.process, "robot");
+  EXPECT_EQ(table.component, "arm");
+  EXPECT_EQ(table.table, "state");
+  EXPECT_EQ(table.columns, std::vector<std::string>{"Joints"});
+}
+
+TEST_F(LiveSignalsTest, EveryRowArrivesInOrderWithItsTickAndTime) {
+  live_.subscribe(first_);
+  Sink().OnSubscribed({PositionSchema()});
+  SendRows(Sink(), 1, 100, 20);
+  SendRows(Sink(), 1, 120, 20);
+
+  live_.drain();
+
+  const auto& rows = rows_[first_];
+  ASSERT_EQ(rows.size(), 40u);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    EXPECT_EQ(rows[i].tick, 100 + i);
+    EXPECT_EQ(rows[i].time_ns, static_cast<std::int64_t>((100 + i) * 1'000'000));
+    EXPECT_DOUBLE_EQ(rows[i].value, static_cast<double>(100 + i));
+  }
+}
+
+TEST_F(LiveSignalsTest, ANewEpochIsToldBetweenTheRowsBeforeAndAfter) {
+  live_.subscribe(first_);
+  Sink().OnSubscribed({PositionSchema()});
+  SendRows(Sink(), 1, 100, 2);
+  live_.drain();
+  QStringList heard;
+  QObject::connect(&live_, &SignalSource::epochBegan, &live_, [&] { heard << "epoch"; });
+  QObject::connect(&live_, &SignalSource::samplesArrived, &live_, [&] { heard << "rows"; });
+
+  SendRows(Sink(), 1, 102, 2);
+  SendRows(Sink(), 2, 0, 2);
+  live_.drain();
+
+  EXPECT_EQ(heard, (QStringList{"rows", "epoch", "rows"}));
+}
+
+TEST_F(LiveSignalsTest, StalenessIsToldOnceAndEndsWithTheNextRows) {
+  live_.subscribe(first_);
+  Sink().OnSubscribed({PositionSchema()});
+  QSignalSpy stale(&live_, &SignalSource::wentStale);
+
+  Sink().OnStale({ErrorCode::kNotFound, "robot/arm has no table 'state'"});
+  live_.drain();
+  live_.drain();
+
+  ASSERT_EQ(stale.count(), 1);
+  EXPECT_EQ(stale.front().at(1).toString(), "robot/arm has no table 'state'");
+
+  Sink().OnStale({ErrorCode::kUnreachable, "process 'robot' is lost (...); start it again first"});
+  live_.drain();
+  EXPECT_EQ(stale.back().at(1).toString(), "");  // whose rows are waited for says enough
+}
+
+TEST_F(LiveSignalsTest, ASignalThatIsNotThereSaysWhereItsPathEnds) {
+  live_.subscribe("robot/arm/state.Joints.torque[0]");
+  QSignalSpy stale(&live_, &SignalSource::wentStale);
+
+  Sink().OnSubscribed({PositionSchema()});
+  live_.drain();
+
+  ASSERT_EQ(stale.count(), 1);
+  EXPECT_TRUE(stale.front().at(1).toString().contains("torque"));
+}
+
+TEST_F(LiveSignalsTest, AWatcherSeesTheNewestValuesOnly) {
+  QObject owner;
+  live_.watch(&owner, {"robot/arm/state.Joints"});
+  Sink().OnSubscribed({PositionSchema()});
+  SendRows(Sink(), 1, 100, 20);
+  QSignalSpy values(&live_, &SignalSource::valuesArrived);
+
+  live_.drainValues();
+  live_.drainValues();
+
+  ASSERT_EQ(values.count(), 1);
+  const auto newest = values.front().at(1).value<ColumnValues>();
+  ASSERT_EQ(newest.values.size(), 2u);
+  EXPECT_DOUBLE_EQ(newest.values[0], 119);
+  EXPECT_EQ(newest.channels->at(1).path, ".position[1]");
+}
+
+TEST_F(LiveSignalsTest, ASubscriptionEndsAWhileAfterTheLastUserHasGone) {
+  live_.subscribe(first_);
+  {
+    QObject owner;
+    live_.watch(&owner, {"robot/arm/state.Joints", "robot/arm/state.Cycle"});
+  }
+  live_.release(first_);
+  EXPECT_EQ(telemetry_.entries.size(), 2u);
+
+  for (int sweep = 0; sweep < 3; ++sweep) live_.dropUnused();
+
+  EXPECT_TRUE(telemetry_.entries.empty());
+}
+
+TEST_F(LiveSignalsTest, WhatIsStillUsedIsKept) {
+  live_.subscribe(first_);
+  live_.subscribe(first_);
+  live_.release(first_);
+
+  for (int sweep = 0; sweep < 10; ++sweep) live_.dropUnused();
+
+  EXPECT_EQ(telemetry_.entries.size(), 1u);
+}
+
+TEST_F(LiveSignalsTest, WhatIsNoPathOfAColumnIsLeftAlone) {
+  live_.subscribe("robot/arm");
+  live_.subscribe("no path at all");
+
+  EXPECT_TRUE(telemetry_.entries.empty());
+}
+
+}  // namespace
+}  // namespace tendon::gui

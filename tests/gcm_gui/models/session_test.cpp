@@ -1,0 +1,148 @@
+#include <gcm_gui/session/session.h>
+#include <gtest/gtest.h>
+#include <support/plant.h>
+#include <tendon/gcm/global_manager.h>
+#include <tendon/middleware/loopback.h>
+#include <tendon/process/process.h>
+
+#include <QTemporaryDir>
+#include <QTest>
+#include <functional>
+
+namespace tendon::gui {
+namespace {
+
+constexpr int kPatience = 20000;  // ms; bounds a test that fails
+
+const InterfaceName kRobot{"desk", "operator", "Robot"};
+const InterfaceName kControl{"robot", "plant", "Control"};
+
+/// A GCM and two processes with real components over loopback, and the window's session.
+class SessionTest : public ::testing::Test {
+ protected:
+  SessionTest() {
+    auto manager = GlobalManager::Start(
+        Node(), {.address = "127.0.0.1:0", .state_folder = folder_.path().toStdString()});
+    manager_ = std::move(*manager);
+    StartRobot();
+    desk_ = std::make_unique<Process>("desk", Options());
+    desk_->Add<plant::Operator>("operator");
+    (void)desk_->StartAll();
+    session_ = std::make_unique<Session>(Node(), manager_->address(), true);
+  }
+
+  std::shared_ptr<Middleware> Node() { return std::make_shared<LoopbackMiddleware>(network_); }
+  ProcessOptions Options() { return {.middleware = Node(), .gcm = manager_->address()}; }
+
+  void StartRobot() {
+    robot_ = std::make_unique<Process>("robot", Options());
+    robot_->Add<plant::Plant>("plant");
+    (void)robot_->StartAll();
+  }
+
+  const Catalog& Catalogue() { return session_->store().catalogue(); }
+  bool IsConnected() {
+    const auto* connection = Catalogue().FindConnection(kRobot);
+    return connection != nullptr && connection->state == ConnectionState::kActive;
+  }
+  bool Eventually(const std::function<bool()>& holds) { return QTest::qWaitFor(holds, kPatience); }
+  bool EverythingIsThere() {
+    return Eventually([&] {
+      return Catalogue().FindProvided(kControl) != nullptr &&
+             Catalogue().FindRequired(kRobot) != nullptr;
+    });
+  }
+
+  QTemporaryDir folder_;
+  std::shared_ptr<LoopbackNetwork> network_ = std::make_shared<LoopbackNetwork>();
+  std::unique_ptr<GlobalManager> manager_;
+  std::unique_ptr<Process> robot_;
+  std::unique_ptr<Process> desk_;
+  std::unique_ptr<Session> session_;
+};
+
+TEST_F(SessionTest, TheCatalogueArrivesByItself) {
+  EXPECT_TRUE(EverythingIsThere());
+  EXPECT_EQ(session_->link().state(), GcmLink::State::kConnected);
+}
+
+TEST_F(SessionTest, ConnectsDisconnectsAndUndoesWithoutWaiting) {
+  ASSERT_TRUE(EverythingIsThere());
+
+  session_->connectInterfaces(kRobot, kControl);
+  EXPECT_EQ(session_->activity().action(0).outcome, Action::Outcome::kRunning);
+  EXPECT_TRUE(Eventually([&] { return IsConnected(); }));
+  EXPECT_TRUE(Eventually([&] { return session_->activity().canUndo(0); }));
+
+  session_->undo();
+  EXPECT_TRUE(Eventually([&] { return Catalogue().FindConnection(kRobot) == nullptr; }));
+  EXPECT_TRUE(Eventually([&] { return session_->activity().action(1).undone; }));
+
+  session_->disconnectInterface(kRobot);
+  EXPECT_TRUE(Eventually(
+      [&] { return session_->activity().action(0).outcome == Action::Outcome::kRefused; }));
+  EXPECT_FALSE(session_->activity().action(0).refusal.isEmpty());
+}
+
+TEST_F(SessionTest, EveryRowOfASignalArrivesOnce) {
+  ASSERT_TRUE(EverythingIsThere());
+  std::vector<Sample> rows;
+  QObject::connect(&session_->liveSignals(), &SignalSource::samplesArrived, session_.get(),
+                   [&](const QString&, std::span<const Sample> samples) {
+                     rows.insert(rows.end(), samples.begin(), samples.end());
+                   });
+
+  session_->liveSignals().subscribe("robot/plant/state.Move.goal[0]");
+  ASSERT_TRUE(Eventually([&] { return rows.size() > 1000; }));
+
+  for (std::size_t i = 1; i < rows.size(); ++i) ASSERT_EQ(rows[i].tick, rows[i - 1].tick + 1);
+}
+
+TEST_F(SessionTest, ALostProcessIsSeenAndItsRowsGoOnWhenItIsBack) {
+  ASSERT_TRUE(EverythingIsThere());
+  QStringList heard;
+  auto& live = session_->liveSignals();
+  QObject::connect(&live, &SignalSource::samplesArrived, &live, [&] { heard << "rows"; });
+  QObject::connect(&live, &SignalSource::wentStale, &live, [&] { heard << "stale"; });
+  live.subscribe("robot/plant/state.Move.goal[0]");
+  ASSERT_TRUE(Eventually([&] { return heard.contains("rows"); }));
+
+  robot_.reset();
+  EXPECT_TRUE(Eventually([&] { return heard.contains("stale"); }));
+  EXPECT_TRUE(Eventually([&] {
+    const auto* robot = Catalogue().FindProcess("robot");
+    return robot != nullptr && robot->process.state != ProcessState::kAlive;
+  }));
+  heard.clear();
+  StartRobot();
+
+  EXPECT_TRUE(Eventually([&] { return heard.contains("rows"); }));
+}
+
+TEST_F(SessionTest, ALostGcmIsSeenAndFoundAgain) {
+  ASSERT_TRUE(EverythingIsThere());
+  const std::string address = manager_->address();
+
+  manager_.reset();
+  EXPECT_TRUE(Eventually([&] { return session_->link().state() == GcmLink::State::kLost; }));
+  EXPECT_NE(Catalogue().FindProvided(kControl), nullptr);  // what was known stays
+
+  auto manager = GlobalManager::Start(
+      Node(), {.address = address, .state_folder = folder_.path().toStdString()});
+  ASSERT_TRUE(manager) << manager.error().message;
+  manager_ = std::move(*manager);
+  EXPECT_TRUE(Eventually([&] { return session_->link().state() == GcmLink::State::kConnected; }));
+  EXPECT_TRUE(EverythingIsThere());
+}
+
+TEST_F(SessionTest, ItCanGoWhileARequestIsUnderWay) {
+  ASSERT_TRUE(EverythingIsThere());
+
+  session_->connectInterfaces(kRobot, kControl);
+  session_.reset();
+
+  QTest::qWait(50);  // a late answer finds nobody
+}
+
+}  // namespace
+}  // namespace tendon::gui

@@ -1,0 +1,222 @@
+#include <gcm_gui/plot/legend.h>
+#include <gcm_gui/plot/plot_panel.h>
+#include <gcm_gui/plot/plot_view.h>
+#include <gcm_gui/plot/rate_badge.h>
+#include <gmock/gmock.h>
+
+#include <QMenu>
+#include <QSignalSpy>
+#include <QTabBar>
+#include <QTest>
+#include <QToolButton>
+
+#include "samples.h"
+
+namespace tendon::gui {
+namespace {
+
+using namespace std::chrono_literals;
+
+const QString kX = "robot/arm/state.Joints.position[0]";
+const QString kY = "robot/arm/state.Joints.position[1]";
+
+class PlotPanelTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    panel_.resize(800, 320);
+    panel_.show();
+  }
+
+  template <typename Widget>
+  [[nodiscard]] Widget& child(const QString& name) const {
+    return *panel_.findChild<Widget*>(name);
+  }
+  [[nodiscard]] const SampleRing& samples(const QString& path) const {
+    return panel_.currentPlot().curve(path)->samples();
+  }
+
+  PlotPanel panel_;
+  QSignalSpy wanted_{&panel_, &PlotPanel::subscriptionWanted};
+  QSignalSpy released_{&panel_, &PlotPanel::subscriptionReleased};
+};
+
+TEST_F(PlotPanelTest, ASignalIsSubscribedToOnceAndFed) {
+  panel_.addSignal(kX, "rad");
+  panel_.addSignal(kX, "rad");
+
+  panel_.append(kX, Rows(0, 100));
+  panel_.append("robot/arm/state.other", Rows(0, 100));
+
+  ASSERT_EQ(wanted_.count(), 1);
+  EXPECT_EQ(wanted_[0][0], kX);
+  EXPECT_EQ(samples(kX).endIndex(), 100U);
+}
+
+TEST_F(PlotPanelTest, ASignalInTwoPlotsIsWantedOnceAndReleasedWithTheLast) {
+  panel_.addSignal(kX, "rad");
+  panel_.addPlot();
+  panel_.addSignal(kX, "rad");
+  panel_.append(kX, Rows(0, 100));
+  EXPECT_EQ(wanted_.count(), 1);
+  EXPECT_EQ(panel_.plot(0).curve(kX)->samples().endIndex(), 100U);
+  EXPECT_EQ(panel_.plot(1).curve(kX)->samples().endIndex(), 100U);
+
+  QTest::keyClick(panel_.currentPlot().legendBox().rows().front(), Qt::Key_Delete);
+  EXPECT_EQ(released_.count(), 0);
+  panel_.removeSignal(kX);
+
+  ASSERT_EQ(released_.count(), 1);
+  EXPECT_EQ(released_[0][0], kX);
+}
+
+TEST_F(PlotPanelTest, DroppedPathsAreAddedToThePlotTheyFellOn) {
+  Q_EMIT panel_.currentPlot().curvesDropped({{kX, "rad"}, {kY, "rad"}});
+
+  EXPECT_EQ(panel_.paths(), (QStringList{kX, kY}));
+  EXPECT_EQ(wanted_.count(), 2);
+}
+
+TEST_F(PlotPanelTest, ATabIsNamedByItsFirstColumn) {
+  QTabBar& tabs = child<QTabBar>("plotTabs");
+  EXPECT_EQ(tabs.tabText(0), "Plot 1");
+
+  panel_.addSignal(kX, "rad");
+  QTest::mouseClick(&child<QToolButton>("newPlot"), Qt::LeftButton);
+
+  EXPECT_EQ(tabs.tabText(0), "Joints");
+  EXPECT_EQ(tabs.tabText(1), "Plot 2");
+  EXPECT_EQ(panel_.currentIndex(), 1);
+  EXPECT_EQ(panel_.plot(0).accessibleName(), "Plot Joints");
+}
+
+TEST_F(PlotPanelTest, ClosingAPlotReleasesWhatItShowed) {
+  panel_.addSignal(kX, "rad");
+  panel_.addPlot();
+  panel_.addSignal(kY, "rad");
+
+  panel_.closePlot(0);
+
+  EXPECT_EQ(panel_.plotCount(), 1);
+  ASSERT_EQ(released_.count(), 1);
+  EXPECT_EQ(released_[0][0], kX);
+  EXPECT_NE(panel_.currentPlot().curve(kY), nullptr);
+}
+
+TEST_F(PlotPanelTest, TheLastPlotIsEmptiedInsteadOfClosed) {
+  panel_.addSignal(kX, "rad");
+
+  panel_.closePlot(0);
+
+  EXPECT_EQ(panel_.plotCount(), 1);
+  EXPECT_TRUE(panel_.currentPlot().curves().empty());
+}
+
+TEST_F(PlotPanelTest, PausingKeepsEverySample) {
+  QSignalSpy paused(&panel_, &PlotPanel::pausedChanged);
+  panel_.addSignal(kX, "rad");
+  panel_.append(kX, Rows(0, 100));
+
+  QTest::mouseClick(&child<QToolButton>("pause"), Qt::LeftButton);
+  panel_.append(kX, Rows(100, 5000));
+
+  EXPECT_TRUE(panel_.isPaused());
+  ASSERT_EQ(paused.count(), 1);
+  EXPECT_FALSE(panel_.currentPlot().isLive());
+  EXPECT_EQ(samples(kX).endIndex(), 5000U);
+  EXPECT_EQ(samples(kX).lost(), 0U);
+}
+
+TEST_F(PlotPanelTest, FollowingOnePlotAgainEndsThePause) {
+  panel_.addSignal(kX, "rad");
+  panel_.setPaused(true);
+
+  panel_.currentPlot().goLive();
+
+  EXPECT_FALSE(panel_.isPaused());
+  EXPECT_FALSE(child<QToolButton>("pause").isChecked());
+}
+
+TEST_F(PlotPanelTest, TheBadgeShowsRateAndLoss) {
+  panel_.addSignal(kX, "rad");
+  panel_.append(kX, Rows(0, 2000));
+  panel_.append(kX, Rows(2600, 4000));
+
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] { return child<RateBadge>("rateBadge").text() == "1000 Hz · 600 lost"; }, 10'000));
+}
+
+TEST_F(PlotPanelTest, ARestartIsAGapAndNoLoss) {
+  panel_.addSignal(kX, "rad");
+  panel_.append(kX, Rows(1000, 2000));
+  panel_.setStale(kX, "waiting for robot");
+  EXPECT_TRUE(panel_.currentPlot().curve(kX)->isStale());
+
+  panel_.beginEpoch(kX);
+  std::vector<Sample> rows = Rows(0, 100);
+  for (Sample& row : rows) row.time_ns += 5 * kSecond;
+  panel_.append(kX, rows);
+
+  EXPECT_FALSE(panel_.currentPlot().curve(kX)->isStale());
+  EXPECT_EQ(samples(kX).lost(), 0U);
+  EXPECT_EQ(samples(kX).gaps().size(), 1U);
+  EXPECT_EQ(samples(kX).endIndex(), 1100U);
+}
+
+TEST_F(PlotPanelTest, TheWindowMenuSetsTheLengthOfThePlotInFront) {
+  auto& button = child<QToolButton>("window");
+  for (QAction* action : button.menu()->actions()) {
+    if (action->text() == "5 min") action->trigger();
+  }
+
+  EXPECT_EQ(panel_.currentPlot().window().length(), 5min);
+  EXPECT_EQ(button.text(), "window 5 min");
+}
+
+TEST_F(PlotPanelTest, TheMemoryIsSharedAmongTheCurves) {
+  panel_.addSignal(kX, "rad");
+  panel_.addSignal(kY, "rad");
+  panel_.append(kX, Rows(0, 40'000));
+
+  panel_.setMemoryBudget(2 * 16 * 10'000);  // 8192 samples a curve
+
+  EXPECT_EQ(samples(kX).endIndex() - samples(kX).firstIndex(), 8192U);
+}
+
+TEST_F(PlotPanelTest, AHundredSignalsInBatchesLoseNothing) {
+  QStringList paths;
+  for (int i = 0; i < 100; ++i) paths << QString("robot/arm/state.Load[%1]").arg(i);
+  for (const QString& path : paths) panel_.addSignal(path, "Nm");
+
+  for (std::uint64_t tick = 0; tick < 5000; tick += 50) {
+    const std::vector<Sample> batch = Rows(tick, tick + 50);
+    for (const QString& path : paths) panel_.append(path, batch);
+  }
+
+  for (const QString& path : paths) {
+    EXPECT_EQ(samples(path).endIndex(), 5000U);
+    EXPECT_EQ(samples(path).lost() + samples(path).repeated(), 0U);
+  }
+}
+
+TEST_F(PlotPanelTest, OnlyThePlotInFrontIsDrawn) {
+  panel_.addSignal(kX, "rad");
+  PlotView& behind = panel_.currentPlot();
+  panel_.addPlot();
+
+  EXPECT_FALSE(behind.isVisible());
+  EXPECT_TRUE(panel_.currentPlot().isVisible());
+}
+
+TEST_F(PlotPanelTest, EverythingTheMouseCanReachHasANameForAScreenReader) {
+  panel_.addSignal(kX, "rad");
+  panel_.append(kX, Rows(0, 100));
+  for (const QToolButton* button : panel_.findChildren<QToolButton*>()) {
+    EXPECT_TRUE(button->isHidden() || !button->accessibleName().isEmpty())
+        << qPrintable(button->objectName());
+  }
+  EXPECT_FALSE(panel_.currentPlot().accessibleName().isEmpty());
+  EXPECT_FALSE(panel_.currentPlot().canvas()->accessibleName().isEmpty());
+}
+
+}  // namespace
+}  // namespace tendon::gui

@@ -1,0 +1,51 @@
+#include <gcm_gui/plot/rate_badge.h>
+#include <gmock/gmock.h>
+
+namespace tendon::gui {
+namespace {
+
+TEST(RateBadge, ProvesThatNothingIsLost) {
+  EXPECT_EQ(BadgeText({{.source = "a", .rate = 999.97}}), "1000 Hz · 0 lost");
+}
+
+TEST(RateBadge, AddsUpTheLossesOfAllSources) {
+  EXPECT_EQ(BadgeText({{.source = "a", .rate = 1000, .lost = 600},
+                       {.source = "b", .rate = 20.004, .lost = 3, .repeated = 2}}),
+            "20–1000 Hz · 603 lost · 2 repeated");
+}
+
+TEST(RateBadge, SaysHowManySourcesAreSilent) {
+  EXPECT_EQ(BadgeText({{.source = "a", .rate = 1000}, {.source = "b"}}),
+            "1000 Hz · 0 lost · 1 silent");
+  EXPECT_EQ(BadgeText({{.source = "a"}}), "0 Hz · 0 lost");
+}
+
+TEST(RateBadge, SlowRatesHaveDigitsBehindThePoint) {
+  EXPECT_EQ(RateText(0.5), "0.5 Hz");
+  EXPECT_EQ(RateText(19.83), "19.8 Hz");
+  EXPECT_EQ(RateText(0), "0 Hz");
+}
+
+TEST(RateBadge, TurnsRedWithTheFirstLoss) {
+  RateBadge badge;
+  badge.setFigures({{.source = "a", .rate = 1000}});
+  EXPECT_FALSE(badge.property("role").toString().contains("bad"));
+
+  badge.setFigures({{.source = "a", .rate = 1000, .lost = 1}});
+
+  EXPECT_TRUE(badge.property("role").toString().contains("bad"));
+  EXPECT_EQ(badge.accessibleName(), "Rate and lost rows: 1000 Hz · 1 lost");
+}
+
+TEST(RateBadge, TellsEachSourcesShare) {
+  RateBadge badge;
+
+  badge.setFigures(
+      {{.source = "p/a/state", .rate = 1000, .lost = 1}, {.source = "p/b/state", .rate = 20}});
+
+  EXPECT_THAT(badge.toolTip().toStdString(), testing::HasSubstr("p/a/state: 1000 Hz, 1 rows lost"));
+  EXPECT_THAT(badge.toolTip().toStdString(), testing::HasSubstr("p/b/state: 20 Hz, 0 rows lost"));
+}
+
+}  // namespace
+}  // namespace tendon::gui

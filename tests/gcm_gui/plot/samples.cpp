@@ -1,0 +1,35 @@
+#include "samples.h"
+
+#include <QDir>
+#include <QTest>
+
+namespace tendon::gui {
+
+std::vector<Sample> Rows(std::uint64_t from, std::uint64_t to,
+                         const std::function<double(double seconds)>& value) {
+  std::vector<Sample> rows;
+  for (std::uint64_t tick = from; tick < to; ++tick) {
+    const auto time = static_cast<std::int64_t>(tick) * kMillisecond;
+    rows.push_back(
+        {.time_ns = time, .tick = tick, .value = value(static_cast<double>(time) / 1e9)});
+  }
+  return rows;
+}
+
+void ShowView(PlotView& view) {
+  view.resize(640, 320);
+  view.show();
+  [[maybe_unused]] const bool exposed = QTest::qWaitForWindowExposed(&view);
+}
+
+QImage Painted(PlotView& view) {
+  view.refresh();
+  return view.grab().toImage();
+}
+
+void KeepPicture(const QImage& image, const QString& name) {
+  QDir().mkpath(PICTURE_FOLDER);
+  image.save(QString("%1/%2.png").arg(PICTURE_FOLDER, name));
+}
+
+}  // namespace tendon::gui

@@ -1,0 +1,45 @@
+#include <gcm_gui/plot/series/signal_path.h>
+#include <gmock/gmock.h>
+
+#include <QMimeData>
+
+namespace tendon::gui {
+namespace {
+
+TEST(SignalPath, HasASourceAShortNameAndAColumn) {
+  const QString path = "robot/arm/state.Joints.position[0]";
+
+  EXPECT_EQ(SourceOf(path), "robot/arm/state");
+  EXPECT_EQ(ShortName(path), "arm.Joints.position[0]");
+  EXPECT_EQ(ColumnOf(path), "Joints");
+}
+
+TEST(SignalPath, NamesTheTableWhenItIsNotTheDefaultOne) {
+  EXPECT_EQ(ShortName("robot/arm/state-fast.Current"), "arm.fast.Current");
+  EXPECT_EQ(ColumnOf("robot/arm/state.Load[3]"), "Load");
+}
+
+TEST(SignalPath, ANameOfAnotherShapeIsShownWhole) {
+  EXPECT_EQ(ShortName("temperature"), "temperature");
+  EXPECT_EQ(SourceOf("temperature"), "temperature");
+}
+
+TEST(SignalPath, TravelsWithADrag) {
+  const QList<CurveKey> keys{{"robot/arm/state.Joints.position[0]", "rad"},
+                             {"desk/host/state.Load", ""}};
+  QMimeData data;
+
+  data.setData(kPathMimeType, EncodedPaths(keys));
+
+  EXPECT_EQ(PathsIn(data), keys);
+}
+
+TEST(SignalPath, LinesWithoutAPathAreLeftOut) {
+  QMimeData data;
+  data.setData(kPathMimeType, "\n\trad\na/b/c.d\n");
+
+  EXPECT_EQ(PathsIn(data), (QList<CurveKey>{{"a/b/c.d", ""}}));
+}
+
+}  // namespace
+}  // namespace tendon::gui

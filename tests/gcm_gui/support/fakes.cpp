@@ -1,0 +1,57 @@
+#include "support/fakes.h"
+
+#include <tendon/base/name.h>
+
+namespace tendon::gui {
+namespace {
+
+QString Name(const InterfaceName& name) { return QString::fromStdString(ToString(name)); }
+
+}  // namespace
+
+void RecordingActions::connectInterfaces(const InterfaceName& required,
+                                         const InterfaceName& provided) {
+  asked.append(QStringLiteral("connect %1 %2").arg(Name(required), Name(provided)));
+}
+
+void RecordingActions::disconnectInterface(const InterfaceName& required) {
+  asked.append(QStringLiteral("disconnect ") + Name(required));
+}
+
+void RecordingActions::forget(const std::string& process) {
+  asked.append(QStringLiteral("forget ") + QString::fromStdString(process));
+}
+
+void ScriptedSignals::watch(const QObject* owner, const QSet<QString>& columns) {
+  watched_[owner] = columns;
+}
+
+QSet<QString> ScriptedSignals::watched() const {
+  QSet<QString> all;
+  for (const auto& columns : watched_) all.unite(columns);
+  return all;
+}
+
+void ScriptedSignals::send(const QString& column, const Schema& schema,
+                           const std::vector<double>& values) {
+  ChannelList& shape = shapes_[column];
+  if (shape == nullptr) shape = std::make_shared<const std::vector<PlotChannel>>(Channels(schema));
+  Q_EMIT valuesArrived(column, ColumnValues{shape, values, {}});
+}
+
+Schema JointSchema(std::uint32_t joints) {
+  const Schema numbers = Schema::Array(Schema(Schema::Kind::kFloat64), joints);
+  return Schema::Structure("arm.JointState",
+                           {{"position", "rad", numbers}, {"velocity", "rad/s", numbers}});
+}
+
+Schema CycleSchema() {
+  const Schema number(Schema::Kind::kFloat64);
+  return Schema::Structure("tendon.CycleStatistics",
+                           {{"period", "s", number},
+                            {"lateness", "s", number},
+                            {"compute", "s", number},
+                            {"overruns", "", Schema(Schema::Kind::kUint64)}});
+}
+
+}  // namespace tendon::gui

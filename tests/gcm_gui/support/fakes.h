@@ -1,0 +1,55 @@
+#pragma once
+
+#include <gcm_gui/session/signal_source.h>
+#include <gcm_gui/session/system_actions.h>
+
+#include <QMap>
+#include <QSet>
+#include <QString>
+#include <QStringList>
+#include <string>
+
+namespace tendon::gui {
+
+/// Remembers what it was asked to do: "connect a b", "disconnect a", "undo", "forget a".
+class RecordingActions final : public SystemActions {
+ public:
+  void connectInterfaces(const InterfaceName& required, const InterfaceName& provided) override;
+  void disconnectInterface(const InterfaceName& required) override;
+  void undo() override { asked.append(QStringLiteral("undo")); }
+  void forget(const std::string& process) override;
+
+  QStringList asked;
+};
+
+/// Remembers what is wanted of it; the test sends rows and values by its signals.
+class ScriptedSignals final : public SignalSource {
+  Q_OBJECT
+
+ public:
+  using SignalSource::SignalSource;
+
+  void subscribe(const QString& signal) override { ++subscribed[signal]; }
+  void release(const QString& signal) override {
+    if (--subscribed[signal] == 0) subscribed.remove(signal);
+  }
+  void watch(const QObject* owner, const QSet<QString>& columns) override;
+
+  /// All that is watched by anyone.
+  [[nodiscard]] QSet<QString> watched() const;
+  /// A newest row of `column`, whose value has this schema.
+  void send(const QString& column, const Schema& schema, const std::vector<double>& values);
+
+  QMap<QString, int> subscribed;
+
+ private:
+  QMap<const QObject*, QSet<QString>> watched_;
+  QMap<QString, ChannelList> shapes_;
+};
+
+/// position and velocity of so many joints, in rad and rad/s.
+Schema JointSchema(std::uint32_t joints);
+/// period, lateness, compute in s, overruns.
+Schema CycleSchema();
+
+}  // namespace tendon::gui

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <tendon/gcm/catalog.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace tendon::gui {
+
+/// Builds a catalogue step by step, as the changes of a GCM would.
+class SystemBuilder {
+ public:
+  SystemBuilder& Process(const std::string& name, ProcessState state = ProcessState::kAlive,
+                         std::int64_t since = 0, std::uint64_t instance = 1);
+  SystemBuilder& RemoveProcess(const std::string& name);
+  SystemBuilder& Component(const std::string& process, const ComponentDescription& component);
+  SystemBuilder& RemoveComponent(const std::string& process, const std::string& component);
+  SystemBuilder& Connect(const InterfaceName& required, const InterfaceName& provided,
+                         ConnectionState state = ConnectionState::kActive,
+                         const std::string& reason = {});
+  SystemBuilder& Disconnect(const InterfaceName& required);
+
+  [[nodiscard]] const Catalog& catalog() const { return catalog_; }
+  /// The changes since the last call, to be applied to another copy.
+  [[nodiscard]] std::vector<CatalogChange> TakeChanges();
+
+ private:
+  SystemBuilder& Apply(CatalogChange change);
+
+  Catalog catalog_ = Catalog::At(0);
+  std::vector<CatalogChange> changes_;
+  std::uint64_t last_connection_ = 0;
+};
+
+// Descriptions in a few words. A type's name stands for its fingerprint.
+MemberDescription Write(const std::string& name, const std::string& type);
+MemberDescription Read(const std::string& name, const std::string& type);
+MemberDescription Void(const std::string& name);
+
+/// An active component with a state table of these columns (and, if it has a period, `Cycle`).
+ComponentDescription Task(const std::string& name, double period,
+                          std::vector<ColumnDescription> columns);
+ColumnDescription Column(const std::string& name, const std::string& type);
+
+/// The system of the look: robot with arm, force_sensor and controller, desk with teleoperation,
+/// host_monitor and view, and vision, which is lost since `lost_since`.
+SystemBuilder LookSystem(std::int64_t lost_since);
+
+}  // namespace tendon::gui

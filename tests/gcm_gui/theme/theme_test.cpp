@@ -1,0 +1,77 @@
+#include <gcm_gui/theme/metrics.h>
+#include <gcm_gui/theme/theme.h>
+#include <gmock/gmock.h>
+
+#include <QApplication>
+#include <QLabel>
+#include <QSignalSpy>
+#include <QStandardItemModel>
+#include <QTreeView>
+
+namespace tendon::gui {
+namespace {
+
+class ThemeTest : public testing::Test {
+ protected:
+  void SetUp() override { theme_.choose(Theme::Choice::kDark); }
+  void TearDown() override { theme_.choose(Theme::Choice::kSystem); }
+
+  Theme& theme_ = Theme::instance();
+};
+
+TEST_F(ThemeTest, ChoosingTheOtherAppearanceChangesPaletteAndTellsOnce) {
+  QSignalSpy changed(&theme_, &Theme::changed);
+
+  theme_.choose(Theme::Choice::kLight);
+
+  EXPECT_EQ(changed.count(), 1);
+  EXPECT_EQ(theme_.appearance(), Appearance::kLight);
+  EXPECT_EQ(QApplication::palette().color(QPalette::Window),
+            ColorOf(Token::kPanel, Appearance::kLight));
+}
+
+TEST_F(ThemeTest, ChoosingTheSameAppearanceTellsNobody) {
+  QSignalSpy changed(&theme_, &Theme::changed);
+
+  theme_.choose(Theme::Choice::kDark);
+
+  EXPECT_EQ(changed.count(), 0);
+}
+
+TEST_F(ThemeTest, TheStyleSheetNamesOnlyColoursThatExist) {
+  EXPECT_FALSE(qApp->styleSheet().isEmpty());
+  EXPECT_FALSE(qApp->styleSheet().contains("${")) << qPrintable(qApp->styleSheet());
+}
+
+TEST_F(ThemeTest, ALabelTakesTheColourOfItsRoleAndOfTheNextTheme) {
+  QLabel label("text");
+  SetRole(label, "mono bad");
+  label.ensurePolished();
+  EXPECT_EQ(label.palette().color(QPalette::WindowText), theme_.color(Token::kBad));
+
+  theme_.choose(Theme::Choice::kLight);
+
+  EXPECT_EQ(label.palette().color(QPalette::WindowText), ColorOf(Token::kBad, Appearance::kLight));
+}
+
+TEST_F(ThemeTest, RowsOfATreeAreAsHighAsTheGridSays) {
+  QStandardItemModel model(1, 1);
+  model.setData(model.index(0, 0), "arm");
+  QTreeView tree;
+  tree.setModel(&model);
+  tree.show();
+
+  EXPECT_EQ(tree.visualRect(model.index(0, 0)).height(), kRowHeight);
+  EXPECT_EQ(tree.frameWidth(), 0);
+}
+
+TEST_F(ThemeTest, NumbersHaveDigitsOfOneWidth) {
+  const QFontMetricsF metrics(theme_.mono());
+
+  for (const char digit : std::string("0123456789-.")) {
+    EXPECT_EQ(metrics.horizontalAdvance(QChar(digit)), metrics.horizontalAdvance('0')) << digit;
+  }
+}
+
+}  // namespace
+}  // namespace tendon::gui

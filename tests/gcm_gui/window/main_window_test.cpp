@@ -1,0 +1,261 @@
+#include <gcm_gui/activity/activity_model.h>
+#include <gcm_gui/activity/activity_strip.h>
+#include <gcm_gui/graph/graph_view.h>
+#include <gcm_gui/inspector/inspector.h>
+#include <gcm_gui/models/text.h>
+#include <gcm_gui/plot/plot_panel.h>
+#include <gcm_gui/session/gcm_link.h>
+#include <gcm_gui/theme/theme.h>
+#include <gcm_gui/views/catalogue_panel.h>
+#include <gcm_gui/views/catalogue_tree.h>
+#include <gcm_gui/views/tab_panel.h>
+#include <gcm_gui/window/main_window.h>
+#include <gcm_gui/window/notice_line.h>
+#include <gcm_gui/window/top_bar.h>
+#include <gtest/gtest.h>
+
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTest>
+#include <QToolButton>
+
+#include "window/window_fixture.h"
+
+namespace tendon::gui {
+namespace {
+
+class MainWindowTest : public WindowFixture {
+ protected:
+  QString Notice() const { return window_.findChild<NoticeLine*>()->text(); }
+};
+
+QLabel* Label(const MainWindow& window, const char* name) {
+  return window.findChild<QLabel*>(name);
+}
+
+TEST_F(MainWindowTest, TheBarSaysHowTheGcmIsAndWhatItKnows) {
+  EXPECT_EQ(window_.topBar().linkText(),
+            "Hosting the GCM on this machine 3 processes · 7 components · 3 connections");
+
+  link_.setUnreachable("127.0.0.1:10705 refused");
+
+  EXPECT_TRUE(window_.topBar().linkText().startsWith("GCM lost"));
+}
+
+TEST_F(MainWindowTest, OneSelectionIsSeenInAllViews) {
+  window_.catalogue().tree().reveal("robot/arm/Drives");
+  const QRect row = window_.catalogue().tree().visibleRows().value("robot/arm");
+  ASSERT_FALSE(row.isEmpty());
+  QTest::mouseClick(window_.catalogue().tree().viewport(), Qt::LeftButton, {}, row.center());
+  EXPECT_EQ(window_.selection().current(), "robot/arm");
+  EXPECT_EQ(Label(window_, "inspector.name")->text(), "arm");
+
+  window_.selection().select("desk/view");
+  EXPECT_EQ(Label(window_, "inspector.name")->text(), "view");
+  const auto rows = window_.catalogue().tree().selectionModel()->selectedRows();
+  ASSERT_EQ(rows.size(), 1);
+  EXPECT_EQ(rows.front().data().toString(), "view");
+}
+
+TEST_F(MainWindowTest, TwoClicksInTheGraphConnectAndCtrlZUndoes) {
+  const auto click = [&](const PortName& port) {
+    GraphView& graph = window_.graph();
+    QTest::mouseClick(graph.viewport(), Qt::LeftButton, {}, graph.pointOf(port).value());
+  };
+  click({Side::kRequired, {"desk", "teleoperation", "Robot"}});
+  EXPECT_TRUE(Notice().contains("desk/teleoperation/Robot"));
+  click({Side::kProvided, {"robot", "controller", "Control"}});
+  QTest::keyClick(&window_, Qt::Key_Z, Qt::ControlModifier);
+
+  EXPECT_EQ(actions_.asked,
+            (QStringList{"connect desk/teleoperation/Robot robot/controller/Control", "undo"}));
+}
+
+TEST_F(MainWindowTest, FromTheKeyboardCThenEnterConnects) {
+  window_.selection().select("desk/teleoperation");
+
+  QTest::keyClick(&window_, Qt::Key_C);
+  QTest::keyClick(&window_.graph(), Qt::Key_Return);
+
+  EXPECT_EQ(actions_.asked,
+            QStringList{"connect desk/teleoperation/Robot robot/controller/Control"});
+}
+
+TEST_F(MainWindowTest, TheOtherEndCanBePickedInTheTree) {
+  CatalogueTree& tree = window_.catalogue().tree();
+  tree.reveal("robot/controller/Control");
+  window_.selection().select("desk/teleoperation");
+  QTest::keyClick(&window_, Qt::Key_C);
+
+  const QRect row = tree.visibleRows().value("robot/controller/Control");
+  QTest::mouseClick(tree.viewport(), Qt::LeftButton, {}, row.center());
+
+  EXPECT_EQ(actions_.asked,
+            QStringList{"connect desk/teleoperation/Robot robot/controller/Control"});
+}
+
+TEST_F(MainWindowTest, DDisconnectsTheSelectedInterface) {
+  window_.selection().select("robot/controller/Arm");
+
+  QTest::keyClick(&window_, Qt::Key_D);
+
+  EXPECT_EQ(actions_.asked, QStringList{"disconnect robot/controller/Arm"});
+}
+
+TEST_F(MainWindowTest, TheInspectorDisconnectsToo) {
+  window_.selection().select("robot/controller");
+  auto* button = window_.inspector().findChild<QToolButton*>("disconnect");
+  ASSERT_NE(button, nullptr);
+
+  QTest::mouseClick(button, Qt::LeftButton);
+
+  EXPECT_EQ(actions_.asked, QStringList{"disconnect robot/controller/Arm"});
+}
+
+TEST_F(MainWindowTest, PPlotsWhatIsSelectedAndRowsReachTheCurve) {
+  source_.send("robot/arm/state.Joints", JointSchema(2), {1, 2, 3, 4});
+  window_.selection().select("robot/arm/state.Joints.position");
+
+  QTest::keyClick(&window_, Qt::Key_P);
+
+  EXPECT_TRUE(source_.subscribed.contains("robot/arm/state.Joints.position[0]"));
+  EXPECT_TRUE(source_.subscribed.contains("robot/arm/state.Joints.position[1]"));
+  EXPECT_FALSE(source_.subscribed.contains("robot/arm/state.Joints.velocity[0]"));
+  const std::vector<Sample> samples{{1, 1, 0.5}, {2, 2, 0.75}};
+  Q_EMIT source_.samplesArrived("robot/arm/state.Joints.position[0]", samples);
+  const auto& curves = window_.plots().currentPlot().curves();
+  EXPECT_EQ(curves.find("robot/arm/state.Joints.position[0]")->latestValue(), 0.75);
+}
+
+TEST_F(MainWindowTest, ADoubleClickOnAValuePlotsIt) {
+  source_.send("robot/arm/state.Joints", JointSchema(2), {1, 2, 3, 4});
+  CatalogueTree& tree = window_.catalogue().tree();
+  tree.reveal("robot/arm/state.Joints.position[1]");
+  const QRect row = tree.visibleRows().value("robot/arm/state.Joints.position[1]");
+  ASSERT_FALSE(row.isEmpty());
+
+  QTest::mouseClick(tree.viewport(), Qt::LeftButton, {}, row.center());
+  QTest::mouseDClick(tree.viewport(), Qt::LeftButton, {}, row.center());
+
+  EXPECT_EQ(window_.plots().paths(), QStringList{"robot/arm/state.Joints.position[1]"});
+}
+
+TEST_F(MainWindowTest, PlottingWhatIsNoNumberSaysSo) {
+  window_.selection().select("robot/arm");
+
+  QTest::keyClick(&window_, Qt::Key_P);
+
+  EXPECT_TRUE(window_.plots().paths().isEmpty());
+  EXPECT_TRUE(Notice().contains("is no number"));
+}
+
+TEST_F(MainWindowTest, OnlyColumnsThatCanBeSeenAreWatched) {
+  EXPECT_TRUE(source_.watched().isEmpty());
+
+  window_.catalogue().tree().reveal("robot/arm/state.Joints");
+  EXPECT_TRUE(
+      QTest::qWaitFor([&] { return source_.watched().contains("robot/arm/state.Joints"); }));
+
+  window_.catalogue().tree().collapse(
+      window_.catalogue().tree().model()->index(1, 0));  // robot; desk comes before
+  EXPECT_TRUE(QTest::qWaitFor([&] { return source_.watched().isEmpty(); }));
+}
+
+TEST_F(MainWindowTest, SpacePausesTheView) {
+  auto* pause = window_.findChild<QPushButton*>("pause");
+
+  QTest::keyClick(&window_, Qt::Key_Space);
+  EXPECT_TRUE(window_.plots().isPaused());
+  EXPECT_EQ(pause->text(), "Resume view");
+
+  QTest::mouseClick(pause, Qt::LeftButton);
+  EXPECT_FALSE(window_.plots().isPaused());
+}
+
+TEST_F(MainWindowTest, TheFilterIsOneKeyAway) {
+  QTest::keyClick(&window_, Qt::Key_F, Qt::ControlModifier);
+  QTest::keyClicks(&window_.catalogue().filterField(), "type:required");
+  QTest::keyClick(&window_.catalogue().filterField(), Qt::Key_Return);
+
+  EXPECT_FALSE(window_.catalogue().tree().visibleRows().contains("robot/arm"));
+  EXPECT_TRUE(window_.catalogue().tree().visibleRows().contains("robot/controller/Arm"));
+
+  QTest::keyClick(&window_.catalogue().filterField(), Qt::Key_Escape);
+  EXPECT_TRUE(window_.catalogue().tree().visibleRows().contains("robot/arm"));
+}
+
+TEST_F(MainWindowTest, TypingInTheFilterIsNoCommand) {
+  QTest::keyClick(&window_, Qt::Key_F, Qt::ControlModifier);
+
+  QTest::keyClicks(&window_.catalogue().filterField(), "pcd ");
+
+  EXPECT_EQ(window_.catalogue().filterField().text(), "pcd ");
+  EXPECT_TRUE(actions_.asked.isEmpty());
+  EXPECT_FALSE(window_.plots().isPaused());
+}
+
+TEST_F(MainWindowTest, AFinishedActionCanBeUndoneAndCopiedWhereItIsListed) {
+  Action action;
+  action.required = {"desk", "teleoperation", "Robot"};
+  action.provided = {"robot", "controller", "Control"};
+  activity_.finish(activity_.begin(action), 0.038, {});
+
+  QTest::mouseClick(window_.strip().findChild<QToolButton*>("copyCommand"), Qt::LeftButton);
+  QTest::mouseClick(window_.strip().findChild<QToolButton*>("undo"), Qt::LeftButton);
+
+  EXPECT_EQ(QGuiApplication::clipboard()->text(),
+            "gcm connect desk/teleoperation/Robot robot/controller/Control");
+  EXPECT_EQ(actions_.asked, QStringList{"undo"});
+  EXPECT_EQ(Notice(), "Connected in 38.00 ms · Ctrl+Z undoes");
+}
+
+TEST_F(MainWindowTest, WhatWasOpenAndSelectedIsSoAgainAfterARestart) {
+  CatalogueTree& tree = window_.catalogue().tree();
+  tree.reveal("robot/arm/Drives.GetJoints");
+  window_.selection().select("robot/arm/Drives.GetJoints");
+  const ComponentDescription arm = *system_.catalog().FindComponent("robot", "arm");
+
+  system_.Process("robot", ProcessState::kLost, 1);
+  Show();
+  system_.Process("robot", ProcessState::kAlive, 0, 2);
+  Show();  // for a moment without components
+  EXPECT_FALSE(tree.visibleRows().contains("robot/arm"));
+  system_.Component("robot", arm);
+  Show();
+
+  EXPECT_TRUE(tree.visibleRows().contains("robot/arm/Drives.GetJoints"));
+  EXPECT_EQ(window_.selection().current(), "robot/arm/Drives.GetJoints");
+  EXPECT_EQ(tree.selectionModel()->selectedRows().size(), 1);
+  EXPECT_EQ(Label(window_, "inspector.name")->text(), "arm");
+}
+
+TEST_F(MainWindowTest, ALostProcessCanBeForgotten) {
+  window_.selection().select("vision");
+
+  QTest::mouseClick(window_.findChild<QPushButton*>("forget"), Qt::LeftButton);
+
+  EXPECT_EQ(actions_.asked, QStringList{"forget vision"});
+}
+
+TEST_F(MainWindowTest, WithNothingRunningItSaysWhatToStart) {
+  store_.replace(Catalog::At(0));
+
+  EXPECT_FALSE(window_.graph().isVisible());
+  EXPECT_TRUE(window_.findChild<QWidget*>("emptyState")->isVisible());
+}
+
+TEST_F(MainWindowTest, EverythingThatCanBeClickedHasAName) {
+  for (const auto* button : window_.findChildren<QAbstractButton*>()) {
+    if (!button->isVisible()) continue;
+    const bool named = !button->accessibleName().isEmpty() || !button->text().isEmpty() ||
+                       !button->toolTip().isEmpty();
+    EXPECT_TRUE(named) << button->metaObject()->className() << " "
+                       << button->objectName().toStdString();
+  }
+}
+
+}  // namespace
+}  // namespace tendon::gui

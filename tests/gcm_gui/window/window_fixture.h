@@ -1,0 +1,32 @@
+#pragma once
+
+#include <gcm_gui/activity/activity_model.h>
+#include <gcm_gui/plot/plot_view.h>
+#include <gcm_gui/session/catalogue_store.h>
+#include <gcm_gui/session/gcm_link.h>
+#include <gcm_gui/window/main_window.h>
+#include <gcm_gui/window/window_parts.h>
+#include <gtest/gtest.h>
+
+#include "support/fakes.h"
+#include "support/sample_system.h"
+
+namespace tendon::gui {
+
+/// A whole window over a system that only exists on paper.
+class WindowFixture : public ::testing::Test {
+ protected:
+  explicit WindowFixture(std::int64_t lost_since = 0);
+
+  void Show() { store_.apply(system_.TakeChanges()); }
+
+  SystemBuilder system_;
+  CatalogueStore store_;
+  GcmLink link_;
+  ActivityModel activity_;
+  RecordingActions actions_;
+  ScriptedSignals source_;
+  MainWindow window_{{store_, link_, activity_, actions_, source_}};
+};
+
+}  // namespace tendon::gui
