@@ -26,11 +26,17 @@ window_manager_is_up() { [[ $(xprop -root _NET_SUPPORTING_WM_CHECK) == *"window 
 window_of() { xdotool search --onlyvisible --pid "${process_ids[$1]}" | tail -n 1; }
 has_window() { [[ -n $(window_of "$1") ]]; }
 
-# click WINDOW X Y: moves the pointer there and presses its left button; pixels from the window's top left corner.
-click() { xdotool mousemove --window "$1" "$2" "$3" click 1; }
+# ui VERB...: drives the window that describes itself in ui.json; see ui.py.
+ui() { python3 "$TENDON_ROOT/tools/ui.py" "$RUN_FOLDER/ui.json" "$@"; }
 
-# key WINDOW KEY...: as typed on the keyboard, for instance ctrl+z.
-key() { xdotool windowfocus --sync "$1" key "${@:2}"; }
+# open_row PATH...: shows what is below rows of the catalogue, one after the other.
+open_row() {
+  local path
+  for path in "$@"; do
+    ui click rows "$path"
+    ui key Right
+  done
+}
 
 # screenshot WINDOW FILE
 screenshot() { import -window "$1" "$2"; }

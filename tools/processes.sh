@@ -35,6 +35,17 @@ fail_with_log() {
   exit 1
 }
 
+passed() { say "  passed: $*"; }
+
+# kill_hard NAME: as if its machine had gone; no longer waited for.
+kill_hard() {
+  local name kept=()
+  kill -KILL "${process_ids[$1]}"
+  wait "${process_ids[$1]}" 2>/dev/null || true
+  for name in "${process_order[@]}"; do [[ $name == "$1" ]] || kept+=("$name"); done
+  process_order=("${kept[@]}")
+}
+
 # Asks all to end, the last one started first, and insists after 5 s each.
 stop_all() {
   local name

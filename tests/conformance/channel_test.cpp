@@ -279,7 +279,7 @@ TEST_P(ChannelContract, AHandlerIsForgottenAfterTheEnd) {
   channel_->Close();
 
   EXPECT_TRUE(Eventually([&] { return client.use_count() == 1; }));
-  EXPECT_EQ(client->closed_.size(), 1U);
+  EXPECT_TRUE(client->Wait([](const Oracle& oracle) { return oracle.closed_.size() == 1; }));
 }
 
 TEST_P(ChannelContract, ACallFromAHandlerIsRefusedInsteadOfWaitingForItself) {

@@ -126,12 +126,11 @@ TEST_P(LifetimeContract, OpeningWhileTheListenerGoesEndsOneWayOrTheOther) {
     Start(host.accept());
     const auto recorder = std::make_shared<Recorder>();
     Result<std::shared_ptr<Link>> link = Error{};
-    std::thread opener([&] { link = Open(recorder); });
+    std::thread opener([&, address = listener_->address()] {
+      link = pair_.client->Open(address, recorder, kPatience);
+    });
 
-    auto listener = std::move(listener_);
-    const std::string address = listener->address();
-    listener_ = MakeListener(address, [] {});
-    listener.reset();
+    listener_.reset();
     opener.join();
 
     if (link) {

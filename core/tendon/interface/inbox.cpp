@@ -54,6 +54,15 @@ std::size_t Inbox::ExecuteQueued(std::size_t limit) {
   return executed;
 }
 
+std::size_t Inbox::DiscardQueued() {
+  const std::scoped_lock lock(mutex_);
+  std::size_t discarded = 0;
+  for (const auto& mailbox : mailboxes_) {
+    while (mailbox->DiscardOne()) ++discarded;
+  }
+  return discarded;
+}
+
 std::size_t Inbox::size() const {
   const std::scoped_lock lock(mutex_);
   std::size_t sum = 0;

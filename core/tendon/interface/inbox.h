@@ -34,6 +34,10 @@ class Inbox {
   /// were executed. No lock, no allocation of its own.
   std::size_t ExecuteQueued(std::size_t limit = std::numeric_limits<std::size_t>::max());
 
+  /// Frees all that waits without executing it, and returns how much it was. Only while nobody
+  /// executes.
+  std::size_t DiscardQueued();
+
   /// While false, posts are refused with kNotActive.
   void SetAccepting(bool accepting) noexcept { accepting_.Set(accepting); }
   [[nodiscard]] bool accepting() const noexcept { return accepting_.Get(); }

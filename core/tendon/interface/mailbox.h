@@ -49,6 +49,8 @@ class Mailbox {
 
   /// Executes the oldest call; false when there is none.
   bool ExecuteOne();
+  /// Frees the oldest call without executing it; false when there is none.
+  bool DiscardOne();
 
   /// From now on Claim() refuses.
   void Close() noexcept { closed_.Set(true); }
@@ -102,6 +104,12 @@ inline void Mailbox::Publish(Entry& entry) noexcept {
   new (slot_) Entry*(&entry);
   ring_.Publish();
   if (wakeup_ != nullptr) wakeup_->Notify();
+}
+
+inline bool Mailbox::DiscardOne() {
+  if (ring_.Front() == nullptr) return false;
+  ring_.Release();
+  return true;
 }
 
 inline bool Mailbox::ExecuteOne() {

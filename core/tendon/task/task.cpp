@@ -1,3 +1,4 @@
+#include <tendon/base/log.h>
 #include <tendon/base/name.h>
 #include <tendon/base/os/thread.h>
 #include <tendon/task/state_interface.h>
@@ -54,6 +55,11 @@ Result<void> Task::Launch() {
   Join();
   stop_.Set(false);
   cycle_ = {};
+  // What waited when the task ended was meant for the world as it was then.
+  if (const std::size_t stale = inbox()->DiscardQueued(); stale > 0) {
+    Log(LogLevel::kWarning, name(),
+        std::to_string(stale) + " calls that waited when it ended were dropped");
+  }
   // The component is active before its thread runs, so that Startup() may already be called upon.
   SetState(ComponentState::kActive);
   thread_ = std::thread([this] { ThreadMain(); });

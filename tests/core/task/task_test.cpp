@@ -116,6 +116,23 @@ TEST(PeriodicTask, AnExceptionInACommandFaultsItAndARestartHeals) {
   EXPECT_EQ(client.fail(), Status::kQueued);
 }
 
+TEST(PeriodicTask, WhatWaitedWhenItEndedIsNotExecutedAtTheNextStart) {
+  tendon::LocalManager manager;
+  auto& task = manager.Add<Counting>("counting");
+  auto& client = manager.Add<Client>("client");
+  ASSERT_TRUE(manager.Connect({"client", "Server"}, {"counting", "Control"}).ok());
+  ASSERT_TRUE(manager.StartAll().ok());
+  EXPECT_EQ(client.fail(), Status::kQueued);
+  EXPECT_EQ(client.fail(), Status::kQueued);  // still waits when the first has faulted the task
+  ASSERT_TRUE(EventuallyTrue([&] { return task.state() == ComponentState::kFaulted; }));
+
+  ASSERT_TRUE(manager.Start("counting").ok());
+  const std::uint64_t before = task.table().next_tick();
+  ASSERT_TRUE(EventuallyTrue([&] { return task.table().next_tick() >= before + 5; }));
+
+  EXPECT_EQ(task.state(), ComponentState::kActive);
+}
+
 TEST(PeriodicTask, AFailureInConfigureIsTheAnswerOfStart) {
   tendon::LocalManager manager;
   auto& task = manager.Add<Counting>("counting");

@@ -1,0 +1,98 @@
+#!/usr/bin/env bash
+# window_test.sh BIN: the real programs as real processes, driven by a real mouse under a virtual display: connect by
+# click, the arm moves, ten seconds of 1 kHz rows are plotted without loss, disconnect, an LCM is killed and comes back.
+set -euo pipefail
+root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd)
+bin=$1
+# shellcheck source=../../tools/common.sh
+source "$root/tools/common.sh"
+# shellcheck source=../../tools/processes.sh
+source "$root/tools/processes.sh"
+# shellcheck source=../../tools/display.sh
+source "$root/tools/display.sh"
+readonly robot_wire='facts["connections"]["desk/teleoperation/Robot"]'
+readonly curve='facts["curves"]["robot/arm/state.Joints.position[0]"]'
+
+main() {
+  trap stop_all EXIT
+  mkdir -m 700 "$RUN_FOLDER"/{config,state,runtime}
+  export XDG_CONFIG_HOME=$RUN_FOLDER/config XDG_STATE_HOME=$RUN_FOLDER/state XDG_RUNTIME_DIR=$RUN_FOLDER/runtime
+  start_display 1440 900
+  address=127.0.0.1:$(python3 -c 'import socket; s = socket.socket(); s.bind(("127.0.0.1", 0)); print(s.getsockname()[1])')
+  start gcm-gui "$bin/gcm-gui" --listen "$address" --describe-ui "$RUN_FOLDER/ui.json"
+  wait_until "the GCM in the window" "$bin/gcm" --gcm "$address" ls
+  start_lcm robot
+  start_lcm desk
+  wait_until "the catalogue" ui wait 'facts["processes"].keys() == {"gcm", "robot", "desk"}' 1
+  wait_until "the components" ui wait 'facts["processes"]["desk"]["components"]["teleoperation"] == "active"' 1
+  passed "the catalogue is complete"
+
+  connects_by_click
+  plots_without_loss
+  disconnects_and_undoes
+  heals_after_a_kill
+  ui wait 'facts["longestHandlerMs"] < 50' 1 || note_stall
+  passed "no handler took 50 ms of CPU time: $(ui show 'facts["longestHandlerMs"]') ms at most"
+}
+
+start_lcm() {
+  start "$1" "$bin/lcm" --name "$1" --gcm "$address" --system "$root/resources/systems/demo.json"
+}
+
+note_stall() {
+  fail "a handler took too long: $(ui show 'facts["longestHandler"], facts["longestHandlerMs"]')"
+}
+
+connects_by_click() {
+  ui click ports desk/teleoperation/Robot
+  ui wait 'ports["robot/arm/Control"]["role"] == "candidate"'
+  ui wait 'ports["desk/old_arm/Control"]["role"] == "unfit"'
+  ui click ports robot/arm/Control
+  ui wait "$robot_wire"'["state"] == "active"'
+  passed "two clicks connected teleoperation to the arm"
+}
+
+plots_without_loss() {
+  local before after
+  open_row robot/arm robot/arm/state robot/arm/state.Joints robot/arm/state.Joints.position
+  ui click rows 'robot/arm/state.Joints.position[0]'
+  ui key p
+  ui wait "$curve"'["rows"] > 0'
+  before=$(ui show "$curve"'["tick"] - '"$curve"'["rows"]')
+  ui wait "abs($curve"'["value"]) > 0.3'
+  passed "the arm moves"
+  wait_until "ten seconds of rows" ui wait "$curve"'["rows"] >= 10000' 1
+  ui wait "$curve"'["lost"] == 0 and '"$curve"'["repeated"] == 0' 1
+  after=$(ui show "$curve"'["tick"] - '"$curve"'["rows"]')
+  [[ $before == "$after" ]] || fail "ticks and rows have drifted apart by $after - $before"
+  passed "10000 rows at 1 kHz, none lost or repeated by their ticks"
+}
+
+disconnects_and_undoes() {
+  ui click ports desk/teleoperation/Robot
+  ui key Escape d
+  ui wait '"desk/teleoperation/Robot" not in facts["connections"]'
+  passed "D disconnects"
+  ui key ctrl+z
+  ui wait "$robot_wire"'["state"] == "active"'
+  passed "Ctrl+Z connects again"
+}
+
+heals_after_a_kill() {
+  local rows
+  kill_hard robot
+  ui wait 'facts["processes"]["robot"]["state"] == "lost"' 10
+  ui wait "$curve"'["stale"]' 10
+  ui wait "$robot_wire"'["state"] == "pending"' 10
+  ui click rows desk
+  ui wait 'facts["selection"] == ["desk"]' 10
+  passed "a killed process is shown lost, and the window answers"
+  rows=$(ui show "$curve"'["rows"]')
+  start_lcm robot
+  ui wait 'facts["processes"]["robot"]["state"] == "alive"'
+  ui wait "$robot_wire"'["state"] == "active"'
+  ui wait "not $curve"'["stale"] and '"$curve[\"rows\"] > $rows + 500"
+  passed "started again, it is connected and plotted again"
+}
+
+main "$@"
