@@ -37,6 +37,7 @@ struct Join {
 struct Joined {
   std::uint64_t gcm_instance = 0;
   std::uint64_t session = 0;  ///< token of this membership
+  std::vector<ProcessDescription> processes;  ///< that are there, this one among them
 };
 
 /// What has changed in a process since it joined or last reported: steps as in CatalogChange, whose
@@ -61,8 +62,8 @@ struct Wiring {
   std::uint64_t instance = 0;
 };
 
-/// All processes that are there, and where; sent after a join and at each change of processes, so
-/// that pending and broken connections are made again.
+/// All processes that are there, and where; sent at each change of processes, so that pending and
+/// broken connections are made again.
 struct Peers {
   std::vector<ProcessDescription> processes;
 };
@@ -78,7 +79,8 @@ inline constexpr auto tendon::kPayload<tendon::message::Join> =
 template <>
 inline constexpr auto tendon::kPayload<tendon::message::Joined> = tendon::Describe(
     "tendon.Joined", tendon::Field{"gcm_instance", &tendon::message::Joined::gcm_instance},
-    tendon::Field{"session", &tendon::message::Joined::session});
+    tendon::Field{"session", &tendon::message::Joined::session},
+    tendon::Field{"processes", &tendon::message::Joined::processes});
 
 template <>
 inline constexpr auto tendon::kPayload<tendon::message::Report> =

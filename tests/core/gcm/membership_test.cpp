@@ -136,6 +136,18 @@ TEST_P(Membership, AProcessThatLeavesIsATombstoneThatCanBeForgotten) {
   EXPECT_EQ(gcm_->catalog().FindProcess("robot"), nullptr);
 }
 
+TEST_P(Membership, BeginsWithAllProcessesThatAreThere) {
+  const auto desk = Join("desk", {});
+  FakeProcess robot(NewMiddleware(), "robot");
+
+  const auto joined = robot.Join(address_);
+
+  ASSERT_TRUE(joined);
+  ASSERT_EQ(joined->processes.size(), 2U);
+  EXPECT_EQ(joined->processes[0].address, desk->description().address);
+  EXPECT_EQ(joined->processes[1].name, "robot");
+}
+
 TEST_P(Membership, EveryProcessIsToldWhereTheOthersAre) {
   const auto desk = Join("desk", {});
   const auto seen = [&] {

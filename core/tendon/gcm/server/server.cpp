@@ -198,7 +198,9 @@ void Server::Join(const Request& request) {
     if (!admission) return Answer<message::Joined>(request, admission.error());
     session = admission->session;
     if (admission->replaced) outbox_.Add([old = admission->replaced] { old->Close(); });
-    Answer(request, Result(message::Joined{options_.instance, session}));
+    Answer(request, Result(message::Joined{.gcm_instance = options_.instance,
+                                           .session = session,
+                                           .processes = registry_.peers().processes}));
   });
 }
 

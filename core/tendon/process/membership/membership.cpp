@@ -152,6 +152,7 @@ void Membership::Finish(const std::shared_ptr<Channel>& channel, ProcessContent 
   reported_ = std::move(reported);
   pause_ = {};
   SetJoined(channel);
+  delegate_.OnPeers(joined->processes);
   Log("joined the GCM at " + options_.gcm + " as process '" + context_.name + "'");
   Report();
 }
