@@ -8,6 +8,7 @@
 #include <program/middleware_choice.h>
 
 #include <CLI/CLI.hpp>
+#include <QSettings>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -50,6 +51,18 @@ int Fail(const tendon::Error& error) {
   return program::ExitCodeOf(error.code);
 }
 
+/// As it was left the last time, and from now on remembered.
+void KeepLayout(tendon::gui::MainWindow& window) {
+  QSettings settings;
+  window.restoreGeometry(settings.value("geometry").toByteArray());
+  window.panels().restore(settings.value("panels").toByteArray());
+  QObject::connect(qApp, &QCoreApplication::aboutToQuit, &window, [&window] {
+    QSettings kept;
+    kept.setValue("geometry", window.saveGeometry());
+    kept.setValue("panels", window.panels().state());
+  });
+}
+
 int Run(const Options& options) {
   const auto exposure =
       options.insecure ? tendon::Exposure::kInsecure : tendon::Exposure::kLoopbackOnly;
@@ -75,6 +88,7 @@ int Run(const Options& options) {
   if (!options.describe_ui.empty()) {
     new tendon::gui::UiDescription(window, QString::fromStdString(options.describe_ui));
   }
+  KeepLayout(window);
   window.show();
   return QApplication::exec();
 }
@@ -84,6 +98,7 @@ int Run(const Options& options) {
 int main(int argc, char** argv) {
   tendon::gui::WatchedApplication application(argc, argv);
   QApplication::setApplicationName("gcm-gui");
+  QApplication::setOrganizationName("tendon");
   Options options;
   CLI::App app("Shows and steers a running system.", "gcm-gui");
   AddOptions(app, options);

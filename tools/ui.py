@@ -4,20 +4,21 @@
     ui.py FILE wait EXPRESSION [SECONDS]   until the expression over the description holds
     ui.py FILE show EXPRESSION             prints its value
     ui.py FILE click|double|ctrl-click GROUP NAME
-                                           GROUP: widgets, rows, nodes or ports
+                                           GROUP: widgets, rows, nodes, ports or candidates
     ui.py FILE drag GROUP NAME GROUP NAME  from the middle of one thing to that of another
     ui.py FILE key KEY...                  such as ctrl+z
     ui.py FILE type TEXT
 
-FILE is what `gcm-gui --describe-ui FILE` writes. An expression is Python in which the description's parts (facts, ports,
-rows, widgets, nodes) are names. Exit code 1 and one sentence when something is not there or does not come true.
+FILE is what `gcm-gui --describe-ui FILE` writes. An expression is Python in which the description's parts (facts,
+ports, rows, widgets, nodes, candidates) are names. Exit code 1 and one sentence when something is not there or does
+not come true.
 """
 import json
 import subprocess
 import sys
 import time
 
-PATIENCE = 30.0  # s
+PATIENCE = 60.0  # s; bounds a run that fails, on a machine that does other things as well
 
 
 class Missing(Exception):

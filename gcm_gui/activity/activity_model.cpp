@@ -19,6 +19,8 @@ QString VerbText(Action::Verb verb) {
       return QStringLiteral("connect");
     case Action::Verb::kDisconnect:
       return QStringLiteral("disconnect");
+    case Action::Verb::kReplace:
+      return QStringLiteral("replace");
     case Action::Verb::kUndo:
       return QStringLiteral("undo");
     case Action::Verb::kForget:
@@ -28,8 +30,9 @@ QString VerbText(Action::Verb verb) {
 }
 
 bool IsStep(const Action& action) {
-  const bool wiring =
-      action.verb == Action::Verb::kConnect || action.verb == Action::Verb::kDisconnect;
+  const bool wiring = action.verb == Action::Verb::kConnect ||
+                      action.verb == Action::Verb::kDisconnect ||
+                      action.verb == Action::Verb::kReplace;
   return wiring && action.outcome == Action::Outcome::kDone && !action.undone;
 }
 
@@ -110,6 +113,9 @@ QString ActivityModel::command(int row) const {
       return QStringLiteral("gcm connect %1 %2").arg(Name(action.required), Name(action.provided));
     case Action::Verb::kDisconnect:
       return QStringLiteral("gcm disconnect %1").arg(Name(action.required));
+    case Action::Verb::kReplace:
+      return QStringLiteral("gcm disconnect %1 && gcm connect %1 %2")
+          .arg(Name(action.required), Name(action.provided));
     case Action::Verb::kUndo:
       return QStringLiteral("gcm undo");
     case Action::Verb::kForget:
@@ -118,12 +124,13 @@ QString ActivityModel::command(int row) const {
   return {};
 }
 
-bool ActivityModel::canUndo(int row) const {
-  if (!IsStep(action(row))) return false;
-  for (int newer = 0; newer < row; ++newer) {
-    if (IsStep(action(newer))) return false;
+bool ActivityModel::canUndo(int row) const { return lastStep() == &action(row); }
+
+const Action* ActivityModel::lastStep() const {
+  for (auto entry = entries_.rbegin(); entry != entries_.rend(); ++entry) {
+    if (IsStep(entry->action)) return &entry->action;
   }
-  return true;
+  return nullptr;
 }
 
 ActivityModel::Id ActivityModel::begin(Action action) {

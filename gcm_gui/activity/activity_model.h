@@ -13,11 +13,11 @@ namespace tendon::gui {
 
 /// One thing the user did to the system, and what came of it.
 struct Action {
-  enum class Verb { kConnect, kDisconnect, kUndo, kForget };
+  enum class Verb { kConnect, kDisconnect, kReplace, kUndo, kForget };
   enum class Outcome { kRunning, kDone, kRefused };
 
   Verb verb = Verb::kConnect;
-  InterfaceName required;  ///< of connect and disconnect; of undo once it is known
+  InterfaceName required;  ///< of connect, disconnect and replace; of undo once it is known
   InterfaceName provided;
   std::string process;  ///< of forget
 
@@ -47,6 +47,8 @@ class ActivityModel : public QAbstractTableModel {
   [[nodiscard]] QString command(int row) const;
   /// Whether Undo would take back this one: the newest that stands.
   [[nodiscard]] bool canUndo(int row) const;
+  /// The one that Undo would take back, or null.
+  [[nodiscard]] const Action* lastStep() const;
 
   Id begin(Action action);
   /// The ends are those an undo turned out to have changed.

@@ -41,19 +41,9 @@ void AddProblemsOf(const ProcessEntry& entry, std::vector<Problem>& problems) {
 
 }  // namespace
 
-int ProblemsModel::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : static_cast<int>(rows_.size());
-}
-
-int ProblemsModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : 1; }
-
-const Problem& ProblemsModel::problem(int row) const {
-  return rows_.at(static_cast<std::size_t>(row));
-}
-
 QVariant ProblemsModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
-  const Problem& problem = this->problem(index.row());
+  const Problem& problem = row(index.row());
   switch (role) {
     case Qt::DisplayRole:
     case Qt::ToolTipRole:
@@ -74,9 +64,7 @@ void ProblemsModel::update(const Catalog& catalogue) {
   of_system_.clear();
   for (const auto& [name, entry] : catalogue.processes()) AddProblemsOf(entry, of_system_);
   dropAnswered(catalogue);
-  std::vector<Problem> fresh = of_system_;
-  for (const auto& [required, problem] : refusals_) fresh.push_back(problem);
-  show(std::move(fresh));
+  show();
 }
 
 void ProblemsModel::dropAnswered(const Catalog& catalogue) {
@@ -89,34 +77,22 @@ void ProblemsModel::dropAnswered(const Catalog& catalogue) {
 }
 
 void ProblemsModel::hear(const Action& finished) {
-  if (finished.verb != Action::Verb::kConnect) return;
+  if (finished.verb != Action::Verb::kConnect && finished.verb != Action::Verb::kReplace) return;
   if (finished.outcome == Action::Outcome::kRefused) {
     refusals_[finished.required] = {ToQString(ToString(finished.required)), finished.refusal,
                                     StateMark::kRefused, finished.when};
   } else {
     refusals_.erase(finished.required);
   }
-  std::vector<Problem> fresh = of_system_;
-  for (const auto& [required, problem] : refusals_) fresh.push_back(problem);
-  show(std::move(fresh));
+  show();
 }
 
-void ProblemsModel::show(std::vector<Problem> fresh) {
-  if (fresh == rows_) return;
-  const bool other_count = fresh.size() != rows_.size();
-  std::size_t same = 0;
-  while (same < rows_.size() && same < fresh.size() && rows_[same] == fresh[same]) ++same;
-  if (same < rows_.size()) {
-    beginRemoveRows({}, static_cast<int>(same), static_cast<int>(rows_.size()) - 1);
-    rows_.resize(same);
-    endRemoveRows();
-  }
-  if (same < fresh.size()) {
-    beginInsertRows({}, static_cast<int>(same), static_cast<int>(fresh.size()) - 1);
-    rows_ = std::move(fresh);
-    endInsertRows();
-  }
-  if (other_count) Q_EMIT countChanged(rowCount());
+void ProblemsModel::show() {
+  std::vector<Problem> fresh = of_system_;
+  for (const auto& [required, problem] : refusals_) fresh.push_back(problem);
+  const int count = rowCount();
+  showRows(std::move(fresh));
+  if (rowCount() != count) Q_EMIT countChanged(rowCount());
 }
 
 }  // namespace tendon::gui

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <gcm_gui/activity/activity_model.h>
+#include <gcm_gui/models/row_list_model.h>
 #include <gcm_gui/theme/state_mark.h>
 #include <tendon/gcm/catalog.h>
 
-#include <QAbstractTableModel>
 #include <QString>
 #include <compare>
 #include <cstdint>
@@ -25,16 +25,13 @@ struct Problem {
 
 /// What is wrong now: lost processes, faulted components, failed connections, and refused requests
 /// until the interface is connected after all.
-class ProblemsModel : public QAbstractTableModel {
+class ProblemsModel : public RowListModel<Problem> {
   Q_OBJECT
 
  public:
-  using QAbstractTableModel::QAbstractTableModel;
+  using RowListModel::RowListModel;
 
-  [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-  [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
   [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-  [[nodiscard]] const Problem& problem(int row) const;
 
  public Q_SLOTS:
   void update(const tendon::Catalog& catalogue);
@@ -44,10 +41,9 @@ class ProblemsModel : public QAbstractTableModel {
   void countChanged(int count);
 
  private:
-  void show(std::vector<Problem> fresh);
+  void show();
   void dropAnswered(const Catalog& catalogue);
 
-  std::vector<Problem> rows_;
   std::vector<Problem> of_system_;
   std::map<InterfaceName, Problem> refusals_;  // by the required interface
 };

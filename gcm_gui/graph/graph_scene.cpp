@@ -1,3 +1,4 @@
+#include <gcm_gui/graph/card_place.h>
 #include <gcm_gui/graph/graph_scene.h>
 #include <gcm_gui/graph/items/card_item.h>
 #include <gcm_gui/graph/items/component_item.h>
@@ -8,16 +9,16 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <utility>
 
 namespace tendon::gui {
 namespace {
 
-constexpr double kCardDistance = 28;
 constexpr std::array kCardWidths{320.0, 260.0, 210.0};
 constexpr qsizetype kReasonsAsked = 2;
-constexpr qsizetype kReasonsUnasked = 1;  // stays small: it comes without being asked
+// One that comes without being asked stays small, and away where it would hide more than edges.
+constexpr qsizetype kReasonsUnasked = 1;
+constexpr double kMostHiddenUnasked = 1;
 
 QStringList FirstOf(const QStringList& reasons, qsizetype count) {
   QStringList first = reasons.mid(0, count);
@@ -62,7 +63,9 @@ GraphScene::GraphScene(const CatalogueStore& store, const Selection& selection,
   connect(&store, &CatalogueStore::changed, this, &GraphScene::showCatalogue);
   connect(&selection, &Selection::changed, this, &GraphScene::showSelection);
   connect(&mode, &ConnectMode::changed, this, &GraphScene::showMode);
-  showCatalogue();
+  Touched all;
+  for (const auto& [name, entry] : store.catalogue().processes()) all.insert({name, {}});
+  showCatalogue(store.catalogue(), all);
 }
 
 GraphScene::~GraphScene() = default;
@@ -88,13 +91,17 @@ const EdgeItem* GraphScene::edge(const QString& required) const {
   return it == edges_.end() ? nullptr : it->second;
 }
 
-void GraphScene::showCatalogue() {
-  const GraphPicture picture = PictureOf(store_.catalogue());
-  layout_.update(picture);
-  showProcesses(picture);
-  showEdges(picture);
+void GraphScene::showCatalogue(const Catalog& catalogue, const Touched& touched) {
+  const GraphPicture& picture = updater_.update(catalogue, touched);
+  showItems(layout_.update(picture));
+}
+
+void GraphScene::showItems(bool moved) {
+  showProcesses();
+  showEdges();
   showSelection();
   showMode();
+  if (!moved) return;
   QRectF contents;
   for (const auto& [name, item] : processes_) contents |= item->sceneBoundingRect();
   if (contents == contents_) return;
@@ -102,24 +109,27 @@ void GraphScene::showCatalogue() {
   Q_EMIT contentsMoved();
 }
 
-void GraphScene::showProcesses(const GraphPicture& picture) {
+void GraphScene::showProcesses() {
   std::set<QString> processes;
   std::set<QString> components;
-  for (const auto& process : picture.processes) {
+  bool other_ports = false;
+  for (const auto& process : updater_.picture().processes) {
     processes.insert(process.name);
     ProcessItem*& box = processes_[process.name];
     if (box == nullptr) addItem(box = new ProcessItem);
     box->setNow(now_);
     box->show(process, layout_.process(process.name));
+    const bool stale = outdated_ || IsGone(process.state);
     for (const auto& node : process.nodes) {
       components.insert(node.path);
       ComponentItem*& item = components_[node.path];
       if (item == nullptr) addItem(item = new ComponentItem);
-      item->show(node, layout_.node(node.path), IsGone(process.state));
+      if (item->show(node, layout_.node(node.path), stale)) other_ports = true;
     }
   }
-  ForgetBut(components_, components);
   ForgetBut(processes_, processes);
+  if (!other_ports && components.size() == components_.size()) return;
+  ForgetBut(components_, components);
   ports_.clear();
   for (const auto& [path, component] : components_) {
     for (PortItem* item : component->ports()) ports_[item->port()] = item;
@@ -135,16 +145,15 @@ EdgeItem::Look GraphScene::lookOf(const ConnectionDescription& connection) const
     case ConnectionState::kActive:
       break;
   }
-  const bool gone = std::any_of(store_.catalogue().processes().begin(),
-                                store_.catalogue().processes().end(), [&](const auto& entry) {
-                                  const bool is_end = entry.first == connection.required.process ||
-                                                      entry.first == connection.provided.process;
-                                  return is_end && IsGone(entry.second.process.state);
-                                });
-  return gone ? EdgeItem::Look::kStale : EdgeItem::Look::kActive;
+  const auto is_gone = [&](const InterfaceName& end) {
+    const ProcessEntry* entry = store_.catalogue().FindProcess(end.process);
+    return entry == nullptr || IsGone(entry->process.state);
+  };
+  const bool stale = outdated_ || is_gone(connection.required) || is_gone(connection.provided);
+  return stale ? EdgeItem::Look::kStale : EdgeItem::Look::kActive;
 }
 
-void GraphScene::showEdges(const GraphPicture& picture) {
+void GraphScene::showEdges() {
   std::set<QString> kept;
   const auto show = [&](const InterfaceName& required, const InterfaceName& provided,
                         EdgeItem::Look look, const QString& reason) {
@@ -161,7 +170,8 @@ void GraphScene::showEdges(const GraphPicture& picture) {
   for (const auto& [required, provided] : requested_) {
     show(required, provided, EdgeItem::Look::kPending, QStringLiteral("connecting …"));
   }
-  for (const auto& edge : picture.edges) {
+  for (const auto& edge : updater_.picture().edges) {
+    if (requested_.contains(edge.required)) continue;  // to be replaced
     show(edge.required, edge.provided, lookOf(edge), ToQString(edge.reason));
   }
   ForgetBut(edges_, kept);
@@ -169,11 +179,11 @@ void GraphScene::showEdges(const GraphPicture& picture) {
 
 void GraphScene::showRequested(const InterfaceName& required, const InterfaceName& provided) {
   requested_[required] = provided;
-  showEdges(PictureOf(store_.catalogue()));
+  showEdges();
 }
 
 void GraphScene::forgetRequested(const InterfaceName& required) {
-  if (requested_.erase(required) > 0) showEdges(PictureOf(store_.catalogue()));
+  if (requested_.erase(required) > 0) showEdges();
 }
 
 void GraphScene::showSelection() {
@@ -186,6 +196,9 @@ void GraphScene::showSelection() {
 }
 
 void GraphScene::showMode() {
+  if (!mode_.active() && !std::exchange(mode_shown_, false)) return;
+  mode_shown_ = mode_.active();
+  if (!mode_shown_) pointed_.reset();
   showRoles();
   showPreview();
   showCards();
@@ -230,71 +243,57 @@ void GraphScene::showCards() {
   if (!mode_.active()) return;
   const Candidate* look_alike = mode_.bestLookAlike();
   const Candidate* pointed = pointed_ ? mode_.find(*pointed_) : nullptr;
-  if (pointed != nullptr && !pointed->fits()) {
-    addCard(*pointed, kReasonsAsked);
+  if (pointed != nullptr && !pointed->compatibility.fits()) {
+    addCard(*pointed, kReasonsAsked, std::nullopt);
   } else if (look_alike != nullptr) {
-    addCard(*look_alike, kReasonsUnasked);
+    addCard(*look_alike, kReasonsUnasked, kMostHiddenUnasked);
   }
 }
 
-void GraphScene::addCard(const Candidate& candidate, qsizetype reasons) {
+void GraphScene::addCard(const Candidate& candidate, qsizetype reasons,
+                         std::optional<double> most_hidden) {
   const PortItem* item = port(candidate.port);
   if (item == nullptr) return;
   auto* card = new CardItem;
   const QString title = CardTitle(candidate.port);
   const QStringList lines = FirstOf(candidate.reasons(), reasons);
-  double best_width = kCardWidths.front();
-  double least = -1;
+  const CardPlace place = placeBeside(*item);
+  std::optional<CardPlace::Found> best;
+  double best_width = 0;
   for (const double width : kCardWidths) {
     card->setTexts(title, lines, width);
-    const double hidden = placeCard(*card, *item);
-    if (least >= 0 && hidden >= least) continue;
-    least = hidden;
+    const CardPlace::Found found = place.Find(card->size());
+    if (best && found.cost >= best->cost) continue;
+    best = found;
     best_width = width;
   }
   card->setTexts(title, lines, best_width);
-  placeCard(*card, *item);
+  const double area = card->size().width() * card->size().height();
+  if (most_hidden && best->hidden > *most_hidden * area) {
+    delete card;
+    return;
+  }
+  card->place(best->corner, item->scenePos());
   addItem(card);
   cards_.push_back(card);
 }
 
-double GraphScene::crowding(const QRectF& rect) const {
-  double crowding = 0;
-  const auto area = [&](const QRectF& other) {
-    const QRectF common = rect.intersected(other);
-    return common.width() * common.height();
+CardPlace GraphScene::placeBeside(const PortItem& port) const {
+  const QRectF reach = CardPlace::Reach(port.scenePos(), kCardWidths.front());
+  CardPlace place(port.scenePos(), visible_);
+  const auto avoid = [&](const QRectF& rect, double weight) {
+    if (rect.intersects(reach)) place.Avoid(rect, weight);
   };
-  for (const auto& [path, item] : components_) crowding += 20 * area(item->sceneRect());
-  for (const auto& [name, item] : processes_) crowding += 2 * area(item->sceneBoundingRect());
+  for (const auto& [path, item] : components_) avoid(item->sceneRect(), 20);
+  for (const auto& [name, item] : processes_) avoid(item->sceneBoundingRect(), 2);
   for (const auto& [name, item] : ports_) {
     // What can be picked stays in sight.
     if (item->role() == PortItem::Role::kPlain || item->role() == PortItem::Role::kUnfit) continue;
-    crowding += 50 * area(QRectF(-20, -30, 50, 50).translated(item->scenePos()));
+    avoid(QRectF(-20, -30, 50, 50).translated(item->scenePos()), 50);
   }
-  for (const auto& [required, edge] : edges_) crowding += 0.3 * area(edge->sceneBoundingRect());
-  if (preview_->isVisible()) crowding += 0.6 * area(preview_->sceneBoundingRect());
-  if (!visible_.isEmpty()) crowding += 60 * (rect.width() * rect.height() - area(visible_));
-  return crowding;
-}
-
-double GraphScene::placeCard(CardItem& card, const PortItem& port) const {
-  const QPointF at = port.scenePos();
-  const QSizeF size = card.size();
-  QPointF best;
-  double least = -1;
-  for (const double x : {kCardDistance, -size.width() / 2, -size.width() - kCardDistance}) {
-    for (double y = -240; y <= 240; y += 20) {
-      const QPointF corner = at + QPointF(x, y);
-      const bool covers_port = QRectF(corner, size).adjusted(-8, -8, 8, 8).contains(at);
-      const double away = std::abs(y + size.height() / 2) + (x == kCardDistance ? 0 : 120);
-      const double cost = crowding({corner, size}) + 3 * away + (covers_port ? 1e6 : 0);
-      if (least >= 0 && cost >= least) continue;
-      least = cost;
-      best = corner;
-    }
-  }
-  card.place(best, at);
-  return least;
+  for (const auto& [required, edge] : edges_) avoid(edge->sceneBoundingRect(), 0.3);
+  if (preview_->isVisible()) avoid(preview_->sceneBoundingRect(), 0.6);
+  return place;
 }
 
 void GraphScene::point(const std::optional<PortName>& port) {
@@ -313,6 +312,12 @@ void GraphScene::helpEvent(QGraphicsSceneHelpEvent* event) {
 void GraphScene::setNow(qint64 now) {
   now_ = now;
   for (const auto& [name, item] : processes_) item->setNow(now);
+}
+
+void GraphScene::setOutdated(bool outdated) {
+  if (outdated == outdated_) return;
+  outdated_ = outdated;
+  showItems(false);
 }
 
 }  // namespace tendon::gui

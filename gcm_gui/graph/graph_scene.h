@@ -1,8 +1,9 @@
 #pragma once
 
-#include <gcm_gui/graph/connect_mode.h>
+#include <gcm_gui/connect/connect_mode.h>
 #include <gcm_gui/graph/items/edge_item.h>
 #include <gcm_gui/graph/layout/graph_layout.h>
+#include <gcm_gui/graph/layout/picture_updater.h>
 #include <gcm_gui/models/selection.h>
 #include <gcm_gui/session/catalogue_store.h>
 
@@ -17,6 +18,7 @@
 namespace tendon::gui {
 
 class CardItem;
+class CardPlace;
 class ComponentItem;
 class PortItem;
 class ProcessItem;
@@ -51,6 +53,8 @@ class GraphScene : public QGraphicsScene {
   /// Where cards can be seen.
   void setVisible(const QRectF& visible) { visible_ = visible; }
   void setNow(qint64 now);
+  /// Nothing is known any more of what there is: all of it is shown as it was, grey.
+  void setOutdated(bool outdated);
 
  Q_SIGNALS:
   void contentsMoved();
@@ -59,23 +63,24 @@ class GraphScene : public QGraphicsScene {
   void helpEvent(QGraphicsSceneHelpEvent* event) override;
 
  private:
-  void showCatalogue();
-  void showProcesses(const GraphPicture& picture);
-  void showEdges(const GraphPicture& picture);
+  void showCatalogue(const Catalog& catalogue, const Touched& touched);
+  void showItems(bool moved);
+  void showProcesses();
+  void showEdges();
   void showSelection();
   void showMode();
   void showRoles();
   void showPreview();
   void showCards();
-  void addCard(const Candidate& candidate, qsizetype reasons);
-  /// Moves it where it hides least, and returns how much that is.
-  double placeCard(CardItem& card, const PortItem& port) const;
-  [[nodiscard]] double crowding(const QRectF& rect) const;
+  /// Not at all where it would hide more than that, for each unit of its own area.
+  void addCard(const Candidate& candidate, qsizetype reasons, std::optional<double> most_hidden);
+  [[nodiscard]] CardPlace placeBeside(const PortItem& port) const;
   [[nodiscard]] EdgeItem::Look lookOf(const ConnectionDescription& connection) const;
 
   const CatalogueStore& store_;
   const Selection& selection_;
   const ConnectMode& mode_;
+  PictureUpdater updater_;
   GraphLayout layout_;
   std::map<QString, ProcessItem*> processes_;
   std::map<QString, ComponentItem*> components_;
@@ -88,6 +93,8 @@ class GraphScene : public QGraphicsScene {
   QRectF contents_;
   QRectF visible_;
   std::int64_t now_ = 0;
+  bool outdated_ = false;
+  bool mode_shown_ = false;
 };
 
 }  // namespace tendon::gui

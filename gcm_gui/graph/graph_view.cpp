@@ -17,6 +17,7 @@ namespace {
 
 constexpr double kLeastScale = 0.08;
 constexpr double kMostScale = 2.5;
+constexpr double kMostFitted = 1.2;  // a small graph in a large window
 constexpr double kMargin = 12;
 
 bool IsPan(const QPoint& moved) {
@@ -33,9 +34,13 @@ GraphView::GraphView(GraphScene& scene, Selection& selection, ConnectMode& mode,
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setTransformationAnchor(AnchorUnderMouse);
+  setResizeAnchor(AnchorViewCenter);
   setViewportUpdateMode(SmartViewportUpdate);
   setMouseTracking(true);
   connect(&scene, &GraphScene::contentsMoved, this, &GraphView::follow);
+  connect(&mode, &ConnectMode::changed, this, [this] {
+    if (!mode_.active()) follow();
+  });
 }
 
 std::optional<QPoint> GraphView::pointOf(const PortName& port) const {
@@ -45,24 +50,31 @@ std::optional<QPoint> GraphView::pointOf(const PortName& port) const {
 
 void GraphView::fit() {
   following_ = true;
-  follow();
+  showAll();
 }
 
+QRectF GraphView::seen() const { return mapToScene(viewport()->rect()).boundingRect(); }
+
 void GraphView::follow() {
-  const QRectF contents = scene_.contents().adjusted(-kMargin, -kMargin, kMargin, kMargin);
+  const QRectF contents = scene_.contents();
   // Room around, so that every part can be moved to the middle.
-  setSceneRect(contents.adjusted(-contents.width(), -contents.height(), contents.width(),
-                                 contents.height()));
-  if (following_ && !mode_.active() && !scene_.contents().isEmpty()) {
-    const double wanted =
-        std::min(viewport()->width() / contents.width(), viewport()->height() / contents.height());
-    const double scale = std::clamp(wanted, kLeastScale, 1.0);
-    setTransform(QTransform::fromScale(scale, scale));
-    // From the upper left corner, so that what comes at the other end moves nothing.
-    const QSizeF seen = QSizeF(viewport()->size()) / scale;
-    centerOn(contents.topLeft() + QPointF(seen.width() / 2, seen.height() / 2));
-  }
-  scene_.setVisible(mapToScene(viewport()->rect()).boundingRect());
+  setSceneRect(contents.adjusted(
+      -contents.width() - viewport()->width(), -contents.height() - viewport()->height(),
+      contents.width() + viewport()->width(), contents.height() + viewport()->height()));
+  const bool calm = mode_.active() || (underMouse() && seen().contains(contents));
+  if (following_ && !calm) showAll();
+  scene_.setVisible(seen());
+}
+
+void GraphView::showAll() {
+  const QRectF contents = scene_.contents().adjusted(-kMargin, -kMargin, kMargin, kMargin);
+  if (scene_.contents().isEmpty()) return;
+  const double wanted =
+      std::min(viewport()->width() / contents.width(), viewport()->height() / contents.height());
+  const double scale = std::clamp(wanted, kLeastScale, kMostFitted);
+  setTransform(QTransform::fromScale(scale, scale));
+  centerOn(contents.center());
+  scene_.setVisible(seen());
 }
 
 void GraphView::zoom(double factor) {
@@ -70,7 +82,7 @@ void GraphView::zoom(double factor) {
   const double then = std::clamp(now * factor, kLeastScale, kMostScale);
   following_ = false;
   scale(then / now, then / now);
-  scene_.setVisible(mapToScene(viewport()->rect()).boundingRect());
+  scene_.setVisible(seen());
 }
 
 void GraphView::reveal(const QString& path) {
@@ -115,7 +127,7 @@ void GraphView::pan(const QPoint& position) {
   pressed_ = position;
   horizontalScrollBar()->setValue(horizontalScrollBar()->value() - moved.x());
   verticalScrollBar()->setValue(verticalScrollBar()->value() - moved.y());
-  scene_.setVisible(mapToScene(viewport()->rect()).boundingRect());
+  scene_.setVisible(seen());
 }
 
 void GraphView::dragConnection(const QPoint& position) {
@@ -141,6 +153,7 @@ void GraphView::mouseReleaseEvent(QMouseEvent* event) {
 void GraphView::leaveEvent(QEvent* event) {
   scene_.point(std::nullopt);
   QGraphicsView::leaveEvent(event);
+  if (following_ && !mode_.active()) showAll();
 }
 
 void GraphView::click(const QPoint& position) {
@@ -175,6 +188,7 @@ void GraphView::wheelEvent(QWheelEvent* event) {
 void GraphView::resizeEvent(QResizeEvent* event) {
   QGraphicsView::resizeEvent(event);
   follow();
+  if (following_) showAll();
 }
 
 bool GraphView::connectKey(int key) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <gcm_gui/graph/connect_mode.h>
+#include <gcm_gui/connect/connect_mode.h>
 #include <gcm_gui/graph/graph_scene.h>
 #include <gcm_gui/models/selection.h>
 
@@ -11,8 +11,10 @@
 namespace tendon::gui {
 
 /// The graph on the screen: wheel zooms, dragging moves, a click on a port begins or makes a
-/// connection (so does dragging from port to port), a click on anything else selects it. Shows all of the graph until the user has
-/// zoomed or moved it, and again after fit().
+/// connection (so does dragging from port to port), a click on anything else selects it.
+///
+/// Until the user has zoomed or moved it, and again after fit(), all of the graph is shown in the
+/// middle. What comes or goes moves nothing under the pointer as long as all can be seen.
 class GraphView : public QGraphicsView {
   Q_OBJECT
 
@@ -42,6 +44,8 @@ class GraphView : public QGraphicsView {
  private:
   void zoom(double factor);
   void follow();
+  void showAll();
+  [[nodiscard]] QRectF seen() const;
   void pan(const QPoint& position);
   void dragConnection(const QPoint& position);
   void click(const QPoint& position);

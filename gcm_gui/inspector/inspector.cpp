@@ -132,7 +132,7 @@ RowView* Inspector::buildInterfaces() {
     selection_.select(index.data(kPathRole).toString());
   });
   connect(&interfaces_, &QAbstractItemModel::rowsInserted, this,
-          [this](const QModelIndex&, int first, int last) { addDisconnectButtons(first, last); });
+          [this](const QModelIndex&, int first, int last) { addLinks(first, last); });
   return interface_list_;
 }
 
@@ -166,26 +166,38 @@ RowView* Inspector::buildConnections() {
   return list;
 }
 
-void Inspector::addDisconnectButtons(int first, int last) {
+void Inspector::addLinks(int first, int last) {
   for (int row = first; row <= last; ++row) {
-    const InterfaceRow& interface = interfaces_.row(row);
-    if (interface.kind != InterfaceRow::Kind::kPeer) continue;
-    auto* cell = new QWidget;
-    auto* line = new QHBoxLayout(cell);
-    line->setContentsMargins(0, 0, kInset - 6, 0);
-    line->addStretch();
-    auto* button = new QToolButton;
-    button->setText(QStringLiteral("Disconnect"));
-    button->setCursor(Qt::PointingHandCursor);
-    button->setObjectName(QStringLiteral("disconnect"));
-    button->setAccessibleName(QStringLiteral("Disconnect ") +
-                              ToQString(ToString(interface.required)));
-    SetRole(*button, QStringLiteral("accent"));
-    connect(button, &QToolButton::clicked, this,
-            [this, required = interface.required] { actions_.disconnectInterface(required); });
-    line->addWidget(button);
-    interface_list_->setIndexWidget(interfaces_.index(row), cell);
+    const InterfaceRow& peer = interfaces_.row(row);
+    if (peer.kind != InterfaceRow::Kind::kPeer) continue;
+    interface_list_->setIndexWidget(interfaces_.index(row), makeLinks(peer));
   }
+}
+
+QWidget* Inspector::makeLinks(const InterfaceRow& peer) {
+  auto* cell = new QWidget;
+  auto* line = new QHBoxLayout(cell);
+  line->setContentsMargins(0, 0, kInset - 6, 0);
+  line->setSpacing(0);
+  line->addStretch();
+  const QString required = ToQString(ToString(peer.required));
+  const auto add = [&](const QString& word, const QString& name) {
+    auto* button = new QToolButton;
+    button->setText(word);
+    button->setCursor(Qt::PointingHandCursor);
+    button->setObjectName(name);
+    button->setAccessibleName(word + ' ' + required);
+    SetRole(*button, QStringLiteral("accent"));
+    line->addWidget(button);
+    return button;
+  };
+  if (peer.path != required) {  // seen from the side that can choose
+    connect(add(QStringLiteral("Replace"), QStringLiteral("replace")), &QToolButton::clicked, this,
+            [this, required] { Q_EMIT connectRequested(required); });
+  }
+  connect(add(QStringLiteral("Disconnect"), QStringLiteral("disconnect")), &QToolButton::clicked,
+          this, [this, name = peer.required] { actions_.disconnectInterface(name); });
+  return cell;
 }
 
 void Inspector::refresh() {
@@ -290,5 +302,7 @@ void Inspector::watchValues() {
   const bool wanted = pages_->currentIndex() == kComponentPage && tabs_->current() == values_page_;
   source_.watch(&values_, wanted ? values_.columns() : QSet<QString>());
 }
+
+void Inspector::setOutdated(bool outdated) { state_->setStale(outdated); }
 
 }  // namespace tendon::gui

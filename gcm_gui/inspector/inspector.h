@@ -33,8 +33,14 @@ class Inspector : public QWidget {
   Inspector(const CatalogueStore& store, ConnectionsModel& connections, Selection& selection,
             SignalSource& source, SystemActions& actions, QWidget* parent = nullptr);
 
+ public Q_SLOTS:
+  /// Nothing is known any more of states and connections; values go on.
+  void setOutdated(bool outdated);
+
  Q_SIGNALS:
   void plotRequested(const QString& path, const QString& unit);
+  /// To another provider, of a required interface that is connected.
+  void connectRequested(const QString& path);
 
  private:
   QWidget* buildHead();
@@ -49,7 +55,8 @@ class Inspector : public QWidget {
   void showNothing(const QString& text);
   void showFigures();
   void watchValues();
-  void addDisconnectButtons(int first, int last);
+  void addLinks(int first, int last);
+  [[nodiscard]] QWidget* makeLinks(const InterfaceRow& peer);
 
   const CatalogueStore& store_;
   Selection& selection_;

@@ -137,14 +137,6 @@ QVariant NameData(const InterfaceRow& row, int role) {
 
 }  // namespace
 
-int InterfacesModel::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : static_cast<int>(rows_.size());
-}
-
-const InterfaceRow& InterfacesModel::row(int row) const {
-  return rows_.at(static_cast<std::size_t>(row));
-}
-
 QVariant InterfacesModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
   const InterfaceRow& row = this->row(index.row());
@@ -168,19 +160,7 @@ void InterfacesModel::show(const Catalog& catalogue, const std::string& process,
   if (const auto* description = catalogue.FindComponent(process, component)) {
     fresh = RowBuilder(catalogue, process, *description).Build();
   }
-  if (fresh == rows_) return;
-  std::size_t same = 0;
-  while (same < rows_.size() && same < fresh.size() && rows_[same] == fresh[same]) ++same;
-  if (same < rows_.size()) {
-    beginRemoveRows({}, static_cast<int>(same), static_cast<int>(rows_.size()) - 1);
-    rows_.resize(same);
-    endRemoveRows();
-  }
-  if (same < fresh.size()) {
-    beginInsertRows({}, static_cast<int>(same), static_cast<int>(fresh.size()) - 1);
-    rows_ = std::move(fresh);
-    endInsertRows();
-  }
+  showRows(std::move(fresh));
 }
 
 }  // namespace tendon::gui

@@ -1,11 +1,10 @@
 #pragma once
 
+#include <gcm_gui/models/row_list_model.h>
 #include <gcm_gui/theme/state_mark.h>
 #include <tendon/gcm/catalog.h>
 
-#include <QAbstractListModel>
 #include <QString>
-#include <vector>
 
 namespace tendon::gui {
 
@@ -26,21 +25,16 @@ struct InterfaceRow {
 
 /// The interfaces of one component, one below the other: each with what it is connected to, then
 /// its commands with their types, and its events.
-class InterfacesModel : public QAbstractListModel {
+class InterfacesModel : public RowListModel<InterfaceRow> {
   Q_OBJECT
 
  public:
-  using QAbstractListModel::QAbstractListModel;
+  using RowListModel::RowListModel;
 
-  [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
   [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-  [[nodiscard]] const InterfaceRow& row(int row) const;
 
   /// Shows a component; nothing when there is none of these names.
   void show(const Catalog& catalogue, const std::string& process, const std::string& component);
-
- private:
-  std::vector<InterfaceRow> rows_;
 };
 
 }  // namespace tendon::gui

@@ -98,7 +98,7 @@ QVariant CatalogueModel::data(const QModelIndex& index, int role) const {
     case kKindRole:
       return static_cast<int>(item.kind);
     case kStaleRole:
-      return item.gone;
+      return item.gone || (outdated_ && item.kind < ItemKind::kColumn);
     case Qt::ToolTipRole:
       return item.detail.isEmpty() ? item.path : item.path + '\n' + item.detail;
     case Qt::AccessibleTextRole:
@@ -142,7 +142,7 @@ QVariant CatalogueModel::valueData(const CatalogueItem& item, int role) const {
     case kQuietRole:
       return item.kind < ItemKind::kColumn;
     case kAccentRole:
-      return required && item.mark == StateMark::kNotConnected && !item.gone;
+      return required && item.mark == StateMark::kNotConnected && !item.gone && !outdated_;
     case kProseRole:
       return item.kind <= ItemKind::kRequired && item.kind != ItemKind::kComponent;
     default:
@@ -398,6 +398,14 @@ void CatalogueModel::setNow(qint64 now) {
   for (const auto& process : root_->children) {
     if (process->gone) Q_EMIT dataChanged(indexFor(*process, kValue), indexFor(*process, kValue));
   }
+}
+
+void CatalogueModel::setOutdated(bool outdated) {
+  if (outdated == outdated_) return;
+  outdated_ = outdated;
+  // Views draw all they show anew, whichever rows are named.
+  if (root_->children.empty()) return;
+  Q_EMIT dataChanged(indexFor(*root_->children.front()), indexFor(*root_->children.back(), kValue));
 }
 
 }  // namespace tendon::gui

@@ -55,6 +55,8 @@ class CatalogueModel : public QAbstractItemModel {
   void showValues(const QString& column, const tendon::gui::ColumnValues& values);
   /// The time, ns since 1970, for "lost 12 s".
   void setNow(qint64 now);
+  /// Nothing is known any more of what there is: all but values is shown as it was.
+  void setOutdated(bool outdated);
 
  private:
   void updateProcess(const Catalog& catalogue, const ConnectionIndex& connections,
@@ -81,6 +83,7 @@ class CatalogueModel : public QAbstractItemModel {
   QHash<QString, CatalogueItem*> by_path_;
   QHash<QString, ColumnValues> values_;  // of columns
   std::int64_t now_ = 0;
+  bool outdated_ = false;
 };
 
 }  // namespace tendon::gui

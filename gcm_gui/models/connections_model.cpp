@@ -54,6 +54,8 @@ QVariant ConnectionsModel::data(const QModelIndex& index, int role) const {
       return index.column() == kProvided ? provided : required;
     case kFaceRole:
       return static_cast<int>(index.column() == kState ? Face::kPlain : Face::kMono);
+    case kStaleRole:
+      return outdated_;
     case kGlyphMarkRole:
       return index.column() == kState ? QVariant::fromValue(MarkOf(row.state)) : QVariant();
     case Qt::ToolTipRole:
@@ -97,6 +99,13 @@ void ConnectionsModel::update(const Catalog& catalogue) {
       Q_EMIT dataChanged(index(place, 0), index(place, kColumnCount - 1));
     }
   }
+}
+
+void ConnectionsModel::setOutdated(bool outdated) {
+  if (outdated == outdated_) return;
+  outdated_ = outdated;
+  if (rows_.empty()) return;
+  Q_EMIT dataChanged(index(0, 0), index(static_cast<int>(rows_.size()) - 1, kColumnCount - 1));
 }
 
 }  // namespace tendon::gui

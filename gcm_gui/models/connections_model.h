@@ -28,10 +28,13 @@ class ConnectionsModel : public QAbstractTableModel {
   [[nodiscard]] int rowOf(const QString& required) const;
 
  public Q_SLOTS:
+  /// All is shown as it was when it was last heard of.
+  void setOutdated(bool outdated);
   void update(const tendon::Catalog& catalogue);
 
  private:
   std::vector<ConnectionDescription> rows_;
+  bool outdated_ = false;
 };
 
 }  // namespace tendon::gui

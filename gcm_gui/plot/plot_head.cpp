@@ -50,6 +50,7 @@ PlotHead::PlotHead(QWidget* parent)
       plus_(Button("newPlot", "New plot", this)),
       badge_(new RateBadge(this)),
       window_(Button("window", "Window length", this)),
+      cursors_(Button("cursors", "Cursors A and B  (A, B; Delete)", this)),
       pause_(Button("pause", "Pause the view", this)) {
   tabs_->setObjectName("plotTabs");
   tabs_->setAccessibleName("Plots");
@@ -59,15 +60,19 @@ PlotHead::PlotHead(QWidget* parent)
   plus_->setIcon(ThemeIcon("plus"));
   pause_->setIcon(ThemeIcon("pause"));
   pause_->setCheckable(true);
+  cursors_->setText("A/B");
+  cursors_->setCheckable(true);
   buildWindowMenu();
   addLeft(tabs_);
   addLeft(plus_);
   addRight(badge_);
   addRight(window_);
+  addRight(cursors_);
   addRight(pause_);
   layout()->setSpacing(kGrid);
   connect(plus_, &QToolButton::clicked, this, &PlotHead::newPlotRequested);
   connect(pause_, &QToolButton::clicked, this, &PlotHead::pauseToggled);
+  connect(cursors_, &QToolButton::clicked, this, &PlotHead::cursorsToggled);
 }
 
 void PlotHead::buildWindowMenu() {
@@ -90,6 +95,8 @@ void PlotHead::setWindow(nanoseconds length) {
   window_->setText("window " + LengthText(length));
   window_->setAccessibleName("Window length: " + LengthText(length));
 }
+
+void PlotHead::setCursors(bool shown) { cursors_->setChecked(shown); }
 
 void PlotHead::setPaused(bool paused) {
   pause_->setChecked(paused);

@@ -25,11 +25,13 @@ class PlotHead : public HeadRow {
   void setFigures(const std::vector<SourceFigures>& figures);
   void setWindow(std::chrono::nanoseconds length);
   void setPaused(bool paused);
+  void setCursors(bool shown);
 
  Q_SIGNALS:
   void newPlotRequested();
   void windowChosen(std::chrono::nanoseconds length);
   void pauseToggled(bool paused);
+  void cursorsToggled(bool shown);
 
  private:
   void buildWindowMenu();
@@ -38,6 +40,7 @@ class PlotHead : public HeadRow {
   QToolButton* plus_;
   RateBadge* badge_;
   QToolButton* window_;
+  QToolButton* cursors_;
   QToolButton* pause_;
 };
 

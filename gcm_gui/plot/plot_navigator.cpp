@@ -2,6 +2,7 @@
 #include <gcm_gui/plot/plot_overlay.h>
 #include <gcm_gui/plot/plot_view.h>
 
+#include <QCursor>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QWheelEvent>
@@ -53,6 +54,10 @@ bool PlotNavigator::press(const QMouseEvent& event) {
   pressed_ = last_ = event.pos();
   moves_values_ = false;
   drag_ = event.modifiers().testFlag(Qt::ShiftModifier) ? Drag::kPan : Drag::kZoom;
+  if (const auto cursor = view_.cursorAt(event.pos().x())) {
+    drag_ = Drag::kCursor;
+    cursor_ = *cursor;
+  }
   if (drag_ == Drag::kPan) {
     view_.remember();
     view_.canvas()->setCursor(Qt::ClosedHandCursor);
@@ -66,7 +71,11 @@ bool PlotNavigator::move(const QMouseEvent& event) {
   if (drag_ == Drag::kZoom) {
     const QRect band = QRect(pressed_, position).normalized() & view_.canvas()->rect();
     view_.overlay().setRubberBand(band);
-  } else if (drag_ == Drag::kPan) {
+  } else if (drag_ == Drag::kCursor) {
+    view_.placeCursor(cursor_, position.x());
+  } else if (drag_ == Drag::kNone) {
+    showGrip(position.x());
+  } else {
     if (std::abs(position.y() - pressed_.y()) > kPanThreshold) moves_values_ = true;
     view_.panTime(last_.x() - position.x());
     if (moves_values_) view_.panValues(position.y() - last_.y());
@@ -106,7 +115,35 @@ bool PlotNavigator::wheel(const QWheelEvent& event) {
   return true;
 }
 
+void PlotNavigator::showGrip(int x) {
+  if (view_.cursorAt(x)) {
+    view_.canvas()->setCursor(Qt::SplitHCursor);
+  } else {
+    view_.canvas()->setCursor(Qt::ArrowCursor);
+  }
+}
+
+bool PlotNavigator::cursorKey(int key) {
+  const QPoint mouse = view_.canvas()->mapFromGlobal(QCursor::pos());
+  const bool over = view_.canvas()->rect().contains(mouse);
+  const int x = over ? mouse.x() : view_.canvas()->width() / 2;
+  switch (key) {
+    case Qt::Key_A:
+      view_.placeCursor(Cursor::kA, x);
+      return true;
+    case Qt::Key_B:
+      view_.placeCursor(Cursor::kB, x);
+      return true;
+    case Qt::Key_Delete:
+      view_.showCursors(false);
+      return true;
+    default:
+      return false;
+  }
+}
+
 bool PlotNavigator::key(const QKeyEvent& event) {
+  if (event.modifiers() == Qt::NoModifier && cursorKey(event.key())) return true;
   const double width = view_.canvas()->width();
   const QPoint centre = view_.canvas()->rect().center();
   const bool values = event.modifiers().testFlag(Qt::ControlModifier);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <gcm_gui/plot/series/cursors.h>
+
 #include <QObject>
 #include <QPoint>
 
@@ -17,6 +19,7 @@ class PlotView;
 /// - drag: zoom to the rectangle, Escape gives up; Shift+drag: move
 /// - double click, End: live again; Alt+Left: back to what was shown before
 /// - keys: Left, Right, + and -, Ctrl with + and - for values
+/// - A and B: cursors under the mouse, to be dragged; Delete removes them
 class PlotNavigator : public QObject {
   Q_OBJECT
 
@@ -27,19 +30,22 @@ class PlotNavigator : public QObject {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  enum class Drag { kNone, kZoom, kPan };
+  enum class Drag { kNone, kZoom, kPan, kCursor };
 
   bool press(const QMouseEvent& event);
   bool move(const QMouseEvent& event);
   bool release(const QMouseEvent& event);
   bool wheel(const QWheelEvent& event);
   bool key(const QKeyEvent& event);
+  bool cursorKey(int key);
+  void showGrip(int x);
   void endDrag();
 
   PlotView& view_;
   Drag drag_ = Drag::kNone;
   QPoint pressed_;
   QPoint last_;
+  Cursor cursor_ = Cursor::kA;  // that is dragged
   bool moves_values_ = false;
 };
 

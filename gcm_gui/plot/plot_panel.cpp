@@ -29,6 +29,8 @@ PlotPanel::PlotPanel(QWidget* parent)
   connect(head_, &PlotHead::newPlotRequested, this, [this] { addPlot(); });
   connect(head_, &PlotHead::windowChosen, this, &PlotPanel::setWindow);
   connect(head_, &PlotHead::pauseToggled, this, &PlotPanel::setPaused);
+  connect(head_, &PlotHead::cursorsToggled, this,
+          [this](bool shown) { currentPlot().showCursors(shown); });
   connect(&head_timer_, &QTimer::timeout, this, &PlotPanel::updateHead);
   head_timer_.start(kHeadPeriod);
   addPlot();
@@ -52,6 +54,7 @@ PlotView& PlotPanel::addPlot() {
   connect(view, &PlotView::liveChanged, this, [this](bool live) {
     if (live) setPaused(false);
   });
+  connect(view, &PlotView::cursorsChanged, this, &PlotPanel::updateHead);
   plots_->addWidget(view);
   const int index = head_->tabs().addTab({});
   nameTab(*view);
@@ -194,6 +197,7 @@ void PlotPanel::updateHead() {
   if (plotCount() == 0) return;
   head_->setFigures(currentPlot().figures());
   head_->setWindow(currentPlot().window().length());
+  head_->setCursors(currentPlot().cursors().any());
 }
 
 }  // namespace tendon::gui

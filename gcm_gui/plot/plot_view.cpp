@@ -1,4 +1,5 @@
 #include <gcm_gui/plot/canvas/axis_labels.h>
+#include <gcm_gui/plot/canvas/cursor_lines.h>
 #include <gcm_gui/plot/canvas/curve_layer.h>
 #include <gcm_gui/plot/canvas/gap_bands.h>
 #include <gcm_gui/plot/legend.h>
@@ -23,6 +24,7 @@
 #include <QPushButton>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -35,6 +37,7 @@ constexpr int kTop = 14;         // units stand there
 constexpr int kFrame = 16;       // ms
 constexpr int kLegendTicks = 6;  // frames between two changes of its numbers
 constexpr int kTimeSteps = 6;
+constexpr double kGrab = 5;  // pixels around a cursor
 constexpr int kValueSteps = 7;
 constexpr auto kHint = "Select a value and press P, or drag it here";
 
@@ -58,6 +61,8 @@ PlotView::PlotView(QWidget* parent)
     : QwtPlot(parent), newest_ns_(std::numeric_limits<std::int64_t>::min()) {
   setAccessibleName("Plot");
   setAcceptDrops(true);
+  setSizePolicy(QSizePolicy::Expanding,
+                QSizePolicy::Expanding);  // QwtPlot would insist on its hint
   setAutoReplot(false);
   build();
   buildAxes();
@@ -83,6 +88,7 @@ void PlotView::build() {
   (new GapBands(curves_, window_))->attach(this);
   layer_ = new CurveLayer(curves_, window_);
   layer_->attach(this);
+  (new CursorLines(curves_, window_, cursors_))->attach(this);
   overlay_ = new PlotOverlay(canvas());
   legend_ = new Legend(canvas());
   legend_->move(2 * kGrid, 2 * kGrid);
@@ -254,6 +260,33 @@ void PlotView::goBack() {
     }
   }
   changed();
+}
+
+void PlotView::placeCursor(Cursor cursor, double x) {
+  if (curves_.empty()) return;
+  cursors_.set(cursor, window_.timeAt(invTransform(QwtAxis::XBottom, x)));
+  changed();
+  Q_EMIT cursorsChanged(true);
+}
+
+std::optional<Cursor> PlotView::cursorAt(double x) const {
+  for (const Cursor cursor : kCursors) {
+    const auto time = cursors_.time(cursor);
+    if (time && std::abs(transform(QwtAxis::XBottom, window_.secondsAt(*time)) - x) <= kGrab) {
+      return cursor;
+    }
+  }
+  return std::nullopt;
+}
+
+void PlotView::showCursors(bool shown) {
+  cursors_.clear();
+  if (shown) {
+    placeCursor(Cursor::kA, columns() / 3);
+    placeCursor(Cursor::kB, columns() * 2 / 3);
+  }
+  changed();
+  Q_EMIT cursorsChanged(cursors_.any());
 }
 
 void PlotView::setHover(std::optional<int> x) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <gcm_gui/plot/series/cursors.h>
 #include <gcm_gui/plot/series/curve_set.h>
 #include <gcm_gui/plot/series/live_clock.h>
 #include <gcm_gui/plot/series/signal_path.h>
@@ -55,6 +56,14 @@ class PlotView : public QwtPlot {
   void remember();
   void goBack();
 
+  /// Marks the moment at canvas column `x`, live or not.
+  void placeCursor(Cursor cursor, double x);
+  /// The one that is drawn at `x`, give or take some pixels.
+  [[nodiscard]] std::optional<Cursor> cursorAt(double x) const;
+  /// A and B in the middle of what is seen, or neither.
+  void showCursors(bool shown);
+  [[nodiscard]] const Cursors& cursors() const { return cursors_; }
+
   /// The legend shows the values at canvas column `x` instead of the present ones.
   void setHover(std::optional<int> x);
   [[nodiscard]] std::vector<SourceFigures> figures() const;
@@ -69,6 +78,7 @@ class PlotView : public QwtPlot {
 
  Q_SIGNALS:
   void liveChanged(bool live);
+  void cursorsChanged(bool shown);
   void curvesDropped(const QList<CurveKey>& keys);
   void curveRemovalRequested(const QString& path);
 
@@ -101,6 +111,7 @@ class PlotView : public QwtPlot {
 
   CurveSet curves_;
   TimeWindow window_;
+  Cursors cursors_;
   LiveClock clock_;
   std::vector<View> former_views_;
   std::int64_t newest_ns_;

@@ -101,18 +101,55 @@ void Session::disconnectInterface(const InterfaceName& required) {
   });
 }
 
+void Session::replaceConnection(const InterfaceName& required, const InterfaceName& provided) {
+  const auto* connection = store_.catalogue().FindConnection(required);
+  if (connection == nullptr) return connectInterfaces(required, provided);
+  Action action;
+  action.verb = Action::Verb::kReplace;
+  action.required = required;
+  action.provided = provided;
+  client_->Disconnect(
+      required, [this, courier = courier_, required, provided, former = connection->provided,
+                 done = begin(std::move(action))](const auto& result) {
+        if (!result.ok()) return done(result.error());
+        courier->post([=, this] { connectInstead(required, provided, former, done); });
+      });
+}
+
+void Session::connectInstead(const InterfaceName& required, const InterfaceName& provided,
+                             const InterfaceName& former, const Finish& done) {
+  client_->Connect(
+      required, provided, [this, courier = courier_, required, former, done](const auto& result) {
+        if (result.ok()) return done(std::nullopt);
+        courier->post([=, this, refusal = result.error()] {
+          client_->Connect(required, former, [done, refusal](const auto&) { done(refusal); });
+        });
+      });
+}
+
 void Session::undo() {
+  // A replacement is two steps of the system's history, but one to whoever made it.
+  const Action* last = activity_.lastStep();
+  const bool replaced = last != nullptr && last->verb == Action::Verb::kReplace;
   Action action;
   action.verb = Action::Verb::kUndo;
-  const auto start = std::chrono::steady_clock::now();
-  const ActivityModel::Id id = activity_.begin(std::move(action));
-  client_->Undo([this, courier = courier_, id, start](const auto& result) {
-    courier->post([this, id, seconds = SecondsSince(start), result] {
-      finish(id, seconds, RefusalOf(result));
+  undoStep(activity_.begin(std::move(action)), std::chrono::steady_clock::now(),
+           replaced ? Undoing::kReplacement : Undoing::kStep);
+}
+
+void Session::undoStep(ActivityModel::Id id, Start start, Undoing what) {
+  client_->Undo([this, courier = courier_, id, start, what](const auto& result) {
+    courier->post([this, id, start, what, result] {
+      const bool connected = result.ok() && result->verb == "connect";
+      if (connected && what == Undoing::kReplacement) {
+        return undoStep(id, start, Undoing::kRestOfReplacement);
+      }
+      finish(id, SecondsSince(start), RefusalOf(result));
       if (!result.ok()) return;
-      const bool connected = result->verb == "connect";
-      activity_.markUndone(id, connected ? Action::Verb::kConnect : Action::Verb::kDisconnect,
-                           result->wire.required, result->wire.provided);
+      const auto verb = what == Undoing::kRestOfReplacement ? Action::Verb::kReplace
+                        : connected                         ? Action::Verb::kConnect
+                                                            : Action::Verb::kDisconnect;
+      activity_.markUndone(id, verb, result->wire.required, result->wire.provided);
     });
   });
 }

@@ -9,6 +9,7 @@
 #include <tendon/gcm/client.h>
 
 #include <QObject>
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -33,18 +34,25 @@ class Session : public QObject, public SystemActions {
 
   void connectInterfaces(const InterfaceName& required, const InterfaceName& provided) override;
   void disconnectInterface(const InterfaceName& required) override;
+  void replaceConnection(const InterfaceName& required, const InterfaceName& provided) override;
   void undo() override;
   void forget(const std::string& process) override;
 
  private:
   class Listener;
   using Finish = std::function<void(const std::optional<Error>&)>;
+  using Start = std::chrono::steady_clock::time_point;
+  enum class Undoing { kStep, kReplacement, kRestOfReplacement };
 
   void hearSnapshot(const Catalog& catalogue);
   void hearChanges(const std::vector<CatalogChange>& changes);
   void hearLost(const Error& reason);
   /// Enters the action, and returns what takes its result to the GUI thread from any thread.
   Finish begin(Action action);
+  /// Of a replacement, its second half.
+  void connectInstead(const InterfaceName& required, const InterfaceName& provided,
+                      const InterfaceName& former, const Finish& done);
+  void undoStep(ActivityModel::Id id, Start start, Undoing what);
   void finish(ActivityModel::Id id, double seconds, const std::optional<Error>& refusal);
 
   CatalogueStore store_;

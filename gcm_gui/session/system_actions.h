@@ -17,6 +17,9 @@ class SystemActions {
 
   virtual void connectInterfaces(const InterfaceName& required, const InterfaceName& provided) = 0;
   virtual void disconnectInterface(const InterfaceName& required) = 0;
+  /// Connects a connected interface to another provider, as one step; to the former one again when
+  /// that is refused.
+  virtual void replaceConnection(const InterfaceName& required, const InterfaceName& provided) = 0;
   /// Takes back the last step that stands.
   virtual void undo() = 0;
   /// Removes what is left of a lost process.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <gcm_gui/models/catalogue_filter.h>
+#include <gcm_gui/models/filter/catalogue_filter.h>
 #include <gcm_gui/models/selection.h>
 #include <gcm_gui/session/signal_source.h>
 #include <gcm_gui/views/row_view.h>

@@ -14,7 +14,8 @@ namespace {
 
 constexpr int kGlyphWidth = 16;
 constexpr int kSpace = 6;
-constexpr int kHeaderPadding = 8;  // under the words of a header
+constexpr double kStaleOpacity = 0.45;  // of marks
+constexpr int kHeaderPadding = 8;       // under the words of a header
 
 /// Draws as much of `text` as fits, and returns the width it took.
 int PaintText(QPainter& painter, const QRect& rect, const QString& text, const QFont& font,
@@ -83,7 +84,12 @@ QRect RowDelegate::paintValue(QPainter& painter, QRect rect, const QModelIndex& 
   const QString text = index.data().toString();
   rect.setRight(rect.right() - kInset);
 
-  const QRect room = rect.adjusted(rect.width() / 4, 0, 0, 0);  // the name keeps a quarter at least
+  // The name keeps what it needs, within reason: a value alone means nothing.
+  const QModelIndex named = index.siblingAtColumn(0);
+  const int name = left_inset_ + kGlyphWidth + 2 * kSpace +
+                   QFontMetrics(FontOf(named)).horizontalAdvance(named.data().toString());
+  const QRect room =
+      rect.adjusted(std::clamp(name, rect.width() / 4, rect.width() * 3 / 5), 0, 0, 0);
   int used = 0;
   if (const QString unit = index.data(kUnitRole).toString(); !unit.isEmpty()) {
     used = PaintText(painter, room, unit, theme.mono(), Token::kDim, Qt::AlignRight) + kSpace;
@@ -97,7 +103,9 @@ QRect RowDelegate::paintValue(QPainter& painter, QRect rect, const QModelIndex& 
   if (mark.isValid()) {
     const QRect place(rect.right() - used - kGlyphWidth - 2, rect.top(), kGlyphWidth,
                       rect.height());
+    painter.setOpacity(stale ? kStaleOpacity : 1.0);
     PaintMark(painter, place, mark.value<StateMark>());
+    painter.setOpacity(1.0);
     used += kGlyphWidth + 2;
   }
   return rect.adjusted(0, 0, -used, 0);
@@ -115,11 +123,12 @@ QRect RowDelegate::paintName(QPainter& painter, QRect rect, const QModelIndex& i
   const QString glyph = index.data(kGlyphRole).toString();
   const QRect place(rect.left(), rect.top(), kGlyphWidth, rect.height());
   if (mark.isValid()) {
-    painter.setOpacity(stale ? 0.45 : 1.0);
+    painter.setOpacity(stale ? kStaleOpacity : 1.0);
     PaintMark(painter, place, mark.value<StateMark>());
     painter.setOpacity(1.0);
   } else if (!glyph.isEmpty()) {
-    PaintText(painter, place, glyph, Theme::instance().text(), Token::kDim, Qt::AlignHCenter);
+    const Token token = index.data(kAccentRole).toBool() ? Token::kAccent : Token::kDim;
+    PaintText(painter, place, glyph, Theme::instance().text(), token, Qt::AlignHCenter);
   }
   if (mark.isValid() || !glyph.isEmpty()) rect.setLeft(rect.left() + kGlyphWidth + kSpace / 2);
 

@@ -10,6 +10,7 @@ namespace {
 
 constexpr int kMarkWidth = 16;
 constexpr int kSpace = 2;
+constexpr double kStaleOpacity = 0.45;
 
 }  // namespace
 
@@ -19,10 +20,17 @@ StateLabel::StateLabel(QWidget* parent) : QWidget(parent) {
 }
 
 void StateLabel::show(StateMark mark, const QString& text) {
+  const QString shown = text.isEmpty() ? WordOf(mark) : text;
+  if (mark == mark_ && shown == text_) return;
   mark_ = mark;
-  text_ = text.isEmpty() ? WordOf(mark) : text;
+  text_ = shown;
   setAccessibleName(text_);
   updateGeometry();
+  update();
+}
+
+void StateLabel::setStale(bool stale) {
+  stale_ = stale;
   update();
 }
 
@@ -33,9 +41,11 @@ QSize StateLabel::sizeHint() const {
 
 void StateLabel::paintEvent(QPaintEvent*) {
   QPainter painter(this);
+  painter.setOpacity(stale_ ? kStaleOpacity : 1.0);
   PaintMark(painter, QRectF(0, 0, kMarkWidth, height()), mark_);
+  painter.setOpacity(1.0);
   painter.setFont(Theme::instance().text());
-  painter.setPen(Theme::instance().color(ColorOf(mark_)));
+  painter.setPen(Theme::instance().color(stale_ ? Token::kDim : ColorOf(mark_)));
   painter.drawText(rect().adjusted(kMarkWidth + kSpace, 0, 0, 0), Qt::AlignVCenter, text_);
 }
 

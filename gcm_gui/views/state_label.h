@@ -16,6 +16,8 @@ class StateLabel : public QWidget {
 
   /// An empty text shows the mark's own word.
   void show(StateMark mark, const QString& text = {});
+  /// Grey: it was so when it was last heard of.
+  void setStale(bool stale);
   [[nodiscard]] const QString& text() const { return text_; }
 
   [[nodiscard]] QSize sizeHint() const override;
@@ -26,6 +28,7 @@ class StateLabel : public QWidget {
 
  private:
   StateMark mark_ = StateMark::kReady;
+  bool stale_ = false;
   QString text_;
 };
 

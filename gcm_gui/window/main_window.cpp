@@ -1,4 +1,5 @@
 #include <gcm_gui/activity/activity_strip.h>
+#include <gcm_gui/connect/candidate_panel.h>
 #include <gcm_gui/graph/graph_scene.h>
 #include <gcm_gui/graph/graph_view.h>
 #include <gcm_gui/inspector/inspector.h>
@@ -12,11 +13,12 @@
 #include <gcm_gui/views/row_delegate.h>
 #include <gcm_gui/views/row_view.h>
 #include <gcm_gui/views/tab_panel.h>
+#include <gcm_gui/window/bar/lost_banner.h>
+#include <gcm_gui/window/bar/notice_line.h>
+#include <gcm_gui/window/bar/top_bar.h>
 #include <gcm_gui/window/empty_state.h>
 #include <gcm_gui/window/main_window.h>
-#include <gcm_gui/window/notice_line.h>
 #include <gcm_gui/window/plot_binding.h>
-#include <gcm_gui/window/top_bar.h>
 #include <gcm_gui/window/zoom_buttons.h>
 #include <tendon/base/path.h>
 
@@ -35,17 +37,13 @@ constexpr QSize kWindow{1280, 800};
 constexpr int kCatalogueWidth = 280;
 constexpr int kInspectorWidth = 312;
 constexpr int kStripHeight = 124;
+constexpr int kLeastCatalogueWidth = 208;
+constexpr int kLeastCentreWidth = 480;
+constexpr int kLeastInspectorWidth = 276;
+constexpr int kLeastStripHeight = 80;
 constexpr int kPlotsHeight = 268;
 constexpr int kLeastPlotsHeight = 120;
 constexpr std::chrono::seconds kSecond{1};
-
-QSplitter* MakeSplitter(Qt::Orientation orientation, const QString& name) {
-  auto* splitter = new QSplitter(orientation);
-  splitter->setObjectName(name);
-  splitter->setChildrenCollapsible(false);
-  splitter->setHandleWidth(kGap);
-  return splitter;
-}
 
 }  // namespace
 
@@ -84,42 +82,55 @@ void MainWindow::connectModels() {
 }
 
 void MainWindow::buildViews() {
-  top_bar_ = new TopBar(parts_.store, parts_.link);
   catalogue_ = new CataloguePanel(filter_, selection_, parts_.source);
-  inspector_ = new Inspector(parts_.store, connections_, selection_, parts_.source, parts_.actions);
   strip_ = new ActivityStrip(parts_.activity, problems_, parts_.actions, selection_);
-
-  auto* columns = MakeSplitter(Qt::Horizontal, QStringLiteral("columns"));
-  columns->addWidget(catalogue_);
-  columns->addWidget(buildCentre());
-  columns->addWidget(inspector_);
-  columns->setStretchFactor(1, 1);
-  columns->setSizes(
-      {kCatalogueWidth, kWindow.width() - kCatalogueWidth - kInspectorWidth, kInspectorWidth});
-  auto* rows = MakeSplitter(Qt::Vertical, QStringLiteral("rows"));
-  rows->addWidget(columns);
-  rows->addWidget(strip_);
-  rows->setStretchFactor(0, 1);
-  rows->setSizes({kWindow.height() - kStripHeight - kTopBarHeight, kStripHeight});
-
-  auto* body = new QWidget;
-  auto* column = new QVBoxLayout(body);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(kGap);
-  column->addWidget(top_bar_);
-  column->addWidget(rows, 1);
-  const auto dress = [body] {
-    QPalette palette = body->palette();
-    palette.setColor(QPalette::Window, Theme::instance().color(Token::kCanvas));
-    body->setPalette(palette);
+  setMenuWidget(buildTop());
+  QSplitter* centre = buildCentre();
+  setCentralWidget(centre);
+  buildPanels(*centre);
+  const auto dress = [this] {
+    QPalette colors = palette();
+    colors.setColor(QPalette::Window, Theme::instance().color(Token::kCanvas));
+    setPalette(colors);
   };
-  setCentralWidget(body);
-  body->setAutoFillBackground(true);
   dress();
-  connect(&Theme::instance(), &Theme::changed, body, dress);
+  connect(&Theme::instance(), &Theme::changed, this, dress);
 }
 
-QWidget* MainWindow::buildCentre() {
+QWidget* MainWindow::buildTop() {
+  top_bar_ = new TopBar(parts_.store, parts_.link);
+  lost_ = new LostBanner(parts_.link);
+  auto* top = new QWidget;
+  auto* column = new QVBoxLayout(top);
+  column->setContentsMargins(0, 0, 0, kGap);
+  column->setSpacing(kGap);
+  column->addWidget(top_bar_);
+  column->addWidget(lost_);
+  return top;
+}
+
+QWidget* MainWindow::buildRight() {
+  inspector_ = new Inspector(parts_.store, connections_, selection_, parts_.source, parts_.actions);
+  candidates_ = new CandidatePanel(mode_);
+  right_ = new QStackedWidget;
+  right_->addWidget(inspector_);
+  right_->addWidget(candidates_);
+  return right_;
+}
+
+void MainWindow::buildPanels(QSplitter& centre) {
+  panels_ = new Panels(*this, centre);
+  panels_->add(catalogue_, QStringLiteral("Catalogue"), Qt::LeftDockWidgetArea, kCatalogueWidth,
+               kLeastCatalogueWidth);
+  panels_->add(buildRight(), QStringLiteral("Inspector"), Qt::RightDockWidgetArea, kInspectorWidth,
+               kLeastInspectorWidth);
+  panels_->add(strip_, QStringLiteral("Activity"), Qt::BottomDockWidgetArea, kStripHeight,
+               kLeastStripHeight);
+  top_bar_->setViewMenu(panels_->makeMenu());
+  connect(panels_, &Panels::shown, this, &MainWindow::showPerspective);
+}
+
+QSplitter* MainWindow::buildCentre() {
   centre_ = new TabPanel(QStringLiteral("centre"));
   centre_->addPage(buildGraphPage(), QStringLiteral("Graph"));
   centre_->addPage(buildConnectionsPage(), QStringLiteral("Connections"));
@@ -129,7 +140,11 @@ QWidget* MainWindow::buildCentre() {
   plots_->setAutoFillBackground(true);
   plots_->setMinimumHeight(kLeastPlotsHeight);
   binding_ = new PlotBinding(*plots_, parts_.source, catalogue_model_, this);
-  auto* rows = MakeSplitter(Qt::Vertical, QStringLiteral("centreRows"));
+  auto* rows = new QSplitter(Qt::Vertical);
+  rows->setObjectName(QStringLiteral("centreRows"));
+  rows->setChildrenCollapsible(false);
+  rows->setMinimumWidth(kLeastCentreWidth);
+  rows->setHandleWidth(kGap);
   rows->addWidget(centre_);
   rows->addWidget(plots_);
   rows->setStretchFactor(0, 1);
@@ -168,15 +183,30 @@ void MainWindow::connectViews() {
     if (mode_.active()) pickInConnectMode(index.data(kPathRole).toString());
   });
   connect(inspector_, &Inspector::plotRequested, binding_, &PlotBinding::plotSignal);
+  connect(inspector_, &Inspector::connectRequested, this, &MainWindow::startConnecting);
   connect(binding_, &PlotBinding::notice, notice_, &NoticeLine::tell);
-  connect(top_bar_, &TopBar::problemsRequested, strip_, &ActivityStrip::showProblems);
+  connect(top_bar_, &TopBar::problemsRequested, this, [this] {
+    panels_->reveal(*strip_);
+    strip_->showProblems();
+  });
   connect(top_bar_, &TopBar::pauseRequested, plots_, &PlotPanel::setPaused);
   connect(plots_, &PlotPanel::pausedChanged, top_bar_, &TopBar::showPaused);
   connect(&problems_, &ProblemsModel::countChanged, top_bar_, &TopBar::showProblemCount);
   top_bar_->showProblemCount(problems_.rowCount());
+  connect(&parts_.link, &GcmLink::changed, this, &MainWindow::showLink);
+  connectModeToViews();
+}
+
+void MainWindow::connectModeToViews() {
+  connect(&mode_, &ConnectMode::changed, this, [this] {
+    if (!mode_.active() && candidates_->isAncestorOf(focusWidget())) graph_->setFocus();
+    right_->setCurrentWidget(mode_.active() ? static_cast<QWidget*>(candidates_) : inspector_);
+  });
+  connect(candidates_, &CandidatePanel::pointed, scene_, &GraphScene::point);
   connect(&mode_, &ConnectMode::picked, scene_, &GraphScene::showRequested);
   connect(&mode_, &ConnectMode::picked, this, [this](const InterfaceName& required) {
     selection_.select(ToQString(ToString(required)));
+    graph_->setFocus();
   });
   connect(&parts_.activity, &ActivityModel::finished, scene_,
           [this](const Action& action) { scene_->forgetRequested(action.required); });
@@ -220,7 +250,7 @@ void MainWindow::startConnecting(const QString& path) {
   if (!mode_.start({required ? Side::kRequired : Side::kProvided, *name})) return;
   selection_.select(path);
   graph_->reveal(path);
-  graph_->setFocus();
+  candidates_->focusFilter();
 }
 
 void MainWindow::pickInConnectMode(const QString& path) {
@@ -272,11 +302,29 @@ void MainWindow::showPage() {
                                                             : graph_page_->widget(0));
 }
 
+void MainWindow::showLink() {
+  const bool outdated = parts_.link.state() == GcmLink::State::kLost;
+  if (!outdated && lost_since_ > 0) {
+    notice_->tell(QStringLiteral("The GCM is back after ") + AgeText(WallClock() - lost_since_));
+  }
+  lost_since_ = outdated ? parts_.link.since() : 0;
+  catalogue_model_.setOutdated(outdated);
+  connections_.setOutdated(outdated);
+  scene_->setOutdated(outdated);
+  inspector_->setOutdated(outdated);
+}
+
+void MainWindow::showPerspective(Panels::Perspective perspective) {
+  centre_->setCurrent(perspective == Panels::Perspective::kDiagnose ? 1 : 0);
+  if (perspective == Panels::Perspective::kDiagnose) strip_->showProblems();
+}
+
 void MainWindow::tick() {
   const qint64 now = WallClock();
   catalogue_model_.setNow(now);
   scene_->setNow(now);
   top_bar_->setNow(now);
+  lost_->setNow(now);
 }
 
 }  // namespace tendon::gui

@@ -1,24 +1,29 @@
 #pragma once
 
 #include <gcm_gui/activity/problems_model.h>
-#include <gcm_gui/graph/connect_mode.h>
-#include <gcm_gui/models/catalogue_filter.h>
+#include <gcm_gui/connect/connect_mode.h>
 #include <gcm_gui/models/connections_model.h>
+#include <gcm_gui/models/filter/catalogue_filter.h>
 #include <gcm_gui/models/selection.h>
+#include <gcm_gui/window/panels.h>
 #include <gcm_gui/window/window_parts.h>
 
 #include <QMainWindow>
 #include <QTimer>
+#include <cstdint>
 
+class QSplitter;
 class QStackedWidget;
 
 namespace tendon::gui {
 
 class ActivityStrip;
+class CandidatePanel;
 class CataloguePanel;
 class GraphScene;
 class GraphView;
 class Inspector;
+class LostBanner;
 class NoticeLine;
 class PlotBinding;
 class PlotPanel;
@@ -43,6 +48,8 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] ActivityStrip& strip() const { return *strip_; }
   [[nodiscard]] Inspector& inspector() const { return *inspector_; }
   [[nodiscard]] TopBar& topBar() const { return *top_bar_; }
+  [[nodiscard]] CandidatePanel& candidates() const { return *candidates_; }
+  [[nodiscard]] Panels& panels() const { return *panels_; }
   [[nodiscard]] CatalogueModel& catalogueModel() { return catalogue_model_; }
 
  public Q_SLOTS:
@@ -56,13 +63,19 @@ class MainWindow : public QMainWindow {
  private:
   void connectModels();
   void buildViews();
-  [[nodiscard]] QWidget* buildCentre();
+  [[nodiscard]] QWidget* buildTop();
+  [[nodiscard]] QWidget* buildRight();
+  [[nodiscard]] QSplitter* buildCentre();
+  void buildPanels(QSplitter& centre);
   [[nodiscard]] QWidget* buildGraphPage();
   [[nodiscard]] QWidget* buildConnectionsPage();
   void connectViews();
+  void connectModeToViews();
   void addKey(const QKeySequence& key, const QString& name, void (MainWindow::*slot)());
   void addKeys();
   void showPage();
+  void showLink();
+  void showPerspective(Panels::Perspective perspective);
   void tick();
   void startConnecting(const QString& path);
   void pickInConnectMode(const QString& path);
@@ -76,6 +89,7 @@ class MainWindow : public QMainWindow {
   ConnectMode mode_;
 
   TopBar* top_bar_ = nullptr;
+  LostBanner* lost_ = nullptr;
   CataloguePanel* catalogue_ = nullptr;
   GraphScene* scene_ = nullptr;
   GraphView* graph_ = nullptr;
@@ -84,9 +98,13 @@ class MainWindow : public QMainWindow {
   NoticeLine* notice_ = nullptr;
   PlotPanel* plots_ = nullptr;
   PlotBinding* binding_ = nullptr;
+  QStackedWidget* right_ = nullptr;
   Inspector* inspector_ = nullptr;
+  CandidatePanel* candidates_ = nullptr;
   ActivityStrip* strip_ = nullptr;
+  Panels* panels_ = nullptr;
   QTimer second_;
+  std::int64_t lost_since_ = 0;  // of the GCM, ns since 1970; 0 while it is there
 };
 
 }  // namespace tendon::gui

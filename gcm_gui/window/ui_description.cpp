@@ -1,15 +1,18 @@
 #include <gcm_gui/activity/activity_model.h>
+#include <gcm_gui/connect/candidate_list.h>
+#include <gcm_gui/connect/candidate_panel.h>
 #include <gcm_gui/graph/graph_view.h>
 #include <gcm_gui/graph/items/component_item.h>
 #include <gcm_gui/graph/items/port_item.h>
+#include <gcm_gui/models/row_roles.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/plot/plot_panel.h>
 #include <gcm_gui/plot/plot_view.h>
 #include <gcm_gui/session/gcm_link.h>
 #include <gcm_gui/views/catalogue_panel.h>
 #include <gcm_gui/views/catalogue_tree.h>
+#include <gcm_gui/window/bar/top_bar.h>
 #include <gcm_gui/window/main_window.h>
-#include <gcm_gui/window/top_bar.h>
 #include <gcm_gui/window/ui_description.h>
 #include <gcm_gui/window/watched_application.h>
 
@@ -159,6 +162,17 @@ QJsonObject UiDescription::ports() const {
   return ports;
 }
 
+QJsonObject UiDescription::candidates() const {
+  QJsonObject candidates;
+  const CandidateList& list = window_.candidates().list();
+  for (int row = 0; list.isVisible() && row < list.model()->rowCount(); ++row) {
+    const QModelIndex index = list.model()->index(row, 0);
+    const QString path = index.data(kPathRole).toString();
+    if (!path.isEmpty()) candidates[path] = OnScreen(*list.viewport(), list.visualRect(index));
+  }
+  return candidates;
+}
+
 QJsonObject UiDescription::facts() const {
   const WindowParts& parts = window_.parts();
   const Catalog& catalogue = parts.store.catalogue();
@@ -184,11 +198,14 @@ QJsonObject UiDescription::facts() const {
 }
 
 void UiDescription::write() {
-  const QJsonObject description{
-      {"schema", 1},          {"window", OnScreen(window_, window_.rect())},
-      {"widgets", widgets()}, {"rows", rows()},
-      {"nodes", nodes()},     {"ports", ports()},
-      {"facts", facts()}};
+  const QJsonObject description{{"schema", 1},
+                                {"window", OnScreen(window_, window_.rect())},
+                                {"widgets", widgets()},
+                                {"rows", rows()},
+                                {"nodes", nodes()},
+                                {"ports", ports()},
+                                {"candidates", candidates()},
+                                {"facts", facts()}};
   const QByteArray text = QJsonDocument(description).toJson();
   if (text == written_) return;
   QSaveFile file(file_);  // readers see the old one or the new one, never a half

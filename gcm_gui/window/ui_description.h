@@ -17,6 +17,7 @@ class MainWindow;
 ///     window, widgets   rectangles [x, y, width, height] by object name; a tab is `name/title`
 ///     rows              of the catalogue, by path
 ///     nodes, ports      of the graph, by path; a port is its disc, with `role` and `number`
+///     candidates        of the connect mode, in the list, by path
 ///     facts             of the GCM, processes, connections, curves, selection, connect mode
 class UiDescription : public QObject {
   Q_OBJECT
@@ -30,6 +31,7 @@ class UiDescription : public QObject {
   [[nodiscard]] QJsonObject rows() const;
   [[nodiscard]] QJsonObject nodes() const;
   [[nodiscard]] QJsonObject ports() const;
+  [[nodiscard]] QJsonObject candidates() const;
   [[nodiscard]] QJsonObject facts() const;
 
   MainWindow& window_;

@@ -4,21 +4,20 @@
 set -euo pipefail
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd)
 bin=$1
-# shellcheck source=../../tools/common.sh
+# shellcheck source-path=SCRIPTDIR source=../../tools/common.sh
 source "$root/tools/common.sh"
-# shellcheck source=../../tools/processes.sh
+# shellcheck source-path=SCRIPTDIR source=../../tools/processes.sh
 source "$root/tools/processes.sh"
-# shellcheck source=../../tools/display.sh
+# shellcheck source-path=SCRIPTDIR source=../../tools/display.sh
 source "$root/tools/display.sh"
 readonly robot_wire='facts["connections"]["desk/teleoperation/Robot"]'
 readonly curve='facts["curves"]["robot/arm/state.Joints.position[0]"]'
 
 main() {
   trap stop_all EXIT
-  mkdir -m 700 "$RUN_FOLDER"/{config,state,runtime}
-  export XDG_CONFIG_HOME=$RUN_FOLDER/config XDG_STATE_HOME=$RUN_FOLDER/state XDG_RUNTIME_DIR=$RUN_FOLDER/runtime
+  use_own_folders
   start_display 1440 900
-  address=127.0.0.1:$(python3 -c 'import socket; s = socket.socket(); s.bind(("127.0.0.1", 0)); print(s.getsockname()[1])')
+  address=127.0.0.1:$(free_port)
   start gcm-gui "$bin/gcm-gui" --listen "$address" --describe-ui "$RUN_FOLDER/ui.json"
   wait_until "the GCM in the window" "$bin/gcm" --gcm "$address" ls
   start_lcm robot
@@ -33,6 +32,7 @@ main() {
   heals_after_a_kill
   ui wait 'facts["longestHandlerMs"] < 50' 1 || note_stall
   passed "no handler took 50 ms of CPU time: $(ui show 'facts["longestHandlerMs"]') ms at most"
+  survives_its_gcm
 }
 
 start_lcm() {
@@ -47,6 +47,7 @@ connects_by_click() {
   ui click ports desk/teleoperation/Robot
   ui wait 'ports["robot/arm/Control"]["role"] == "candidate"'
   ui wait 'ports["desk/old_arm/Control"]["role"] == "unfit"'
+  ui wait '{"robot/arm/Control", "desk/old_arm/Control"} <= candidates.keys()'
   ui click ports robot/arm/Control
   ui wait "$robot_wire"'["state"] == "active"'
   passed "two clicks connected teleoperation to the arm"
@@ -81,18 +82,33 @@ disconnects_and_undoes() {
 heals_after_a_kill() {
   local rows
   kill_hard robot
-  ui wait 'facts["processes"]["robot"]["state"] == "lost"' 10
-  ui wait "$curve"'["stale"]' 10
-  ui wait "$robot_wire"'["state"] == "pending"' 10
+  ui wait 'facts["processes"]["robot"]["state"] == "lost"'
+  ui wait "$curve"'["stale"]'
+  ui wait "$robot_wire"'["state"] == "pending"'
   ui click rows desk
-  ui wait 'facts["selection"] == ["desk"]' 10
+  ui wait 'facts["selection"] == ["desk"]'
   passed "a killed process is shown lost, and the window answers"
   rows=$(ui show "$curve"'["rows"]')
   start_lcm robot
   ui wait 'facts["processes"]["robot"]["state"] == "alive"'
   ui wait "$robot_wire"'["state"] == "active"'
-  ui wait "not $curve"'["stale"] and '"$curve[\"rows\"] > $rows + 500"
+  ui wait "not $curve"'["stale"] and '"${curve}[\"rows\"] > $rows + 500"
   passed "started again, it is connected and plotted again"
+}
+
+# The first window hosts the GCM; another one joins it, and stays when it goes.
+survives_its_gcm() {
+  viewer() { python3 "$TENDON_ROOT/tools/ui.py" "$RUN_FOLDER/viewer.json" "$@"; }
+  start viewer "$bin/gcm-gui" --gcm "$address" --describe-ui "$RUN_FOLDER/viewer.json"
+  wait_until "the second window" viewer wait "$robot_wire"'["state"] == "active"' 1
+  kill_hard gcm-gui
+  viewer wait 'not facts["gcmConnected"] and "lostBanner" in widgets'
+  viewer wait 'facts["processes"].keys() == {"gcm", "robot", "desk"}'
+  passed "a window whose GCM is killed says so, and keeps what it knew"
+  start gcm "$bin/gcm" --gcm "$address" serve
+  viewer wait 'facts["gcmConnected"] and "lostBanner" not in widgets'
+  viewer wait 'facts["processes"]["robot"]["state"] == "alive" and '"$robot_wire"'["state"] == "active"'
+  passed "with a new GCM it heals"
 }
 
 main "$@"

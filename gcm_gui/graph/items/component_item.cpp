@@ -13,22 +13,22 @@ namespace {
 
 constexpr double kFarAway = 0.35;  // below this scale names cannot be read
 constexpr double kBar = 3;
-constexpr double kGoneOpacity = 0.5;
+constexpr double kStaleOpacity = 0.5;
 
 }  // namespace
 
 ComponentItem::ComponentItem() { setZValue(2); }
 
-void ComponentItem::show(const NodePicture& picture, const QRectF& rect, bool gone) {
-  if (picture == picture_ && rect == sceneRect() && gone == gone_) return;
+bool ComponentItem::show(const NodePicture& picture, const QRectF& rect, bool stale) {
+  if (picture == picture_ && rect == sceneRect() && stale == stale_) return false;
   prepareGeometryChange();
   picture_ = picture;
   size_ = rect.size();
-  gone_ = gone;
+  stale_ = stale;
   setPos(rect.topLeft());
-  setOpacity(gone ? kGoneOpacity : 1.0);
-  setToolTip(picture.path + QStringLiteral(" · ") +
-             (gone ? QStringLiteral("lost") : WordOf(MarkOf(picture.state))));
+  setOpacity(stale ? kStaleOpacity : 1.0);
+  setToolTip(picture.path + QStringLiteral(" · ") + (stale ? QStringLiteral("was ") : QString()) +
+             WordOf(MarkOf(picture.state)));
   std::size_t used = 0;
   showPorts(picture.required, Side::kRequired, used);
   showPorts(picture.provided, Side::kProvided, used);
@@ -37,6 +37,7 @@ void ComponentItem::show(const NodePicture& picture, const QRectF& rect, bool go
     ports_.pop_back();
   }
   update();
+  return true;
 }
 
 void ComponentItem::showPorts(const std::vector<PortPicture>& ports, Side side, std::size_t& used) {
@@ -45,7 +46,7 @@ void ComponentItem::showPorts(const std::vector<PortPicture>& ports, Side side, 
     if (used == ports_.size()) ports_.push_back(new PortItem(this));
     PortItem& item = *ports_[used++];
     item.setPos(PortCentre(QRectF({}, size_), side, index++));
-    item.show(port, size_.width(), gone_);
+    item.show(port, size_.width(), stale_);
   }
 }
 
@@ -72,7 +73,7 @@ void ComponentItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QW
   painter->drawRoundedRect(rect, kRadius, kRadius);
 
   painter->setPen(Qt::NoPen);
-  painter->setBrush(theme.color(gone_ ? Token::kStale : ColorOf(MarkOf(picture_.state))));
+  painter->setBrush(theme.color(stale_ ? Token::kStale : ColorOf(MarkOf(picture_.state))));
   painter->drawRoundedRect(QRectF(0, 0, kBar, size_.height()), kBar / 2, kBar / 2);
   if (far_away) return;
 

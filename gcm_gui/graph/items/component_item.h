@@ -15,14 +15,14 @@ class ComponentItem : public QGraphicsItem {
 
   ComponentItem();
 
-  /// `rect` in the scene.
-  void show(const NodePicture& picture, const QRectF& rect, bool gone);
+  /// `rect` in the scene; `stale` when it is shown as it was. Whether anything of it has changed.
+  bool show(const NodePicture& picture, const QRectF& rect, bool stale);
   void setSelected(bool selected);
 
   [[nodiscard]] const QString& path() const { return picture_.path; }
   [[nodiscard]] const std::vector<PortItem*>& ports() const { return ports_; }
   [[nodiscard]] QRectF sceneRect() const { return QRectF(pos(), size_); }
-  [[nodiscard]] bool gone() const { return gone_; }
+  [[nodiscard]] bool isStale() const { return stale_; }
 
   [[nodiscard]] int type() const override { return Type; }
   [[nodiscard]] QRectF boundingRect() const override;
@@ -34,7 +34,7 @@ class ComponentItem : public QGraphicsItem {
   NodePicture picture_;
   QSizeF size_;
   std::vector<PortItem*> ports_;
-  bool gone_ = false;
+  bool stale_ = false;
   bool selected_ = false;
 };
 

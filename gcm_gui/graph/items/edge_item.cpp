@@ -54,16 +54,21 @@ void EdgeItem::show(const QPointF& from, const QPointF& to, Look look, const QSt
   path_ = Curve(from, to);
   look_ = look;
   reason_ = reason;
-  setZValue(look == Look::kPreview ? 3 : 1);
+  raise();
   setToolTip(reason.isEmpty() ? required_ : required_ + '\n' + reason);
   update();
 }
 
 void EdgeItem::setSelected(bool selected) {
+  if (selected == selected_) return;
   selected_ = selected;
-  const bool on_top = look_ == Look::kPreview || (selected && look_ == Look::kFailed);
-  setZValue(on_top ? 3 : 1);
+  raise();
   update();
+}
+
+void EdgeItem::raise() {
+  const bool on_top = look_ == Look::kPreview || (selected_ && look_ == Look::kFailed);
+  setZValue(on_top ? 3 : 1);
 }
 
 QRectF EdgeItem::boundingRect() const {

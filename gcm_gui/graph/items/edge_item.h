@@ -31,6 +31,7 @@ class EdgeItem : public QGraphicsItem {
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 
  private:
+  void raise();
   void paintReason(QPainter& painter) const;
 
   QString required_;

@@ -22,12 +22,12 @@ PortItem::PortItem(QGraphicsItem* parent) : QGraphicsItem(parent) {
   setCursor(Qt::PointingHandCursor);
 }
 
-void PortItem::show(const PortPicture& picture, double node_width, bool gone) {
+void PortItem::show(const PortPicture& picture, double node_width, bool stale) {
   prepareGeometryChange();
   picture_ = picture;
   label_ = ToQString(picture.port.name.interface);
   node_width_ = node_width;
-  gone_ = gone;
+  stale_ = stale;
   setToolTip(ToQString(ToString(picture.port.name)));
   update();
 }
@@ -76,7 +76,7 @@ void PortItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget
   const Theme& theme = Theme::instance();
   const bool lively = role_ == Role::kChosen || role_ == Role::kCandidate || hovered_;
   painter->setFont(theme.text());
-  painter->setPen(theme.color(lively && !gone_ ? Token::kText : Token::kDim));
+  painter->setPen(theme.color(lively && !stale_ ? Token::kText : Token::kDim));
   const bool left = picture_.port.side == Side::kRequired;
   const QRectF text = left
                           ? QRectF(kNodeInset, -kHalfPitch, node_width_, kPortPitch)
@@ -91,7 +91,7 @@ void PortItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget
 
 void PortItem::paintDisc(QPainter& painter) const {
   const Theme& theme = Theme::instance();
-  const QColor color = theme.color(gone_ ? Token::kStale : Token::kAccent);
+  const QColor color = theme.color(stale_ ? Token::kStale : Token::kAccent);
   const bool filled = picture_.port.side == Side::kProvided || picture_.connected;
   const double grown = hovered_ && role_ != Role::kUnfit ? 1 : 0;
   painter.setPen(QPen(color, 2));

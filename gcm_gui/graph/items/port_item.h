@@ -16,7 +16,7 @@ class PortItem : public QGraphicsItem {
 
   explicit PortItem(QGraphicsItem* parent);
 
-  void show(const PortPicture& picture, double node_width, bool gone);
+  void show(const PortPicture& picture, double node_width, bool stale);
   /// In connect mode; `number` is the digit that picks it, 0 for none.
   void setRole(Role role, int number = 0);
 
@@ -43,7 +43,7 @@ class PortItem : public QGraphicsItem {
   double node_width_ = 0;
   Role role_ = Role::kPlain;
   int number_ = 0;
-  bool gone_ = false;
+  bool stale_ = false;
   bool hovered_ = false;
 };
 

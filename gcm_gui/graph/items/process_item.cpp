@@ -6,18 +6,22 @@
 #include <gcm_gui/theme/theme.h>
 
 #include <QPainter>
+#include <tuple>
 
 namespace tendon::gui {
 
 ProcessItem::ProcessItem() { setZValue(0); }
 
 void ProcessItem::show(const ProcessPicture& picture, const QRectF& rect) {
+  const bool empty = picture.nodes.empty();
+  auto shown = std::tie(name_, state_, since_, empty_, size_);
+  const QSizeF size = rect.size();
+  if (shown == std::tie(picture.name, picture.state, picture.since, empty, size) &&
+      pos() == rect.topLeft()) {
+    return;
+  }
   prepareGeometryChange();
-  name_ = picture.name;
-  state_ = picture.state;
-  since_ = picture.since;
-  empty_ = picture.nodes.empty();
-  size_ = rect.size();
+  shown = std::tie(picture.name, picture.state, picture.since, empty, size);
   setPos(rect.topLeft());
   update();
 }
@@ -28,6 +32,7 @@ void ProcessItem::setNow(std::int64_t now) {
 }
 
 void ProcessItem::setSelected(bool selected) {
+  if (selected == selected_) return;
   selected_ = selected;
   update();
 }

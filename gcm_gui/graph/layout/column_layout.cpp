@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 namespace tendon::gui {
 namespace {
@@ -88,12 +89,16 @@ ColumnLayout::Plan ColumnLayout::planFor(const std::vector<Block>& blocks,
   return plan;
 }
 
-void ColumnLayout::arrange(const std::vector<Block>& blocks, const std::vector<LayerEdge>& edges) {
-  Plan plan = planFor(blocks, edges);
+bool ColumnLayout::arrange(std::vector<Block> blocks, std::vector<LayerEdge> edges) {
+  if (blocks == blocks_ && edges == edges_) return false;
+  blocks_ = std::move(blocks);
+  edges_ = std::move(edges);
+  Plan plan = planFor(blocks_, edges_);
   keepPlaces(plan);
   placeLayered(plan);
   placeLoose(plan);
   commit(plan);
+  return true;
 }
 
 void ColumnLayout::keepPlaces(Plan& plan) const {

@@ -21,6 +21,8 @@ class ColumnLayout {
     QString key;
     QSizeF size;
     bool keeps_place = true;  ///< else it stands where the others leave room
+
+    bool operator==(const Block&) const = default;
   };
   struct Spacing {
     double columns = 64;
@@ -29,8 +31,9 @@ class ColumnLayout {
 
   explicit ColumnLayout(Spacing spacing) : spacing_(spacing) {}
 
-  /// Edges are indices of blocks, from provider to client.
-  void arrange(const std::vector<Block>& blocks, const std::vector<LayerEdge>& edges);
+  /// Edges are indices of blocks, from provider to client. Nothing is done, and false returned,
+  /// when they are those of the last time.
+  bool arrange(std::vector<Block> blocks, std::vector<LayerEdge> edges);
 
   /// Of a block of the last arrange(), as wide as its column.
   [[nodiscard]] QRectF rect(const QString& key) const { return rects_.value(key); }
@@ -56,6 +59,8 @@ class ColumnLayout {
   void commit(const Plan& plan);
 
   Spacing spacing_;
+  std::vector<Block> blocks_;  // of the last arrange()
+  std::vector<LayerEdge> edges_;
   QHash<std::pair<QString, int>, Place> places_;  // by key and layer
   QHash<QString, QRectF> rects_;
   QSizeF size_;

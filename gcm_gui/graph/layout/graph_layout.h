@@ -7,6 +7,7 @@
 #include <QRectF>
 #include <QString>
 #include <map>
+#include <vector>
 
 namespace tendon::gui {
 
@@ -16,18 +17,24 @@ class GraphLayout {
  public:
   GraphLayout();
 
-  void update(const GraphPicture& picture);
+  /// Whether anything stands elsewhere than before.
+  bool update(const GraphPicture& picture);
 
   [[nodiscard]] QRectF process(const QString& name) const { return processes_.rect(name); }
   /// Of a component, by path; in the same coordinates as the processes.
   [[nodiscard]] QRectF node(const QString& path) const { return nodes_.value(path); }
 
  private:
-  void arrangeNodes(const ProcessPicture& process, const std::vector<Affinity>& affinities);
+  void takeAffinities(const std::vector<Affinity>& affinities);
+  bool arrangeNodes(const ProcessPicture& process);
+  void placeNodes(const GraphPicture& picture);
 
   std::map<QString, ColumnLayout> insides_;  // of each process
   ColumnLayout processes_;
   QHash<QString, QRectF> nodes_;
+  std::vector<Affinity> affinities_;                 // the last ones, and sorted by process:
+  std::map<QString, std::vector<Affinity>> inside_;  // between components of one
+  std::vector<Affinity> across_;                     // between two
 };
 
 }  // namespace tendon::gui

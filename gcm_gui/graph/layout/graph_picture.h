@@ -2,6 +2,7 @@
 
 #include <tendon/gcm/catalog.h>
 
+#include <QSizeF>
 #include <QString>
 #include <cstdint>
 #include <tuple>
@@ -32,6 +33,7 @@ struct NodePicture {
   ComponentState state = ComponentState::kConstructed;
   std::vector<PortPicture> required;
   std::vector<PortPicture> provided;
+  QSizeF size;  ///< what it needs, with the theme's fonts
 
   bool operator==(const NodePicture&) const = default;
 };
@@ -61,8 +63,5 @@ struct GraphPicture {
   /// Of what is connected and of what could be, so that connecting moves nothing. Sorted.
   std::vector<Affinity> affinities;
 };
-
-/// Linear in members, and in the pairs of interfaces that share their first member.
-[[nodiscard]] GraphPicture PictureOf(const Catalog& catalogue);
 
 }  // namespace tendon::gui

@@ -9,6 +9,8 @@ namespace tendon::gui {
 struct LayerEdge {
   std::size_t from = 0;
   std::size_t to = 0;
+
+  bool operator==(const LayerEdge&) const = default;
 };
 
 /// The layer of each of `count` things, so that edges run to higher layers: the longest way from a

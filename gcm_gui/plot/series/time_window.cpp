@@ -51,4 +51,8 @@ std::int64_t TimeWindow::timeAt(double seconds) const {
   return origin_ns_ + static_cast<std::int64_t>(std::llround(seconds * kNanoseconds));
 }
 
+double TimeWindow::secondsAt(std::int64_t time_ns) const {
+  return static_cast<double>(time_ns - origin_ns_) / kNanoseconds;
+}
+
 }  // namespace tendon::gui

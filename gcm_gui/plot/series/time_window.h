@@ -33,6 +33,8 @@ class TimeWindow {
   [[nodiscard]] double to() const { return to_s_; }
   /// Time of a point of the axis.
   [[nodiscard]] std::int64_t timeAt(double seconds) const;
+  /// The point of the axis at a time.
+  [[nodiscard]] double secondsAt(std::int64_t time_ns) const;
 
  private:
   std::chrono::nanoseconds length_ = std::chrono::seconds(30);

@@ -1,4 +1,5 @@
 #include <gcm_gui/graph/layout/graph_layout.h>
+#include <gcm_gui/graph/layout/picture_updater.h>
 #include <gtest/gtest.h>
 
 #include <map>

@@ -1,14 +1,14 @@
-#include <gcm_gui/graph/graph_view.h>
 #include <gcm_gui/graph/items/card_item.h>
 #include <gcm_gui/graph/items/component_item.h>
 #include <gcm_gui/graph/items/port_item.h>
 #include <gcm_gui/graph/items/process_item.h>
 #include <gtest/gtest.h>
 
+#include <QApplication>
+#include <QMouseEvent>
 #include <QTest>
 
-#include "support/fakes.h"
-#include "support/sample_system.h"
+#include "graph/graph_fixture.h"
 
 namespace tendon::gui {
 namespace {
@@ -17,28 +17,26 @@ const PortName kRobot{Side::kRequired, {"desk", "teleoperation", "Robot"}};
 const PortName kControl{Side::kProvided, {"robot", "controller", "Control"}};
 const PortName kDrives{Side::kProvided, {"robot", "arm", "Drives"}};
 
-class GraphViewTest : public ::testing::Test {
+class GraphViewTest : public GraphFixture {
  protected:
-  GraphViewTest() {
+  GraphViewTest() : GraphFixture(LookSystem(0)) {
     Show();
     view_.resize(900, 480);
     view_.show();
     view_.fit();
   }
 
-  void Show() { store_.apply(system_.TakeChanges()); }
+  /// As the window system would tell it: QTest is silent when the pointer is there already.
+  void Hover(const PortName& port) {
+    const QPoint at = view_.pointOf(port).value();
+    QMouseEvent event(QEvent::MouseMove, at, view_.viewport()->mapToGlobal(at), Qt::NoButton,
+                      Qt::NoButton, {});
+    QApplication::sendEvent(view_.viewport(), &event);
+  }
 
   void Click(const PortName& port) {
     QTest::mouseClick(view_.viewport(), Qt::LeftButton, {}, view_.pointOf(port).value());
   }
-
-  SystemBuilder system_ = LookSystem(0);
-  CatalogueStore store_;
-  RecordingActions actions_;
-  Selection selection_;
-  ConnectMode mode_{store_, actions_};
-  GraphScene scene_{store_, selection_, mode_};
-  GraphView view_{scene_, selection_, mode_};
 };
 
 TEST_F(GraphViewTest, TwoClicksConnect) {
@@ -71,6 +69,7 @@ TEST_F(GraphViewTest, DraggingFromPortToPortConnects) {
 }
 
 TEST_F(GraphViewTest, ALookAlikeHasACardAtOnceThatCoversNoNode) {
+  view_.resize(1800, 700);
   Click(kRobot);
 
   ASSERT_EQ(scene_.cards().size(), 1u);
@@ -82,11 +81,21 @@ TEST_F(GraphViewTest, ALookAlikeHasACardAtOnceThatCoversNoNode) {
   }
 }
 
+TEST_F(GraphViewTest, WithoutRoomTheCardWaitsUntilItIsPointedAt) {
+  scene_.setVisible({0, 0, 60, 40});  // as if no more than this could be seen
+  Click(kRobot);
+  EXPECT_TRUE(scene_.cards().empty());
+
+  Hover(kDrives);
+
+  EXPECT_EQ(scene_.cards().size(), 1u);
+}
+
 TEST_F(GraphViewTest, PointingAtWhatDoesNotFitSaysWhy) {
   Click(kRobot);
   const PortName state{Side::kProvided, {"robot", "force_sensor", "state"}};
 
-  QTest::mouseMove(view_.viewport(), view_.pointOf(state).value());
+  Hover(state);
 
   ASSERT_EQ(scene_.cards().size(), 1u);
   EXPECT_EQ(scene_.cards().front()->title(), "force_sensor / state does not fit");
@@ -165,7 +174,7 @@ TEST_F(GraphViewTest, ALostProcessFadesAndSaysSinceWhen) {
   scene_.setNow(12'000'000'000);
 
   EXPECT_EQ(scene_.processes().at("robot")->title(), "robot · lost 12 s");
-  EXPECT_TRUE(scene_.component("robot/arm")->gone());
+  EXPECT_TRUE(scene_.component("robot/arm")->isStale());
   EXPECT_EQ(scene_.edge("robot/controller/Arm")->look(), EdgeItem::Look::kStale);
 }
 
@@ -198,6 +207,45 @@ TEST_F(GraphViewTest, ItFitsUntilTheUserHasZoomed) {
   view_.fit();
   EXPECT_TRUE(
       view_.mapToScene(view_.viewport()->rect()).boundingRect().contains(scene_.contents()));
+}
+
+TEST_F(GraphViewTest, ItStandsInTheMiddleAlsoWhenTheViewGrows) {
+  const auto middle = [&] {
+    return view_.mapFromScene(scene_.contents().center()) - view_.viewport()->rect().center();
+  };
+  EXPECT_LE(middle().manhattanLength(), 3);
+
+  view_.resize(1600, 900);
+  EXPECT_LE(middle().manhattanLength(), 3);
+
+  view_.resize(500, 300);
+  EXPECT_LE(middle().manhattanLength(), 3);
+  EXPECT_TRUE(
+      view_.mapToScene(view_.viewport()->rect()).boundingRect().contains(scene_.contents()));
+}
+
+TEST_F(GraphViewTest, WhatComesWhileAConnectionIsMadeMovesNothing) {
+  view_.resize(1600, 900);
+  Click(kRobot);
+  const QPoint before = view_.pointOf(kControl).value();
+
+  system_.Process("extra").Component("extra", Task("a", 1, {}));
+  Show();
+
+  EXPECT_EQ(view_.pointOf(kControl).value(), before);
+}
+
+TEST_F(GraphViewTest, OutdatedItIsGreyAndStaysWhereItIs) {
+  const QPoint before = view_.pointOf(kControl).value();
+
+  scene_.setOutdated(true);
+  EXPECT_TRUE(scene_.component("robot/arm")->isStale());
+  EXPECT_EQ(scene_.edge("robot/controller/Arm")->look(), EdgeItem::Look::kStale);
+  EXPECT_EQ(view_.pointOf(kControl).value(), before);
+
+  scene_.setOutdated(false);
+  EXPECT_FALSE(scene_.component("robot/arm")->isStale());
+  EXPECT_EQ(scene_.edge("robot/controller/Arm")->look(), EdgeItem::Look::kActive);
 }
 
 TEST_F(GraphViewTest, ArrowKeysWalkTheGraph) {

@@ -88,9 +88,21 @@ TEST(ProblemsModel, ListsLostProcessesFaultsAndFailedConnections) {
   model.update(system.catalog());
 
   ASSERT_EQ(model.rowCount(), 3);
-  EXPECT_EQ(model.problem(0).text, "desk/view/Host is not connected: no answer in 2 s");
-  EXPECT_EQ(model.problem(1).text, "robot/arm is faulted: joint 3 is out of range");
-  EXPECT_EQ(model.problem(2).text, "vision is lost: its connection broke");
+  EXPECT_EQ(model.row(0).text, "desk/view/Host is not connected: no answer in 2 s");
+  EXPECT_EQ(model.row(1).text, "robot/arm is faulted: joint 3 is out of range");
+  EXPECT_EQ(model.row(2).text, "vision is lost: its connection broke");
+}
+
+TEST(ActivityModel, AReplacementIsOneStep) {
+  ActivityModel model;
+  Action replacing = Connecting();
+  replacing.verb = Action::Verb::kReplace;
+  model.finish(model.begin(replacing), 0.1, {});
+
+  EXPECT_TRUE(model.canUndo(0));
+  EXPECT_EQ(model.command(0),
+            "gcm disconnect desk/teleoperation/Robot && gcm connect desk/teleoperation/Robot "
+            "robot/controller/Control");
 }
 
 TEST(ProblemsModel, ARefusalStaysUntilTheInterfaceIsConnected) {

@@ -84,6 +84,40 @@ TEST_F(SessionTest, ConnectsDisconnectsAndUndoesWithoutWaiting) {
   EXPECT_FALSE(session_->activity().action(0).refusal.isEmpty());
 }
 
+TEST_F(SessionTest, AConnectionIsReplacedAndThatUndoneAsOneStep) {
+  const InterfaceName other{"robot", "spare", "Control"};
+  robot_->Add<plant::Plant>("spare");
+  ASSERT_TRUE(EverythingIsThere());
+  ASSERT_TRUE(Eventually([&] { return Catalogue().FindProvided(other) != nullptr; }));
+  const auto is_connected_to = [&](const InterfaceName& provided) {
+    const auto* connection = Catalogue().FindConnection(kRobot);
+    return connection != nullptr && connection->provided == provided;
+  };
+  session_->connectInterfaces(kRobot, kControl);
+  ASSERT_TRUE(Eventually([&] { return session_->activity().canUndo(0); }));
+
+  session_->replaceConnection(kRobot, other);
+  EXPECT_TRUE(Eventually([&] { return is_connected_to(other); }));
+  EXPECT_TRUE(Eventually([&] { return session_->activity().canUndo(0); }));
+  EXPECT_EQ(session_->activity().action(0).verb, Action::Verb::kReplace);
+
+  session_->undo();
+  EXPECT_TRUE(Eventually([&] { return is_connected_to(kControl); }));
+  EXPECT_TRUE(Eventually([&] { return session_->activity().action(1).undone; }));
+}
+
+TEST_F(SessionTest, ARefusedReplacementLeavesTheConnectionAsItWas) {
+  ASSERT_TRUE(EverythingIsThere());
+  session_->connectInterfaces(kRobot, kControl);
+  ASSERT_TRUE(Eventually([&] { return session_->activity().canUndo(0); }));
+
+  session_->replaceConnection(kRobot, {"robot", "plant", "NoSuchInterface"});
+
+  EXPECT_TRUE(Eventually(
+      [&] { return session_->activity().action(0).outcome == Action::Outcome::kRefused; }));
+  EXPECT_TRUE(Eventually([&] { return IsConnected(); }));
+}
+
 TEST_F(SessionTest, EveryRowOfASignalArrivesOnce) {
   ASSERT_TRUE(EverythingIsThere());
   std::vector<Sample> rows;

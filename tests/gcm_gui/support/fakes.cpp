@@ -18,6 +18,11 @@ void RecordingActions::disconnectInterface(const InterfaceName& required) {
   asked.append(QStringLiteral("disconnect ") + Name(required));
 }
 
+void RecordingActions::replaceConnection(const InterfaceName& required,
+                                         const InterfaceName& provided) {
+  asked.append(QStringLiteral("replace %1 %2").arg(Name(required), Name(provided)));
+}
+
 void RecordingActions::forget(const std::string& process) {
   asked.append(QStringLiteral("forget ") + QString::fromStdString(process));
 }

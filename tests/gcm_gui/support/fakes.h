@@ -11,11 +11,13 @@
 
 namespace tendon::gui {
 
-/// Remembers what it was asked to do: "connect a b", "disconnect a", "undo", "forget a".
+/// Remembers what it was asked to do: "connect a b", "replace a b", "disconnect a", "undo", "forget
+/// a".
 class RecordingActions final : public SystemActions {
  public:
   void connectInterfaces(const InterfaceName& required, const InterfaceName& provided) override;
   void disconnectInterface(const InterfaceName& required) override;
+  void replaceConnection(const InterfaceName& required, const InterfaceName& provided) override;
   void undo() override { asked.append(QStringLiteral("undo")); }
   void forget(const std::string& process) override;
 

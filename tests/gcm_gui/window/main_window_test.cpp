@@ -1,7 +1,11 @@
 #include <gcm_gui/activity/activity_model.h>
 #include <gcm_gui/activity/activity_strip.h>
+#include <gcm_gui/connect/candidate_list.h>
+#include <gcm_gui/connect/candidate_panel.h>
 #include <gcm_gui/graph/graph_view.h>
+#include <gcm_gui/graph/items/component_item.h>
 #include <gcm_gui/inspector/inspector.h>
+#include <gcm_gui/models/row_roles.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/plot/plot_panel.h>
 #include <gcm_gui/session/gcm_link.h>
@@ -9,9 +13,10 @@
 #include <gcm_gui/views/catalogue_panel.h>
 #include <gcm_gui/views/catalogue_tree.h>
 #include <gcm_gui/views/tab_panel.h>
+#include <gcm_gui/window/bar/lost_banner.h>
+#include <gcm_gui/window/bar/notice_line.h>
+#include <gcm_gui/window/bar/top_bar.h>
 #include <gcm_gui/window/main_window.h>
-#include <gcm_gui/window/notice_line.h>
-#include <gcm_gui/window/top_bar.h>
 #include <gtest/gtest.h>
 
 #include <QClipboard>
@@ -43,6 +48,36 @@ TEST_F(MainWindowTest, TheBarSaysHowTheGcmIsAndWhatItKnows) {
   link_.setUnreachable("127.0.0.1:10705 refused");
 
   EXPECT_TRUE(window_.topBar().linkText().startsWith("GCM lost"));
+}
+
+TEST_F(MainWindowTest, WithoutItsGcmTheWindowSaysThatWhatItShowsIsOld) {
+  const auto* banner = window_.findChild<LostBanner*>();
+  const QModelIndex arm = window_.catalogueModel().indexOf("robot/arm");
+  EXPECT_FALSE(banner->isVisible());
+
+  link_.setUnreachable("127.0.0.1:10705 refused");
+
+  EXPECT_TRUE(banner->isVisible());
+  EXPECT_TRUE(banner->text().startsWith("What is grey is as it was 0 s ago"))
+      << banner->text().toStdString();
+  EXPECT_TRUE(arm.data(kStaleRole).toBool());
+  EXPECT_TRUE(window_.graph().graph().component("robot/arm")->isStale());
+
+  link_.setConnected();
+
+  EXPECT_EQ(Notice(), "The GCM is back after 0 s");
+  EXPECT_FALSE(banner->isVisible());
+  EXPECT_FALSE(arm.data(kStaleRole).toBool());
+  EXPECT_FALSE(window_.graph().graph().component("robot/arm")->isStale());
+}
+
+TEST_F(MainWindowTest, ValuesGoOnWithoutTheGcm) {
+  source_.send("robot/arm/state.Joints", JointSchema(2), {1, 2, 3, 4});
+
+  link_.setUnreachable("127.0.0.1:10705 refused");
+
+  const QModelIndex value = window_.catalogueModel().indexOf("robot/arm/state.Joints.position[0]");
+  EXPECT_FALSE(value.data(kStaleRole).toBool());
 }
 
 TEST_F(MainWindowTest, OneSelectionIsSeenInAllViews) {
@@ -95,6 +130,78 @@ TEST_F(MainWindowTest, TheOtherEndCanBePickedInTheTree) {
 
   EXPECT_EQ(actions_.asked,
             QStringList{"connect desk/teleoperation/Robot robot/controller/Control"});
+}
+
+TEST_F(MainWindowTest, WhileConnectingTheRightColumnListsTheCandidates) {
+  window_.selection().select("desk/teleoperation");
+  QTest::keyClick(&window_, Qt::Key_C);
+
+  CandidatePanel& candidates = window_.candidates();
+  ASSERT_TRUE(candidates.isVisible());
+  EXPECT_TRUE(candidates.filterField().hasFocus());
+  QTest::keyClicks(&candidates.filterField(), "drives");
+  QTest::keyClick(&candidates.filterField(), Qt::Key_Return);
+  EXPECT_TRUE(Notice().contains("pick a provided interface"));
+  EXPECT_TRUE(actions_.asked.isEmpty());  // it does not fit
+
+  candidates.filterField().clear();
+  QTest::keyClick(&candidates.filterField(), Qt::Key_Return);
+
+  EXPECT_EQ(actions_.asked,
+            QStringList{"connect desk/teleoperation/Robot robot/controller/Control"});
+  EXPECT_FALSE(candidates.isVisible());
+}
+
+TEST_F(MainWindowTest, ADigitInTheListPicksAndEscapeLeaves) {
+  window_.selection().select("desk/teleoperation");
+  QTest::keyClick(&window_, Qt::Key_C);
+  QTest::keyClick(&window_.candidates().filterField(), Qt::Key_Escape);
+  EXPECT_FALSE(window_.connectMode().active());
+
+  QTest::keyClick(&window_, Qt::Key_C);
+  QTest::keyClick(&window_.candidates().filterField(), Qt::Key_1);
+
+  EXPECT_EQ(actions_.asked,
+            QStringList{"connect desk/teleoperation/Robot robot/controller/Control"});
+}
+
+TEST_F(MainWindowTest, ACandidateCanBeClicked) {
+  window_.selection().select("desk/teleoperation");
+  QTest::keyClick(&window_, Qt::Key_C);
+  CandidateList& list = window_.candidates().list();
+
+  QTest::mouseClick(list.viewport(), Qt::LeftButton, {},
+                    list.visualRect(list.model()->index(0, 0)).center());
+
+  EXPECT_EQ(actions_.asked,
+            QStringList{"connect desk/teleoperation/Robot robot/controller/Control"});
+}
+
+TEST_F(MainWindowTest, PerspectivesAreOneKeyAwayAndTheFirstOneComesBack) {
+  const QSize graph = window_.graph().size();
+
+  QTest::keyClick(&window_, Qt::Key_2, Qt::ControlModifier);
+  EXPECT_FALSE(window_.inspector().isVisible());
+  EXPECT_FALSE(window_.strip().isVisible());
+  EXPECT_GT(window_.plots().height(), window_.graph().height());
+
+  QTest::keyClick(&window_, Qt::Key_1, Qt::ControlModifier);
+  EXPECT_TRUE(window_.inspector().isVisible());
+  EXPECT_TRUE(window_.strip().isVisible());
+  EXPECT_EQ(window_.graph().width(), graph.width());
+}
+
+TEST_F(MainWindowTest, ALayoutCanBeKept) {
+  window_.panels().show(Panels::Perspective::kPlot);
+  const QByteArray kept = window_.panels().state();
+  window_.panels().reset();
+  ASSERT_TRUE(window_.inspector().isVisible());
+
+  window_.panels().restore(kept);
+  EXPECT_FALSE(window_.inspector().isVisible());
+
+  window_.panels().restore("no layout");
+  EXPECT_FALSE(window_.inspector().isVisible());
 }
 
 TEST_F(MainWindowTest, DDisconnectsTheSelectedInterface) {
@@ -156,12 +263,12 @@ TEST_F(MainWindowTest, OnlyColumnsThatCanBeSeenAreWatched) {
   EXPECT_TRUE(source_.watched().isEmpty());
 
   window_.catalogue().tree().reveal("robot/arm/state.Joints");
-  EXPECT_TRUE(
-      QTest::qWaitFor([&] { return source_.watched().contains("robot/arm/state.Joints"); }));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return source_.watched().contains("robot/arm/state.Joints"); },
+                              kPatience));
 
   window_.catalogue().tree().collapse(
       window_.catalogue().tree().model()->index(1, 0));  // robot; desk comes before
-  EXPECT_TRUE(QTest::qWaitFor([&] { return source_.watched().isEmpty(); }));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return source_.watched().isEmpty(); }, kPatience));
 }
 
 TEST_F(MainWindowTest, SpacePausesTheView) {

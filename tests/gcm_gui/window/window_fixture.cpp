@@ -10,7 +10,7 @@ WindowFixture::WindowFixture(std::int64_t lost_since) : system_(LookSystem(lost_
   Show();
   window_.show();
   window_.activateWindow();
-  (void)QTest::qWaitForWindowActive(&window_);
+  (void)QTest::qWaitForWindowActive(&window_, kPatience);
 }
 
 }  // namespace tendon::gui

@@ -13,6 +13,8 @@
 
 namespace tendon::gui {
 
+inline constexpr int kPatience = 20000;  // ms; bounds a test that fails
+
 /// A whole window over a system that only exists on paper.
 class WindowFixture : public ::testing::Test {
  protected:

@@ -1,4 +1,4 @@
-#include <gcm_gui/graph/connect_mode.h>
+#include <gcm_gui/connect/connect_mode.h>
 #include <gtest/gtest.h>
 
 #include <QSignalSpy>
@@ -65,23 +65,43 @@ TEST_F(ConnectModeTest, StartsFromTheProvidedEndAsWell) {
             QStringList{"connect desk/teleoperation/Robot robot/controller/Control"});
 }
 
-TEST_F(ConnectModeTest, AConnectedInterfaceTellsWhatToDoInstead) {
-  QSignalSpy notice(&mode_, &ConnectMode::notice);
+TEST_F(ConnectModeTest, WhatIsConnectedCanBeConnectedToAnother) {
+  ComponentDescription spare = *system_.catalog().FindComponent("robot", "arm");
+  spare.name = "spare";
+  system_.Component("robot", spare);
+  Show();
 
-  EXPECT_FALSE(mode_.start({Side::kRequired, {"robot", "controller", "Arm"}}));
+  ASSERT_TRUE(mode_.start({Side::kRequired, {"robot", "controller", "Arm"}}));
+  EXPECT_EQ(mode_.former(), (InterfaceName{"robot", "arm", "Drives"}));
+  mode_.pickBest();
 
-  ASSERT_EQ(notice.count(), 1);
-  EXPECT_EQ(notice.front().front().toString(),
-            "robot/controller/Arm is connected to robot/arm/Drives · D disconnects");
+  EXPECT_EQ(actions_.asked, QStringList{"replace robot/controller/Arm robot/spare/Drives"});
 }
 
-TEST_F(ConnectModeTest, AConnectedInterfaceIsNoCandidate) {
+TEST_F(ConnectModeTest, ItsPresentEndIsNoCandidate) {
   mode_.start({Side::kProvided, {"robot", "arm", "Drives"}});
 
   const Candidate* arm = mode_.find({Side::kRequired, {"robot", "controller", "Arm"}});
   ASSERT_NE(arm, nullptr);
+  EXPECT_TRUE(arm->present);
   EXPECT_FALSE(arm->fits());
-  EXPECT_EQ(arm->reasons(), QStringList{"is connected to robot/arm/Drives"});
+  EXPECT_EQ(arm->reasons(), QStringList{"is what it is connected to now"});
+}
+
+TEST_F(ConnectModeTest, WhatIsConnectedElsewhereCanBeTakenAfterAllThatIsFree) {
+  ComponentDescription spare = *system_.catalog().FindComponent("robot", "arm");
+  spare.name = "spare";
+  ComponentDescription free = *system_.catalog().FindComponent("robot", "controller");
+  free.name = "second";
+  system_.Component("robot", spare).Component("robot", free);
+  Show();
+
+  mode_.start({Side::kProvided, {"robot", "spare", "Drives"}});
+
+  EXPECT_EQ(mode_.candidates()[0].port.name, (InterfaceName{"robot", "second", "Arm"}));
+  EXPECT_EQ(mode_.candidates()[1].former, (InterfaceName{"robot", "arm", "Drives"}));
+  mode_.pickNumber(2);
+  EXPECT_EQ(actions_.asked, QStringList{"replace robot/controller/Arm robot/spare/Drives"});
 }
 
 TEST_F(ConnectModeTest, PickingWhatDoesNotFitConnectsNothingAndSaysWhy) {
@@ -96,9 +116,14 @@ TEST_F(ConnectModeTest, PickingWhatDoesNotFitConnectsNothingAndSaysWhy) {
   EXPECT_TRUE(notice.front().front().toString().contains("MoveTo"));
 }
 
-TEST_F(ConnectModeTest, EndsWhenTheChosenPortGoesOrIsConnected) {
+TEST_F(ConnectModeTest, EndsWhenTheChosenPortGoesOrIsConnectedOrDisconnected) {
   mode_.start({Side::kRequired, kRobot});
   system_.Connect(kRobot, kControl);
+  Show();
+  EXPECT_FALSE(mode_.active());
+
+  mode_.start({Side::kRequired, kRobot});
+  system_.Disconnect(kRobot);
   Show();
   EXPECT_FALSE(mode_.active());
 

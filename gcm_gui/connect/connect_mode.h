@@ -7,6 +7,9 @@
 
 #include <QObject>
 #include <QString>
+#include <QStringList>
+#include <cstddef>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -16,11 +19,13 @@ namespace tendon::gui {
 struct Candidate {
   PortName port;
   Compatibility compatibility;
-  int number = 0;     ///< the digit that picks it, 1 to 9; 0 for none
-  bool gone = false;  ///< its process is lost; connecting waits for its return
-  QString obstacle;   ///< what else is in the way: "is connected to robot/arm/Control"
+  int number = 0;        ///< the digit that picks it, 1 to 9; 0 for none
+  bool gone = false;     ///< its process is lost; connecting waits for its return
+  bool present = false;  ///< it is what the chosen one is connected to now
+  /// Of a required interface that is connected elsewhere: what it would be taken from.
+  std::optional<InterfaceName> former;
 
-  [[nodiscard]] bool fits() const { return compatibility.fits() && obstacle.isEmpty(); }
+  [[nodiscard]] bool fits() const { return compatibility.fits() && !present; }
   /// Not by chance: some of its members are what is needed, or are meant to be.
   [[nodiscard]] bool looksAlike() const;
   /// Why it cannot be picked, one clause a line.
@@ -28,16 +33,20 @@ struct Candidate {
 };
 
 /// The moment between choosing one end of a connection and the other. Knows which ports fit and why
-/// the others do not; asks for the connection when one is picked.
+/// the others do not; asks for the connection when one is picked. What is connected already can be
+/// connected to another.
 class ConnectMode : public QObject {
   Q_OBJECT
 
  public:
-  /// The candidates follow the catalogue; when the chosen port goes, the mode ends.
+  /// The candidates follow the catalogue; when the chosen port goes, or is connected or
+  /// disconnected by somebody else, the mode ends.
   ConnectMode(const CatalogueStore& store, SystemActions& actions, QObject* parent = nullptr);
 
   [[nodiscard]] bool active() const { return chosen_.has_value(); }
   [[nodiscard]] const PortName& chosen() const { return *chosen_; }
+  /// The chosen one is required, and this is what it is connected to.
+  [[nodiscard]] const std::optional<InterfaceName>& former() const { return former_; }
   /// Best first, those that do not fit last.
   [[nodiscard]] const std::vector<Candidate>& candidates() const { return candidates_; }
   /// Null while nothing fits, and for a port that is no candidate.
@@ -47,7 +56,7 @@ class ConnectMode : public QObject {
   [[nodiscard]] const Candidate* bestLookAlike() const;
 
  public Q_SLOTS:
-  /// False, with notice() telling why, when the port is not there or is connected already.
+  /// False when there is no such port.
   bool start(const tendon::gui::PortName& port);
   void leave();
   /// Connects; nothing happens but a notice() when it does not fit.
@@ -66,11 +75,16 @@ class ConnectMode : public QObject {
   void rank();
   void addProvided(const RequiredDescription& required);
   void addRequired(const ProvidedDescription& provided);
+  [[nodiscard]] bool isThere(const PortName& port) const;
+  /// What a required port is connected to.
+  [[nodiscard]] std::optional<InterfaceName> peerOf(const PortName& port) const;
 
   const CatalogueStore& store_;
   SystemActions& actions_;
   std::optional<PortName> chosen_;
+  std::optional<InterfaceName> former_;
   std::vector<Candidate> candidates_;
+  std::map<PortName, std::size_t> places_;  // of the candidates
 };
 
 }  // namespace tendon::gui

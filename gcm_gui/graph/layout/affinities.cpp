@@ -1,11 +1,10 @@
-#include <gcm_gui/graph/layout/graph_picture.h>
-#include <gcm_gui/models/connection_index.h>
+#include <gcm_gui/graph/layout/affinities.h>
 #include <gcm_gui/models/text.h>
 #include <tendon/interface/compatibility.h>
 
-#include <algorithm>
 #include <map>
 #include <set>
+#include <string>
 #include <tuple>
 
 namespace tendon::gui {
@@ -64,24 +63,7 @@ class ProviderIndex {
   std::map<MemberKey, std::vector<Provider>> by_member_;
 };
 
-NodePicture NodeOf(const ConnectionIndex& connections, const std::string& process,
-                   const ComponentDescription& component) {
-  NodePicture node;
-  node.name = ToQString(component.name);
-  node.path = ToQString(process + '/' + component.name);
-  node.state = component.state;
-  for (const auto& required : component.required) {
-    const InterfaceName name{process, component.name, required.name};
-    const auto* connection = connections.Of(name);
-    const bool active = connection != nullptr && connection->state == ConnectionState::kActive;
-    node.required.push_back({{Side::kRequired, name}, active});
-  }
-  for (const auto& provided : component.provided) {
-    const InterfaceName name{process, component.name, provided.name};
-    node.provided.push_back({{Side::kProvided, name}, connections.Clients(name) > 0});
-  }
-  return node;
-}
+}  // namespace
 
 std::vector<Affinity> AffinitiesOf(const Catalog& catalogue,
                                    const std::vector<ConnectionDescription>& edges) {
@@ -109,23 +91,6 @@ std::vector<Affinity> AffinitiesOf(const Catalog& catalogue,
   }
   std::erase_if(affinities, [](const Affinity& a) { return a.provider == a.client; });
   return {affinities.begin(), affinities.end()};
-}
-
-}  // namespace
-
-GraphPicture PictureOf(const Catalog& catalogue) {
-  GraphPicture picture;
-  const ConnectionIndex connections(catalogue);
-  for (const auto& [name, entry] : catalogue.processes()) {
-    ProcessPicture process{ToQString(name), entry.process.state, entry.process.since, {}};
-    for (const auto& [component_name, component] : entry.components) {
-      process.nodes.push_back(NodeOf(connections, name, component));
-    }
-    picture.processes.push_back(std::move(process));
-  }
-  picture.edges = catalogue.connections();
-  picture.affinities = AffinitiesOf(catalogue, picture.edges);
-  return picture;
 }
 
 }  // namespace tendon::gui

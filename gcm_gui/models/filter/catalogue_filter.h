@@ -1,7 +1,7 @@
 #pragma once
 
 #include <gcm_gui/models/catalogue_model.h>
-#include <gcm_gui/models/filter_expression.h>
+#include <gcm_gui/models/filter/filter_expression.h>
 
 #include <QSortFilterProxyModel>
 #include <QString>

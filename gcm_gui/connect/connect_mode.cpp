@@ -1,9 +1,8 @@
-#include <gcm_gui/graph/connect_mode.h>
+#include <gcm_gui/connect/connect_mode.h>
 #include <gcm_gui/models/connection_index.h>
 #include <gcm_gui/models/state_of.h>
 #include <gcm_gui/models/text.h>
 
-#include <QStringList>
 #include <algorithm>
 #include <tuple>
 
@@ -14,12 +13,15 @@ constexpr int kDigits = 9;
 
 QString Name(const InterfaceName& name) { return ToQString(ToString(name)); }
 
-/// Best first: fits, is alive, fills more, is near.
+/// Best first: fits, is alive, takes nothing from another, fills more, is near.
 bool IsBetter(const Candidate& a, const Candidate& b, const std::string& process) {
   const auto key = [&](const Candidate& c) {
-    return std::tuple(!c.fits(), c.gone, -c.compatibility.matched, c.port.name.process != process);
+    return std::tuple(!c.fits(), c.gone, c.former.has_value(), -c.compatibility.matched,
+                      c.port.name.process != process);
   };
-  return std::pair(key(a), a.port) < std::pair(key(b), b.port);
+  const auto key_of_a = key(a);
+  const auto key_of_b = key(b);
+  return key_of_a != key_of_b ? key_of_a < key_of_b : a.port < b.port;
 }
 
 }  // namespace
@@ -33,7 +35,7 @@ bool Candidate::looksAlike() const {
 
 QStringList Candidate::reasons() const {
   QStringList reasons;
-  if (!obstacle.isEmpty()) reasons.append(obstacle);
+  if (present) reasons.append(QStringLiteral("is what it is connected to now"));
   for (const auto& mismatch : compatibility.mismatches) reasons.append(ToQString(mismatch.text));
   return reasons;
 }
@@ -48,9 +50,8 @@ const Candidate* ConnectMode::best() const {
 }
 
 const Candidate* ConnectMode::find(const PortName& port) const {
-  const auto it = std::find_if(candidates_.begin(), candidates_.end(),
-                               [&](const Candidate& c) { return c.port == port; });
-  return it == candidates_.end() ? nullptr : &*it;
+  const auto it = places_.find(port);
+  return it == places_.end() ? nullptr : &candidates_[it->second];
 }
 
 const Candidate* ConnectMode::bestLookAlike() const {
@@ -59,30 +60,28 @@ const Candidate* ConnectMode::bestLookAlike() const {
   return it == candidates_.end() ? nullptr : &*it;
 }
 
+bool ConnectMode::isThere(const PortName& port) const {
+  return port.side == Side::kRequired ? store_.catalogue().FindRequired(port.name) != nullptr
+                                      : store_.catalogue().FindProvided(port.name) != nullptr;
+}
+
+std::optional<InterfaceName> ConnectMode::peerOf(const PortName& port) const {
+  if (port.side == Side::kProvided) return std::nullopt;
+  const auto* connection = store_.catalogue().FindConnection(port.name);
+  return connection == nullptr ? std::nullopt : std::optional(connection->provided);
+}
+
 void ConnectMode::follow() {
   if (!active()) return;
-  const PortName port = *chosen_;
-  const bool required = port.side == Side::kRequired;
-  const bool there = required ? store_.catalogue().FindRequired(port.name) != nullptr
-                              : store_.catalogue().FindProvided(port.name) != nullptr;
-  if (!there || (required && store_.catalogue().FindConnection(port.name) != nullptr))
-    return leave();
+  if (!isThere(*chosen_) || peerOf(*chosen_) != former_) return leave();
   rank();
   Q_EMIT changed();
 }
 
 bool ConnectMode::start(const PortName& port) {
-  if (port.side == Side::kRequired) {
-    if (store_.catalogue().FindRequired(port.name) == nullptr) return false;
-    if (const auto* connection = store_.catalogue().FindConnection(port.name)) {
-      Q_EMIT notice(Name(port.name) + QStringLiteral(" is connected to ") +
-                    Name(connection->provided) + QStringLiteral(" · D disconnects"));
-      return false;
-    }
-  } else if (store_.catalogue().FindProvided(port.name) == nullptr) {
-    return false;
-  }
+  if (!isThere(port)) return false;
   chosen_ = port;
+  former_ = peerOf(port);
   rank();
   Q_EMIT changed();
   return true;
@@ -91,7 +90,9 @@ bool ConnectMode::start(const PortName& port) {
 void ConnectMode::leave() {
   if (!active()) return;
   chosen_.reset();
+  former_.reset();
   candidates_.clear();
+  places_.clear();
   Q_EMIT changed();
 }
 
@@ -100,15 +101,21 @@ void ConnectMode::pick(const PortName& port) {
   const Candidate* candidate = find(port);
   if (candidate == nullptr) return;
   if (!candidate->fits()) {
-    Q_EMIT notice(Name(port.name) + QStringLiteral(" does not fit: ") +
-                  candidate->reasons().join(QStringLiteral("; ")));
+    const QString obstacle =
+        candidate->present ? QStringLiteral(" ") : QStringLiteral(" does not fit: ");
+    Q_EMIT notice(Name(port.name) + obstacle + candidate->reasons().join(QStringLiteral("; ")));
     return;
   }
   const bool from_required = chosen_->side == Side::kRequired;
   const InterfaceName required = from_required ? chosen_->name : port.name;
   const InterfaceName provided = from_required ? port.name : chosen_->name;
+  const bool replaces = former_.has_value() || candidate->former.has_value();
   leave();
-  actions_.connectInterfaces(required, provided);
+  if (replaces) {
+    actions_.replaceConnection(required, provided);
+  } else {
+    actions_.connectInterfaces(required, provided);
+  }
   Q_EMIT picked(required, provided);
 }
 
@@ -131,9 +138,12 @@ void ConnectMode::rank() {
   }
   std::sort(candidates_.begin(), candidates_.end(),
             [this](const auto& a, const auto& b) { return IsBetter(a, b, chosen_->name.process); });
+  places_.clear();
   int number = 0;
-  for (Candidate& candidate : candidates_) {
+  for (std::size_t place = 0; place < candidates_.size(); ++place) {
+    Candidate& candidate = candidates_[place];
     if (candidate.fits() && number < kDigits) candidate.number = ++number;
+    places_[candidate.port] = place;
   }
 }
 
@@ -141,11 +151,12 @@ void ConnectMode::addProvided(const RequiredDescription& required) {
   for (const auto& [process, entry] : store_.catalogue().processes()) {
     for (const auto& [name, component] : entry.components) {
       for (const auto& provided : component.provided) {
-        candidates_.push_back({{Side::kProvided, {process, name, provided.name}},
-                               Compare(required, provided),
-                               0,
-                               IsGone(entry.process.state),
-                               {}});
+        Candidate candidate;
+        candidate.port = {Side::kProvided, {process, name, provided.name}};
+        candidate.compatibility = Compare(required, provided);
+        candidate.gone = IsGone(entry.process.state);
+        candidate.present = candidate.port.name == former_;
+        candidates_.push_back(std::move(candidate));
       }
     }
   }
@@ -156,13 +167,13 @@ void ConnectMode::addRequired(const ProvidedDescription& provided) {
   for (const auto& [process, entry] : store_.catalogue().processes()) {
     for (const auto& [name, component] : entry.components) {
       for (const auto& required : component.required) {
-        Candidate candidate{{Side::kRequired, {process, name, required.name}},
-                            Compare(required, provided),
-                            0,
-                            IsGone(entry.process.state),
-                            {}};
+        Candidate candidate;
+        candidate.port = {Side::kRequired, {process, name, required.name}};
+        candidate.compatibility = Compare(required, provided);
+        candidate.gone = IsGone(entry.process.state);
         if (const auto* connection = connections.Of(candidate.port.name)) {
-          candidate.obstacle = QStringLiteral("is connected to ") + Name(connection->provided);
+          candidate.present = connection->provided == chosen_->name;
+          if (!candidate.present) candidate.former = connection->provided;
         }
         candidates_.push_back(std::move(candidate));
       }

@@ -1,4 +1,4 @@
-#include <gcm_gui/models/filter_expression.h>
+#include <gcm_gui/models/filter/filter_expression.h>
 #include <tendon/base/path.h>
 
 #include <algorithm>

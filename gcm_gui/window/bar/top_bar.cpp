@@ -2,11 +2,12 @@
 #include <gcm_gui/theme/icon.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
-#include <gcm_gui/window/pill.h>
-#include <gcm_gui/window/top_bar.h>
+#include <gcm_gui/window/bar/pill.h>
+#include <gcm_gui/window/bar/top_bar.h>
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 
 namespace tendon::gui {
@@ -45,6 +46,7 @@ TopBar::TopBar(const CatalogueStore& store, const GcmLink& link, QWidget* parent
       link_(link),
       link_pill_(new Pill),
       problem_pill_(new Pill),
+      view_(new QPushButton(QStringLiteral("View"))),
       pause_(new QPushButton(QStringLiteral("Pause view"))) {
   setObjectName(QStringLiteral("topBar"));
   setAutoFillBackground(true);
@@ -76,6 +78,9 @@ TopBar::TopBar(const CatalogueStore& store, const GcmLink& link, QWidget* parent
 
 void TopBar::addButtons() {
   auto* row = static_cast<QHBoxLayout*>(layout());
+  view_->setObjectName(QStringLiteral("view"));
+  view_->setToolTip(QStringLiteral("Perspectives and panels"));
+  view_->setFocusPolicy(Qt::TabFocus);
   pause_->setObjectName(QStringLiteral("pause"));
   pause_->setCheckable(true);
   pause_->setToolTip(QStringLiteral("Stops what is drawn, never the data  (Space)"));
@@ -88,9 +93,16 @@ void TopBar::addButtons() {
   theme->setIcon(ThemeIcon(QStringLiteral("theme"), Token::kText));
   theme->setFocusPolicy(Qt::TabFocus);
   connect(theme, &QPushButton::clicked, this, &ToggleTheme);
+  row->addWidget(view_);
   row->addWidget(pause_);
   row->addWidget(theme);
   showPaused(false);
+}
+
+void TopBar::setViewMenu(QMenu* menu) {
+  // Not the button's own way, which waits in its handler until the menu is closed.
+  connect(view_, &QPushButton::clicked, menu,
+          [this, menu] { menu->popup(view_->mapToGlobal(QPoint(0, view_->height() + kGrid))); });
 }
 
 QString TopBar::linkText() const { return link_pill_->spoken(); }

@@ -1,7 +1,7 @@
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
-#include <gcm_gui/window/notice_line.h>
+#include <gcm_gui/window/bar/notice_line.h>
 
 #include <QFontMetrics>
 #include <QPainter>
@@ -45,6 +45,8 @@ void NoticeLine::hear(const Action& finished) {
       return tell(QStringLiteral("Connected in %1 · Ctrl+Z undoes").arg(time));
     case Action::Verb::kDisconnect:
       return tell(QStringLiteral("Disconnected in %1 · Ctrl+Z undoes").arg(time));
+    case Action::Verb::kReplace:
+      return tell(QStringLiteral("Replaced in %1 · Ctrl+Z undoes").arg(time));
     case Action::Verb::kUndo:
       return tell(QStringLiteral("Undone in %1").arg(time));
     case Action::Verb::kForget:
@@ -54,14 +56,15 @@ void NoticeLine::hear(const Action& finished) {
 
 void NoticeLine::showMode() {
   const PortName& port = mode_.chosen();
-  const QString other =
+  const QString side =
       port.side == Side::kRequired ? QStringLiteral("provided") : QStringLiteral("required");
-  before_ = QStringLiteral("Connect ");
-  path_ = ToQString(ToString(port.name));
-  after_ =
-      mode_.best() != nullptr
-          ? QStringLiteral(" · pick a %1 interface · Esc").arg(other)
-          : QStringLiteral(" · no %1 interface fits; point at one to see why · Esc").arg(other);
+  before_ = mode_.former() ? QStringLiteral("Replace ") : QStringLiteral("Connect ");
+  path_ = ToQString(ToString(mode_.former() ? *mode_.former() : port.name));
+  const QString other = mode_.former() ? QStringLiteral("other ") + side : side;
+  after_ = mode_.best() == nullptr ? QStringLiteral(" · no %1 interface fits").arg(other)
+           : mode_.former()        ? QStringLiteral(" · pick another %1 interface").arg(side)
+                                   : QStringLiteral(" · pick a %1 interface").arg(side);
+  after_ += mode_.former() ? QStringLiteral(" · D disconnects · Esc") : QStringLiteral(" · Esc");
 }
 
 void NoticeLine::refresh() {

@@ -5,6 +5,7 @@
 
 #include <QFrame>
 
+class QMenu;
 class QPushButton;
 
 namespace tendon::gui {
@@ -21,6 +22,8 @@ class TopBar : public QFrame {
 
   /// The whole sentence about the GCM, as it is shown.
   [[nodiscard]] QString linkText() const;
+  /// What the button View opens.
+  void setViewMenu(QMenu* menu);
 
  public Q_SLOTS:
   void showProblemCount(int count);
@@ -41,6 +44,7 @@ class TopBar : public QFrame {
   std::int64_t now_ = 0;
   Pill* link_pill_;
   Pill* problem_pill_;
+  QPushButton* view_;
   QPushButton* pause_;
 };
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <gcm_gui/activity/activity_model.h>
-#include <gcm_gui/graph/connect_mode.h>
+#include <gcm_gui/connect/connect_mode.h>
 
 #include <QTimer>
 #include <QWidget>

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <gcm_gui/plot/series/cursors.h>
+#include <gcm_gui/plot/series/curve_set.h>
+#include <gcm_gui/plot/series/time_window.h>
+#include <qwt_plot_item.h>
+
+#include <QColor>
+#include <QString>
+#include <vector>
+
+namespace tendon::gui {
+
+/// The cursors A and B over the curves, and beside B how far they are apart: in time, and the value
+/// of each curve.
+class CursorLines final : public QwtPlotItem {
+ public:
+  /// All must outlive this item.
+  CursorLines(const CurveSet& curves, const TimeWindow& window, const Cursors& cursors);
+
+  void draw(QPainter* painter, const QwtScaleMap& x_map, const QwtScaleMap& y_map,
+            const QRectF& canvas_rect) const override;
+
+  struct Line {
+    QString text;
+    QColor color;
+  };
+  /// What stands beside B; empty without both cursors.
+  [[nodiscard]] std::vector<Line> lines() const;
+
+ private:
+  void drawBox(QPainter& painter, double x, const QRectF& canvas_rect) const;
+
+  const CurveSet& curves_;
+  const TimeWindow& window_;
+  const Cursors& cursors_;
+};
+
+/// "Δt 12.700 s · 0.0787 Hz"
+[[nodiscard]] QString SpanText(double seconds);
+
+}  // namespace tendon::gui

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <gcm_gui/session/gcm_link.h>
+
+#include <QFrame>
+
+class QLabel;
+
+namespace tendon::gui {
+
+class StateLabel;
+
+/// A line across the window while its GCM cannot be reached: how old what is shown is, and what
+/// goes on nevertheless.
+class LostBanner : public QFrame {
+  Q_OBJECT
+
+ public:
+  explicit LostBanner(const GcmLink& link, QWidget* parent = nullptr);
+
+  [[nodiscard]] QString text() const;
+
+ public Q_SLOTS:
+  /// The time, ns since 1970.
+  void setNow(qint64 now);
+
+ private:
+  void refresh();
+
+  const GcmLink& link_;
+  std::int64_t now_ = 0;
+  StateLabel* since_;
+  QLabel* meaning_;
+};
+
+}  // namespace tendon::gui

@@ -1,0 +1,151 @@
+#include <gcm_gui/window/panels.h>
+
+#include <QAction>
+#include <QDataStream>
+#include <QDockWidget>
+#include <QIODevice>
+#include <QLayout>
+#include <QMainWindow>
+#include <QMenu>
+#include <QSplitter>
+#include <QVBoxLayout>
+#include <array>
+#include <cstddef>
+
+namespace tendon::gui {
+namespace {
+
+constexpr int kVersion = 1;  // of kept layouts
+// Closable also where it cannot be seen: only then the menu can hide it.
+constexpr QDockWidget::DockWidgetFeatures kFree =
+    QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable;
+
+/// What a perspective shows of the panels, in the order of their coming: sizes, 0 for hidden; and
+/// the part of the middle that the plots take.
+struct Arrangement {
+  const char* name;
+  std::array<int, 3> sizes;
+  double plots;
+};
+constexpr std::array<Arrangement, 4> kArrangements{{{"Connect", {280, 312, 124}, 0.40},
+                                                    {"Plot", {280, 0, 0}, 0.72},
+                                                    {"Operate", {240, 420, 124}, 0.50},
+                                                    {"Diagnose", {280, 312, 260}, 0.30}}};
+
+/// As large as wanted when it is first laid out.
+class Page final : public QWidget {
+ public:
+  Page(QWidget* content, const QSize& wanted) : wanted_(wanted) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(content);
+  }
+  [[nodiscard]] QSize sizeHint() const override { return wanted_; }
+
+ private:
+  QSize wanted_;
+};
+
+}  // namespace
+
+Panels::Panels(QMainWindow& window, QSplitter& centre)
+    : QObject(&window), window_(window), centre_(centre) {
+  window.setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
+  window.setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
+  window.setDockNestingEnabled(true);
+}
+
+Qt::Orientation Panels::across(Qt::DockWidgetArea area) {
+  const bool side = area == Qt::LeftDockWidgetArea || area == Qt::RightDockWidgetArea;
+  return side ? Qt::Horizontal : Qt::Vertical;
+}
+
+void Panels::add(QWidget* content, const QString& title, Qt::DockWidgetArea area, int size,
+                 int least) {
+  auto* dock = new QDockWidget(title, &window_);
+  dock->setObjectName(QStringLiteral("dock.") + title);
+  const bool side = across(area) == Qt::Horizontal;
+  auto* page = new Page(content, side ? QSize(size, 200) : QSize(400, size));
+  side ? page->setMinimumWidth(least) : page->setMinimumHeight(least);
+  dock->setWidget(page);
+  window_.addDockWidget(area, dock);
+  panels_.push_back({dock, area});
+  setMovable(false);
+}
+
+QMenu* Panels::makeMenu() {
+  auto* menu = new QMenu(&window_);
+  for (std::size_t i = 0; i < kArrangements.size(); ++i) {
+    QAction* action = menu->addAction(QString::fromLatin1(kArrangements[i].name), this,
+                                      [this, i] { show(static_cast<Perspective>(i)); });
+    action->setShortcut(QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + i)));
+    window_.addAction(action);  // the key works while the menu is closed
+  }
+  menu->addSeparator();
+  for (const Panel& panel : panels_) menu->addAction(panel.dock->toggleViewAction());
+  menu->addSeparator();
+  movable_ = menu->addAction(QStringLiteral("Move panels"));
+  movable_->setCheckable(true);
+  connect(movable_, &QAction::toggled, this, &Panels::setMovable);
+  menu->addAction(QStringLiteral("Reset layout"), this, &Panels::reset);
+  return menu;
+}
+
+void Panels::setMovable(bool movable) {
+  for (const Panel& panel : panels_) {
+    QWidget* title = panel.dock->titleBarWidget();
+    // An empty title while it stays where it is: its content has a head of its own.
+    panel.dock->setTitleBarWidget(movable ? nullptr : new QWidget(panel.dock));
+    delete title;
+    panel.dock->setFeatures(movable ? kFree : QDockWidget::DockWidgetClosable);
+  }
+  if (movable_ != nullptr) movable_->setChecked(movable);
+}
+
+void Panels::reveal(const QWidget& content) {
+  for (const Panel& panel : panels_) {
+    if (panel.dock->isAncestorOf(&content)) panel.dock->show();
+  }
+}
+
+void Panels::show(Perspective perspective) {
+  const Arrangement& wanted = kArrangements[static_cast<std::size_t>(perspective)];
+  for (std::size_t i = 0; i < panels_.size(); ++i) {
+    panels_[i].dock->setVisible(wanted.sizes.at(i) > 0);
+  }
+  window_.layout()->activate();  // sizes are given to what is there
+  for (std::size_t i = 0; i < panels_.size(); ++i) {
+    QDockWidget* dock = panels_[i].dock;
+    const int size = wanted.sizes.at(i);
+    if (size > 0) window_.resizeDocks({dock}, {size}, across(window_.dockWidgetArea(dock)));
+  }
+  window_.layout()->activate();
+  const int height = centre_.height();
+  const int plots = static_cast<int>(height * wanted.plots);
+  centre_.setSizes({height - plots, plots});
+  Q_EMIT shown(perspective);
+}
+
+void Panels::reset() {
+  setMovable(false);
+  for (const Panel& panel : panels_) window_.addDockWidget(panel.area, panel.dock);
+  show(Perspective::kConnect);
+}
+
+QByteArray Panels::state() const {
+  QByteArray state;
+  QDataStream stream(&state, QIODevice::WriteOnly);
+  stream << window_.saveState(kVersion) << centre_.saveState();
+  return state;
+}
+
+void Panels::restore(const QByteArray& state) {
+  QByteArray docks;
+  QByteArray centre;
+  QDataStream stream(state);
+  stream >> docks >> centre;
+  if (stream.status() != QDataStream::Ok) return;
+  if (window_.restoreState(docks, kVersion)) centre_.restoreState(centre);
+}
+
+}  // namespace tendon::gui

@@ -1,0 +1,90 @@
+#include <gcm_gui/connect/candidates_model.h>
+#include <gcm_gui/models/row_roles.h>
+#include <gtest/gtest.h>
+
+#include <QAbstractItemModelTester>
+
+#include "support/fakes.h"
+#include "support/sample_system.h"
+
+namespace tendon::gui {
+namespace {
+
+const PortName kRobot{Side::kRequired, {"desk", "teleoperation", "Robot"}};
+const PortName kControl{Side::kProvided, {"robot", "controller", "Control"}};
+const PortName kDrives{Side::kProvided, {"robot", "arm", "Drives"}};
+
+class CandidatesModelTest : public ::testing::Test {
+ protected:
+  CandidatesModelTest() { store_.apply(system_.TakeChanges()); }
+
+  QModelIndex Row(int row) const { return model_.index(row, 0, {}); }
+  QString Name(int row) const { return Row(row).data().toString(); }
+
+  SystemBuilder system_ = LookSystem(0);
+  CatalogueStore store_;
+  RecordingActions actions_;
+  ConnectMode mode_{store_, actions_};
+  CandidatesModel model_{mode_};
+  QAbstractItemModelTester tester_{&model_, QAbstractItemModelTester::FailureReportingMode::Fatal};
+};
+
+TEST_F(CandidatesModelTest, IsEmptyUntilAPortIsChosen) {
+  EXPECT_EQ(model_.rowCount({}), 0);
+
+  mode_.start(kRobot);
+  EXPECT_GT(model_.rowCount({}), 0);
+
+  mode_.leave();
+  EXPECT_EQ(model_.rowCount({}), 0);
+}
+
+TEST_F(CandidatesModelTest, WhatFitsStandsFirstWithTheDigitThatPicksIt) {
+  mode_.start(kRobot);
+
+  EXPECT_EQ(Name(0), "robot/controller/Control");
+  EXPECT_EQ(Row(0).data(kGlyphRole).toString(), "1");
+  EXPECT_EQ(Row(0).data(kTrailRole).toString(), "2 of 2");
+  EXPECT_TRUE(model_.fits(Row(0)));
+  EXPECT_EQ(model_.portOf(Row(0)), kControl);
+  EXPECT_EQ(model_.rowCount(Row(0)), 0);
+}
+
+TEST_F(CandidatesModelTest, ANearMissHasItsReasonsBelowIt) {
+  mode_.start(kRobot);
+
+  EXPECT_EQ(Name(1), "robot/arm/Drives");
+  EXPECT_FALSE(model_.fits(Row(1)));
+  ASSERT_EQ(model_.rowCount(Row(1)), 1);
+  const QModelIndex reason = model_.index(0, 0, Row(1));
+  EXPECT_EQ(reason.data().toString(), "missing write command 'MoveTo' of arm.JointGoal");
+  EXPECT_EQ(model_.portOf(reason), kDrives);
+}
+
+TEST_F(CandidatesModelTest, WhatHasNothingOfItIsOnlyCounted) {
+  mode_.start(kRobot);
+
+  const QModelIndex last = Row(model_.rowCount({}) - 1);
+  EXPECT_TRUE(last.data().toString().startsWith("and ")) << last.data().toString().toStdString();
+  EXPECT_FALSE(model_.portOf(last).has_value());
+}
+
+TEST_F(CandidatesModelTest, AFilterShowsTheOthersOneByOne) {
+  mode_.start(kRobot);
+
+  model_.setFilter("wrench force");
+
+  ASSERT_EQ(model_.rowCount({}), 1);
+  EXPECT_EQ(Name(0), "robot/force_sensor/Wrench");
+}
+
+TEST_F(CandidatesModelTest, WhatItIsConnectedToNowCannotBePicked) {
+  mode_.start({Side::kRequired, {"robot", "controller", "Arm"}});
+
+  EXPECT_EQ(Name(0), "robot/arm/Drives");
+  EXPECT_EQ(Row(0).data(kTrailRole).toString(), "connected");
+  EXPECT_FALSE(model_.fits(Row(0)));
+}
+
+}  // namespace
+}  // namespace tendon::gui

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <gcm_gui/graph/graph_view.h>
+#include <gtest/gtest.h>
+
+#include <utility>
+
+#include "support/fakes.h"
+#include "support/sample_system.h"
+
+namespace tendon::gui {
+
+/// The graph over a system that only exists on paper; it is empty until Show().
+class GraphFixture : public ::testing::Test {
+ protected:
+  explicit GraphFixture(SystemBuilder system) : system_(std::move(system)) {}
+
+  void Show() { store_.apply(system_.TakeChanges()); }
+
+  SystemBuilder system_;
+  CatalogueStore store_;
+  RecordingActions actions_;
+  Selection selection_;
+  ConnectMode mode_{store_, actions_};
+  GraphScene scene_{store_, selection_, mode_};
+  GraphView view_{scene_, selection_, mode_};
+};
+
+}  // namespace tendon::gui
