@@ -1,17 +1,33 @@
-# Sourced by the scripts beside it: paths, short messages, root.
+# Sourced by the scripts beside it: paths, short messages, root, building.
 # shellcheck shell=bash
 
-TENDON_ROOT=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
+TENDON_ROOT=$(cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/.." && pwd)
+# The same as in cmake/tendon_cache.cmake.
 TENDON_CACHE=${XDG_CACHE_HOME:-${HOME:-/tmp}/.cache}/tendon
 # shellcheck disable=SC2034  # read by the scripts that source this file
 QWT_CACHE=$TENDON_CACHE/qwt-6.3.0
 
-say() { printf '%s\n' "$*"; }
+# say SENTENCE...: each on a line of its own.
+say() { printf '%s\n' "$@"; }
 
 # fail SENTENCE [DETAIL...]: one clear sentence, then what helps, each on a line of its own.
 fail() {
   printf '%s\n' "$@" >&2
   exit 1
+}
+
+# help_if_asked WORD...: --help prints the comment at the head of the script and ends it.
+help_if_asked() {
+  [[ " $* " == *" --help "* || " $* " == *" -h "* ]] || return 0
+  sed -n '2,/^[^#]/ s/^# \?//p' "$0"
+  exit 0
+}
+
+# without_sudo WORD...: a script that was called through sudo starts anew as whoever called it. Else the build and the
+# cache would be root's. The scripts ask for sudo by themselves where they need it.
+without_sudo() {
+  ((EUID == 0)) && [[ ${SUDO_USER:-root} != root ]] || return 0
+  exec sudo -H -u "$SUDO_USER" -- "$0" "$@"
 }
 
 # can_be_root: true for root, and where sudo can ask for a password or needs none.
@@ -46,17 +62,43 @@ in_place() {
   fi
 }
 
+# How many compilers this machine can feed: one a processor, and 1.5 GB of free memory for each.
+parallel_jobs() {
+  local processors memory
+  processors=$(nproc)
+  memory=$(awk '$1 == "MemAvailable:" { print int($2 / 1500000) }' /proc/meminfo)
+  ((memory < processors)) || memory=$processors
+  say "$((memory > 1 ? memory : 1))"
+}
+
+# must_be_preset NAME: before a folder is made for it.
+must_be_preset() {
+  local names
+  names=$(cmake -S "$TENDON_ROOT" --list-presets | sed -nE 's/^ +"([^"]+)".*/\1/p')
+  grep -qxF -- "$1" <<<"$names" || fail "There is no preset '$1'; there are: ${names//$'\n'/, }."
+}
+
 # build_preset PRESET [TARGET...]: configures and builds it, in silence unless something is wrong or a person watches.
+# One at a time in one tree.
 build_preset() {
+  must_be_preset "$1"
+  cd "$TENDON_ROOT" || return
+  mkdir -p "build/$1"
+  {
+    flock --nonblock 9 || { say "Waiting for another build of $1." && flock 9; }
+    configure_and_build "$@"
+  } 9<"build/$1"
+}
+
+configure_and_build() {
   local preset=$1 log="$TENDON_ROOT/build/$1/configure.log" targets=() quiet=()
   shift
   (($# == 0)) || targets=(--target "$@")
   [[ -t 1 ]] || quiet=(-- --quiet)
   # Presets, and clones in other places, share what the compiler makes of the same source.
   export CCACHE_BASEDIR=$TENDON_ROOT CCACHE_NOHASHDIR=1
+  export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(parallel_jobs)}
 
-  cd "$TENDON_ROOT" || return
-  mkdir -p "build/$preset"
   : >"$log"
   say "Building $preset."
   logged "$log" in_place "$preset" cmake --preset "$preset" ||

@@ -1,5 +1,5 @@
-# Sourced by tools/demo: a virtual display with a window manager, real mouse clicks, screenshots.
-# Needs processes.sh.
+# Sourced by tools/demo and the test of the window: a virtual display with a window manager, real mouse clicks,
+# screenshots. Needs processes.sh.
 # shellcheck shell=bash disable=SC2154
 
 # True where a window can be shown to somebody.
@@ -38,5 +38,8 @@ open_row() {
   done
 }
 
-# screenshot WINDOW FILE
-screenshot() { import -window "$1" "$2"; }
+# screenshot WINDOW FILE: appears at once, whole, also where two runs write the same file.
+screenshot() {
+  import -window "$1" "$RUN_FOLDER/screenshot.png"
+  mv -f "$RUN_FOLDER/screenshot.png" "$2"
+}

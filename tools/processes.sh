@@ -1,9 +1,20 @@
-# Sourced by tools/demo: the processes of a run, started, waited for and stopped together.
+# Sourced by tools/demo and the test of the window: the processes of a run, started, waited for and stopped together.
 # shellcheck shell=bash
 
 declare -A process_ids=()
 process_order=()
 RUN_FOLDER=$(mktemp -d)  # logs, and what the processes leave behind
+
+# Settings, state and run-time folders of its own: each run begins like the first one.
+use_own_folders() {
+  mkdir -m 700 "$RUN_FOLDER"/{config,state,runtime}
+  export XDG_CONFIG_HOME=$RUN_FOLDER/config XDG_STATE_HOME=$RUN_FOLDER/state XDG_RUNTIME_DIR=$RUN_FOLDER/runtime
+}
+
+# A port on 127.0.0.1 that nobody uses just now.
+free_port() {
+  python3 -c 'import socket; s = socket.socket(); s.bind(("127.0.0.1", 0)); print(s.getsockname()[1])'
+}
 
 # start NAME COMMAND...: in the background, its output in a log of that name.
 start() {
@@ -24,7 +35,8 @@ wait_until() {
     for name in "${process_order[@]}"; do
       is_running "$name" || fail_with_log "$name" "$name ended while waiting for $what; its last words:"
     done
-    ((SECONDS < deadline)) || fail_with_log "${process_order[0]}" "Waited 30 s in vain for $what; the last words of ${process_order[0]}:"
+    name=${process_order[0]}
+    ((SECONDS < deadline)) || fail_with_log "$name" "Waited 30 s in vain for $what; the last words of $name:"
     sleep 0.1
   done
 }
@@ -48,11 +60,12 @@ kill_hard() {
 
 # Asks all to end, the last one started first, and insists after 5 s each.
 stop_all() {
-  local name
+  local name id
   for name in "${process_order[@]}"; do
-    kill "${process_ids[$name]}" 2>/dev/null || continue
-    timeout 5 tail -s 0.05 --pid="${process_ids[$name]}" -f /dev/null || kill -KILL "${process_ids[$name]}" 2>/dev/null || true
-    wait "${process_ids[$name]}" 2>/dev/null || true
+    id=${process_ids[$name]}
+    kill "$id" 2>/dev/null || continue
+    timeout 5 tail -s 0.05 --pid="$id" -f /dev/null || kill -KILL "$id" 2>/dev/null || true
+    wait "$id" 2>/dev/null || true
   done
   process_order=()
   rm -rf "$RUN_FOLDER"

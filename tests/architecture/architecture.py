@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """architecture.py ROOT: checks that the source tree keeps the architecture it shows.
 
-A rule is a function that takes a file and yields its violations as (line number, sentence); rules of folders
-take the folder and its files. They read text, not C++: includes, macros, sizes. architecture_test.py shows what
-each of them catches.
+A rule is a function that takes a file and yields its violations as (line number, sentence); rules of folders take the
+folder and its files, rules of the tree all files. They read text, not C++: includes, macros, sizes.
+architecture_test.py shows what each of them catches.
 """
 
 import os
@@ -28,9 +28,10 @@ CORE = {folder for row in CORE_ROWS for folder in row}
 PARTS = {
     "core": {"core"},
     "components": {"core", "components"},
-    "lcm": {"core", "lcm"},
-    "gcm_console": {"core", "gcm_console"},
-    "gcm_gui": {"core", "gcm_console", "gcm_gui"},
+    "program": {"core", "program"},
+    "lcm": {"core", "program", "lcm"},
+    "gcm_console": {"core", "program", "gcm_console"},
+    "gcm_gui": {"core", "program", "gcm_console", "gcm_gui"},
 }
 
 ICE = re.compile(r"(Ice\w*|Glacier2)/")
@@ -46,11 +47,15 @@ ATOMIC_HOMES = ("core/tendon/lockfree", "core/tendon/state", "core/tendon/base/o
 INCLUDE = re.compile(r'\s*#\s*include\s*[<"]([^>"]+)[>"]')
 OPENS_BODY = re.compile(r"^(?! *//).*[)\w>&*] \{$|^ *\{$")
 ENDS_STATEMENT = re.compile(r"[;{}]$|^\s*$|^\s*(//|#|(public|protected|private|signals|.* slots):$)")
+OPENS_NAMESPACE = re.compile(r"(?:inline )?namespace ?([\w:]*) ?\{$")
+DEFINES_TYPE = re.compile(r"(?:class|struct|union|enum class|enum) (?:\[\[\w+\]\] )?(\w+)(?: final)?(?: :.*| \{.*)?$")
 NO_FUNCTION = re.compile(r"\s*(inline namespace|namespace|class|struct|enum|union|extern|export)\b")
 LEFT_OVER = re.compile(r"\b(TO[D]O|FIX[M]E|HAC[K]|XX[X])\b")
 
 CODE = {".h", ".cpp"}
-TEXT = CODE | {".py", ".cmake", ".ice", ".sh", ".md"}
+SCRIPTS = {".py", ".cmake", ".sh"}
+TEXT = CODE | SCRIPTS | {".ice", ".md"}
+MAX_COLUMNS = 120  # of scripts; clang-format sees to the code
 SKIPPED = {"build", "resources", "__pycache__"}
 
 
@@ -79,6 +84,10 @@ class SourceFile:
     @property
     def is_code(self):
         return self.suffix in CODE
+
+    @property
+    def is_script(self):
+        return self.suffix in SCRIPTS or self.name == "CMakeLists.txt" or self.is_under("tools", ".ci")
 
     @property
     def is_test(self):
@@ -206,6 +215,14 @@ def files_are_short(file):
         yield length, f"{length} lines, over {MAX_LINES}; look for the second concept"
 
 
+def scripts_are_narrow(file):
+    if not file.is_script:
+        return
+    for number, line in enumerate(file.lines, 1):
+        if len(line) > MAX_COLUMNS:
+            yield number, f"{len(line)} columns, over {MAX_COLUMNS}"
+
+
 def functions_are_short(file):
     """Relies on clang-format: a body ends at the first brace in the column where its signature begins."""
     if not file.is_code:
@@ -229,12 +246,51 @@ def folders_are_small(folder, files):
         yield f"{folder}: {len(files)} files, over {MAX_FILES}; look for the second folder"
 
 
+def types_have_names_of_their_own(files):
+    """Two types of one name in one program are undefined behaviour that no linker reports. Relies on clang-format:
+    what is in a namespace begins in the first column."""
+    seen = {}
+    for file in files:
+        if not file.is_code:
+            continue
+        for number, name in types_of(file.lines):
+            if name in seen:
+                yield f"{file.path}:{number}: {name} is the name of another type, in {seen[name]}"
+            seen.setdefault(name, f"{file.path}:{number}")
+
+
+def folders_are_built(files):
+    """A folder that the one above forgets is a library that is missing, or a test that never runs."""
+    lists = {str(PurePosixPath(file.path).parent): "\n".join(file.lines) for file in files
+             if file.name == "CMakeLists.txt"}
+    for folder, text in lists.items():
+        above = next((str(path) for path in PurePosixPath(folder).parents if str(path) in lists), None)
+        if above is None or re.search(r"^project\(", text, re.M) or "GLOB" in lists[above]:
+            continue
+        named_above = re.search(rf"(?<!\w){re.escape(PurePosixPath(folder).name)}(?!\w)", lists[above])
+        if not named_above and not any(f"/{folder} " in other for other in lists.values()):
+            yield f"{folder}/CMakeLists.txt:1: nobody builds it; add it to {above}/CMakeLists.txt"
+
+
+def types_of(lines):
+    """The types of named namespaces, with the lines that define them."""
+    namespaces = []
+    for number, line in enumerate(lines, 1):
+        if match := OPENS_NAMESPACE.match(line):
+            namespaces.append(match[1])
+        elif line.startswith("}  // namespace") and namespaces:
+            namespaces.pop()
+        elif namespaces and all(namespaces) and (match := DEFINES_TYPE.match(line)):
+            yield number, "::".join((*namespaces, match[1]))
+
+
 FILE_RULES = (
     ice_stays_in_its_folder, qt_stays_in_the_window, parts_include_what_they_may, components_need_core_alone,
     layers_look_down, core_headers_need_the_standard_library_alone, the_operating_system_stays_in_base_os,
     atomics_stay_in_lockfree_and_state, code_has_no_macros, headers_are_included_once, nothing_is_left_over,
-    files_are_short, functions_are_short)
+    files_are_short, scripts_are_narrow, functions_are_short)
 FOLDER_RULES = (folders_are_small,)
+TREE_RULES = (types_have_names_of_their_own, folders_are_built)
 
 
 def folders_of(root):
@@ -250,14 +306,18 @@ def is_source(folder, name):
 
 def violations(root):
     root = Path(root)
+    files = []
     for folder, names in folders_of(root):
         for rule in FOLDER_RULES:
             yield from rule(folder, names)
         for name in names:
             if is_source(folder, name):
                 file = SourceFile(root, name if folder == "." else f"{folder}/{name}")
+                files.append(file)
                 for rule in FILE_RULES:
                     yield from (f"{file.path}:{line}: {sentence}" for line, sentence in rule(file))
+    for rule in TREE_RULES:
+        yield from rule(files)
 
 
 def main():

@@ -15,6 +15,10 @@ def include(*names):
     return "#pragma once\n" + "".join(f"#include <{name}>\n" for name in names)
 
 
+def in_namespace(*definitions):
+    return "\n".join(("#pragma once", "namespace tendon {", *definitions, "}  // namespace tendon\n"))
+
+
 def function(lines, indent=""):
     """A function of that many lines, its signature being two of them."""
     text = ["Result<int> Run(int first,", "                int last) {", *["  Step();"] * (lines - 3), "}"]
@@ -38,6 +42,10 @@ BROKEN = {
          "core/tendon/gcm/a.cpp:2", "core may not include"),
         ({"lcm/main.cpp": '#include "../gcm_gui/session.h"\n', "gcm_gui/session.h": include()},
          "lcm/main.cpp:1", "lcm may not include"),
+        ({"program/a.cpp": include("gcm_console/table.h"), "gcm_console/table.h": include()},
+         "program/a.cpp:2", "program may not include"),
+        ({"components/arm/a.cpp": include("program/exit_code.h"), "program/exit_code.h": include()},
+         "components/arm/a.cpp:2", "components may not include"),
         ({"gcm_gui/a.cpp": include("components/arm/arm.h"), "components/arm/arm.h": include()},
          "gcm_gui/a.cpp:2", "gcm_gui may not include"),
         ({"core/tendon/base/a.cpp": include("tests/support/fake.h"), "tests/support/fake.h": include()},
@@ -93,6 +101,20 @@ BROKEN = {
         ({"lcm/a.cpp": "class A {\n public:\n" + function(61, "  ") + "};\n"}, "lcm/a.cpp:3", "a function of 61 lines"),
         ({"lcm/a.cpp": function(20) + "\n" + function(70)}, "lcm/a.cpp:22", "a function of 70 lines"),
     ],
+    "scripts_are_narrow": [
+        ({"tools/a": "#!/bin/sh\n" + "a" * 121}, "tools/a:2", "121 columns"),
+        ({"lcm/CMakeLists.txt": "a" * 121}, "lcm/CMakeLists.txt:1", "121 columns"),
+    ],
+    "types_have_names_of_their_own": [
+        ({"core/tendon/a.h": in_namespace("class Link {\n};"), "tests/b_test.cpp": in_namespace("struct Link {\n};")},
+         "tests/b_test.cpp:3", "tendon::Link is the name of another type, in core/tendon/a.h:3"),
+        ({"lcm/a.h": in_namespace("class Link final : public Base {"), "lcm/b.h": in_namespace("enum class Link {")},
+         "lcm/b.h:3", "tendon::Link"),
+    ],
+    "folders_are_built": [
+        ({"CMakeLists.txt": "add_subdirectory(lcm)\n", "lcm/CMakeLists.txt": "", "lcms/CMakeLists.txt": ""},
+         "lcms/CMakeLists.txt:1", "nobody builds it; add it to ./CMakeLists.txt"),
+    ],
     "folders_are_small": [
         ({f"lcm/part_{number}.cpp": "" for number in range(21)}, "lcm", "21 files"),
     ],
@@ -138,6 +160,19 @@ KEPT = {
         {"lcm/a.cpp": "constexpr int kTable[] = {\n" + "    1,\n" * 80 + "};\n"},
         {"lcm/a.cpp": "//   void Example() {\n" + "int a;\n" * 80},
     ],
+    "scripts_are_narrow": [{"tools/a": "a" * 120, "docs/a.md": "a" * 200, "lcm/a.cpp": "a" * 200}],
+    "types_have_names_of_their_own": [
+        {"lcm/a.h": in_namespace("class Link;", "class Link {\n  class End {\n  };\n};"),
+         "lcm/b.h": in_namespace("class Link;", "class Other {\n  class End {\n  };\n};")},
+        {"lcm/a.cpp": in_namespace("namespace {\nclass Link {\n};\n}  // namespace"),
+         "lcm/b.cpp": in_namespace("namespace {\nclass Link {\n};\n}  // namespace"),
+         "lcm/c.cpp": in_namespace("class Link {\n};").replace("tendon", "program")},
+    ],
+    "folders_are_built": [
+        {"CMakeLists.txt": "foreach(folder lcm core)\n", "lcm/CMakeLists.txt": "",
+         "core/CMakeLists.txt": "foreach(folder base)\n", "core/tendon/base/CMakeLists.txt": ""},
+        {"CMakeLists.txt": "", "example/CMakeLists.txt": "project(example)\n"},
+    ],
     "folders_are_small": [
         {f"lcm/part_{number}.cpp": "" for number in range(20)},
         {f"build/dev/{number}.cpp": "" for number in range(21)},
@@ -155,7 +190,8 @@ class ArchitectureTest(unittest.TestCase):
             return list(architecture.violations(root))
 
     def test_every_rule_is_shown_broken_and_kept(self):
-        rules = {rule.__name__ for rule in (*architecture.FILE_RULES, *architecture.FOLDER_RULES)}
+        rules = {rule.__name__
+                 for rule in (*architecture.FILE_RULES, *architecture.FOLDER_RULES, *architecture.TREE_RULES)}
 
         self.assertEqual(rules, set(BROKEN))
         self.assertEqual(rules, set(KEPT))

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""Every C++ and JSON block of the README and the tutorials stands, line for line, in a file that the build compiles or
-reads."""
+"""snippets_test.py ROOT: every C++ and JSON block of the README and of docs/ stands, line for line, in a file that the
+build compiles or reads; every CMake block stands, with other lines in between, in the plug-in that is built outside of
+the tree."""
 import pathlib
 import re
 import sys
@@ -14,18 +15,29 @@ def stands_in(block, source):
     return any(source[i:i + len(block)] == block for i in range(len(source) - len(block) + 1))
 
 
+def stands_in_order(block, source):
+    rest = iter(source)
+    return all(line in rest for line in block)
+
+
 def main(root):
-    sources = {path: lines_of(path.read_text(encoding="utf-8"))
-               for path in sorted((root / "docs/tutorials").rglob("*"))
-               if path.suffix in {".h", ".cpp", ".json"}}
-    pages = [root / "README.md", *sorted((root / "docs").glob("[0-9]*.md"))]
+    sources = [lines_of(path.read_text(encoding="utf-8"))
+               for path in sorted((root / "docs/tutorials").rglob("*")) if path.suffix in {".h", ".cpp", ".json"}]
+    plugin = lines_of((root / "tests/install/lamp/CMakeLists.txt").read_text(encoding="utf-8"))
+    plugin = [line.replace("${COMPONENTS}", "core") for line in plugin]
     missing = blocks = 0
-    for page in pages:
-        for language, text in re.findall(r"^```(cpp|json)\n(.*?)^```", page.read_text(encoding="utf-8"), re.M | re.S):
+    for page in [root / "README.md", *sorted((root / "docs").glob("*.md"))]:
+        for language, text in re.findall(r"^```(cpp|json|cmake)\n(.*?)^```", page.read_text(encoding="utf-8"),
+                                         re.M | re.S):
             blocks += 1
-            if not any(stands_in(lines_of(text), source) for source in sources.values()):
+            block = lines_of(text)
+            if language == "cmake":
+                found = stands_in_order(block, plugin)
+            else:
+                found = any(stands_in(block, source) for source in sources)
+            if not found:
                 missing += 1
-                print(f"{page.name}: this {language} block is in no file of docs/tutorials:\n{text}")
+                print(f"{page.name}: this {language} block is in no file that is built:\n{text}")
     print(f"{blocks} blocks, {missing} of them stray")
     return 1 if missing or not blocks else 0
 

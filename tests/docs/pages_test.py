@@ -1,0 +1,117 @@
+#!/usr/bin/env python3
+"""pages_test.py ROOT BIN PAGE: every command that a page of docs/ prints works, in the order in which they stand there.
+
+The lines of its ```sh blocks run in one place, with a GCM, state and run-time folders of their own, and must succeed.
+Those that end with & stay until the page ends; the next line waits for them. A comment in the page
+
+    <!-- eventually: COMMAND => REGULAR EXPRESSION -->
+
+is a command whose output must come to match. tools/ are not run: they set up what is there when this test runs.
+"""
+import os
+import pathlib
+import re
+import shlex
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+
+PATIENCE = 60  # s, for a machine that is busy
+STEP = re.compile(r"^```sh\n(?P<block>.*?)^```|^<!-- eventually: (?P<command>.*?) => (?P<pattern>.*?) -->", re.M | re.S)
+
+
+def free_port():
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return probe.getsockname()[1]
+
+
+class Place:
+    """Where the commands run; ends what is left over."""
+
+    def __init__(self, root, programs, folder):
+        self.root = root
+        self.processes = []
+        self.environment = {
+            **os.environ, "PATH": f"{programs}:{os.environ['PATH']}", "TENDON_GCM": f"127.0.0.1:{free_port()}",
+            "XDG_STATE_HOME": folder, "XDG_RUNTIME_DIR": folder, "XDG_CONFIG_HOME": folder}
+
+    def run(self, line):
+        """As patient as a busy machine needs. What only looks may have to wait until there is something to see."""
+        if re.match(r"gcm (--json )?(ls|tree|show|get|watch) ", line):
+            return self.eventually(line, "")
+        return self.run_once(line)
+
+    def run_once(self, line):
+        patient = re.sub(r"^gcm ", f"gcm --timeout {1000 * PATIENCE} ", line)
+        return subprocess.run(["sh", "-c", patient], cwd=self.root, env=self.environment, text=True,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=2 * PATIENCE, check=False)
+
+    def start(self, line):
+        words = ["gcm", "serve"] if line.startswith("gcm-gui") else shlex.split(line)  # no screen here
+        if words[0] == "lcm":
+            words += ["--timeout", str(1000 * PATIENCE)]
+        self.processes.append(subprocess.Popen(words, cwd=self.root, env=self.environment))
+        listed = words[words.index("--name") + 1] if "--name" in words else ""
+        self.eventually("gcm ls", f"^{listed}.*alive" if listed else "")
+        if listed and "--system" in words:
+            self.eventually(f"gcm ls {listed}", "active")
+
+    def eventually(self, line, pattern):
+        deadline = time.monotonic() + PATIENCE
+        while True:
+            done = self.run_once(line)
+            if done.returncode == 0 and re.search(pattern, done.stdout, re.M):
+                return done
+            if time.monotonic() > deadline:
+                sys.exit(f"in {PATIENCE} s '{line}' never printed {pattern!r}, but:\n{done.stdout}")
+            time.sleep(0.2)
+
+    def end(self):
+        for process in reversed(self.processes):
+            process.send_signal(signal.SIGTERM)
+            try:
+                process.wait(PATIENCE)
+            except subprocess.TimeoutExpired:
+                process.kill()
+
+
+def lines_of(block):
+    """Commands with the comments behind them taken off, continued lines put together."""
+    for line in block.replace("\\\n", " ").splitlines():
+        line = re.sub(r"(^|\s+)# .*", "", line).strip()
+        line = line.replace("build/dev/bin/", "")
+        if line and not line.startswith(("tools/", "export PATH=", "cmake ")):
+            yield line
+
+
+def steps_of(page):
+    for found in STEP.finditer(page):
+        if found["block"] is None:
+            yield "eventually", found["command"], found["pattern"]
+            continue
+        for line in lines_of(found["block"]):
+            yield ("start", line[:-1].strip()) if line.endswith("&") else ("run", line)
+
+
+def main(root, programs, page):
+    count = 0
+    with tempfile.TemporaryDirectory() as folder:
+        place = Place(root, programs, folder)
+        try:
+            for kind, *words in steps_of((pathlib.Path(root) / page).read_text(encoding="utf-8")):
+                count += 1
+                done = getattr(place, kind)(*words)
+                if kind == "run" and done.returncode != 0:
+                    sys.exit(f"{page}: '{words[0]}' ended with {done.returncode}:\n{done.stdout}")
+        finally:
+            place.end()
+    print(f"{count} commands of {page} do what they should")
+    return 0 if count else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))
