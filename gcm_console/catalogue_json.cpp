@@ -1,4 +1,5 @@
 #include <gcm_console/catalogue_json.h>
+#include <gcm_console/place.h>
 
 #include <nlohmann/json.hpp>
 
@@ -66,8 +67,8 @@ ordered_json ToJson(const tendon::RequiredDescription& interface) {
 
 ordered_json ToJson(const tendon::MemberDescription& member) {
   ordered_json json = {{"name", member.name}, {"kind", ToString(member.signature.kind)}};
-  if (member.in_type != "tendon.None") json["in"] = member.in_type;
-  if (member.out_type != "tendon.None") json["out"] = member.out_type;
+  if (TakesArgument(member)) json["in"] = member.in_type;
+  if (GivesAnswer(member)) json["out"] = member.out_type;
   if (member.optional) json["optional"] = true;
   if (!member.hazard.empty()) json["hazard"] = member.hazard;
   return json;

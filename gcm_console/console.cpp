@@ -1,11 +1,13 @@
 #include <gcm_console/console.h>
 #include <gcm_console/report.h>
 #include <gcm_console/verb.h>
+#include <program/command_line.h>
 #include <program/middleware_choice.h>
 #include <tendon/base/name.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cerrno>
 #include <exception>
 #include <ostream>
 
@@ -15,6 +17,12 @@ namespace {
 constexpr const char* kExitCodes =
     "Exit codes: 0 done, 1 refused or failed, 2 usage, 3 no GCM, 4 not found, 5 incompatible,\n"
     "6 time-out (outcome unknown), 7 denied, 130 interrupted.";
+
+/// What to ask for help: the verb, if one was given.
+std::string HelpCommand(const CLI::App& app) {
+  const auto verbs = app.get_subcommands();
+  return verbs.empty() ? "gcm" : "gcm " + verbs[0]->get_name();
+}
 
 /// The first word that is no option nor an option's value, if it is no verb.
 std::string UnknownVerb(const std::vector<std::string>& words, const CLI::App& app,
@@ -39,18 +47,28 @@ void AddSettings(CLI::App& app, Settings& settings, int& timeout_ms) {
   app.add_option("--middleware", settings.middleware, "how processes talk")
       ->check(CLI::IsMember(program::MiddlewareNames()))
       ->capture_default_str();
-  app.add_flag("--json", settings.json, "print JSON");
+  app.add_flag("--json,--jsonl", settings.json, "print JSON: one document, or one a row");
   app.add_flag("--insecure", settings.insecure, "allow addresses off this machine, unencrypted");
+}
+
+/// `gcm help VERB` is `gcm VERB --help`, `gcm help` is `gcm --help`.
+std::vector<std::string> WithoutHelpVerb(std::vector<std::string> words) {
+  if (words.empty() || words[0] != "help") return words;
+  words.erase(words.begin());
+  words.emplace_back("--help");
+  return words;
 }
 
 /// The named verb ran, or why it did not.
 int Finish(const tendon::Result<program::ExitCode>& result, std::ostream& out, std::ostream& err) {
+  const bool is_written = static_cast<bool>(out.flush());
+  const bool is_left = errno == EPIPE;  // whoever reads has enough, as `head` after ten lines
   if (!result) {
     err << "gcm: " << Plain(result.error().message) << '\n';
     return program::ExitCodeOf(result.error().code);
   }
-  if (!out.flush()) {
-    err << "gcm: cannot write the output\n";
+  if (!is_written) {
+    if (!is_left) err << "gcm: cannot write the output: the disk is full, or it is closed\n";
     return program::kRefused;
   }
   return *result;
@@ -60,15 +78,20 @@ int Finish(const tendon::Result<program::ExitCode>& result, std::ostream& out, s
 
 std::vector<Verb> AllVerbs() {
   std::vector<Verb> all;
-  for (auto* group : {&LookVerbs, &DataVerbs, &ActVerbs, &WireVerbs, &ServeVerbs}) {
+  for (auto* group : {&LookVerbs, &DataVerbs, &ActVerbs, &WireVerbs, &ExplainVerbs, &ServeVerbs}) {
     auto verbs = group();
     std::move(verbs.begin(), verbs.end(), std::back_inserter(all));
   }
   return all;
 }
 
-int RunCommandLine(const std::vector<std::string>& words, std::ostream& out, std::ostream& err,
-                   bool on_terminal) {
+int RunCommandLine(const std::vector<std::string>& typed, std::ostream& out, std::ostream& err,
+                   int columns) {
+  if (typed == std::vector<std::string>{"help", "exit-codes"}) {
+    out << kExitCodes << '\n';
+    return Finish(program::kOk, out, err);
+  }
+  const std::vector<std::string> words = WithoutHelpVerb(typed);
   Settings settings;
   settings.middleware = program::MiddlewareNames().front();
   int timeout_ms = static_cast<int>(settings.timeout.count());
@@ -84,30 +107,32 @@ int RunCommandLine(const std::vector<std::string>& words, std::ostream& out, std
   for (const Verb& verb : AllVerbs()) {
     CLI::App* part = app.add_subcommand(verb.name, verb.summary);
     part->fallthrough();
-    auto runner = verb.prepare(*part);
-    part->callback([&run, &chosen, runner, name = verb.name] {
+    part->footer("--gcm, --timeout, --json and others go with every verb: gcm --help");
+    part->callback([&run, &chosen, runner = verb.prepare(*part), name = verb.name] {
       run = runner;
       chosen = name;
     });
     names.push_back(verb.name);
   }
   if (const std::string unknown = UnknownVerb(words, app, names); !unknown.empty()) {
-    err << "gcm: no verb '" << Plain(unknown) << "'" << tendon::DidYouMean(unknown, names)
-        << "; gcm --help lists them\n";
+    const std::string near = tendon::DidYouMean(unknown, names);
+    err << "gcm: no verb '" << Plain(unknown) << "'" << near << (near.empty() ? "; " : " ")
+        << "gcm --help lists them\n";
     return program::kUsage;
   }
   try {
     app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
   } catch (const CLI::Success& asked) {
-    return app.exit(asked, out, err);
-  } catch (const CLI::ParseError& error) {
-    err << "gcm: " << Plain(error.what()) << "; gcm --help tells more\n";
+    app.exit(asked, out, err);
+    return Finish(program::kOk, out, err);
+  } catch (const CLI::ParseError& mistake) {
+    err << "gcm: " << program::SentenceOf(mistake, app, HelpCommand(app)) << '\n';
     return program::kUsage;
   }
   settings.gcm = program::GcmAddress(settings.gcm);
   settings.timeout = std::chrono::milliseconds(timeout_ms);
   try {
-    Context context(settings, chosen, out, on_terminal);
+    Context context(settings, chosen, out, columns);
     return Finish(run(context), out, err);
   } catch (const std::exception& failure) {  // no memory, no files left
     err << "gcm: " << Plain(failure.what()) << '\n';

@@ -7,8 +7,9 @@
 namespace console {
 
 /// Runs one command line, without the program's name: {"connect", "a/b/C", "d/e/F", "--json"}. Data
-/// goes to `out`, messages to `err`. Returns the exit code.
+/// goes to `out`, messages to `err`. `columns` is the width of the terminal that `out` is, 0 where
+/// it is none. Returns the exit code.
 int RunCommandLine(const std::vector<std::string>& words, std::ostream& out, std::ostream& err,
-                   bool on_terminal);
+                   int columns);
 
 }  // namespace console

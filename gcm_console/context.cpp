@@ -1,5 +1,6 @@
 #include <gcm_console/context.h>
 #include <program/middleware_choice.h>
+#include <tendon/base/os/termination.h>
 
 #include <nlohmann/json.hpp>
 #include <ostream>
@@ -7,11 +8,8 @@
 
 namespace console {
 
-Context::Context(Settings settings, std::string verb, std::ostream& out, bool on_terminal)
-    : settings_(std::move(settings)),
-      verb_(std::move(verb)),
-      out_(out),
-      on_terminal_(on_terminal) {}
+Context::Context(Settings settings, std::string verb, std::ostream& out, int columns)
+    : settings_(std::move(settings)), verb_(std::move(verb)), out_(out), columns_(columns) {}
 
 tendon::Result<std::shared_ptr<tendon::Middleware>> Context::middleware() const {
   const auto exposure =
@@ -26,6 +24,7 @@ tendon::Result<tendon::GcmClient*> Context::Client() {
   auto client = std::make_unique<tendon::GcmClient>(
       *made, tendon::GcmClient::Options{
                  .name = "gcm " + verb_, .address = settings_.gcm, .timeout = settings_.timeout});
+  const tendon::os::TerminationLetThrough impatient;
   if (auto watching = client->WaitUntilWatching(); !watching) return watching.error();
   client_ = std::move(client);
   return client_.get();

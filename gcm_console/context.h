@@ -24,11 +24,12 @@ struct Settings {
 /// Where a verb's output goes, and what it asks the GCM through.
 class Context {
  public:
-  Context(Settings settings, std::string verb, std::ostream& out, bool on_terminal);
+  Context(Settings settings, std::string verb, std::ostream& out, int columns);
 
   [[nodiscard]] const Settings& settings() const { return settings_; }
   [[nodiscard]] std::ostream& out() const { return out_; }
-  [[nodiscard]] bool on_terminal() const { return on_terminal_; }
+  /// The width of the terminal that out() is, 0 where it is none.
+  [[nodiscard]] int columns() const { return columns_; }
 
   tendon::Result<std::shared_ptr<tendon::Middleware>> middleware() const;
   /// A client that has seen the catalogue; made once.
@@ -41,7 +42,7 @@ class Context {
   Settings settings_;
   std::string verb_;
   std::ostream& out_;
-  bool on_terminal_;
+  int columns_;
   std::unique_ptr<tendon::GcmClient> client_;
 };
 

@@ -6,7 +6,9 @@
 #include <vector>
 
 int main(int argc, char** argv) {
+  tendon::os::GuardStreams();
+  tendon::os::IgnoreBrokenPipes();
   const std::vector<std::string> words(argv + 1, argv + argc);
   return console::RunCommandLine(words, std::cout, std::cerr,
-                                 tendon::os::IsTerminal(tendon::os::Stream::kOutput));
+                                 tendon::os::TerminalColumns(tendon::os::Stream::kOutput));
 }

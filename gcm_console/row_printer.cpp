@@ -1,5 +1,5 @@
 #include <gcm_console/row_printer.h>
-#include <tendon/payload/plot_channel.h>
+#include <tendon/gcm/client/json_field.h>
 #include <tendon/payload/json.h>
 
 #include <nlohmann/json.hpp>
@@ -10,6 +10,12 @@ namespace console {
 void RowPrinter::OnSubscribed(const std::vector<tendon::Schema>& columns) {
   const std::scoped_lock lock(mutex_);
   schemas_ = columns;
+  numbers_.clear();
+  for (const Wanted& wanted : wanted_) {
+    const auto channel = tendon::FindChannel(columns.at(wanted.column), wanted.path.field);
+    const bool is_float = channel && channel->schema.kind() == tendon::Schema::Kind::kFloat64;
+    numbers_.push_back(is_float ? std::optional(*channel) : std::nullopt);
+  }
 }
 
 void RowPrinter::OnRows(const tendon::RowBatch& batch) {
@@ -22,11 +28,12 @@ void RowPrinter::OnRows(const tendon::RowBatch& batch) {
       continue;
     }
     PrintedRow printed{.time_ns = batch.times[row], .tick = batch.ticks[row], .values = {}};
-    for (const Wanted& wanted : wanted_) {
-      printed.values.emplace_back(ToString(wanted.path),
-                                  Value(wanted, batch.cell(row, wanted.column)));
+    for (std::size_t i = 0; i < wanted_.size(); ++i) {
+      const auto value = Value(i, batch, row);
+      if (!value && !mistake_) mistake_ = value.error();
+      printed.values.emplace_back(ToString(wanted_[i].path), value ? *value : "null");
     }
-    rows_.push_back(std::move(printed));
+    if (!mistake_) rows_.push_back(std::move(printed));
   }
 }
 
@@ -50,15 +57,25 @@ std::string RowPrinter::TakeComplaint() {
   return std::exchange(complaint_, {});
 }
 
-std::string RowPrinter::Value(const Wanted& wanted, std::span<const std::byte> cell) const {
-  const tendon::Schema& schema = schemas_.at(wanted.column);
-  if (wanted.path.field.empty()) {
-    const auto json = tendon::ToJson(schema, cell);
-    return json ? *json : "null";
+std::optional<tendon::Error> RowPrinter::mistake() const {
+  const std::scoped_lock lock(mutex_);
+  return mistake_;
+}
+
+/// A number, or whatever else the path names, as JSON; "null" for what is not there in this row.
+tendon::Result<std::string> RowPrinter::Value(std::size_t index, const tendon::RowBatch& batch,
+                                              std::size_t row) const {
+  const auto& [path, column] = wanted_[index];
+  const auto cell = batch.cell(row, column);
+  if (const auto& channel = numbers_[index]) {
+    const auto number = ReadChannel(*channel, cell);
+    return number ? nlohmann::json(*number).dump() : "null";
   }
-  const auto channel = tendon::FindChannel(schema, wanted.path.field);
-  const auto number = channel ? tendon::ReadChannel(*channel, cell) : std::nullopt;
-  return number ? nlohmann::json(*number).dump() : "null";
+  const auto json = tendon::ToJson(schemas_.at(column), cell);
+  if (!json) return std::string("null");
+  auto part = tendon::client::JsonField(*json, path.field);
+  if (part) return part;
+  return tendon::Error{part.error().code, ToString(path) + ": " + part.error().message};
 }
 
 }  // namespace console

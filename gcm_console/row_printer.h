@@ -1,13 +1,13 @@
 #pragma once
 
 #include <tendon/base/path.h>
+#include <tendon/payload/plot_channel.h>
 #include <tendon/process/telemetry_client.h>
 
 #include <cstdint>
 #include <deque>
-#include <map>
-#include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,15 +47,20 @@ class RowPrinter final : public tendon::RowSink {
   /// All rows since the last time.
   std::deque<PrintedRow> Take();
   [[nodiscard]] Losses losses() const;
+  /// That a path names nothing in its column; no rows come then.
+  [[nodiscard]] std::optional<tendon::Error> mistake() const;
   /// Why there are none just now, once for each change; empty otherwise.
   std::string TakeComplaint();
 
  private:
-  std::string Value(const Wanted& wanted, std::span<const std::byte> cell) const;
+  tendon::Result<std::string> Value(std::size_t index, const tendon::RowBatch& batch,
+                                    std::size_t row) const;
 
   const std::vector<Wanted> wanted_;
   mutable std::mutex mutex_;
   std::vector<tendon::Schema> schemas_;
+  std::vector<std::optional<tendon::PlotChannel>> numbers_;  // for paths of doubles, which are most
+  std::optional<tendon::Error> mistake_;
   std::deque<PrintedRow> rows_;
   Losses losses_;
   std::string complaint_;

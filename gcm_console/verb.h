@@ -23,11 +23,12 @@ struct Verb {
 };
 
 // In groups of kindred ones.
-std::vector<Verb> LookVerbs();   // ls tree show
-std::vector<Verb> DataVerbs();   // get watch
-std::vector<Verb> ActVerbs();    // call
-std::vector<Verb> WireVerbs();   // connect disconnect undo
-std::vector<Verb> ServeVerbs();  // serve
+std::vector<Verb> LookVerbs();     // ls tree show
+std::vector<Verb> DataVerbs();     // get watch
+std::vector<Verb> ActVerbs();      // call
+std::vector<Verb> WireVerbs();     // connect disconnect undo
+std::vector<Verb> ExplainVerbs();  // candidates explain
+std::vector<Verb> ServeVerbs();    // serve
 
 /// All of them: the one table that the program, its help and the window's console are made from.
 std::vector<Verb> AllVerbs();

@@ -1,13 +1,17 @@
 #include <lcm/lcm_program.h>
 #include <program/middleware_choice.h>
 #include <tendon/base/log.h>
+#include <tendon/base/os/process.h>
 #include <tendon/base/os/termination.h>
+#include <tendon/base/printable.h>
 #include <tendon/manager/component_loader.h>
 
 #include <chrono>
 #include <cstdio>
 #include <exception>
 #include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace lcm {
@@ -15,10 +19,10 @@ namespace {
 
 using program::ExitCode;
 using tendon::Error;
+using tendon::ErrorCode;
+using tendon::InterfaceName;
 using tendon::Result;
 using namespace std::chrono_literals;
-
-constexpr auto kJoinTimeout = 3s;
 
 /// What the system file says about one process.
 struct Share {
@@ -35,8 +39,8 @@ Result<Share> ReadShare(const Options& options) {
   if (process == nullptr) {
     std::vector<std::string> names;
     for (const auto& known : system->processes) names.push_back(known.name);
-    return Error{tendon::ErrorCode::kNotFound, options.system + " has no process '" + options.name +
-                                                   "'" + tendon::DidYouMean(options.name, names)};
+    return Error{ErrorCode::kNotFound, options.system + " has no process '" + options.name + "'" +
+                                           tendon::DidYouMean(options.name, names)};
   }
   share.components = process->components;
   for (const auto& connection : system->connections) {
@@ -61,44 +65,113 @@ Result<std::vector<Made>> MakeComponents(const Share& share, tendon::ComponentLo
   return all;
 }
 
-/// A connection that cannot be made now is not the end: its peer may still come. One that never
-/// can be is told and leaves the others alone.
-void MakeConnections(const Share& share, tendon::Process& process) {
-  for (const auto& one : share.connections) {
-    if (auto made = process.Connect(one.required, one.provided); !made) {
-      tendon::Log(tendon::LogLevel::kError, process.name(),
-                  "not connected: " + made.error().message);
-    }
+/// The process, which listens and begins to join.
+Result<std::unique_ptr<tendon::Process>> MakeProcess(
+    const Options& options, const std::shared_ptr<tendon::Middleware>& middleware) {
+  if (!options.advertise.empty()) {
+    if (auto place = tendon::ParseAddress(options.advertise, 1); !place) return place.error();
+  }
+  try {
+    return std::make_unique<tendon::Process>(
+        options.name, tendon::ProcessOptions{.middleware = middleware,
+                                             .gcm = options.gcm,
+                                             .listen = options.listen,
+                                             .advertise = options.advertise});
+  } catch (const tendon::ConfigurationError& error) {
+    const bool is_taken = error.code() == ErrorCode::kExists;
+    const std::string hint = is_taken ? "; give --listen another port, or 0 for a free one" : "";
+    return Error{error.code(), error.what() + hint};
   }
 }
 
+enum class Told { kGoOn, kEnd };
+
+/// Until the process is a member, cannot become one, or somebody tells us to end.
+Result<Told> Join(const tendon::Process& process, const Options& options) {
+  constexpr auto kLook = 10ms;
+  const auto deadline = std::chrono::steady_clock::now() + options.timeout;
+  while (!tendon::os::TerminationAsked(kLook)) {
+    const auto joined = process.WaitUntilJoined(0ms);
+    if (joined) return Told::kGoOn;
+    const ErrorCode code = joined.error().code;
+    const bool may_come = code == ErrorCode::kUnreachable || code == ErrorCode::kTimeout;
+    if (!may_come) return joined.error();
+    if (std::chrono::steady_clock::now() < deadline) continue;
+    if (code == ErrorCode::kUnreachable) return joined.error();
+    return Error{ErrorCode::kUnreachable, "the GCM at " + options.gcm + " does not answer"};
+  }
+  return Told::kEnd;
+}
+
+/// What the required interface is connected to already, if it is.
+std::optional<InterfaceName> ProviderOf(const tendon::Process& process,
+                                        const InterfaceName& required) {
+  for (const auto& connection : process.connections()) {
+    if (connection.required == required) return connection.provided;
+  }
+  return std::nullopt;
+}
+
+/// A connection that cannot be made now is not the end: its peer may still come. One that never
+/// can be is told and leaves the others alone. What the GCM has handed back meanwhile stays.
+void MakeConnections(const Share& share, tendon::Process& process) {
+  for (const auto& one : share.connections) {
+    const auto made = process.Connect(one.required, one.provided);
+    if (made) continue;
+    const auto provider = ProviderOf(process, one.required);
+    if (provider == one.provided) continue;
+    tendon::Log(tendon::LogLevel::kError, process.name(),
+                "not connected to " + ToString(one.provided) + ": " +
+                    (provider ? ToString(one.required) + " was connected to " +
+                                    ToString(*provider) + " before, and stays so"
+                              : made.error().message));
+  }
+}
+
+/// The component's own errors do not end the others.
+void Start(const Share& share, tendon::Process& process, const Options& options) {
+  MakeConnections(share, process);
+  if (auto started = process.StartAll(); !started) {
+    tendon::Log(tendon::LogLevel::kError, options.name, started.error().message);
+  }
+  if (tendon::os::RunsAsRoot()) {
+    tendon::Log(tendon::LogLevel::kWarning, options.name,
+                "runs as root, and so does every plug-in; the limits rtprio and memlock of a user "
+                "of its own are enough");
+  }
+  const std::size_t count = share.components.size();
+  tendon::Log(tendon::LogLevel::kInfo, options.name,
+              "runs " + std::to_string(count) + (count == 1 ? " component" : " components") +
+                  ", joined the GCM at " + options.gcm);
+}
+
 Result<void> Serve(const Options& options) {
+  if (auto checked = tendon::CheckName("process", options.name); !checked) return checked;
   auto share = ReadShare(options);
   if (!share) return share.error();
   const auto exposure =
       options.insecure ? tendon::Exposure::kInsecure : tendon::Exposure::kLoopbackOnly;
   auto middleware = program::MakeMiddleware(options.middleware, exposure);
   if (!middleware) return middleware.error();
-
-  if (auto checked = tendon::CheckName("process", options.name); !checked) return checked;
   tendon::ComponentLoader loader;
   auto components = MakeComponents(*share, loader);  // before anybody hears of this process
   if (!components) return components.error();
-  tendon::Process process(options.name, {.middleware = *middleware,
-                                         .gcm = options.gcm,
-                                         .listen = options.listen,
-                                         .advertise = options.advertise});
-  for (Made& one : *components) process.Add(std::move(one.component), std::move(one.origin));
-  if (auto joined = process.WaitUntilJoined(kJoinTimeout); !joined) return joined;
-  MakeConnections(*share, process);
-  if (auto started = process.StartAll(); !started) {
-    tendon::Log(tendon::LogLevel::kError, options.name, started.error().message);
-  }
-  tendon::Log(tendon::LogLevel::kInfo, options.name,
-              "runs " + std::to_string(share->components.size()) +
-                  " components, joined the GCM at " + options.gcm);
+  auto process = MakeProcess(options, *middleware);
+  if (!process) return process.error();
+  for (Made& one : *components) (*process)->Add(std::move(one.component), std::move(one.origin));
+  tendon::SetLogLevel(tendon::LogLevel::kWarning);  // why it has not joined yet is said in the end
+  const auto joined = Join(**process, options);
+  if (!joined) return joined.error();
+  if (*joined == Told::kEnd) return {};
+  tendon::SetLogLevel(tendon::LogLevel::kInfo);
+  Start(*share, **process, options);
   tendon::os::WaitForTermination();
   return {};
+}
+
+ExitCode Refuse(ErrorCode code, const std::string& sentence) {
+  std::fprintf(stderr, "lcm: %s\n", tendon::Printable(sentence).c_str());
+  return program::ExitCodeOf(code);
 }
 
 }  // namespace
@@ -106,15 +179,11 @@ Result<void> Serve(const Options& options) {
 ExitCode Run(const Options& options) {
   try {
     const auto served = Serve(options);
-    if (served) return program::kOk;
-    std::fprintf(stderr, "lcm: %s\n", served.error().message.c_str());
-    return program::ExitCodeOf(served.error().code);
+    return served ? program::kOk : Refuse(served.error().code, served.error().message);
   } catch (const tendon::ConfigurationError& error) {
-    std::fprintf(stderr, "lcm: %s\n", error.what());
-    return program::kUsage;
+    return Refuse(error.code(), error.what());
   } catch (const std::exception& error) {  // no memory, no files left
-    std::fprintf(stderr, "lcm: %s\n", error.what());
-    return program::kRefused;
+    return Refuse(ErrorCode::kFailed, error.what());
   }
 }
 

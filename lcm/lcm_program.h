@@ -5,6 +5,7 @@
 #include <tendon/gcm/system_file.h>
 #include <tendon/process/process.h>
 
+#include <chrono>
 #include <string>
 
 namespace lcm {
@@ -17,6 +18,7 @@ struct Options {
   std::string listen = "127.0.0.1:0";
   std::string advertise;
   std::string middleware;
+  std::chrono::milliseconds timeout{3000};  ///< for finding the GCM and being admitted
   bool insecure = false;
 };
 

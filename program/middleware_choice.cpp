@@ -1,6 +1,7 @@
 #include <program/middleware_choice.h>
 #include <tendon/base/name.h>
 #include <tendon/middleware/tcp.h>
+#include <tendon/process/process.h>
 
 #ifdef TENDON_WITH_ICE
 #include <tendon/ice/ice_middleware.h>
@@ -46,9 +47,14 @@ tendon::Result<std::shared_ptr<tendon::Middleware>> MakeMiddleware(const std::st
 }
 
 std::string GcmAddress(const std::string& option) {
-  if (!option.empty()) return option;
-  const char* address = std::getenv("TENDON_GCM");  // NOLINT(concurrency-mt-unsafe): read only
-  return address != nullptr && *address != '\0' ? address : "127.0.0.1:10705";
+  std::string address = option;
+  // NOLINTNEXTLINE(concurrency-mt-unsafe): read only
+  if (const char* known = std::getenv("TENDON_GCM"); address.empty() && known != nullptr) {
+    address = known;
+  }
+  if (address.empty()) address = "127.0.0.1";
+  const bool is_host = address.find(':') == std::string::npos || address.ends_with(']');
+  return is_host ? address + ":" + std::to_string(tendon::kDefaultGcmPort) : address;
 }
 
 }  // namespace program

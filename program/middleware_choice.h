@@ -17,7 +17,8 @@ std::vector<std::string> MiddlewareNames();
 tendon::Result<std::shared_ptr<tendon::Middleware>> MakeMiddleware(const std::string& name,
                                                                    tendon::Exposure exposure);
 
-/// Where the GCM is: `option` if it is not empty, else $TENDON_GCM, else this machine's default.
+/// Where the GCM is: `option` if it is not empty, else $TENDON_GCM, else this machine. A host alone
+/// means the port where a GCM usually is.
 std::string GcmAddress(const std::string& option);
 
 }  // namespace program

@@ -3,97 +3,12 @@
 #include <future>
 
 #include "conformance/contract.h"
+#include "conformance/oracle.h"
 
 namespace tendon::conformance {
 namespace {
 
 using testing::HasSubstr;
-
-constexpr auto kAsk = static_cast<MessageType>(0x101);
-constexpr auto kTell = static_cast<MessageType>(0x102);
-constexpr auto kKeep = static_cast<MessageType>(0x103);
-constexpr auto kThrow = static_cast<MessageType>(0x104);
-constexpr auto kDrop = static_cast<MessageType>(0x105);
-constexpr std::chrono::milliseconds kLong = kPatience;
-
-struct Question {
-  std::string text;
-  double number = 0;
-};
-
-}  // namespace
-}  // namespace tendon::conformance
-
-template <>
-inline constexpr auto tendon::kPayload<tendon::conformance::Question> =
-    tendon::Describe("test.Question", tendon::Field{"text", &tendon::conformance::Question::text},
-                     tendon::Field{"number", &tendon::conformance::Question::number});
-
-namespace tendon::conformance {
-namespace {
-
-/// Answers a Question with its text twice and the handle in the number; keeps some requests.
-class Oracle final : public ChannelHandler {
- public:
-  void OnOpen(const std::shared_ptr<Channel>& channel, const Hello& peer) override {
-    const std::scoped_lock lock(mutex_);
-    channel_ = channel;
-    peer_ = peer.name;
-    changed_.notify_all();
-  }
-
-  void OnRequest(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
-                 std::span<const std::byte> body, Responder responder) override {
-    if (header.type == kThrow) throw std::runtime_error("the oracle is tired");
-    if (header.type == kDrop) return;
-    if (header.type == kKeep) {
-      const std::scoped_lock lock(mutex_);
-      kept_.push_back(std::move(responder));
-      changed_.notify_all();
-      return;
-    }
-    if (header.type != kAsk) {
-      return ChannelHandler::OnRequest(channel, header, body, std::move(responder));
-    }
-    auto question = DecodeBody<Question>(body);
-    if (!question) return responder.Refuse(question.error());
-    if (question->text.empty()) {
-      return responder.Answer<Question>(Error{ErrorCode::kNotFound, "there is no question"});
-    }
-    question->text += question->text;
-    question->number = header.handle;
-    responder.Answer(question);
-  }
-
-  void OnNotice(const std::shared_ptr<Channel>& /*channel*/, const FrameHeader& header,
-                std::span<const std::byte> body) override {
-    if (header.type == kThrow) throw 7;
-    const auto question = DecodeBody<Question>(body);
-    const std::scoped_lock lock(mutex_);
-    if (question) told_.push_back(question->text);
-    changed_.notify_all();
-  }
-
-  void OnClosed(const std::shared_ptr<Channel>& /*channel*/, const Error& reason) override {
-    const std::scoped_lock lock(mutex_);
-    closed_.push_back(reason);
-    changed_.notify_all();
-  }
-
-  template <typename Condition>
-  bool Wait(const Condition& condition) {
-    std::unique_lock lock(mutex_);
-    return changed_.wait_for(lock, kPatience, [&] { return condition(*this); });
-  }
-
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  std::shared_ptr<Channel> channel_;
-  std::string peer_;
-  std::vector<Responder> kept_;
-  std::vector<std::string> told_;
-  std::vector<Error> closed_;
-};
 
 TEST_P(ChannelContract, BothEndsLearnWhoTheOtherIs) {
   const auto server = std::make_shared<Oracle>();
@@ -304,91 +219,6 @@ TEST_P(ChannelContract, AMessageOverTheLimitIsRefusedAndTheChannelLives) {
   EXPECT_EQ(answer.error().code, ErrorCode::kInvalid);
   EXPECT_THAT(answer.error().message, HasSubstr("67108864"));
   EXPECT_TRUE(channel_->Call<Question>(kAsk, 0, Question{"still there?", 0}, kLong));
-}
-
-TEST_P(ChannelContract, AnotherProtocolVersionIsRefusedWithWhomToUpdate) {
-  Start(Channel::Acceptor(HelloOf("robot"), [] { return std::make_shared<Oracle>(); }));
-  Hello newer = HelloOf("desk");
-  newer.protocol_version = 3;
-  const auto client = std::make_shared<Oracle>();
-
-  const auto channel = Channel::Open(*pair_.client, listener_->address(), newer, client, kPatience);
-
-  ASSERT_FALSE(channel);
-  EXPECT_EQ(channel.error().code, ErrorCode::kIncompatible);
-  EXPECT_EQ(channel.error().message, "robot speaks protocol 1, this program 3: update robot");
-  ASSERT_TRUE(client->Wait([](const Oracle& oracle) { return !oracle.closed_.empty(); }));
-  EXPECT_EQ(client->closed_.size(), 1U);
-  EXPECT_EQ(client->peer_, "");
-}
-
-TEST_P(ChannelContract, AnOlderProgramIsToldToUpdateItself) {
-  Hello newer = HelloOf("robot");
-  newer.protocol_version = 3;
-  Start(Channel::Acceptor(newer, [] { return std::make_shared<Oracle>(); }));
-
-  const auto channel = Channel::Open(*pair_.client, listener_->address(), HelloOf("desk"),
-                                     std::make_shared<Oracle>(), kPatience);
-
-  ASSERT_FALSE(channel);
-  EXPECT_EQ(channel.error().message,
-            "robot speaks protocol 3, this program 1: update this program");
-}
-
-TEST_P(ChannelContract, AWrongCookieIsDeniedAndNoOpenIsHeard) {
-  const auto server = std::make_shared<Oracle>();
-  Start(Channel::Acceptor(HelloOf("robot"), [server] { return server; }));
-  for (const std::uint64_t cookie : {std::uint64_t{0}, kCookie + 1}) {
-    Hello hello = HelloOf("desk");
-    hello.cookie = cookie;
-
-    const auto channel = Channel::Open(*pair_.client, listener_->address(), hello,
-                                       std::make_shared<Oracle>(), kPatience);
-
-    ASSERT_FALSE(channel) << cookie;
-    EXPECT_EQ(channel.error().code, ErrorCode::kDenied);
-    EXPECT_EQ(channel.error().message,
-              "robot does not know 'desk': both must run as the same user of this machine");
-  }
-  ASSERT_TRUE(server->Wait([](const Oracle& oracle) { return oracle.closed_.size() == 2; }));
-  EXPECT_EQ(server->peer_, "");
-}
-
-TEST_P(ChannelContract, StrangersAreLetInWhereTheAcceptorSaysSo) {
-  Start(Channel::Acceptor(
-      HelloOf("robot"), [] { return std::make_shared<Oracle>(); }, Strangers::kAllowed));
-  Hello hello = HelloOf("desk");
-  hello.cookie = 0;
-
-  const auto channel = Channel::Open(*pair_.client, listener_->address(), hello,
-                                     std::make_shared<Oracle>(), kPatience);
-
-  EXPECT_TRUE(channel) << channel.error().message;
-}
-
-TEST_P(ChannelContract, ALinkThatBeginsWithSomethingElseIsClosed) {
-  const auto server = std::make_shared<Oracle>();
-  Start(Channel::Acceptor(HelloOf("robot"), [server] { return server; }));
-  const auto recorder = std::make_shared<Recorder>();
-  const auto link = Open(recorder);
-  ASSERT_TRUE(link);
-
-  ASSERT_EQ((*link)->Send(FrameOf(1)), Status::kQueued);
-
-  EXPECT_TRUE(recorder->WaitForClosed());
-  ASSERT_TRUE(server->Wait([](const Oracle& oracle) { return oracle.closed_.size() == 1; }));
-  EXPECT_EQ(server->peer_, "");
-}
-
-TEST_P(ChannelContract, AnAcceptorThatNeverAnswersTimesOut) {
-  Host mute;
-  Start(mute.accept());
-
-  const auto channel = Channel::Open(*pair_.client, listener_->address(), HelloOf("desk"),
-                                     std::make_shared<Oracle>(), std::chrono::milliseconds(200));
-
-  ASSERT_FALSE(channel);
-  EXPECT_EQ(channel.error().code, ErrorCode::kTimeout);
 }
 
 }  // namespace

@@ -19,6 +19,11 @@ class Contract : public testing::TestWithParam<Kind> {
   }
 
   Result<std::shared_ptr<Link>> Open(std::shared_ptr<LinkHandler> handler) {
+    auto link = OpenToStranger(std::move(handler));
+    if (link) (*link)->Admit();
+    return link;
+  }
+  Result<std::shared_ptr<Link>> OpenToStranger(std::shared_ptr<LinkHandler> handler) {
     return pair_.client->Open(listener_->address(), std::move(handler), kPatience);
   }
 

@@ -83,8 +83,8 @@ TEST_P(LinkContract, AFrameOfAMebibyteArrivesWhole) {
 }
 
 TEST_P(LinkContract, TheLargestFrameArrivesAlthoughItExceedsTheWindow) {
-  Connect();
   const Bytes frame = FrameOf(7, kMaxFrameSize - FrameHeader::kSize);
+  Connect();
   ASSERT_EQ(client_->Send(FrameOf(1)), Status::kQueued);
   ASSERT_TRUE(server_recorder_->WaitForFrames(1)) << "first frames must not take long";
 
@@ -95,8 +95,8 @@ TEST_P(LinkContract, TheLargestFrameArrivesAlthoughItExceedsTheWindow) {
 }
 
 TEST_P(LinkContract, AFrameOverTheLimitIsRefusedAndTheLinkLives) {
-  Connect();
   const Bytes frame = FrameOf(7, kMaxFrameSize - FrameHeader::kSize + 1);
+  Connect();
 
   EXPECT_EQ(client_->Send(frame), Status::kInvalid);
 
@@ -247,6 +247,8 @@ TEST_P(LinkContract, EachEndNamesTheOther) {
   Connect();
 
   EXPECT_EQ(client_->peer(), listener_->address());
+  EXPECT_EQ(server_->local(), listener_->address());
+  EXPECT_EQ(client_->local(), server_->peer());
   EXPECT_TRUE(ParseAddress(server_->peer(), 1)) << server_->peer();
 }
 

@@ -102,6 +102,8 @@ class Recorder final : public LinkHandler {
 /// it.
 class Host {
  public:
+  /// What its guests are.
+  enum class Guests { kAdmitted, kStrangers };
   struct Guest {
     std::shared_ptr<Link> link;
     std::shared_ptr<Recorder> recorder;
@@ -109,9 +111,11 @@ class Host {
   using MakeRecorder = std::function<std::shared_ptr<Recorder>(const std::shared_ptr<Link>&)>;
 
   explicit Host(MakeRecorder make = nullptr) { guests_->make = std::move(make); }
+  explicit Host(Guests kind) : kind_(kind) {}
 
   AcceptLink accept() {
-    return [guests = guests_](const std::shared_ptr<Link>& link) {
+    return [guests = guests_, kind = kind_](const std::shared_ptr<Link>& link) {
+      if (kind == Guests::kAdmitted) link->Admit();
       auto recorder = guests->make ? guests->make(link) : std::make_shared<Recorder>();
       const std::scoped_lock lock(guests->mutex);
       guests->all.push_back({link, recorder});
@@ -133,13 +137,14 @@ class Host {
   }
 
  private:
-  struct Guests {
+  struct List {
     MakeRecorder make;
     std::mutex mutex;
     std::condition_variable changed;
     std::vector<Guest> all;
   };
-  const std::shared_ptr<Guests> guests_ = std::make_shared<Guests>();
+  const std::shared_ptr<List> guests_ = std::make_shared<List>();
+  const Guests kind_ = Guests::kAdmitted;
 };
 
 }  // namespace tendon::conformance

@@ -91,8 +91,78 @@ TEST_P(PortContract, ImpossibleSizesAreTurnedAway) {
   EXPECT_TRUE(Open(std::make_shared<Recorder>()));
 }
 
-TEST_P(PortContract, SilenceAndHalfAHeaderAreTurnedAwayInTimeAndQuietLinksAreNot) {
+/// The largest frame of a stranger, and `more` bytes.
+Bytes StrangersFrame(std::uint32_t number, std::size_t more) {
+  return FrameOf(number, kMaxStrangersFrameSize - FrameHeader::kSize + more);
+}
+
+TEST_P(LifetimeContract, AStrangerMaySendSmallFramesAndNoLargeOne) {
+  for (const std::size_t more : {std::size_t{1}, std::size_t{1} << 20U, std::size_t{40} << 20U}) {
+    Host host(Host::Guests::kStrangers);
+    Start(host.accept());
+    const auto recorder = std::make_shared<Recorder>();
+    const auto link = Open(recorder);
+    ASSERT_TRUE(link);
+    ASSERT_EQ((*link)->Send(StrangersFrame(1, 0)), Status::kQueued);
+    const auto guest = host.guest();
+    ASSERT_TRUE(guest.recorder->WaitForFrames(1));
+
+    ASSERT_EQ((*link)->Send(StrangersFrame(2, more)), Status::kQueued);
+
+    EXPECT_TRUE(guest.recorder->WaitForClosed());
+    EXPECT_TRUE(recorder->WaitForClosed());
+    EXPECT_EQ(guest.recorder->numbers(), std::vector<std::uint32_t>{1});
+    listener_.reset();
+  }
+}
+
+TEST_P(LifetimeContract, AnAcceptorIsAStrangerToo) {
   Host host;
+  Start(host.accept());
+  const auto recorder = std::make_shared<Recorder>();
+  const auto link = OpenToStranger(recorder);
+  ASSERT_TRUE(link);
+  ASSERT_EQ((*link)->Send(FrameOf(1)), Status::kQueued);
+  const auto guest = host.guest();
+  ASSERT_TRUE(guest.recorder->WaitForFrames(1));
+
+  ASSERT_EQ(guest.link->Send(StrangersFrame(2, 1)), Status::kQueued);
+
+  EXPECT_TRUE(recorder->WaitForClosed());
+  EXPECT_TRUE(recorder->numbers().empty());
+}
+
+TEST_P(LifetimeContract, WhoIsAdmittedMaySendLargeFrames) {
+  Host host(Host::Guests::kStrangers);
+  Start(host.accept());
+  const auto link = Open(std::make_shared<Recorder>());
+  ASSERT_TRUE(link);
+  ASSERT_EQ((*link)->Send(FrameOf(1)), Status::kQueued);
+  const auto guest = host.guest();
+  ASSERT_TRUE(guest.recorder->WaitForFrames(1));
+
+  guest.link->Admit();
+  ASSERT_EQ((*link)->Send(StrangersFrame(2, std::size_t{1} << 20U)), Status::kQueued);
+
+  EXPECT_TRUE(guest.recorder->WaitForFrames(2));
+  EXPECT_EQ(guest.recorder->closed(), 0);
+}
+
+TEST_P(PortContract, WhoIsNotAdmittedIsTurnedAwayInTime) {
+  Host host(Host::Guests::kStrangers);
+  Start(host.accept());
+  const auto recorder = std::make_shared<Recorder>();
+  const auto link = Open(recorder);
+  ASSERT_TRUE(link);
+
+  ASSERT_EQ((*link)->Send(FrameOf(1)), Status::kQueued);
+
+  EXPECT_TRUE(recorder->WaitForClosed());
+  EXPECT_TRUE(host.guest().recorder->WaitForClosed());
+}
+
+TEST_P(PortContract, SilenceAndHalfAHeaderAreTurnedAwayInTimeAndQuietLinksAreNot) {
+  Host host(Host::Guests::kStrangers);
   Start(host.accept());
   const auto recorder = std::make_shared<Recorder>();
   const auto link = Open(recorder);
@@ -100,6 +170,7 @@ TEST_P(PortContract, SilenceAndHalfAHeaderAreTurnedAwayInTimeAndQuietLinksAreNot
   ASSERT_EQ((*link)->Send(FrameOf(1)), Status::kQueued);
   const auto guest = host.guest();
   ASSERT_TRUE(guest.recorder->WaitForFrames(1));
+  guest.link->Admit();
   Stranger silent(listener_->address());
   Stranger half(listener_->address());
 

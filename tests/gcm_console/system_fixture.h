@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "support/folder.h"
 #include "support/program.h"
 #include "support/wait.h"
 
@@ -15,20 +16,26 @@ class SystemFixture : public testing::Test {
     return std::string(TENDON_BIN) + "/" + name;
   }
 
-  /// Runs `gcm WORDS...` against the fixture's GCM.
+  /// Runs `gcm WORDS...` against the fixture's GCM, as patient as a loaded machine needs.
   Outcome Gcm(Program::Words words) const {
-    words.insert(words.begin(), {Binary("gcm"), "--gcm", address});
+    words.insert(words.begin(), {Binary("gcm"), "--gcm", address, "--timeout", kPatience});
     return RunProgram(words);
   }
+  /// The same in a shell: `gcm ... WORDS`, where words may redirect.
+  Outcome Shell(const std::string& words) const {
+    return RunProgram(
+        {"/bin/sh", "-c",
+         Binary("gcm") + " --gcm " + address + " --timeout " + kPatience + " " + words});
+  }
   void StartGcm() {
-    gcm = std::make_unique<Program>(Program::Words{Binary("gcm"), "--gcm", address, "serve"},
-                                    std::map<std::string, std::string>{
-                                        {"XDG_STATE_HOME", testing::TempDir() + "/state-" + port}});
+    gcm = std::make_unique<Program>(
+        Program::Words{Binary("gcm"), "--gcm", address, "serve"},
+        std::map<std::string, std::string>{{"XDG_STATE_HOME", home.path().string()}});
     ASSERT_TRUE(EventuallyTrue([this] { return gcm->out().starts_with("GCM at "); })) << gcm->err();
   }
   std::unique_ptr<Program> StartLcm(const std::string& name, const std::string& system) const {
-    return std::make_unique<Program>(
-        Program::Words{Binary("lcm"), "--name", name, "--gcm", address, "--system", system});
+    return std::make_unique<Program>(Program::Words{Binary("lcm"), "--name", name, "--gcm", address,
+                                                    "--timeout", kPatience, "--system", system});
   }
   /// Waits until `gcm WORDS...` says `text`.
   testing::AssertionResult EventuallySays(const Program::Words& words,
@@ -43,8 +50,11 @@ class SystemFixture : public testing::Test {
                                        << last.out << last.err;
   }
 
+  static constexpr const char* kPatience = "20000";  // ms
+
   const std::string port = std::to_string(FreePort());
   const std::string address = "127.0.0.1:" + port;
   const std::string demo = TENDON_DEMO_SYSTEM;
+  const tendon::test::Folder home;  ///< of what the GCM remembers, and of files of the test
   std::unique_ptr<Program> gcm;
 };

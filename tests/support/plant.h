@@ -3,6 +3,7 @@
 #include <tendon/task/periodic_task.h>
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <mutex>
 #include <string>
@@ -77,21 +78,7 @@ class Record {
 /// Executes commands at 1 kHz, echoes each as an event and records a row a cycle.
 class Plant final : public tendon::PeriodicTask {
  public:
-  explicit Plant(std::string name) : PeriodicTask(std::move(name), std::chrono::milliseconds(1)) {
-    state_table().Add(move_, "Move");
-    state_table().Add(note_, "Note", 256);
-    auto& control = AddProvidedInterface("Control");
-    control.AddCommandVoid(&Plant::Stop, this, "Stop");
-    control.AddCommandWrite(&Plant::MoveTo, this, "MoveTo");
-    control.AddCommandWrite(&Plant::Write, this, "Write");
-    control.AddCommandReadState(state_table(), move_, "GetMove");
-    control.AddCommandReadState(state_table(), note_, "GetNote");
-    control.AddCommandQualifiedRead(state_table(), move_, &Scaled, "GetScaled");
-    control.AddCommandRead(&Plant::Ask, this, "Ask", tendon::kThreadSafe);
-    control.AddEvent(stopped_, "Stopped");
-    control.AddEvent(moved_, "Moved");
-    control.AddEvent(written_, "Written");
-  }
+  explicit Plant(std::string name);
   ~Plant() override { Join(); }
 
   void Run() override { ProcessQueuedCommands(); }
@@ -99,31 +86,14 @@ class Plant final : public tendon::PeriodicTask {
   Record<Move> moves;
   Record<Note> notes;
   Record<int> stops;
-  mutable std::mutex gate;  ///< whoever asks waits while it is locked
+  mutable std::mutex gate;            ///< whoever asks waits while it is locked
+  mutable std::atomic<int> asked{0};  ///< how many have come to the gate
 
  private:
-  void Stop() {
-    stops.Add(0);
-    stopped_();
-  }
-  void MoveTo(const Move& move) {
-    move_ = move;
-    moves.Add(move);
-    moved_(move);
-  }
-  void Write(const Note& note) {
-    note_ = note;
-    notes.Add(note);
-    written_(note);
-  }
-  static void Scaled(const Move& move, const double& factor, Move& scaled) {
-    scaled = move;
-    for (double& one : scaled.goal) one *= factor;
-  }
-  void Ask(std::uint64_t& answer) const {
-    const std::scoped_lock lock(gate);
-    answer = 42;
-  }
+  void Stop();
+  void MoveTo(const Move& move);
+  void Write(const Note& note);
+  void Ask(std::uint64_t& answer) const;
 
   Move move_;
   Note note_;
@@ -135,21 +105,7 @@ class Plant final : public tendon::PeriodicTask {
 /// Has no thread: the test calls its functions, and executes the events that have arrived.
 class Operator final : public tendon::Component {
  public:
-  explicit Operator(std::string name, std::size_t capacity = 64)
-      : Component(std::move(name), std::make_unique<tendon::Inbox>()) {
-    auto& robot = AddRequiredInterface("Robot");
-    robot.AddFunction(stop, "Stop");
-    robot.AddFunction(move_to, "MoveTo");
-    robot.AddFunction(write, "Write");
-    robot.AddFunction(get_move, "GetMove");
-    robot.AddFunction(get_note, "GetNote");
-    robot.AddFunction(get_scaled, "GetScaled");
-    robot.AddFunction(ask, "Ask");
-    robot.AddEventHandlerVoid(&Operator::OnStopped, this, "Stopped");
-    robot.AddEventHandlerWrite(&Operator::OnMoved, this, "Moved");
-    robot.AddEventHandlerWrite(&Operator::OnWritten, this, "Written");
-    robot.SetMailboxCapacity(capacity);
-  }
+  explicit Operator(std::string name, std::size_t capacity = 64);
 
   std::size_t Process() { return inbox()->ExecuteQueued(); }
 
@@ -174,10 +130,7 @@ class Operator final : public tendon::Component {
 /// Offers and needs too little, or something else.
 class Impostor final : public tendon::Component {
  public:
-  explicit Impostor(std::string name) : Component(std::move(name)) {
-    auto& control = AddProvidedInterface("Control");
-    control.AddCommandWrite(&Impostor::MoveTo, this, "MoveTo");
-  }
+  explicit Impostor(std::string name);
 
  private:
   void MoveTo(const OtherMove& /*move*/) {}

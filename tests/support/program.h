@@ -6,8 +6,9 @@
 #include <string>
 #include <vector>
 
-/// A program run as a process of its own, as a user would, with folders of its own for state and
-/// sockets. Killed when the object ends.
+/// A program run as a process of its own, as a user would. State, cache and run-time folders are
+/// not the user's: the programs of a test share theirs, which go with it. Killed when the object
+/// ends.
 class Program {
  public:
   using Words = std::vector<std::string>;
@@ -43,5 +44,5 @@ struct Outcome {
 Outcome RunProgram(const Program::Words& command,
                    const std::map<std::string, std::string>& environment = {});
 
-/// A port on 127.0.0.1 that nobody uses just now.
+/// A port on 127.0.0.1 that nobody uses, and no other test will be given before this program ends.
 int FreePort();

@@ -34,7 +34,15 @@ struct Error {
 /// component is being built, never in a cycle.
 class ConfigurationError : public std::runtime_error {
  public:
+  /// Of code kInvalid.
   using std::runtime_error::runtime_error;
+  explicit ConfigurationError(const Error& error)
+      : std::runtime_error(error.message), code_(error.code) {}
+
+  [[nodiscard]] ErrorCode code() const noexcept { return code_; }
+
+ private:
+  ErrorCode code_ = ErrorCode::kInvalid;
 };
 
 }  // namespace tendon

@@ -20,6 +20,8 @@ class [[nodiscard]] Status {
     kOutcomeUnknown,  ///< started or sent; whether it was executed cannot be known
     kWouldDeadlock,   ///< a wait for one's own thread
     kDenied,          ///< the caller's role does not allow it
+    kDisabled,        ///< the peer has switched this command off for now
+    kUnsupported,     ///< not to be had this way, as waiting for a command of another process
     kInvalid,         ///< the argument does not decode
     kFailed,          ///< the server's code threw
   };

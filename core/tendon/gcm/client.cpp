@@ -104,11 +104,11 @@ class GcmClient::Implementation {
     return {.instance = os::RandomNumber(), .name = name_, .cookie = cookie ? *cookie : 0};
   }
 
-  void OnMoved(const std::vector<std::string>& processes) {
-    for (const std::string& process : processes) links_->Drop(process);
+  void OnMoved(const std::vector<client::GcmLink::Moved>& processes) {
+    for (const auto& [process, instance] : processes) links_->Drop(process, instance);
     const std::scoped_lock lock(mutex_);
     if (!telemetry_) return;
-    for (const std::string& process : processes) telemetry_->Retry(process);
+    for (const auto& [process, instance] : processes) telemetry_->Retry(process);
   }
 
   /// Here alone: it must not end in a thread of its own, where the links may end.

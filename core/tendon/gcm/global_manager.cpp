@@ -3,6 +3,7 @@
 #include <tendon/gcm/server/server.h>
 
 #include <algorithm>
+#include <future>
 #include <utility>
 
 namespace tendon {
@@ -25,21 +26,21 @@ Result<std::unique_ptr<GlobalManager>> GlobalManager::Start(std::shared_ptr<Midd
   const auto cookie = LoopbackCookie();
   if (!cookie) return cookie.error();
   const Hello mine{.instance = os::RandomNumber(), .name = "gcm", .cookie = *cookie};
+  // The address first: the history is another GCM's while that listens there.
+  std::promise<std::weak_ptr<server::Server>> made;
+  const auto choose = [server = made.get_future().share()]() -> std::shared_ptr<ChannelHandler> {
+    const auto alive = server.get().lock();
+    return alive ? alive->MakeHandler() : nullptr;
+  };
+  auto listener = middleware->Listen(options.address, Channel::Acceptor(mine, choose));
+  if (!listener) return listener.error();
   auto server = std::make_shared<server::Server>(
       server::Server::Options{.history = HistoryFile(options),
                               .clock = options.clock,
                               .order_timeout = options.order_timeout,
                               .instance = mine.instance});
   server->Start();
-  const auto choose = [weak = std::weak_ptr(server)]() -> std::shared_ptr<ChannelHandler> {
-    const auto alive = weak.lock();
-    return alive ? alive->MakeHandler() : nullptr;
-  };
-  auto listener = middleware->Listen(options.address, Channel::Acceptor(mine, choose));
-  if (!listener) {
-    server->Stop();
-    return listener.error();
-  }
+  made.set_value(server);
   return std::unique_ptr<GlobalManager>(new GlobalManager(std::move(middleware), std::move(server),
                                                           *std::move(listener), mine.instance));
 }

@@ -67,6 +67,8 @@ bool ReadLine(std::string_view text, std::vector<message::HistoryEntry>& steps) 
 
 History::History(std::filesystem::path file) : file_(std::move(file)) { Load(); }
 
+History::~History() { Close(); }
+
 void History::Load() {
   std::ifstream stream(file_, std::ios::binary);
   if (!stream) return;
@@ -98,20 +100,42 @@ void History::Compact() {
   }
 }
 
-Result<void> History::Record(message::HistoryEntry& step) {
-  step.id = ++last_id_;
-  auto written = os::AppendDurably(file_, LineOf(step));
+std::uint64_t History::Record(message::HistoryEntry step, Done done) {
   const std::scoped_lock lock(mutex_);
+  step.id = ++last_id_;
   steps_.push_back(step);
   if (steps_.size() > kMaxSteps) steps_.erase(steps_.begin());
-  return written;
+  unwritten_.push_back({LineOf(step), std::move(done)});
+  writer_.Post([this] { Write(); });
+  return step.id;
 }
 
-Result<void> History::MarkUndone(std::uint64_t id) {
-  auto written = os::AppendDurably(file_, Json{{"undo", id}}.dump() + "\n");
+void History::MarkUndone(std::uint64_t id, Done done) {
   const std::scoped_lock lock(mutex_);
   MarkIn(steps_, id);
-  return written;
+  unwritten_.push_back({Json{{"undo", id}}.dump() + "\n", std::move(done)});
+  writer_.Post([this] { Write(); });
+}
+
+void History::Close() {
+  writer_.Stop();
+  Write();
+}
+
+/// All that waits, in one go: a slow disk is waited for once.
+void History::Write() {
+  std::vector<Line> lines;
+  {
+    const std::scoped_lock lock(mutex_);
+    lines.swap(unwritten_);
+  }
+  if (lines.empty()) return;
+  std::string text = is_torn_ ? "\n" : "";
+  for (const Line& line : lines) text += line.text;
+  const auto written = os::AppendDurably(file_, text);
+  is_torn_ = !written;
+  if (!written) Log(LogLevel::kWarning, "gcm", "history: " + written.error().message);
+  for (const Line& line : lines) line.done();
 }
 
 message::History History::steps() const {

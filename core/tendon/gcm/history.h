@@ -1,9 +1,11 @@
 #pragma once
 
-#include <tendon/base/result.h>
 #include <tendon/gcm/messages.h>
+#include <tendon/process/worker.h>
 
+#include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -15,18 +17,29 @@ namespace tendon {
 /// after a restart too. The newest kMaxSteps are kept. A last line that a crash cut short is left
 /// out; another one that does not read is left out with a warning.
 ///
-/// Thread safety: reading at any time; Record() and MarkUndone() in one thread, for they wait for
-/// the disk. When that fails the step is still known until the end of the process.
+/// A step is known at once. A thread of its own waits for the disk, so that a slow one delays
+/// nobody but who waits for `done`: a kill loses at most the steps whose `done` was not called yet.
+/// When the disk refuses, that is logged, and the step is known until the end of the process.
+///
+/// Thread safety: all functions but Close() at any time.
 class History {
  public:
   static constexpr std::size_t kMaxSteps = 1000;
+  /// Called once, in the order of the steps, by the history's thread or by Close().
+  using Done = std::function<void()>;
 
   /// Reads what the file holds; a missing one is empty.
   explicit History(std::filesystem::path file);
+  History(const History&) = delete;
+  History& operator=(const History&) = delete;
+  /// Close().
+  ~History();
 
-  /// Adds a step and numbers it. The error is the disk's.
-  Result<void> Record(message::HistoryEntry& step);
-  Result<void> MarkUndone(std::uint64_t id);
+  /// Adds a step; returns its number.
+  std::uint64_t Record(message::HistoryEntry step, Done done);
+  void MarkUndone(std::uint64_t id, Done done);
+  /// Waits until the disk has everything. Record() and MarkUndone() must not be called any more.
+  void Close();
 
   /// Oldest first.
   [[nodiscard]] message::History steps() const;
@@ -34,13 +47,22 @@ class History {
   [[nodiscard]] std::optional<message::HistoryEntry> last() const;
 
  private:
+  struct Line {
+    std::string text;
+    Done done;
+  };
+
   void Load();
   void Compact();
+  void Write();
 
   const std::filesystem::path file_;
+  bool is_torn_ = false;  // of the thread that writes: the file may end in the middle of a line
   mutable std::mutex mutex_;
   std::vector<message::HistoryEntry> steps_;
   std::uint64_t last_id_ = 0;
+  std::vector<Line> unwritten_;
+  Worker writer_{"gcm-history"};
 };
 
 }  // namespace tendon

@@ -1,9 +1,10 @@
 #include <tendon/base/os/file.h>
 #include <tendon/gcm/system_file.h>
-#include <tendon/gcm/text/strict_json.h>
+#include <tendon/payload/json/strict_json.h>
 
 #include <algorithm>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <system_error>
 #include <utility>
 

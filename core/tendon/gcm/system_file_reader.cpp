@@ -1,8 +1,9 @@
+#include <tendon/base/printable.h>
 #include <tendon/gcm/system_file.h>
-#include <tendon/gcm/text/printable.h>
-#include <tendon/gcm/text/strict_json.h>
+#include <tendon/payload/json/strict_json.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 namespace tendon {

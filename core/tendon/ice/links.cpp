@@ -8,20 +8,30 @@
 namespace tendon::ice {
 namespace {
 
-std::string PeerOf(const Ice::Connection& connection) {
+/// The two ends of a connection's socket, as "host:port".
+struct Ends {
+  std::string local = "unknown";
+  std::string peer = "unknown";
+};
+
+std::string Place(std::string host, int port) {
+  constexpr std::string_view kMapped = "::ffff:";  // IPv4 on a socket of IPv6
+  if (host.starts_with(kMapped)) host.erase(0, kMapped.size());
+  return ToString(HostPort{std::move(host), static_cast<std::uint16_t>(port)});
+}
+
+Ends EndsOf(const Ice::Connection& connection) {
   try {
     auto info = connection.getInfo();
     while (info->underlying) info = info->underlying;
     if (const auto address = std::dynamic_pointer_cast<Ice::IPConnectionInfo>(info)) {
-      constexpr std::string_view kMapped = "::ffff:";  // IPv4 on a socket of IPv6
-      std::string host = address->remoteAddress;
-      if (host.starts_with(kMapped)) host.erase(0, kMapped.size());
-      return ToString(HostPort{host, static_cast<std::uint16_t>(address->remotePort)});
+      return {.local = Place(address->localAddress, address->localPort),
+              .peer = Place(address->remoteAddress, address->remotePort)};
     }
   } catch (const Ice::Exception&) {
     // It is closed already.
   }
-  return "unknown";
+  return {};
 }
 
 }  // namespace
@@ -32,20 +42,33 @@ IceLink::IceLink(std::shared_ptr<Ice::Connection> connection, std::uint64_t door
     : connection_(std::move(connection)),
       peer_endpoint_(connection_->createProxy(EndpointIdentity())->ice_oneway()),
       door_(door),
-      peer_(PeerOf(*connection_)) {}
+      peer_(EndsOf(*connection_).peer),
+      local_(EndsOf(*connection_).local) {}
 
 Status IceLink::Send(std::span<const std::byte> frame) {
   if (!ReadWholeFrame(frame)) return Status::kInvalid;
-  const std::size_t size = frame.size();
+  const std::scoped_lock sending(sending_);
   {
     const std::scoped_lock lock(mutex_);
     if (reason_) return Status::kNotConnected;
-    if (unsent_ != 0 && unsent_ + size > kSendWindow) return Status::kQueueFull;
+    if (unsent_ != 0 && unsent_ + frame.size() > kSendWindow) return Status::kQueueFull;
+  }
+  while (frame.size() > kMaxMessageSize) {
+    const Status sent = SendMessage("part", frame.first(kMaxMessageSize));
+    if (!sent) return sent;
+    frame = frame.subspan(kMaxMessageSize);
+  }
+  return SendMessage("frame", frame);
+}
+
+Status IceLink::SendMessage(const std::string& operation, std::span<const std::byte> bytes) {
+  const std::size_t size = bytes.size();
+  {
+    const std::scoped_lock lock(mutex_);
     unsent_ += size;
   }
-  constexpr std::size_t kKept = std::size_t{1} << 20U;
   thread_local Bytes parameters;
-  WriteOnlyParameter(frame, parameters);
+  WriteOnlyParameter(bytes, parameters);
   const auto* begin = reinterpret_cast<const Ice::Byte*>(parameters.data());
   const std::pair<const Ice::Byte*, const Ice::Byte*> range{begin, begin + parameters.size()};
   const auto sent = [self = shared_from_this(), size](bool /*at once*/) { self->OnSent(size); };
@@ -53,13 +76,12 @@ Status IceLink::Send(std::span<const std::byte> frame) {
     self->OnSent(size);
   };
   try {
-    peer_endpoint_->ice_invokeAsync("frame", Ice::OperationMode::Normal, range, nullptr, failed,
+    peer_endpoint_->ice_invokeAsync(operation, Ice::OperationMode::Normal, range, nullptr, failed,
                                     sent);
   } catch (const Ice::Exception&) {
     OnSent(size);
     return Status::kNotConnected;
   }
-  if (parameters.capacity() > kKept) Bytes().swap(parameters);
   return Status::kQueued;
 }
 
@@ -93,13 +115,50 @@ void IceLink::SetHandler(std::shared_ptr<LinkHandler> handler) {
   handler_ = std::move(handler);
 }
 
-void IceLink::Deliver(std::span<const std::byte> frame) {
-  const std::scoped_lock delivery(delivery_);
+void IceLink::Admit() {
   {
     const std::scoped_lock lock(mutex_);
-    if (reason_) return;
+    limit_ = kMaxFrameSize;
   }
-  if (handler_) handler_->OnFrame(frame);
+  connection_->setHeartbeatCallback(nullptr);
+}
+
+void IceLink::CheckAdmission() {
+  constexpr std::chrono::seconds kPatience(3);
+  if (door_ == 0 || SteadyClock().Now() - since_ < kPatience) return;
+  {
+    const std::scoped_lock lock(mutex_);
+    if (limit_ == kMaxFrameSize) return;
+  }
+  Fail({ErrorCode::kTimeout, peer_ + " connected and did not say who it is for 3 s"});
+}
+
+bool IceLink::Deliver(std::span<const std::byte> bytes, bool is_end) {
+  const std::scoped_lock delivery(delivery_);
+  std::unique_lock lock(mutex_);
+  if (reason_) return true;
+  const std::size_t limit = limit_;
+  lock.unlock();
+  if (!is_end || !begun_.empty()) {
+    if (!AddPart(bytes, limit)) return false;
+    if (!is_end) return true;
+    bytes = begun_;
+  }
+  if (!ReadWholeFrame(bytes) || bytes.size() > limit) return false;
+  if (handler_) handler_->OnFrame(bytes);
+  Bytes().swap(begun_);
+  return true;
+}
+
+/// No more is kept than the frame's header claims, and that is no more than `limit`.
+bool IceLink::AddPart(std::span<const std::byte> bytes, std::size_t limit) {
+  const auto header = ReadFrameHeader(begun_.empty() ? bytes : begun_, limit);
+  if (!header) return false;
+  const std::size_t size = FrameHeader::kSize + header->size;
+  if (begun_.size() + bytes.size() > size) return false;
+  begun_.reserve(size);
+  begun_.insert(begun_.end(), bytes.begin(), bytes.end());
+  return true;
 }
 
 void IceLink::OnGone() {
@@ -121,6 +180,13 @@ void Links::Add(const std::shared_ptr<Links>& links, const std::shared_ptr<IceLi
     links->links_.erase(link->connection_.get());
     links->changed_.notify_all();
   });
+  // Ice closes what is silent; this is for one who sends heartbeats and nothing else.
+  if (link->door_ != 0) {
+    link->connection_->setHeartbeatCallback(
+        [weak = std::weak_ptr(link)](const std::shared_ptr<Ice::Connection>&) {
+          if (const auto still_there = weak.lock()) still_there->CheckAdmission();
+        });
+  }
   if (is_shut) link->CloseAtOnce();
 }
 

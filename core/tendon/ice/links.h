@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Ice/Ice.h>
+#include <tendon/base/clock.h>
 #include <tendon/middleware/middleware.h>
 
 #include <condition_variable>
@@ -14,6 +15,10 @@
 
 namespace tendon::ice {
 
+/// Of a frame, that go into one message of Ice, which whoever connects can make us hold; a larger
+/// frame is sent in parts.
+inline constexpr std::size_t kMaxMessageSize = std::size_t{256} << 10U;
+
 class Links;
 
 /// One connection of Ice, either end of it. Callbacks of Ice hold it by shared pointers only.
@@ -23,12 +28,16 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
   IceLink(std::shared_ptr<Ice::Connection> connection, std::uint64_t door);
 
   Status Send(std::span<const std::byte> frame) override;
+  void Admit() override;
   void Close() override;
   [[nodiscard]] std::string peer() const override { return peer_; }
+  [[nodiscard]] std::string local() const override { return local_; }
 
   /// Before the first frame is delivered.
   void SetHandler(std::shared_ptr<LinkHandler> handler);
-  void Deliver(std::span<const std::byte> frame);
+  /// One message: a frame, or the end of one, or a part of it that is not the end. False where it
+  /// makes no frame that the peer may send.
+  bool Deliver(std::span<const std::byte> bytes, bool is_end);
   /// Closes because of what the peer did, after answering it.
   void Fail(const Error& reason);
   void CloseAtOnce();
@@ -36,8 +45,12 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
  private:
   friend class Links;
 
+  Status SendMessage(const std::string& operation, std::span<const std::byte> bytes);
+  bool AddPart(std::span<const std::byte> bytes, std::size_t limit);
   bool StartClosing(const Error& reason);
   void OnSent(std::size_t size);
+  /// Closes the link when it was accepted too long ago without being admitted.
+  void CheckAdmission();
   /// The connection is gone, whatever the cause.
   void OnGone();
 
@@ -45,13 +58,19 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
   const std::shared_ptr<Ice::ObjectPrx> peer_endpoint_;
   const std::uint64_t door_;
   const std::string peer_;
+  const std::string local_;
+  const SteadyTime since_ = SteadyClock().Now();
 
   std::mutex delivery_;  // held during a call of the handler
   std::shared_ptr<LinkHandler> handler_;
+  Bytes begun_;  // parts of a frame
+
+  std::mutex sending_;  // keeps the parts of a frame together
 
   std::mutex mutex_;
   std::optional<Error> reason_;  // why it is closed, or about to be
   std::size_t unsent_ = 0;       // bytes
+  std::size_t limit_ = kMaxStrangersFrameSize;
 };
 
 /// The links of one communicator. Thread-safe.

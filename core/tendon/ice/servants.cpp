@@ -16,8 +16,7 @@ std::vector<Ice::Byte> EncodeBool(bool value) {
 }
 
 /// The peer reads it where it waits for an answer. (Ice asks for a file and a line.)
-[[noreturn]] void Malformed(IceLink& link, const std::string& operation) {
-  const std::string what = "the parameters of '" + operation + "' are malformed";
+[[noreturn]] void CutOff(IceLink& link, const std::string& what) {
   link.Fail({ErrorCode::kInvalid, link.peer() + " was cut off: " + what});
   throw Ice::MarshalException("tendon", 0, what);
 }
@@ -38,19 +37,18 @@ bool EndpointServant::ice_invoke(std::pair<const Ice::Byte*, const Ice::Byte*> p
   answer = EncodeNothing();
   if (current.operation == "ice_ping") return true;
   const bool is_frame = current.operation == "frame";
-  if (!is_frame && current.operation != "ice_isA") {
+  const bool is_part = current.operation == "part";
+  if (!is_frame && !is_part && current.operation != "ice_isA") {
     throw Ice::OperationNotExistException("tendon", 0, current.id, current.facet,
                                           current.operation);
   }
   const auto parameter =
       ReadOnlyParameter(std::as_bytes(std::span(parameters.first, parameters.second)));
-  if (!parameter || (is_frame && !ReadWholeFrame(*parameter))) {
-    Malformed(*link, current.operation);
-  }
-  if (is_frame) {
-    link->Deliver(*parameter);
-  } else {
+  if (!parameter) CutOff(*link, "the parameters of '" + current.operation + "' are malformed");
+  if (!is_frame && !is_part) {
     answer = EncodeBool(IsA(*parameter));
+  } else if (!link->Deliver(*parameter, is_frame)) {
+    CutOff(*link, NoFrame(link->peer()).message);
   }
   return true;
 }

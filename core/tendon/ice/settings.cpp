@@ -1,7 +1,7 @@
 #include <tendon/base/log.h>
+#include <tendon/ice/links.h>
 #include <tendon/ice/settings.h>
 #include <tendon/middleware/complaints.h>
-#include <tendon/middleware/frame.h>
 
 #include <string>
 
@@ -54,25 +54,31 @@ Ice::InitializationData Settings() {
     settings.properties->setProperty(name, value);
   };
   set("Ice.Admin.Enabled", "0");
-  set("Ice.MessageSizeMax", std::to_string(kMaxFrameSize / kKibi + kEnvelope));
+  set("Ice.MessageSizeMax", std::to_string(kMaxMessageSize / kKibi + kEnvelope));
   set("Ice.RetryIntervals", "-1");
   set("Ice.Default.CollocationOptimized", "0");
   // What makes no progress for so long is lost (ms).
   set("Ice.Override.Timeout", "3000");
   set("Ice.Override.ConnectTimeout", "3000");
   set("Ice.Override.CloseTimeout", "750");
-  // Clients show that they live, servers close what is silent. Not the other way round as well:
-  // what one sends would hide from it that nothing comes back.
+  // Clients show that they live, servers close what is silent, some 2 s after a peer vanished. Not
+  // the other way round as well: what one sends would hide from it that nothing comes back. So who
+  // opened must ask the peer, as WatchOver() does.
   set("Ice.ACM.Timeout", "1");
   set("Ice.ACM.Client.Heartbeat", "3");  // always
   set("Ice.ACM.Client.Close", "0");
   set("Ice.ACM.Server.Heartbeat", "0");
   set("Ice.ACM.Server.Close", "1");  // on idle
-  for (const std::string pool : {"Ice.ThreadPool.Client.", "Ice.ThreadPool.Server."}) {
-    set((pool + "Serialize").c_str(), "1");  // order on each connection
-    set((pool + "Size").c_str(), "1");
-    set((pool + "SizeMax").c_str(), "4");  // so that one slow handler holds up nobody else
-  }
+  // Order on each connection, and few threads while all is quiet. A pool that may grow wakes a
+  // thread for each message, to wait for the next: the servers' pool pays that (4 futex and 2 epoll
+  // calls), so that one slow read holds up nobody else. What an opener hears, answers, events and
+  // rows, is only handed on.
+  set("Ice.ThreadPool.Server.Serialize", "1");
+  set("Ice.ThreadPool.Server.Size", "1");
+  set("Ice.ThreadPool.Server.SizeMax", "4");
+  set("Ice.ThreadPool.Client.Serialize", "1");
+  set("Ice.ThreadPool.Client.Size", "1");
+  set("Ice.ThreadPool.Client.SizeMax", "1");
   return settings;
 }
 

@@ -1,4 +1,5 @@
 #include <tendon/interface/compatibility.h>
+#include <tendon/payload/schema.h>
 
 #include <algorithm>
 
@@ -24,19 +25,34 @@ std::string Words(const MemberDescription& member, const std::string& noun) {
   return words;
 }
 
+/// Of two types of one name.
+std::string DifferenceWords(Fingerprint needed, Fingerprint offered, const SchemaLookup& find) {
+  const auto needed_schema = find(needed);
+  const auto offered_schema = find(offered);
+  if (needed_schema && offered_schema) {
+    if (const auto first = FirstDifference(*needed_schema, *offered_schema)) return *first;
+  }
+  return "fields, units or shapes differ";
+}
+
 /// What the offered one is, in as few words as tell the difference.
-std::string OfferedWords(const MemberDescription& needed, const MemberDescription& offered) {
-  const bool same_kind = needed.signature.kind == offered.signature.kind;
-  const bool same_names = needed.in_type == offered.in_type && needed.out_type == offered.out_type;
-  if (!same_kind) return "a " + std::string(ToString(offered.signature.kind)) + " one";
+std::string OfferedWords(const MemberDescription& needed, const MemberDescription& offered,
+                         const SchemaLookup& find) {
+  if (needed.signature.kind != offered.signature.kind) {
+    return "a " + std::string(ToString(offered.signature.kind)) + " one";
+  }
   const bool other_in = needed.signature.in != offered.signature.in;
   const std::string& type = other_in ? offered.in_type : offered.out_type;
-  return same_names ? "another " + type + " (fields, units or shapes differ)" : type;
+  if (type != (other_in ? needed.in_type : needed.out_type)) return type;
+  return "another " + type + " (" +
+         (other_in ? DifferenceWords(needed.signature.in, offered.signature.in, find)
+                   : DifferenceWords(needed.signature.out, offered.signature.out, find)) +
+         ")";
 }
 
 void CompareMembers(const std::vector<MemberDescription>& needed,
                     const std::vector<MemberDescription>& offered, const std::string& noun,
-                    Compatibility& result) {
+                    const SchemaLookup& find, Compatibility& result) {
   for (const MemberDescription& member : needed) {
     if (!member.optional) ++result.needed;
     const auto found =
@@ -53,7 +69,7 @@ void CompareMembers(const std::vector<MemberDescription>& needed,
                                                                        : Mismatch::Kind::kOtherKind;
       result.mismatches.push_back(
           {kind, member.name,
-           "needs " + Words(member, noun) + ", offered is " + OfferedWords(member, *found)});
+           "needs " + Words(member, noun) + ", offered is " + OfferedWords(member, *found, find)});
     }
   }
 }
@@ -69,10 +85,11 @@ std::string Compatibility::Text() const {
   return text;
 }
 
-Compatibility Compare(const RequiredDescription& required, const ProvidedDescription& provided) {
+Compatibility Compare(const RequiredDescription& required, const ProvidedDescription& provided,
+                      const SchemaLookup& find) {
   Compatibility result;
-  CompareMembers(required.functions, provided.commands, "command", result);
-  CompareMembers(required.event_handlers, provided.events, "event", result);
+  CompareMembers(required.functions, provided.commands, "command", find, result);
+  CompareMembers(required.event_handlers, provided.events, "event", find, result);
   return result;
 }
 

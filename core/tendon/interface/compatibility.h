@@ -1,7 +1,10 @@
 #pragma once
 
 #include <tendon/interface/description.h>
+#include <tendon/payload/schema.h>
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,10 +30,15 @@ struct Compatibility {
   [[nodiscard]] std::string Text() const;
 };
 
+/// What a type is, where that is known.
+using SchemaLookup = std::function<std::optional<Schema>(Fingerprint)>;
+
 /// Works on descriptions alone. Every function needs a command, every handler an event, of the same
 /// name and signature; an optional one may be missing but may not differ. Linear in the members.
+/// The words name the first difference of two types that `find` knows.
 [[nodiscard]] Compatibility Compare(const RequiredDescription& required,
-                                    const ProvidedDescription& provided);
+                                    const ProvidedDescription& provided,
+                                    const SchemaLookup& find = FindSchema);
 
 /// The sentence of a refused connection: "teleoperation/Robot does not fit arm/Control: ...".
 [[nodiscard]] std::string Refusal(const std::string& required, const std::string& provided,

@@ -1,6 +1,8 @@
 #include <tendon/interface/compatibility.h>
 #include <tendon/interface/connection.h>
 
+#include <algorithm>
+#include <optional>
 #include <thread>
 
 namespace tendon {
@@ -13,6 +15,19 @@ void LetDrain(const Mailbox* mailbox, std::chrono::steady_clock::time_point dead
          std::chrono::steady_clock::now() < deadline) {
     std::this_thread::sleep_for(200us);
   }
+}
+
+/// A function that would wait for the thread that calls it, or nothing.
+std::optional<std::string> WaitForItself(const RequiredInterface& required,
+                                         const ProvidedInterface& provided) {
+  if (required.inbox() == nullptr || required.inbox() != provided.inbox()) return std::nullopt;
+  for (const MemberDescription& function : required.description().functions) {
+    const CommandKind kind = function.signature.kind;
+    if (WaitsForServer(kind) && provided.FindCommand(function.name) != nullptr) {
+      return std::string(ToString(kind)) + " command '" + function.name + "'";
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -28,6 +43,11 @@ Result<std::unique_ptr<Connection>> Connection::Make(RequiredInterface& required
   if (!compatibility.fits()) {
     return Error{ErrorCode::kIncompatible, Refusal(required_name, provided_name, compatibility)};
   }
+  if (const auto waiting = WaitForItself(required, provided)) {
+    return Error{ErrorCode::kIncompatible,
+                 required_name + " would wait for its own thread: " + *waiting + " of " +
+                     provided_name + " is executed by the task that calls it; call the method"};
+  }
   std::unique_ptr<Connection> connection(new Connection(required, provided));
   connection->OpenMailboxes();
   connection->BindHandlers();
@@ -40,20 +60,42 @@ Connection::Connection(RequiredInterface& required, ProvidedInterface& provided)
 
 Connection::~Connection() { Close(std::chrono::milliseconds(0)); }
 
+Mailbox::SlotShape Connection::CommandShape(const RequiredInterface& required,
+                                            const ProvidedInterface& provided) {
+  Mailbox::SlotShape shape;
+  for (const auto& one : required.callers_) {
+    const Offer* offer = provided.FindCommand(one.description.name);
+    if (offer != nullptr) shape.Cover(offer->shape());
+  }
+  return shape;
+}
+
+Mailbox::SlotShape Connection::EventShape(const RequiredInterface& required) {
+  Mailbox::SlotShape shape;
+  for (const auto& handler : required.handlers_) shape.Cover(handler->shape());
+  return shape;
+}
+
+std::size_t Connection::MailboxBytes(const RequiredInterface& required,
+                                     const ProvidedInterface& provided) {
+  const auto slot = [](const Mailbox::SlotShape& argument) {
+    return std::max(kCacheLine, sizeof(Mailbox::Entry*) + argument.alignment + argument.size);
+  };
+  return required.mailbox_capacity() *
+         (slot(CommandShape(required, provided)) + slot(EventShape(required)));
+}
+
 void Connection::OpenMailboxes() {
-  Mailbox::SlotShape command_shape;
-  for (const auto& one : required_.callers_) {
-    const Offer* offer = provided_.FindCommand(one.description.name);
-    if (offer != nullptr) command_shape.Cover(offer->shape());
-  }
-  Mailbox::SlotShape event_shape;
-  for (const auto& handler : required_.handlers_) event_shape.Cover(handler->shape());
-  const std::size_t capacity = required_.mailbox_capacity();
-  if (provided_.inbox() != nullptr) commands_ = &provided_.inbox()->Open(capacity, command_shape);
-  if (required_.inbox() != nullptr && !required_.handlers_.empty()) {
-    events_ = &required_.inbox()->Open(capacity, event_shape);
-  }
   open_ = true;
+  const Mailbox::SlotShape command_shape = CommandShape(required_, provided_);
+  const Mailbox::SlotShape event_shape = EventShape(required_);
+  const std::size_t capacity = required_.mailbox_capacity();
+  if (provided_.inbox() != nullptr) {
+    commands_ = &provided_.inbox()->Open(capacity, command_shape, required_.callers());
+  }
+  if (required_.inbox() != nullptr && !required_.handlers_.empty()) {
+    events_ = &required_.inbox()->Open(capacity, event_shape, provided_.raisers());
+  }
 }
 
 void Connection::BindHandlers() {
@@ -70,7 +112,7 @@ void Connection::BindFunctions() {
   for (const auto& one : required_.callers_) {
     const Offer* offer = provided_.FindCommand(one.description.name);
     if (offer == nullptr) {  // an optional one
-      binding_.commands.push_back(nullptr);
+      binding_.members.emplace_back();
       continue;
     }
     owned_.push_back(offer->Bind(commands_));
@@ -78,8 +120,9 @@ void Connection::BindFunctions() {
     if (auto adapter = one.caller->Adapt(*command)) {
       owned_.push_back(std::move(adapter));
       command = owned_.back().get();
+      converted_.push_back(one.description.name);
     }
-    binding_.commands.push_back(command);
+    binding_.members.push_back({command, &offer->enabled()});
   }
   required_.binding_.Exchange(&binding_);
 }
@@ -87,10 +130,16 @@ void Connection::BindFunctions() {
 std::size_t Connection::Close(std::chrono::milliseconds patience) {
   if (!open_) return 0;
   open_ = false;
+  const auto deadline = std::chrono::steady_clock::now() + patience;
+  if (commands_ != nullptr) {
+    // Callers that wait are inside the binding: they must be served, or sent away, before it goes.
+    commands_->Close();
+    LetDrain(commands_, deadline);
+    commands_->completions().Cancel();
+  }
   required_.binding_.Exchange(nullptr);
   for (const Subscription& one : subscriptions_) one.event->Unsubscribe(*one.handler);
-  const auto deadline = std::chrono::steady_clock::now() + patience;
-  LetDrain(commands_, deadline);
+  LetDrain(commands_, deadline);  // what has slipped in meanwhile
   LetDrain(events_, deadline);
   std::size_t dropped = 0;
   if (commands_ != nullptr) dropped += provided_.inbox()->Remove(*commands_);
@@ -105,6 +154,14 @@ std::size_t Connection::waiting() const { return commands_ != nullptr ? commands
 
 std::uint64_t Connection::refused() const {
   return commands_ != nullptr ? commands_->refused() : 0;
+}
+
+std::uint64_t Connection::replaced() const {
+  return commands_ != nullptr ? commands_->replaced() : 0;
+}
+
+std::uint64_t Connection::lost_events() const {
+  return events_ != nullptr ? events_->refused() : 0;
 }
 
 }  // namespace tendon

@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace tendon {
@@ -17,12 +18,16 @@ namespace tendon {
 class Connection {
  public:
   /// Binds all functions and handlers, or nothing: kIncompatible with the sentence that names both
-  /// ends, kExists when `required` is connected already. The interfaces must outlive the
-  /// connection.
+  /// ends, or where a task would wait for itself; kExists when `required` is connected already. The
+  /// interfaces must outlive the connection.
   static Result<std::unique_ptr<Connection>> Make(RequiredInterface& required,
                                                   ProvidedInterface& provided,
                                                   const std::string& required_name,
                                                   const std::string& provided_name);
+
+  /// Bytes of the slots of the mailboxes that Make() opens.
+  [[nodiscard]] static std::size_t MailboxBytes(const RequiredInterface& required,
+                                                const ProvidedInterface& provided);
 
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
@@ -30,17 +35,28 @@ class Connection {
   ~Connection();
 
   /// No call and no event enters any more; lets both ends execute what they accepted for at most
-  /// `patience`, then frees everything. Returns how many accepted calls and events were dropped.
-  /// Never from a thread that executes either end's mailboxes.
+  /// `patience`. Then whoever still waits for a call gets kNotConnected, and everything is freed.
+  /// Returns how many accepted calls and events were dropped. Never from a thread that executes
+  /// either end's mailboxes.
   std::size_t Close(std::chrono::milliseconds patience);
 
   /// Calls waiting at the server now.
   [[nodiscard]] std::size_t waiting() const;
   /// Calls refused because the server's mailbox was full.
   [[nodiscard]] std::uint64_t refused() const;
+  /// Calls replaced by newer ones, of commands that keep the latest only.
+  [[nodiscard]] std::uint64_t replaced() const;
+  /// Events refused because the client's mailbox was full.
+  [[nodiscard]] std::uint64_t lost_events() const;
+  /// The functions whose values pass through the codec, since the two ends have other layouts of
+  /// one type, or one end has only bytes. Slower, and no longer free of allocations.
+  [[nodiscard]] const std::vector<std::string>& converted() const { return converted_; }
 
  private:
   Connection(RequiredInterface& required, ProvidedInterface& provided);
+  static Mailbox::SlotShape CommandShape(const RequiredInterface& required,
+                                         const ProvidedInterface& provided);
+  static Mailbox::SlotShape EventShape(const RequiredInterface& required);
   void OpenMailboxes();
   void BindFunctions();
   void BindHandlers();
@@ -56,6 +72,7 @@ class Connection {
     CommandBase* handler;
   };
   std::vector<Subscription> subscriptions_;
+  std::vector<std::string> converted_;
   bool open_ = false;
 };
 

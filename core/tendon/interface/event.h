@@ -1,8 +1,7 @@
 #pragma once
 
-#include <tendon/interface/caller.h>
+#include <tendon/interface/execution/caller.h>
 #include <tendon/lockfree/counter.h>
-#include <tendon/lockfree/guarded_pointer.h>
 
 #include <memory>
 #include <mutex>
@@ -10,7 +9,8 @@
 
 namespace tendon {
 
-/// The handlers of an event, whatever its type. One thread raises; managers subscribe at any time.
+/// The handlers of an event, whatever its type. One thread raises, or many where the component has
+/// none of its own; managers subscribe at any time.
 class EventBase : public Caller {
  public:
   ~EventBase() override;
@@ -24,6 +24,14 @@ class EventBase : public Caller {
   /// How often a handler's mailbox was full, over all handlers.
   [[nodiscard]] std::uint64_t lost() const noexcept { return lost_.value(); }
 
+  /// While it is off, raising it does nothing. Any thread.
+  void Enable() noexcept { enabled_.Set(true); }
+  void Disable() noexcept { enabled_.Set(false); }
+  [[nodiscard]] bool is_enabled() const noexcept { return enabled_.Get(); }
+
+  /// Before it is raised; see Gate.
+  void SetRaisers(Callers raisers, const Inbox* home) { current_.SetCallers(raisers, home); }
+
  protected:
   struct Subscriber {
     CommandBase* handler = nullptr;
@@ -32,19 +40,31 @@ class EventBase : public Caller {
   };
   using List = std::vector<Subscriber>;
 
-  GuardedPointer<List> current_;
-  Counter<> lost_;
+  /// `call(CommandBase&) -> Status` for each handler; a failed one is counted as lost.
+  template <typename Call>
+  void CallHandlers(Call call) {
+    if (!is_enabled()) return;
+    current_.Enter([&](const List* list) {
+      if (list == nullptr) return;
+      for (const Subscriber& subscriber : *list) {
+        if (!call(subscriber.target())) lost_.Add();
+      }
+    });
+  }
 
  private:
   void Replace(std::unique_ptr<List> next);
 
+  Flag enabled_{true};
+  Gate<List> current_;
+  SharedCounter<> lost_;
   std::mutex mutex_;  // of managers
   std::unique_ptr<List> list_;
 };
 
 /// Something that happens in a component, told to every handler that is connected. Raise it by
 /// calling it, from the component's thread: it never waits, locks or allocates; a handler whose
-/// mailbox is full misses it, which is counted.
+/// mailbox is full misses it, which is counted. Handlers that run directly run in this thread.
 template <Payload T>
 class Event final : public EventBase {
  public:
@@ -57,13 +77,10 @@ class Event final : public EventBase {
 
  private:
   void Raise(const T& value) {
-    const GuardedPointer<List>::Call call(current_);
-    if (call.get() == nullptr) return;
-    None nothing;
-    for (const Subscriber& subscriber : *call.get()) {
-      auto& handler = static_cast<Command<T, None>&>(subscriber.target());
-      if (!handler.Execute(value, nothing)) lost_.Add();
-    }
+    CallHandlers([&value](CommandBase& handler) {
+      None nothing;
+      return static_cast<Command<T, None>&>(handler).Execute(value, nothing);
+    });
   }
 };
 

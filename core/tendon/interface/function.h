@@ -1,36 +1,61 @@
 #pragma once
 
-#include <tendon/interface/caller.h>
+#include <tendon/interface/execution/caller.h>
 
+#include <chrono>
 #include <cstddef>
 
 namespace tendon {
 
 /// The caller's end of a command, a member of the component that calls it. Filled when its required
-/// interface is connected; until then a call returns kNotConnected.
+/// interface is connected; until then a call returns kNotConnected, and kDisabled while the server
+/// has switched the command off.
 ///
-/// Thread safety: all functions of one required interface are called by one thread at a time,
-/// usually the component's own. A call of a void or write function never waits, locks or
-/// allocates; a read runs the server's code, or asks another process and waits for at most the
-/// interface's deadline.
+/// A call of a void or write function never waits, locks or allocates; a read runs the server's
+/// code, or asks another process and waits for at most the interface's deadline. To wait until the
+/// server has executed the call is spelt out:
+///
+///     move_to_.Wait(goal, 50ms)
+///
+/// kTimeout: it was not executed and will not be; kOutcomeUnknown: it was started, how it ends
+/// cannot be known; kNotConnected: disconnected meanwhile; kWouldDeadlock: the server runs in this
+/// very thread. Functions that return something can only be called so.
+///
+/// Thread safety: those of one required interface are called by one thread at a time: where its
+/// component is a task, by its thread. Those of a component without a thread, and where
+/// SetCallers() says so, are called by any threads.
 template <CommandKind kKind, Payload In, Payload Out>
 class Function final : public Caller {
+  using Time = std::chrono::nanoseconds;
   static constexpr bool kIsVoid = kKind == CommandKind::kVoid;
   static constexpr bool kIsWrite = kKind == CommandKind::kWrite;
   static constexpr bool kIsRead = kKind == CommandKind::kRead;
   static constexpr bool kIsQualifiedRead = kKind == CommandKind::kQualifiedRead;
+  static constexpr bool kIsVoidReturn = kKind == CommandKind::kVoidReturn;
+  static constexpr bool kIsWriteReturn = kKind == CommandKind::kWriteReturn;
 
  public:
-  Status operator()() requires kIsVoid { return Call(nothing_, nothing_); }
+  Status operator()() requires kIsVoid { return Call({}, nothing_); }
   Status operator()(const In& in) requires kIsWrite { return Call(in, nothing_); }
-  Status operator()(Out& out) requires kIsRead { return Call(nothing_, out); }
+  Status operator()(Out& out) requires kIsRead { return Call({}, out); }
   Status operator()(const In& in, Out& out) requires kIsQualifiedRead { return Call(in, out); }
+
+  Status Wait(Time timeout) requires kIsVoid { return CallAndWait({}, nothing_, timeout); }
+  Status Wait(const In& in, Time timeout) requires kIsWrite {
+    return CallAndWait(in, nothing_, timeout);
+  }
+  Status Wait(Out& out, Time timeout) requires kIsVoidReturn {
+    return CallAndWait({}, out, timeout);
+  }
+  Status Wait(const In& in, Out& out, Time timeout) requires kIsWriteReturn {
+    return CallAndWait(in, out, timeout);
+  }
 
   /// Whether a call would reach a server now.
   [[nodiscard]] bool is_connected() {
-    if (binding_ == nullptr) return false;
-    const BindingPointer::Call call(*binding_);
-    return call.get() != nullptr && call.get()->commands[index_] != nullptr;
+    return binding_ != nullptr && binding_->Enter([this](const Binding* binding) {
+      return binding != nullptr && binding->members[index_].command != nullptr;
+    });
   }
 
   [[nodiscard]] std::unique_ptr<CommandBase> Adapt(CommandBase& command) const override {
@@ -40,16 +65,22 @@ class Function final : public Caller {
  private:
   friend class RequiredInterface;
 
-  Status Call(const In& in, Out& out) {
-    if (binding_ == nullptr) return Status::kNotConnected;
-    const BindingPointer::Call call(*binding_);
-    if (call.get() == nullptr) return Status::kNotConnected;
-    CommandBase* command = call.get()->commands[index_];
-    if (command == nullptr) return Status::kNotConnected;
-    return static_cast<Command<In, Out>*>(command)->Execute(in, out);
+  static Command<In, Out>& Typed(CommandBase& command) {
+    return static_cast<Command<In, Out>&>(command);
   }
 
-  BindingPointer* binding_ = nullptr;
+  Status Call(const In& in, Out& out) {
+    if (binding_ == nullptr) return Status::kNotConnected;
+    return CallMember(*binding_, index_,
+                      [&](CommandBase& command) { return Typed(command).Execute(in, out); });
+  }
+  Status CallAndWait(const In& in, Out& out, Time timeout) {
+    if (binding_ == nullptr) return Status::kNotConnected;
+    return CallMember(*binding_, index_,
+                      [&](CommandBase& command) { return Typed(command).Wait(in, out, timeout); });
+  }
+
+  BindingGate* binding_ = nullptr;
   std::size_t index_ = 0;
   [[no_unique_address]] None nothing_;
 };
@@ -61,5 +92,9 @@ template <Payload T>
 using ReadFunction = Function<CommandKind::kRead, None, T>;
 template <Payload In, Payload Out>
 using QualifiedReadFunction = Function<CommandKind::kQualifiedRead, In, Out>;
+template <Payload T>
+using VoidReturnFunction = Function<CommandKind::kVoidReturn, None, T>;
+template <Payload In, Payload Out>
+using WriteReturnFunction = Function<CommandKind::kWriteReturn, In, Out>;
 
 }  // namespace tendon

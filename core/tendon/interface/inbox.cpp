@@ -6,12 +6,12 @@
 
 namespace tendon {
 
-Inbox::Inbox(Wakeup<>* wakeup) : wakeup_(wakeup) {}
+Inbox::Inbox(Wakeup<>* wakeup) { server_.wakeup = wakeup; }
 
 Inbox::~Inbox() { current_.Exchange(nullptr); }
 
-Mailbox& Inbox::Open(std::size_t capacity, Mailbox::SlotShape argument) {
-  auto mailbox = std::make_unique<Mailbox>(capacity, argument, accepting_, wakeup_);
+Mailbox& Inbox::Open(std::size_t capacity, Mailbox::SlotShape argument, Callers callers) {
+  auto mailbox = std::make_unique<Mailbox>(capacity, argument, callers, server_);
   Mailbox& opened = *mailbox;
   const std::scoped_lock lock(mutex_);
   auto next = list_ ? std::make_unique<List>(*list_) : std::make_unique<List>();
@@ -19,6 +19,13 @@ Mailbox& Inbox::Open(std::size_t capacity, Mailbox::SlotShape argument) {
   mailboxes_.push_back(std::move(mailbox));
   Replace(std::move(next));
   return opened;
+}
+
+void Inbox::SetAccepting(bool accepting) {
+  server_.accepting.Set(accepting);
+  if (accepting) return;
+  const std::scoped_lock lock(mutex_);
+  for (const auto& mailbox : mailboxes_) mailbox->completions().Interrupt();
 }
 
 std::size_t Inbox::Remove(Mailbox& mailbox) {
@@ -31,7 +38,8 @@ std::size_t Inbox::Remove(Mailbox& mailbox) {
       std::find_if(mailboxes_.begin(), mailboxes_.end(),
                    [&mailbox](const auto& candidate) { return candidate.get() == &mailbox; });
   assert(found != mailboxes_.end());
-  const std::size_t dropped = mailbox.size();
+  std::size_t dropped = 0;
+  while (mailbox.DropOne()) ++dropped;
   mailboxes_.erase(found);
   return dropped;
 }
@@ -54,11 +62,18 @@ std::size_t Inbox::ExecuteQueued(std::size_t limit) {
   return executed;
 }
 
+bool Inbox::has_queued() noexcept {
+  const GuardedPointer<List>::Call call(current_);
+  return call.get() != nullptr &&
+         std::any_of(call.get()->begin(), call.get()->end(),
+                     [](const Mailbox* mailbox) { return mailbox->size() > 0; });
+}
+
 std::size_t Inbox::DiscardQueued() {
   const std::scoped_lock lock(mutex_);
   std::size_t discarded = 0;
   for (const auto& mailbox : mailboxes_) {
-    while (mailbox->DiscardOne()) ++discarded;
+    while (mailbox->DropOne()) ++discarded;
   }
   return discarded;
 }

@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 #include <mutex>
+#include <thread>
 #include <vector>
 
 namespace tendon {
@@ -23,7 +24,8 @@ class Inbox {
   ~Inbox();
 
   /// Adds a mailbox; the inbox owns it until it is removed. Locks and allocates.
-  Mailbox& Open(std::size_t capacity, Mailbox::SlotShape argument);
+  Mailbox& Open(std::size_t capacity, Mailbox::SlotShape argument,
+                Callers callers = Callers::kOneThread);
 
   /// Closes `mailbox`, takes it out and frees it once nobody executes from it. Returns how many
   /// calls in it were never executed.
@@ -34,13 +36,29 @@ class Inbox {
   /// were executed. No lock, no allocation of its own.
   std::size_t ExecuteQueued(std::size_t limit = std::numeric_limits<std::size_t>::max());
 
+  /// Whether a call waits. In the executing thread; no lock.
+  [[nodiscard]] bool has_queued() noexcept;
+
   /// Frees all that waits without executing it, and returns how much it was. Only while nobody
   /// executes.
   std::size_t DiscardQueued();
 
-  /// While false, posts are refused with kNotActive.
-  void SetAccepting(bool accepting) noexcept { accepting_.Set(accepting); }
-  [[nodiscard]] bool accepting() const noexcept { return accepting_.Get(); }
+  /// While false, posts are refused with kNotActive; who waits for a call is told the same.
+  void SetAccepting(bool accepting);
+  [[nodiscard]] bool accepting() const noexcept { return server_.accepting.Get(); }
+
+  /// The thread that executes what arrives here, and alone calls the functions and raises the
+  /// events of the component, is this one; or it has ended. For tasks.
+  void BindToThisThread() noexcept {
+    const std::thread::id here = std::this_thread::get_id();
+    if (server_.thread.Get() != here) server_.thread.Set(here);
+  }
+  void Unbind() noexcept { server_.thread.Set({}); }
+  /// Whether a thread is bound, and is not this one.
+  [[nodiscard]] bool IsForeignThread() const noexcept {
+    const std::thread::id bound = server_.thread.Get();
+    return bound != std::thread::id() && bound != std::this_thread::get_id();
+  }
 
   /// Calls waiting now, over all mailboxes.
   [[nodiscard]] std::size_t size() const;
@@ -50,12 +68,11 @@ class Inbox {
 
   void Replace(std::unique_ptr<List> next);
 
-  Wakeup<>* wakeup_;
-  Flag accepting_;
-  bool executing_ = false;
-  mutable std::mutex mutex_;  // of managers; the component's thread never takes it
+  Mailbox::Server server_;    // looked at by callers
+  mutable std::mutex mutex_;  // of managers; never taken while calls are executed
   std::vector<std::unique_ptr<Mailbox>> mailboxes_;
   std::unique_ptr<List> list_;
+  alignas(kSeparation) bool executing_ = false;  // of the executing thread, as the next
   GuardedPointer<List> current_;
 };
 

@@ -1,22 +1,31 @@
 #pragma once
 
+#include <tendon/interface/execution/completion_pool.h>
 #include <tendon/lockfree/counter.h>
 #include <tendon/lockfree/flag.h>
+#include <tendon/lockfree/shared_slot_ring.h>
 #include <tendon/lockfree/slot_ring.h>
 #include <tendon/lockfree/wakeup.h>
 
-#include <algorithm>
 #include <cassert>
 #include <cstddef>
 #include <new>
+#include <optional>
+#include <thread>
 
 namespace tendon {
+
+/// Who calls through an interface, or raises its events.
+enum class Callers {
+  kOneThread,    ///< one at a time: a task's own
+  kManyThreads,  ///< at the same time: those of thread-less components, foreign callbacks
+};
 
 /// The calls of one connection that wait for the thread of the component called: one ring whose
 /// slot holds the command and its argument together, usually in one cache line.
 ///
-/// Thread safety: one thread posts (Claim, Publish), one thread executes (ExecuteOne). Neither ever
-/// waits, locks or allocates.
+/// Thread safety: one thread or many, as it was made for, post (Claim, Publish); one thread
+/// executes (ExecuteOne). Posting never waits, locks or allocates.
 class Mailbox {
  public:
   /// Whoever can execute what a slot holds.
@@ -26,101 +35,128 @@ class Mailbox {
     /// In the executing thread. May throw what the author's code throws; the slot is freed all the
     /// same.
     virtual void ExecuteSlot(std::byte* argument, std::size_t slot) = 0;
+    /// Instead of ExecuteSlot(): the call will not be executed.
+    virtual void DropSlot(std::size_t /*slot*/) noexcept {}
   };
 
-  /// What the arguments of a connection need: the maximum over its commands.
+  /// What the arguments of a connection need: the maximum over its commands; and how many slots
+  /// they want reserved, all together.
   struct SlotShape {
     std::size_t size = 0;
     std::size_t alignment = 1;
+    std::size_t reserve = 0;
 
     void Cover(const SlotShape& other);
   };
 
-  /// `accepting` and `wakeup` belong to the inbox; `wakeup` may be null.
-  Mailbox(std::size_t capacity, SlotShape argument, const Flag& accepting, Wakeup<>* wakeup);
+  /// The component called, as all its mailboxes see it.
+  struct Server {
+    Flag accepting;                     ///< whether it executes calls
+    Published<std::thread::id> thread;  ///< that executes them; nobody's until one is bound
+    Wakeup<>* wakeup = nullptr;         ///< told of every post
+  };
 
-  /// Room for the next call's argument, or null when the mailbox is full or closed: counted, and
-  /// nothing has happened.
+  /// `server` outlives it.
+  Mailbox(std::size_t capacity, SlotShape argument, Callers callers, const Server& server);
+
+  /// Room for the next call's argument, which must be published if there are many callers. Null
+  /// when the mailbox is full, which is counted, or not open; nothing has happened.
   std::byte* Claim() noexcept;
-  /// The stable number of the claimed slot, below storage().
-  [[nodiscard]] std::size_t claimed_slot() const noexcept { return claimed_; }
+  /// Room in the reserve; null when whoever asked for it takes more than it asked for.
+  std::byte* ClaimReserved() noexcept;
+  /// Why Claim() has refused.
+  [[nodiscard]] Status refusal() const noexcept;
+  /// The stable number of the slot of a claimed argument, below storage().
+  [[nodiscard]] std::size_t SlotOf(const std::byte* argument) const noexcept;
   /// Hands the claimed slot over; `entry` will execute it.
-  void Publish(Entry& entry) noexcept;
+  void Publish(std::byte* argument, Entry& entry) noexcept;
 
   /// Executes the oldest call; false when there is none.
   bool ExecuteOne();
   /// Frees the oldest call without executing it; false when there is none.
-  bool DiscardOne();
+  bool DropOne() noexcept;
 
   /// From now on Claim() refuses.
   void Close() noexcept { closed_.Set(true); }
-  [[nodiscard]] bool closed() const noexcept { return closed_.Get(); }
+  [[nodiscard]] bool is_open() const noexcept { return !closed_.Get() && accepting(); }
   /// Whether the component it belongs to executes calls.
-  [[nodiscard]] bool accepting() const noexcept { return accepting_.Get(); }
+  [[nodiscard]] bool accepting() const noexcept { return server_.accepting.Get(); }
+  /// Whether this very thread would have to execute what it posts.
+  [[nodiscard]] bool is_executed_here() const noexcept {
+    return server_.thread.Get() == std::this_thread::get_id();
+  }
 
-  [[nodiscard]] std::size_t size() const noexcept { return ring_.size(); }
-  [[nodiscard]] std::size_t capacity() const noexcept { return ring_.capacity(); }
+  /// For calls that are waited for.
+  [[nodiscard]] CompletionPool& completions() noexcept { return completions_; }
+
+  [[nodiscard]] std::size_t size() const noexcept { return many_ ? many_->size() : one_->size(); }
+  [[nodiscard]] std::size_t capacity() const noexcept { return capacity_; }
   /// Slots there are in memory: a pool of this many arguments has one for each.
-  [[nodiscard]] std::size_t storage() const noexcept { return ring_.storage(); }
-  /// How often Claim() has refused.
+  [[nodiscard]] std::size_t storage() const noexcept { return completions_.size(); }
+  /// How many calls were refused because it was full.
   [[nodiscard]] std::uint64_t refused() const noexcept { return refused_.value(); }
+  void CountRefused() noexcept { refused_.Add(); }
+  /// How many calls were replaced by newer ones of the same command.
+  [[nodiscard]] std::uint64_t replaced() const noexcept { return replaced_.value(); }
+  void CountReplaced() noexcept { replaced_.Add(); }
 
  private:
-  SlotRing<> ring_;
+  template <typename Ring>
+  bool ExecuteIn(Ring& ring);
+  template <typename Ring>
+  bool DropIn(Ring& ring) noexcept;
+  static Entry& EntryIn(std::byte* slot) noexcept {
+    return **std::launder(reinterpret_cast<Entry**>(slot));
+  }
+
+  std::optional<SlotRing<>> one_;  // one of the two
+  std::optional<SharedSlotRing<>> many_;
+  std::size_t capacity_;
   std::size_t argument_offset_;
-  std::byte* slot_ = nullptr;
-  std::size_t claimed_ = 0;
-  const Flag& accepting_;
-  Wakeup<>* wakeup_;
-  Counter<> refused_;
+  const Server& server_;
   Flag closed_;
+  SharedCounter<> refused_;
+  SharedCounter<> replaced_;
+  CompletionPool completions_;
 };
 
-inline void Mailbox::SlotShape::Cover(const SlotShape& other) {
-  size = std::max(size, other.size);
-  alignment = std::max(alignment, other.alignment);
-}
-
-inline Mailbox::Mailbox(std::size_t capacity, SlotShape argument, const Flag& accepting,
-                        Wakeup<>* wakeup)
-    : ring_(capacity, std::max(sizeof(Entry*), argument.alignment) + argument.size,
-            std::max(alignof(Entry*), argument.alignment)),
-      argument_offset_(std::max(sizeof(Entry*), argument.alignment)),
-      accepting_(accepting),
-      wakeup_(wakeup) {}
-
 inline std::byte* Mailbox::Claim() noexcept {
-  slot_ = closed() ? nullptr : ring_.Claim();
-  if (slot_ == nullptr) {
-    refused_.Add();
-    return nullptr;
-  }
-  claimed_ = ring_.IndexOf(slot_);
-  return slot_ + argument_offset_;
+  if (!is_open()) return nullptr;
+  std::byte* const slot = many_ ? many_->Claim() : one_->Claim();
+  if (slot != nullptr) return slot + argument_offset_;
+  refused_.Add();
+  return nullptr;
 }
 
-inline void Mailbox::Publish(Entry& entry) noexcept {
-  assert(slot_ != nullptr);
-  new (slot_) Entry*(&entry);
-  ring_.Publish();
-  if (wakeup_ != nullptr) wakeup_->Notify();
+inline std::byte* Mailbox::ClaimReserved() noexcept {
+  std::byte* const slot = many_ ? many_->ClaimReserved() : one_->ClaimReserved();
+  return slot == nullptr ? nullptr : slot + argument_offset_;
 }
 
-inline bool Mailbox::DiscardOne() {
-  if (ring_.Front() == nullptr) return false;
-  ring_.Release();
-  return true;
+inline std::size_t Mailbox::SlotOf(const std::byte* argument) const noexcept {
+  const std::byte* const slot = argument - argument_offset_;
+  return many_ ? many_->IndexOf(slot) : one_->IndexOf(slot);
 }
 
-inline bool Mailbox::ExecuteOne() {
-  std::byte* slot = ring_.Front();
+inline void Mailbox::Publish(std::byte* argument, Entry& entry) noexcept {
+  assert(argument != nullptr);
+  std::byte* const slot = argument - argument_offset_;
+  new (slot) Entry*(&entry);
+  many_ ? many_->Publish(slot) : one_->Publish();
+  if (server_.wakeup != nullptr) server_.wakeup->Notify();
+}
+
+inline bool Mailbox::ExecuteOne() { return many_ ? ExecuteIn(*many_) : ExecuteIn(*one_); }
+
+template <typename Ring>
+bool Mailbox::ExecuteIn(Ring& ring) {
+  std::byte* const slot = ring.Front();
   if (slot == nullptr) return false;
-  struct Release {
-    SlotRing<>& ring;
-    ~Release() { ring.Release(); }
-  } const release{ring_};
-  Entry* entry = *std::launder(reinterpret_cast<Entry**>(slot));
-  entry->ExecuteSlot(slot + argument_offset_, ring_.IndexOf(slot));
+  struct Released {
+    Ring& ring;
+    ~Released() { ring.Release(); }
+  } const released{ring};
+  EntryIn(slot).ExecuteSlot(slot + argument_offset_, ring.IndexOf(slot));
   return true;
 }
 

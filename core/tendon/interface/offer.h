@@ -1,7 +1,10 @@
 #pragma once
 
-#include <tendon/interface/command.h>
 #include <tendon/interface/description.h>
+#include <tendon/interface/execution/direct_command.h>
+#include <tendon/interface/execution/filtered_command.h>
+#include <tendon/interface/execution/latest_command.h>
+#include <tendon/interface/execution/queued_command.h>
 #include <tendon/payload/schema.h>
 
 #include <memory>
@@ -14,11 +17,17 @@ template <Payload In, Payload Out>
 MemberDescription DescribeMember(std::string name, CommandKind kind) {
   return {.name = std::move(name),
           .signature = SignatureOf<In, Out>(kind),
-          .in_type = SchemaOf<In>().name(),
-          .out_type = SchemaOf<Out>().name(),
+          .in_type = SchemaOf<In>().TypeName(),
+          .out_type = SchemaOf<Out>().TypeName(),
           .optional = false,
           .hazard = {}};
 }
+
+/// What happens to a call when its mailbox is full.
+enum class Overflow {
+  kRefuse,      ///< it is refused with kQueueFull
+  kLatestOnly,  ///< it never is: a call replaces an older one of the command that still waits
+};
 
 /// What a component lets others execute: a command of a provided interface, or an event handler of
 /// a required one. Every connection gets a command of its own from it.
@@ -35,36 +44,83 @@ class Offer {
     description_.hazard = std::move(hazard);
     return *this;
   }
+  /// For queued void and write commands and handlers, in the constructor; others disregard it.
+  Offer& SetOverflow(Overflow overflow) {
+    overflow_ = overflow;
+    return *this;
+  }
+  [[nodiscard]] Overflow overflow() const { return overflow_; }
+
+  /// While a command is off, its callers get kDisabled; what waits is executed all the same. Any
+  /// thread.
+  void Enable() noexcept { enabled_.Set(true); }
+  void Disable() noexcept { enabled_.Set(false); }
+  [[nodiscard]] const Flag& enabled() const noexcept { return enabled_; }
+
   /// The room its argument needs in a mailbox' slot.
   [[nodiscard]] virtual Mailbox::SlotShape shape() const { return {}; }
-  /// A command for one caller. `mailbox` is null where calls run in the caller's thread; it
+  /// A command for one connection. `mailbox` is null where calls run in the caller's thread; it
   /// outlives the command.
   [[nodiscard]] virtual std::unique_ptr<CommandBase> Bind(Mailbox* mailbox) const = 0;
 
  private:
   MemberDescription description_;
+  Overflow overflow_ = Overflow::kRefuse;
+  Flag enabled_{true};
 };
 
-/// A void or write command, or a handler of a void or write event.
-template <Payload In, typename Handler>
-class QueuedOffer final : public Offer {
+/// Whatever runs in the server's thread: `handler(in, out)`.
+template <Payload In, Payload Out, typename Handler>
+class QueuedOffer : public Offer {
  public:
   QueuedOffer(MemberDescription description, Handler handler)
       : Offer(std::move(description)), handler_(std::move(handler)) {}
 
-  [[nodiscard]] Mailbox::SlotShape shape() const override {
-    return QueuedCommand<In, Handler>::Shape();
+  [[nodiscard]] Mailbox::SlotShape shape() const final {
+    if constexpr (kMayReplace) {
+      if (overflow() == Overflow::kLatestOnly) return LatestCommand<In, Handler>::Shape();
+    }
+    return QueuedCommand<In, Out, Handler>::Shape();
   }
   [[nodiscard]] std::unique_ptr<CommandBase> Bind(Mailbox* mailbox) const override {
-    return std::make_unique<QueuedCommand<In, Handler>>(handler_, mailbox);
+    return BindTyped(mailbox);
+  }
+
+ protected:
+  [[nodiscard]] std::unique_ptr<Command<In, Out>> BindTyped(Mailbox* mailbox) const {
+    if constexpr (kMayReplace) {
+      if (overflow() == Overflow::kLatestOnly && mailbox != nullptr) {
+        return std::make_unique<LatestCommand<In, Handler>>(handler_, *mailbox);
+      }
+    }
+    return std::make_unique<QueuedCommand<In, Out, Handler>>(handler_, mailbox);
   }
 
  private:
+  static constexpr bool kMayReplace = std::is_same_v<Out, None>;
+
   Handler handler_;
 };
 
-/// A read or qualified read command. Every caller gets a copy of `body`, so it may have scratch
-/// space of its own.
+/// A queued write of what `filter(in, filtered)` makes of the argument in the caller's thread.
+template <Payload In, Payload Filtered, typename Filter, typename Handler>
+class FilteredOffer final : public QueuedOffer<Filtered, None, Handler> {
+ public:
+  FilteredOffer(MemberDescription description, Filter filter, Handler handler)
+      : QueuedOffer<Filtered, None, Handler>(std::move(description), std::move(handler)),
+        filter_(std::move(filter)) {}
+
+  [[nodiscard]] std::unique_ptr<CommandBase> Bind(Mailbox* mailbox) const override {
+    return std::make_unique<FilteredCommand<In, Filtered, Filter>>(filter_,
+                                                                   this->BindTyped(mailbox));
+  }
+
+ private:
+  Filter filter_;
+};
+
+/// Whatever runs in the caller's thread. Every connection gets a copy of `body`, so it may have
+/// Scratch space of its own.
 template <Payload In, Payload Out, typename Body>
 class DirectOffer final : public Offer {
  public:

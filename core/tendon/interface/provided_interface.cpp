@@ -13,6 +13,7 @@ Offer& ProvidedInterface::AddOffer(std::unique_ptr<Offer> offer) {
 
 void ProvidedInterface::AddEvent(EventBase& event, MemberDescription description) {
   CheckNew("event", description.name);
+  event.SetRaisers(raisers(), inbox_);
   events_.push_back({std::move(description), &event});
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <tendon/interface/event.h>
+#include <tendon/interface/execution/scratch.h>
+#include <tendon/interface/execution/thread_safe.h>
 #include <tendon/interface/inbox.h>
 #include <tendon/interface/offer.h>
 #include <tendon/state/state_table.h>
@@ -12,11 +14,6 @@
 
 namespace tendon {
 
-/// Says that a method may run in any thread at the same time as its component: it touches only what
-/// is constant or synchronised.
-struct ThreadSafe {};
-inline constexpr ThreadSafe kThreadSafe;
-
 /// A named set of commands and events that a component offers.
 ///
 /// It is filled in the component's constructor. A second member of one name, a bad name or adding
@@ -24,50 +21,99 @@ inline constexpr ThreadSafe kThreadSafe;
 /// which members of the component do.
 class ProvidedInterface {
  public:
-  /// `inbox` is where void and write commands wait; null when they run in the caller's thread.
+  /// `inbox` is where calls wait for the component's thread; null when they run in the caller's.
   ProvidedInterface(std::string name, Inbox* inbox) : name_(std::move(name)), inbox_(inbox) {}
   ProvidedInterface(const ProvidedInterface&) = delete;
   ProvidedInterface& operator=(const ProvidedInterface&) = delete;
 
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] Inbox* inbox() const { return inbox_; }
+  /// Who raises its events: any thread where the component has none of its own.
+  [[nodiscard]] Callers raisers() const {
+    return inbox_ == nullptr ? Callers::kManyThreads : Callers::kOneThread;
+  }
 
-  /// Queued to the component's thread; runs in its ProcessQueuedCommands().
+  // Queued to the component's thread; runs in its ProcessQueuedCommands().
+
   template <typename Owner, std::derived_from<Owner> Object>
   Offer& AddCommandVoid(void (Owner::*method)(), Object* object, std::string name) {
-    return AddQueued<None>(CommandKind::kVoid, std::move(name),
-                           [method, object](const None&) { (object->*method)(); });
+    return AddQueued<None, None>(CommandKind::kVoid, std::move(name),
+                                 [method, object](const None&, None&) { (object->*method)(); });
   }
   template <typename Owner, typename Argument, std::derived_from<Owner> Object>
   Offer& AddCommandWrite(void (Owner::*method)(Argument), Object* object, std::string name) {
     using In = std::remove_cvref_t<Argument>;
-    return AddQueued<In>(CommandKind::kWrite, std::move(name),
-                         [method, object](const In& in) { (object->*method)(in); });
+    return AddQueued<In, None>(CommandKind::kWrite, std::move(name),
+                               [method, object](const In& in, None&) { (object->*method)(in); });
+  }
+  /// The caller waits for the answer, with a deadline. For what takes a moment: a caller that has
+  /// given up does not hear the answer.
+  template <typename Owner, Payload Out, std::derived_from<Owner> Object>
+  Offer& AddCommandVoidReturn(void (Owner::*method)(Out&), Object* object, std::string name) {
+    return AddQueued<None, Out>(
+        CommandKind::kVoidReturn, std::move(name),
+        [method, object](const None&, Out& out) { (object->*method)(out); });
+  }
+  template <typename Owner, typename Argument, Payload Out, std::derived_from<Owner> Object>
+  Offer& AddCommandWriteReturn(void (Owner::*method)(Argument, Out&), Object* object,
+                               std::string name) {
+    using In = std::remove_cvref_t<Argument>;
+    return AddQueued<In, Out>(
+        CommandKind::kWriteReturn, std::move(name),
+        [method, object](const In& in, Out& out) { (object->*method)(in, out); });
+  }
+  /// A write command of `In`: `filter(in, filtered)` runs in the caller's thread, where it may
+  /// throw (kFailed); its output is queued.
+  template <Payload In, Payload Filtered, typename Owner, typename Argument,
+            std::derived_from<Owner> Object>
+  Offer& AddCommandFilteredWrite(void (*filter)(const In&, Filtered&),
+                                 void (Owner::*method)(Argument), Object* object,
+                                 std::string name) {
+    const auto handler = [method, object](const Filtered& in, None&) { (object->*method)(in); };
+    return AddOffer(
+        std::make_unique<FilteredOffer<In, Filtered, decltype(filter), decltype(handler)>>(
+            DescribeMember<In, None>(std::move(name), CommandKind::kWrite), filter, handler));
   }
 
-  /// Runs in the caller's thread: newest value of a column of `table`; kNoSample before the first
-  /// row. Allocates nothing for fixed payloads.
+  // Runs in the caller's thread: what touches only rows of a state table.
+
+  /// Newest value of a column of `table`; kNoSample before the first row. Allocates nothing for
+  /// fixed payloads.
   template <Payload T>
   Offer& AddCommandReadState(const StateTable& table, const T& variable, std::string name) {
     const Column<T>& column = table.Find(variable);
     return AddDirect<None, T>(CommandKind::kRead, std::move(name),
                               [&column](const None&, T& out) { return column.ReadNewest(out); });
   }
-  /// Runs in the caller's thread: `function(row, question, answer)` on the newest value of a
-  /// column.
+  /// `function(row, question, answer)` on the newest value of a column.
   template <Payload T, Payload In, Payload Out>
   Offer& AddCommandQualifiedRead(const StateTable& table, const T& variable,
                                  void (*function)(const T&, const In&, Out&), std::string name) {
     const Column<T>& column = table.Find(variable);
     return AddDirect<In, Out>(
         CommandKind::kQualifiedRead, std::move(name),
-        [&column, function, row = T{}](const In& in, Out& out) mutable -> Status {
-          const Status status = column.ReadNewest(row);
-          if (status) function(row, in, out);
+        [&column, function, scratch = Scratch<T>()](const In& in, Out& out) mutable -> Status {
+          typename Scratch<T>::Use row(scratch);
+          const Status status = column.ReadNewest(*row);
+          if (status) function(*row, in, out);
           return status;
         });
   }
-  /// Runs in the caller's thread, whenever: hence the tag.
+
+  // Runs in the caller's thread, whenever: hence the tag.
+
+  template <typename Owner, std::derived_from<Owner> Object>
+  Offer& AddCommandVoid(void (Owner::*method)(), Object* object, std::string name, ThreadSafe) {
+    return AddDirect<None, None>(CommandKind::kVoid, std::move(name),
+                                 CallMethod<None>(method, object));
+  }
+  template <typename Owner, typename Argument, std::derived_from<Owner> Object>
+  Offer& AddCommandWrite(void (Owner::*method)(Argument), Object* object, std::string name,
+                         ThreadSafe) {
+    using In = std::remove_cvref_t<Argument>;
+    return AddDirect<In, None>(CommandKind::kWrite, std::move(name),
+                               CallMethod<In>(method, object));
+  }
   template <typename Owner, Payload Out, std::derived_from<Owner> Object>
   Offer& AddCommandRead(void (Owner::*method)(Out&) const, const Object* object, std::string name,
                         ThreadSafe) {
@@ -114,10 +160,10 @@ class ProvidedInterface {
     EventBase* event;
   };
 
-  template <Payload In, typename Handler>
+  template <Payload In, Payload Out, typename Handler>
   Offer& AddQueued(CommandKind kind, std::string name, Handler handler) {
-    return AddOffer(std::make_unique<QueuedOffer<In, Handler>>(
-        DescribeMember<In, None>(std::move(name), kind), std::move(handler)));
+    return AddOffer(std::make_unique<QueuedOffer<In, Out, Handler>>(
+        DescribeMember<In, Out>(std::move(name), kind), std::move(handler)));
   }
   template <Payload In, Payload Out, typename Body>
   Offer& AddDirect(CommandKind kind, std::string name, Body body) {

@@ -11,9 +11,10 @@ std::size_t RequiredInterface::AddCaller(Caller& caller, MemberDescription descr
   return callers_.size() - 1;
 }
 
-void RequiredInterface::AddOffer(std::unique_ptr<Offer> handler) {
+Offer& RequiredInterface::AddOffer(std::unique_ptr<Offer> handler) {
   CheckNew("event handler", handler->description().name);
   handlers_.push_back(std::move(handler));
+  return *handlers_.back();
 }
 
 void RequiredInterface::SetMailboxCapacity(std::size_t capacity) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <tendon/interface/events/event_waiter.h>
+#include <tendon/interface/execution/thread_safe.h>
 #include <tendon/interface/function.h>
 #include <tendon/interface/inbox.h>
 #include <tendon/interface/offer.h>
@@ -18,9 +20,12 @@ enum class Need { kRequired, kOptional };
 /// interface. Filled in the component's constructor; the rules are those of ProvidedInterface.
 class RequiredInterface {
  public:
-  /// `inbox` is where events wait; null when handlers run in the thread that raises them.
+  /// `inbox` is where events wait; null when the component has no thread: handlers then run in the
+  /// thread that raises them, and any thread may call its functions.
   RequiredInterface(std::string name, Inbox* inbox, Need need = Need::kRequired)
-      : name_(std::move(name)), inbox_(inbox), need_(need) {}
+      : name_(std::move(name)), inbox_(inbox), need_(need) {
+    SetCallers(inbox == nullptr ? Callers::kManyThreads : Callers::kOneThread);
+  }
   RequiredInterface(const RequiredInterface&) = delete;
   RequiredInterface& operator=(const RequiredInterface&) = delete;
 
@@ -37,25 +42,54 @@ class RequiredInterface {
     function.binding_ = &binding_;
   }
 
-  /// Queued to the component's thread; runs in its ProcessQueuedCommands().
+  // Queued to the component's thread; runs in its ProcessQueuedCommands().
+
   template <typename Owner, std::derived_from<Owner> Object>
-  void AddEventHandlerVoid(void (Owner::*method)(), Object* object, std::string name,
+  Offer& AddEventHandlerVoid(void (Owner::*method)(), Object* object, std::string name,
+                             Need need = Need::kRequired) {
+    return AddQueued<None>(CommandKind::kVoid, std::move(name), need,
+                           [method, object](const None&, None&) { (object->*method)(); });
+  }
+  template <typename Owner, typename Argument, std::derived_from<Owner> Object>
+  Offer& AddEventHandlerWrite(void (Owner::*method)(Argument), Object* object, std::string name,
+                              Need need = Need::kRequired) {
+    using In = std::remove_cvref_t<Argument>;
+    return AddQueued<In>(CommandKind::kWrite, std::move(name), need,
+                         [method, object](const In& in, None&) { (object->*method)(in); });
+  }
+
+  // Runs in the thread that raises the event: hence the tag.
+
+  template <typename Owner, std::derived_from<Owner> Object>
+  void AddEventHandlerVoid(void (Owner::*method)(), Object* object, std::string name, ThreadSafe,
                            Need need = Need::kRequired) {
-    AddHandler<None>(CommandKind::kVoid, std::move(name), need,
-                     [method, object](const None&) { (object->*method)(); });
+    AddDirect<None>(CommandKind::kVoid, std::move(name), need, CallMethod<None>(method, object));
   }
   template <typename Owner, typename Argument, std::derived_from<Owner> Object>
   void AddEventHandlerWrite(void (Owner::*method)(Argument), Object* object, std::string name,
-                            Need need = Need::kRequired) {
+                            ThreadSafe, Need need = Need::kRequired) {
     using In = std::remove_cvref_t<Argument>;
-    AddHandler<In>(CommandKind::kWrite, std::move(name), need,
-                   [method, object](const In& in) { (object->*method)(in); });
+    AddDirect<In>(CommandKind::kWrite, std::move(name), need, CallMethod<In>(method, object));
+  }
+
+  /// `waiter` is a member of the component, a thread of which waits for the event of this name.
+  template <Payload T>
+  void AddEventWaiter(EventWaiter<T>& waiter, std::string name, Need need = Need::kRequired) {
+    AddOffer(std::make_unique<typename EventWaiter<T>::HandlerOffer>(
+        DescribeHandler<T>(std::is_same_v<T, None> ? CommandKind::kVoid : CommandKind::kWrite,
+                           std::move(name), need),
+        waiter));
   }
 
   /// For members that are made at run time. The caller's place in the binding is returned.
   std::size_t AddCaller(Caller& caller, MemberDescription description);
-  void AddOffer(std::unique_ptr<Offer> handler);
-  [[nodiscard]] BindingPointer& binding() { return binding_; }
+  Offer& AddOffer(std::unique_ptr<Offer> handler);
+  [[nodiscard]] BindingGate& binding() { return binding_; }
+
+  /// Who calls its functions. A task's thread alone does, unless it says here, in its constructor,
+  /// that threads of others do as well, such as callbacks of a driver.
+  void SetCallers(Callers callers) { binding_.SetCallers(callers, inbox_); }
+  [[nodiscard]] Callers callers() const { return binding_.callers(); }
 
   /// How many calls may wait at the server, and how many events here; 64 unless set before the
   /// connection is made. 1 to 2^24.
@@ -80,12 +114,21 @@ class RequiredInterface {
     Caller* caller;
   };
 
-  template <Payload In, typename Handler>
-  void AddHandler(CommandKind kind, std::string name, Need need, Handler handler) {
+  template <Payload In>
+  static MemberDescription DescribeHandler(CommandKind kind, std::string name, Need need) {
     MemberDescription description = DescribeMember<In, None>(std::move(name), kind);
     description.optional = need == Need::kOptional;
-    AddOffer(
-        std::make_unique<QueuedOffer<In, Handler>>(std::move(description), std::move(handler)));
+    return description;
+  }
+  template <Payload In, typename Handler>
+  Offer& AddQueued(CommandKind kind, std::string name, Need need, Handler handler) {
+    return AddOffer(std::make_unique<QueuedOffer<In, None, Handler>>(
+        DescribeHandler<In>(kind, std::move(name), need), std::move(handler)));
+  }
+  template <Payload In, typename Body>
+  void AddDirect(CommandKind kind, std::string name, Need need, Body body) {
+    AddOffer(std::make_unique<DirectOffer<In, None, Body>>(
+        DescribeHandler<In>(kind, std::move(name), need), std::move(body)));
   }
   void CheckNew(const std::string& what, const std::string& name) const;
 
@@ -100,7 +143,7 @@ class RequiredInterface {
   std::chrono::milliseconds read_deadline_ = kDefaultReadDeadline;
   std::vector<NamedCaller> callers_;
   std::vector<std::unique_ptr<Offer>> handlers_;
-  BindingPointer binding_;
+  BindingGate binding_;
 };
 
 }  // namespace tendon

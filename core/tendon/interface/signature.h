@@ -46,6 +46,11 @@ inline constexpr auto kPayload<CommandKind> =
   return "unknown";
 }
 
+/// Whether the caller gets an answer for which it waits until the server's thread has executed it.
+[[nodiscard]] constexpr bool WaitsForServer(CommandKind kind) noexcept {
+  return kind == CommandKind::kVoidReturn || kind == CommandKind::kWriteReturn;
+}
+
 /// What both ends of a connection must agree on, for one member.
 struct Signature {
   CommandKind kind = CommandKind::kVoid;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <tendon/lockfree/atomics.h>
+
 #include <atomic>
 #include <type_traits>
 
@@ -7,7 +9,7 @@ namespace tendon {
 
 /// A small value that threads set and look at; what was written before Set() is seen after a Get()
 /// that sees it. Wait-free.
-template <typename T>
+template <typename T, typename Atomics = StdAtomics>
 requires std::is_trivially_copyable_v<T>
 class Published {
  public:
@@ -19,7 +21,7 @@ class Published {
   }
 
  private:
-  std::atomic<T> value_;
+  typename Atomics::template Atomic<T> value_;
 };
 
 using Flag = Published<bool>;

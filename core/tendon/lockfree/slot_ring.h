@@ -1,13 +1,10 @@
 #pragma once
 
-#include <tendon/lockfree/atomics.h>
+#include <tendon/lockfree/slot_array.h>
 
 #include <algorithm>
-#include <bit>
-#include <cassert>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 
 namespace tendon {
 
@@ -23,29 +20,16 @@ namespace tendon {
 template <typename Atomics = StdAtomics>
 class SlotRing {
  public:
-  /// `slot_size` in bytes; `alignment` is a power of two. Slots lie at least a cache line apart.
-  SlotRing(std::size_t capacity, std::size_t slot_size, std::size_t alignment)
-      : capacity_(capacity), mask_(std::bit_ceil(std::max<std::size_t>(capacity, 1)) - 1) {
-    assert(std::has_single_bit(alignment));
-    alignment = std::max(alignment, kCacheLine);
-    stride_ = std::max((slot_size + alignment - 1) & ~(alignment - 1), alignment);
-    shift_ = static_cast<unsigned>(std::countr_zero(stride_));
-    inverse_ = InverseOfOdd(stride_ >> shift_);
-    std::size_t size = storage() * stride_ + alignment;
-    memory_ = std::make_unique<std::byte[]>(size);
-    void* first = memory_.get();
-    slots_ = static_cast<std::byte*>(std::align(alignment, storage() * stride_, first, size));
-  }
+  /// `slot_size` in bytes; `alignment` is a power of two. `reserve` slots beyond the capacity are
+  /// kept for ClaimReserved().
+  SlotRing(std::size_t capacity, std::size_t slot_size, std::size_t alignment,
+           std::size_t reserve = 0)
+      : capacity_(capacity), reserve_(reserve), slots_(capacity + reserve, slot_size, alignment) {}
 
   /// Producer: the next free slot, the same until Publish(); null when the ring is full.
-  std::byte* Claim() noexcept {
-    const std::uint64_t write = producer_.write.load(std::memory_order_relaxed);
-    if (write - producer_.read_seen >= capacity_) {
-      producer_.read_seen = consumer_.read.load(std::memory_order_acquire);  // pairs with (B)
-      if (write - producer_.read_seen >= capacity_) return nullptr;
-    }
-    return At(write);
-  }
+  std::byte* Claim() noexcept { return ClaimWithin(capacity_); }
+  /// Producer: the same, and full only when the reserve is used up as well.
+  std::byte* ClaimReserved() noexcept { return ClaimWithin(capacity_ + reserve_); }
 
   /// Producer: hands the claimed slot to the consumer.
   void Publish() noexcept {
@@ -60,7 +44,7 @@ class SlotRing {
       consumer_.write_seen = producer_.write.load(std::memory_order_acquire);  // pairs with (A)
       if (read == consumer_.write_seen) return nullptr;
     }
-    return At(read);
+    return slots_.At(read);
   }
 
   /// Consumer: returns the front slot to the producer.
@@ -71,21 +55,20 @@ class SlotRing {
 
   /// The number of a slot's place in memory, below storage(); it serves a pool beside the ring.
   [[nodiscard]] std::size_t IndexOf(const std::byte* slot) const noexcept {
-    // Exact division by the stride: a shift and the inverse of its odd part, modulo 2^64.
-    return (static_cast<std::size_t>(slot - slots_) >> shift_) * inverse_;
+    return slots_.IndexOf(slot);
   }
 
   /// How many slots wait. Any thread; exact when neither side is at work.
   [[nodiscard]] std::size_t size() const noexcept {
     const std::uint64_t read = consumer_.read.load(std::memory_order_acquire);    // pairs with (B)
     const std::uint64_t write = producer_.write.load(std::memory_order_acquire);  // pairs with (A)
-    return std::min<std::size_t>(write - read, capacity_);
+    return std::min<std::size_t>(write - read, capacity_ + reserve_);
   }
   [[nodiscard]] std::size_t capacity() const noexcept { return capacity_; }
-  /// Slots in memory: the capacity rounded up to a power of two.
-  [[nodiscard]] std::size_t storage() const noexcept { return mask_ + 1; }
+  /// Slots in memory: a power of two.
+  [[nodiscard]] std::size_t storage() const noexcept { return slots_.count_in_memory(); }
   /// Bytes from one slot to the next.
-  [[nodiscard]] std::size_t stride() const noexcept { return stride_; }
+  [[nodiscard]] std::size_t stride() const noexcept { return slots_.stride(); }
 
  private:
   using Index = typename Atomics::template Atomic<std::uint64_t>;
@@ -99,21 +82,18 @@ class SlotRing {
     std::uint64_t write_seen = 0;
   };
 
-  static constexpr std::size_t InverseOfOdd(std::size_t odd) {
-    std::size_t inverse = odd;  // right in three bits; each Newton step doubles them
-    for (int step = 0; step < 5; ++step) inverse *= 2 - odd * inverse;
-    return inverse;
+  std::byte* ClaimWithin(std::size_t limit) noexcept {
+    const std::uint64_t write = producer_.write.load(std::memory_order_relaxed);
+    if (write - producer_.read_seen >= limit) {
+      producer_.read_seen = consumer_.read.load(std::memory_order_acquire);  // pairs with (B)
+      if (write - producer_.read_seen >= limit) return nullptr;
+    }
+    return slots_.At(write);
   }
 
-  std::byte* At(std::uint64_t index) noexcept { return slots_ + (index & mask_) * stride_; }
-
   std::size_t capacity_;
-  std::size_t mask_;
-  std::size_t stride_ = 0;
-  std::size_t inverse_ = 1;
-  unsigned shift_ = 0;
-  std::unique_ptr<std::byte[]> memory_;
-  std::byte* slots_ = nullptr;
+  std::size_t reserve_;
+  SlotArray slots_;
   Producer producer_;
   Consumer consumer_;
 };

@@ -1,7 +1,7 @@
 #include <tendon/base/name.h>
 #include <tendon/base/os/process.h>
-#include <tendon/base/os/shared_library.h>
 #include <tendon/manager/component_loader.h>
+#include <tendon/manager/plugin.h>
 
 #include <cstdlib>
 #include <set>
@@ -10,8 +10,6 @@ namespace tendon {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* kEntryPoint = "TendonRegisterComponents";
 
 std::vector<std::string> Plugins(const std::vector<fs::path>& folders) {
   std::set<std::string> names;
@@ -50,24 +48,10 @@ Result<void> ComponentLoader::Load(const std::string& library) {
   if (loaded_.contains(library)) return {};
   const auto file = Find(library);
   if (!file) return file.error();
-  const auto handle = os::LoadSharedLibrary(file->string());
-  if (!handle) {
-    return Error{ErrorCode::kFailed,
-                 "plug-in " + file->string() + " cannot be loaded: " + handle.error().message};
-  }
-  void* entry = os::FindSymbol(*handle, kEntryPoint);
-  if (entry == nullptr) {
-    return Error{ErrorCode::kFailed, "plug-in " + file->string() + " exports no " + kEntryPoint +
-                                         ": it is no component plug-in of this version"};
-  }
-  ComponentRegistry registry;
-  try {
-    reinterpret_cast<void (*)(ComponentRegistry&)>(entry)(registry);
-  } catch (const std::exception& error) {
-    return Error{ErrorCode::kFailed,
-                 "plug-in " + file->string() + " failed to register: " + error.what()};
-  }
-  loaded_.emplace(library, std::move(registry));
+  if (auto probed = ProbePlugin(*file); !probed) return probed;
+  auto registry = OpenPlugin(*file);
+  if (!registry) return registry.error();
+  loaded_.emplace(library, *std::move(registry));
   return {};
 }
 

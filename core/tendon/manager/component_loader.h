@@ -20,13 +20,17 @@ class ComponentLoader {
 
   /// Loads `library`, a bare name, unless it is loaded. Errors: kInvalid for a name with '/' or
   /// "..", kNotFound with the folders searched and a suggestion, kFailed with what is wrong with
-  /// the file. A library that fails adds no class.
+  /// the file, in one sentence: the path, what was expected, what was found. A library is tried in
+  /// another process first; one that fails is not loaded in this one and adds no class.
   Result<void> Load(const std::string& library);
 
   /// Loads the library and makes a component of one of its classes.
   Result<std::unique_ptr<Component>> Create(const std::string& library,
                                             const std::string& class_name, const std::string& name,
                                             const std::string& configuration_json);
+
+  /// The classes of each library that is loaded, by its name.
+  [[nodiscard]] const std::map<std::string, ComponentRegistry>& loaded() const { return loaded_; }
 
  private:
   [[nodiscard]] Result<std::filesystem::path> Find(const std::string& library) const;

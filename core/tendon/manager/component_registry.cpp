@@ -1,13 +1,16 @@
 #include <tendon/base/name.h>
+#include <tendon/base/printable.h>
 #include <tendon/manager/component_registry.h>
+#include <tendon/payload/json/strict_json.h>
 
 #include <nlohmann/json.hpp>
 
 namespace tendon {
 
-void ComponentRegistry::AddFactory(std::string class_name, Factory factory) {
+void ComponentRegistry::AddFactory(ComponentClass added, Factory factory) {
+  const std::string class_name = added.name;
   RequireName("class", class_name);
-  if (!factories_.emplace(class_name, std::move(factory)).second) {
+  if (!entries_.emplace(class_name, Entry{std::move(added), std::move(factory)}).second) {
     throw ConfigurationError("component class '" + class_name + "' is registered twice");
   }
 }
@@ -15,15 +18,15 @@ void ComponentRegistry::AddFactory(std::string class_name, Factory factory) {
 Result<std::unique_ptr<Component>> ComponentRegistry::Create(
     const std::string& class_name, const std::string& name,
     const std::string& configuration_json) const {
-  const auto factory = factories_.find(class_name);
-  if (factory == factories_.end()) {
+  const auto entry = entries_.find(class_name);
+  if (entry == entries_.end()) {
     const auto known = class_names();
     return Error{ErrorCode::kNotFound,
                  "no component class '" + class_name + "'" + DidYouMean(class_name, known)};
   }
   const std::string what = "component '" + name + "' (class " + class_name + "): ";
   try {
-    auto component = factory->second(name, configuration_json);
+    auto component = entry->second.factory(name, configuration_json);
     if (component) return component;
     return Error{component.error().code, what + component.error().message};
   } catch (const std::exception& error) {
@@ -33,21 +36,31 @@ Result<std::unique_ptr<Component>> ComponentRegistry::Create(
   }
 }
 
+std::vector<ComponentClass> ComponentRegistry::classes() const {
+  std::vector<ComponentClass> all;
+  for (const auto& [name, entry] : entries_) all.push_back(entry.description);
+  return all;
+}
+
 std::vector<std::string> ComponentRegistry::class_names() const {
   std::vector<std::string> names;
-  for (const auto& [name, factory] : factories_) names.push_back(name);
+  for (const auto& [name, entry] : entries_) names.push_back(name);
   return names;
 }
 
 Result<std::string> ComponentRegistry::MergeConfiguration(const std::string& defaults,
                                                           const std::string& json) {
   if (json.empty()) return defaults;
-  auto merged = nlohmann::ordered_json::parse(defaults);
-  const auto given = nlohmann::ordered_json::parse(json, nullptr, false);
-  if (!given.is_object()) {
-    return Error{ErrorCode::kInvalid, "its configuration must be a JSON object, got " + json};
+  auto merged = Json::parse(defaults);
+  const auto given = ParseStrictJson(json);
+  if (!given) {
+    return Error{ErrorCode::kInvalid, "its configuration is no JSON: " + given.error().message};
   }
-  merged.merge_patch(given);
+  if (!given->is_object()) {
+    return Error{ErrorCode::kInvalid,
+                 "its configuration must be a JSON object, got " + Printable(json, 64)};
+  }
+  merged.merge_patch(*given);
   return merged.dump();
 }
 

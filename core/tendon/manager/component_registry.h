@@ -1,5 +1,6 @@
 #pragma once
 
+#include <tendon/manager/plugin_abi.h>
 #include <tendon/payload/json.h>
 #include <tendon/task/component.h>
 
@@ -10,6 +11,13 @@
 #include <vector>
 
 namespace tendon {
+
+/// A class as those see it who do not know its type.
+struct ComponentClass {
+  std::string name;
+  Schema configuration;  ///< of None where it takes none
+  std::string defaults;  ///< the configuration of one that is told nothing, as JSON
+};
 
 /// The component classes that can be made by name. A plug-in adds its own in a function
 ///
@@ -27,22 +35,38 @@ class ComponentRegistry {
   /// ConfigurationError when the class is there already.
   template <std::derived_from<Component> T>
   void Add(std::string class_name) {
-    AddFactory(std::move(class_name), [](const std::string& name, const std::string& json) {
+    ComponentClass added{std::move(class_name), {}, ToJson(None{})};
+    if constexpr (Configurable<T>) {
+      added.configuration = SchemaOf<typename T::Configuration>();
+      added.defaults = ToJson(typename T::Configuration{});
+    }
+    AddFactory(std::move(added), [](const std::string& name, const std::string& json) {
       return Make<T>(name, json);
     });
   }
-  void AddFactory(std::string class_name, Factory factory);
+  void AddFactory(ComponentClass added, Factory factory);
 
   /// Makes a component; errors name the class, and what its constructor said.
   Result<std::unique_ptr<Component>> Create(const std::string& class_name, const std::string& name,
                                             const std::string& configuration_json) const;
 
+  /// In the order of their names.
+  [[nodiscard]] std::vector<ComponentClass> classes() const;
   [[nodiscard]] std::vector<std::string> class_names() const;
 
  private:
+  struct Entry {
+    ComponentClass description;
+    Factory factory;
+  };
+  template <typename T>
+  static constexpr bool Configurable = requires {
+    typename T::Configuration;
+  };
+
   template <typename T>
   static Result<std::unique_ptr<Component>> Make(const std::string& name, const std::string& json) {
-    if constexpr (requires { typename T::Configuration; }) {
+    if constexpr (Configurable<T>) {
       using Configuration = typename T::Configuration;
       auto merged = MergeConfiguration(ToJson(Configuration{}), json);
       if (!merged) return merged.error();
@@ -60,7 +84,7 @@ class ComponentRegistry {
   static Result<std::string> MergeConfiguration(const std::string& defaults,
                                                 const std::string& json);
 
-  std::map<std::string, Factory> factories_;
+  std::map<std::string, Entry> entries_;
 };
 
 }  // namespace tendon

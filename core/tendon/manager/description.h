@@ -36,6 +36,7 @@ struct ComponentDescription {
   std::string library;  ///< the plug-in's file name, or empty
   ComponentState state = ComponentState::kConstructed;
   std::string fault;    ///< why it is faulted
+  std::string warning;  ///< what is wrong though it is active: "missed 8 x 10 ms"
   double period = 0.0;  ///< s; 0 where it has none
   std::vector<ProvidedDescription> provided;
   std::vector<RequiredDescription> required;
@@ -99,6 +100,7 @@ inline constexpr auto tendon::kPayload<tendon::ComponentDescription> = tendon::D
     tendon::Field{"library", &tendon::ComponentDescription::library},
     tendon::Field{"state", &tendon::ComponentDescription::state},
     tendon::Field{"fault", &tendon::ComponentDescription::fault},
+    tendon::Field{"warning", &tendon::ComponentDescription::warning},
     tendon::Field{"period", &tendon::ComponentDescription::period, "s"},
     tendon::Field{"provided", &tendon::ComponentDescription::provided},
     tendon::Field{"required", &tendon::ComponentDescription::required},

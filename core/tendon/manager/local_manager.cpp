@@ -1,4 +1,5 @@
 #include <tendon/manager/local_manager.h>
+#include <tendon/task/thread/threaded_task.h>
 
 #include <algorithm>
 
@@ -19,6 +20,13 @@ Error NoInterface(const std::string& sort, const InterfaceName& name,
                                          DidYouMean(name.interface, known)};
 }
 
+/// A connection leads from a required to a provided interface.
+Error OtherSide(const InterfaceName& name, const std::string& is, const std::string& wanted) {
+  return Error{ErrorCode::kNotFound, "interface '" + name.interface + "' of component '" +
+                                         name.component + "' is a " + is + " one; name a " +
+                                         wanted + " one there"};
+}
+
 }  // namespace
 
 LocalManager::~LocalManager() { Clear(); }
@@ -27,13 +35,15 @@ void LocalManager::Clear() {
   SetObserver(nullptr);
   const auto lock = Lock();
   connections_.clear();
-  for (auto entry = entries_.rbegin(); entry != entries_.rend(); ++entry) {
-    (void)entry->component->Stop();
-  }
-  while (!entries_.empty()) entries_.pop_back();
+  Components components = InOrder();
+  for (auto one = components.rbegin(); one != components.rend(); ++one) (*one)->End();
+  for (const auto& one : components) watchdog_.Forget(*one);
+  entries_.clear();
+  while (!components.empty()) components.pop_back();
 }
 
 Component& LocalManager::Add(std::unique_ptr<Component> component, ComponentOrigin origin) {
+  if (!component) throw ConfigurationError("LocalManager::Add: null component");
   Component& added = *component;
   {
     const auto lock = Lock();
@@ -44,21 +54,36 @@ Component& LocalManager::Add(std::unique_ptr<Component> component, ComponentOrig
     added.Seal();
     added.SetStateObserver([this] { NotifyChanged(); });
     entries_.push_back({std::move(component), std::move(origin)});
+    if (const auto* task = dynamic_cast<const Task*>(&added)) watchdog_.Watch(*task);
   }
   NotifyChanged();
   return added;
 }
 
-Result<void> LocalManager::Remove(const std::string& component) {
+Result<void> LocalManager::Remove(const std::string& component, Patience patience) {
+  std::shared_ptr<Component> removed;
   {
     const auto lock = Lock();
     const auto found = Require(component);
     if (!found) return found.error();
-    OnRemoving(**found);
+    removed = *found;
+    OnRemoving(*removed);
     DisconnectAll(component);
-    (*found)->SetStateObserver(nullptr);
-    (void)(*found)->Stop();
-    std::erase_if(entries_, [&](const Entry& one) { return one.component.get() == *found; });
+    (void)removed->Stop(kNoWait);
+  }
+  Result<void> stopped;
+  if (!removed->is_at_rest()) stopped = removed->WaitFor(ComponentState::kFinished, patience);
+  {
+    const auto lock = Lock();
+    if (!removed->is_at_rest()) {
+      return Error{ErrorCode::kTimeout,
+                   "component '" + component + "' is not removed, for it runs" +
+                       (stopped ? std::string(" again") : ": " + stopped.error().message)};
+    }
+    removed->SetStateObserver(nullptr);
+    watchdog_.Forget(*removed);
+    std::erase_if(entries_, [&](const Entry& one) { return one.component == removed; });
+    removed.reset();
   }
   NotifyChanged();
   return {};
@@ -106,36 +131,96 @@ Result<void> LocalManager::Disconnect(const InterfaceName& required) {
   return {};
 }
 
-Result<void> LocalManager::Start(const std::string& component) {
-  const auto lock = Lock();
-  const auto found = Require(component);
-  return found ? (*found)->Start() : found.error();
-}
-
-Result<void> LocalManager::Stop(const std::string& component) {
-  const auto lock = Lock();
-  const auto found = Require(component);
-  return found ? (*found)->Stop() : found.error();
-}
-
-Result<void> LocalManager::StartAll() {
-  const auto lock = Lock();
-  Result<void> outcome;
-  for (const Entry& entry : entries_) {
-    if (entry.component->state() == ComponentState::kActive) continue;
-    const auto started = entry.component->Start();
-    if (!started && outcome) outcome = started;
+Result<void> LocalManager::RunAfter(const std::string& component, const std::string& leader) {
+  {
+    const auto lock = Lock();
+    const auto follower = Require(component);
+    if (!follower) return follower.error();
+    const auto first = Require(leader);
+    if (!first) return first.error();
+    auto* task = dynamic_cast<ThreadedTask*>(follower->get());
+    auto* leading = dynamic_cast<Task*>(first->get());
+    if (task == nullptr || leading == nullptr) {
+      return Error{ErrorCode::kFailed,
+                   "component '" + component + "' cannot run after '" + leader + "': '" +
+                       (task == nullptr ? component + "' has no thread to give up"
+                                        : leader + "' makes no cycles")};
+    }
+    if (const auto done = task->RunAfter(*leading); !done) return done;
   }
-  return outcome;
+  NotifyChanged();
+  return {};
 }
 
-Result<void> LocalManager::StopAll() {
-  const auto lock = Lock();
+Result<void> LocalManager::Start(const std::string& component, Patience patience) {
+  return Ask(component, &Component::Start, ComponentState::kActive, patience);
+}
+
+Result<void> LocalManager::Suspend(const std::string& component, Patience patience) {
+  return Ask(component, &Component::Suspend, ComponentState::kSuspended, patience);
+}
+
+Result<void> LocalManager::Stop(const std::string& component, Patience patience) {
+  return Ask(component, &Component::Stop, ComponentState::kFinished, patience);
+}
+
+Result<void> LocalManager::StartAll(Patience patience) {
+  Components all = InOrder();
+  std::erase_if(all, [](const auto& one) { return one->state() == ComponentState::kActive; });
+  return AskAll(all, &Component::Start, ComponentState::kActive, patience);
+}
+
+Result<void> LocalManager::SuspendAll(Patience patience) {
+  Components all = InOrder();
+  std::reverse(all.begin(), all.end());
+  std::erase_if(all, [](const auto& one) { return one->state() != ComponentState::kActive; });
+  return AskAll(all, &Component::Suspend, ComponentState::kSuspended, patience);
+}
+
+Result<void> LocalManager::StopAll(Patience patience) {
+  Components all = InOrder();
+  std::reverse(all.begin(), all.end());
+  std::erase_if(all, [](const auto& one) {
+    return one->state() != ComponentState::kActive && one->state() != ComponentState::kSuspended;
+  });
+  return AskAll(all, &Component::Stop, ComponentState::kFinished, patience);
+}
+
+Result<void> LocalManager::WaitFor(const std::string& component, ComponentState state,
+                                   Patience patience) {
+  const auto found = Require(component);
+  return found ? (*found)->WaitFor(state, patience) : found.error();
+}
+
+Result<void> LocalManager::WaitForAll(ComponentState state, Patience patience) {
+  const SteadyTime deadline = SteadyClock().Now() + patience;
+  for (const auto& one : InOrder()) {
+    const auto reached = one->WaitFor(state, std::max(kNoWait, deadline - SteadyClock().Now()));
+    if (!reached) return reached;
+  }
+  return {};
+}
+
+Result<void> LocalManager::Ask(const std::string& component, Request request, ComponentState wanted,
+                               Patience patience) {
+  const auto found = Require(component);
+  return found ? AskAll({*found}, request, wanted, patience) : found.error();
+}
+
+Result<void> LocalManager::AskAll(const Components& components, Request request,
+                                  ComponentState wanted, Patience patience) {
+  const SteadyTime deadline = SteadyClock().Now() + patience;
   Result<void> outcome;
-  for (auto entry = entries_.rbegin(); entry != entries_.rend(); ++entry) {
-    if (entry->component->state() != ComponentState::kActive) continue;
-    const auto stopped = entry->component->Stop();
-    if (!stopped && outcome) outcome = stopped;
+  for (const auto& one : components) {
+    Result<void> done;
+    {
+      const auto lock = Lock();
+      done = (*one.*request)(kNoWait);
+    }
+    if (done && patience > kNoWait) {
+      done = one->WaitFor(wanted, std::max(kNoWait, deadline - SteadyClock().Now()));
+    }
+    if (!done && outcome) outcome = done;
   }
   return outcome;
 }
@@ -172,6 +257,9 @@ Result<RequiredInterface*> LocalManager::FindRequired(const InterfaceName& name)
   if (!component) return component.error();
   RequiredInterface* found = (*component)->FindRequired(name.interface);
   if (found != nullptr) return found;
+  if ((*component)->FindProvided(name.interface) != nullptr) {
+    return OtherSide(name, "provided", "required");
+  }
   return NoInterface("required", name, Names((*component)->required()));
 }
 
@@ -180,6 +268,9 @@ Result<ProvidedInterface*> LocalManager::FindProvided(const InterfaceName& name)
   if (!component) return component.error();
   ProvidedInterface* found = (*component)->FindProvided(name.interface);
   if (found != nullptr) return found;
+  if ((*component)->FindRequired(name.interface) != nullptr) {
+    return OtherSide(name, "required", "provided");
+  }
   return NoInterface("provided", name, Names((*component)->provided()));
 }
 
@@ -192,13 +283,14 @@ void LocalManager::NotifyChanged() const {
   if (observer_) observer_();
 }
 
-ComponentDescription LocalManager::Describe(const Entry& entry) {
+ComponentDescription LocalManager::Describe(const Entry& entry) const {
   const Component& component = *entry.component;
   ComponentDescription description{.name = component.name(),
                                    .class_name = entry.origin.class_name,
                                    .library = entry.origin.library,
                                    .state = component.state(),
                                    .fault = component.fault(),
+                                   .warning = watchdog_.WarningOf(component),
                                    .period = component.period(),
                                    .provided = component.provided(),
                                    .required = component.required(),
@@ -215,11 +307,30 @@ ComponentDescription LocalManager::Describe(const Entry& entry) {
   return description;
 }
 
-Result<Component*> LocalManager::Require(const std::string& component) const {
-  Component* found = Find(component);
-  if (found != nullptr) return found;
+Result<std::shared_ptr<Component>> LocalManager::Require(const std::string& component) const {
+  const auto lock = Lock();
+  for (const Entry& entry : entries_) {
+    if (entry.component->name() == component) return entry.component;
+  }
   return Error{ErrorCode::kNotFound,
                "no component '" + component + "'" + DidYouMean(component, component_names())};
+}
+
+LocalManager::Components LocalManager::InOrder() const {
+  const auto lock = Lock();
+  const auto depth = [](const Entry& entry) {
+    const auto* task = dynamic_cast<const Task*>(entry.component.get());
+    int leaders = 0;
+    while (task != nullptr && (task = task->leader()) != nullptr) ++leaders;
+    return leaders;
+  };
+  Components all;
+  for (int leaders = 0; all.size() < entries_.size(); ++leaders) {
+    for (const Entry& entry : entries_) {
+      if (depth(entry) == leaders) all.push_back(entry.component);
+    }
+  }
+  return all;
 }
 
 std::vector<std::string> LocalManager::component_names() const {

@@ -3,6 +3,7 @@
 #include <tendon/base/result.h>
 #include <tendon/interface/connection.h>
 #include <tendon/manager/description.h>
+#include <tendon/manager/watchdog.h>
 #include <tendon/task/component.h>
 
 #include <chrono>
@@ -49,8 +50,9 @@ class LocalManager {
   }
   Component& Add(std::unique_ptr<Component> component, ComponentOrigin origin);
 
-  /// Disconnects it, stops it and destroys it.
-  Result<void> Remove(const std::string& component);
+  /// Disconnects it, stops it and destroys it. kTimeout when it does not stop: it is still there
+  /// then, without its connections.
+  Result<void> Remove(const std::string& component, Patience patience = kPatience);
 
   /// Connects a required to a provided interface, at any time. Errors: kNotFound with a suggestion,
   /// kExists, kIncompatible with the reason. An end without a process means this process.
@@ -58,21 +60,32 @@ class LocalManager {
                                        const InterfaceName& provided);
   virtual Result<void> Disconnect(const InterfaceName& required);
 
-  Result<void> Start(const std::string& component);
-  Result<void> Stop(const std::string& component);
-  /// All of them, in the order they were added (stopped in reverse); the first error, but the
-  /// others are started or stopped all the same.
-  Result<void> StartAll();
-  Result<void> StopAll();
+  /// From its next start on, `component` makes a cycle after each one of `leader`, in that one's
+  /// thread: ThreadedTask::RunAfter(). kFailed where it is not at rest, has no thread to give up,
+  /// or where the two would wait for each other.
+  Result<void> RunAfter(const std::string& component, const std::string& leader);
+
+  /// What the table of transitions says (component_state.h); waits for the state it leads to, and
+  /// kTimeout says that it has not come within `patience`.
+  Result<void> Start(const std::string& component, Patience patience = kPatience);
+  Result<void> Suspend(const std::string& component, Patience patience = kPatience);
+  Result<void> Stop(const std::string& component, Patience patience = kPatience);
+  /// All that are not active, one after the other: in the order they were added, those that run
+  /// after another one after it. `patience` is that for all of them; the first error, but the
+  /// others are started all the same.
+  Result<void> StartAll(Patience patience = kPatience);
+  /// All that are active (or suspended, for the second), in the reverse order.
+  Result<void> SuspendAll(Patience patience = kPatience);
+  Result<void> StopAll(Patience patience = kPatience);
+  /// Returns once they are in that state: kTimeout when they are not within `patience`, kFailed
+  /// when one is faulted meanwhile.
+  Result<void> WaitFor(const std::string& component, ComponentState state, Patience patience);
+  Result<void> WaitForAll(ComponentState state, Patience patience);
 
   /// Null where there is none; valid until it is removed.
   [[nodiscard]] Component* Find(const std::string& component) const;
   [[nodiscard]] std::vector<ComponentDescription> components() const;
   [[nodiscard]] virtual std::vector<ConnectionDescription> connections() const;
-
-  /// Called after every change of components, states or connections, in the thread that made it,
-  /// which may be a component's that faults: it must be quick and must not call back.
-  void SetObserver(std::function<void()> observer);
 
   /// How long a disconnect lets servers execute what they have accepted.
   static constexpr std::chrono::milliseconds kDrainPatience{500};
@@ -84,6 +97,11 @@ class LocalManager {
   /// Held while components and connections are looked up or changed; recursive calls of the public
   /// functions are allowed.
   [[nodiscard]] std::unique_lock<std::recursive_mutex> Lock() const;
+  /// Called after every change of components, states or connections, in the thread that made it,
+  /// which may be a component's that faults: it must be quick and must not call back. Not called
+  /// any more once another one, or none, is set.
+  void SetObserver(std::function<void()> observer);
+  /// Tells the observer.
   void NotifyChanged() const;
   ConnectionId NextConnectionId() { return ++last_connection_; }
   /// Called with the lock held before a component goes, so that what else is tied to it can go
@@ -94,16 +112,25 @@ class LocalManager {
 
  private:
   struct Entry {
-    std::unique_ptr<Component> component;
+    std::shared_ptr<Component> component;  // shared with those that wait for its state
     ComponentOrigin origin;
   };
+  using Components = std::vector<std::shared_ptr<Component>>;
+  using Request = Result<void> (Component::*)(Patience);
   struct LocalConnection {
     ConnectionDescription description;
     std::unique_ptr<Connection> connection;
   };
 
-  [[nodiscard]] static ComponentDescription Describe(const Entry& entry);
-  [[nodiscard]] Result<Component*> Require(const std::string& component) const;
+  [[nodiscard]] ComponentDescription Describe(const Entry& entry) const;
+  [[nodiscard]] Result<std::shared_ptr<Component>> Require(const std::string& component) const;
+  /// All of them, each after the one it runs after.
+  [[nodiscard]] Components InOrder() const;
+  /// Makes the request with the lock held, and waits without.
+  Result<void> Ask(const std::string& component, Request request, ComponentState wanted,
+                   Patience patience);
+  Result<void> AskAll(const Components& components, Request request, ComponentState wanted,
+                      Patience patience);
   [[nodiscard]] std::vector<std::string> component_names() const;
   void DisconnectAll(const std::string& component);
 
@@ -113,6 +140,7 @@ class LocalManager {
   ConnectionId last_connection_ = 0;
   mutable std::mutex observer_mutex_;
   std::function<void()> observer_;
+  Watchdog watchdog_{[this] { NotifyChanged(); }};  // its thread ends before the rest goes
 };
 
 }  // namespace tendon

@@ -26,6 +26,12 @@ bool IsOnThisMachine(const Link& link) {
   return !address || CheckExposure(address->host, Exposure::kLoopbackOnly).ok();
 }
 
+/// One's own Hello for the peer of `link`: the cookie is for peers on this machine alone.
+Hello For(const Link& link, Hello mine) {
+  if (!IsOnThisMachine(link)) mine.cookie = 0;
+  return mine;
+}
+
 Error WhyNotSent(Status status, const std::string& peer, std::size_t size) {
   switch (status.code()) {
     case Status::kQueueFull:
@@ -91,10 +97,13 @@ void ChannelHandler::OnClosed(const std::shared_ptr<Channel>& /*channel*/,
 Channel::Channel(Key /*only from here*/, Hello mine, std::shared_ptr<ChannelHandler> handler,
                  std::shared_ptr<Link> link, Strangers strangers)
     : mine_(std::move(mine)),
-      strangers_(strangers),
+      is_acceptor_(link != nullptr),
       handler_(std::move(handler)),
-      link_(std::move(link)),
-      stage_(link_ ? Stage::kAccepting : Stage::kOpening) {}
+      link_(std::move(link)) {
+  if (!link_) return;
+  handshake_.emplace(Handshake::Role::kAcceptor, For(*link_, mine_), link_->local(),
+                     IsOnThisMachine(*link_) ? strangers : Strangers::kFromElsewhere);
+}
 
 Result<std::shared_ptr<Channel>> Channel::Open(Middleware& middleware, const std::string& address,
                                                const Hello& mine,
@@ -118,8 +127,8 @@ AcceptLink Channel::Acceptor(Hello mine, std::function<std::shared_ptr<ChannelHa
     std::shared_ptr<ChannelHandler> handler;
     CallGuarded(link->peer(), [&] { handler = choose(); });
     if (!handler) return nullptr;
-    const Strangers whom = IsOnThisMachine(*link) ? strangers : Strangers::kFromElsewhere;
-    return std::make_shared<Channel>(Key{}, mine, std::move(handler), link, whom)->AsLinkHandler();
+    return std::make_shared<Channel>(Key{}, mine, std::move(handler), link, strangers)
+        ->AsLinkHandler();
   };
 }
 
@@ -129,9 +138,11 @@ std::shared_ptr<LinkHandler> Channel::AsLinkHandler() { return {shared_from_this
 Result<void> Channel::Greet(const std::shared_ptr<Link>& link, SteadyTime deadline) {
   std::unique_lock lock(mutex_);
   link_ = link;
-  if (!IsOnThisMachine(*link)) mine_.cookie = 0;
+  handshake_.emplace(Handshake::Role::kOpener, For(*link, mine_), link->peer(),
+                     Strangers::kRefused);
+  const Bytes greeting = handshake_->Greet();
   lock.unlock();
-  (void)Send(MessageType::kHello, 1, 0, EncodeBody(mine_));  // refused: it will hear OnClosed()
+  (void)Send(MessageType::kHello, 1, 0, greeting);  // refused: it will hear OnClosed()
   lock.lock();
   if (!changed_.wait_until(lock, deadline, [&] { return greeted_ || reason_; })) {
     reason_ = Error{ErrorCode::kTimeout, link->peer() +
@@ -155,10 +166,8 @@ void Channel::OnFrame(std::span<const std::byte> frame) {
   const Stage stage = stage_;
   lock.unlock();
   switch (stage) {
-    case Stage::kAccepting:
-      return OnHello(*header, body);
-    case Stage::kOpening:
-      return OnWelcome(*header, body);
+    case Stage::kGreeting:
+      return CallGuarded(link_->peer(), [&] { OnGreeting(*header, body); });
     case Stage::kOpen:
       return OnMessage(*header, body);
     case Stage::kClosed:
@@ -166,27 +175,19 @@ void Channel::OnFrame(std::span<const std::byte> frame) {
   }
 }
 
-/// The acceptor's half of the handshake.
-void Channel::OnHello(const FrameHeader& header, std::span<const std::byte> body) {
-  auto hello = CheckHello(header, body, mine_, strangers_);
-  if (!hello) {
-    SendRefusal(header.request, hello.error());
-    return Fail(hello.error());
+void Channel::OnGreeting(const FrameHeader& header, std::span<const std::byte> body) {
+  const auto step = handshake_->Take(header, body);
+  if (!step) {
+    if (is_acceptor_) SendRefusal(header.request, step.error());
+    return Fail(step.error());
   }
-  Hello welcome = mine_;
-  welcome.cookie = hello->cookie;
-  if (Send(MessageType::kWelcome, header.request, 0, EncodeBody(welcome))) {
-    Opened(*std::move(hello));
-  }
-}
-
-void Channel::OnWelcome(const FrameHeader& header, std::span<const std::byte> body) {
-  auto hello = CheckWelcome(header, body, mine_, link_->peer());
-  if (!hello) return Fail(hello.error());
-  Opened(*std::move(hello));
+  if (step->peer) link_->Admit();
+  if (step->has_answer && !Send(step->type, header.request, 0, step->body)) return;
+  if (step->peer) Opened(*step->peer);
 }
 
 void Channel::Opened(Hello peer) {
+  handshake_.reset();
   {
     const std::scoped_lock lock(mutex_);
     peer_ = std::move(peer);
@@ -219,6 +220,8 @@ void Channel::OnMessage(const FrameHeader& header, std::span<const std::byte> bo
     case MessageType::kRefusal:
       return requests_.OnAnswer(header.request, ReadRefusal(body, peer_.name));
     case MessageType::kHello:
+    case MessageType::kChallenge:
+    case MessageType::kProof:
     case MessageType::kWelcome:
       return Fail({ErrorCode::kInvalid, peer_.name + " said Hello twice"});
     default:

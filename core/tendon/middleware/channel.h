@@ -2,6 +2,7 @@
 
 #include <tendon/base/clock.h>
 #include <tendon/middleware/body.h>
+#include <tendon/middleware/handshake/handshake.h>
 #include <tendon/middleware/hello.h>
 #include <tendon/middleware/middleware.h>
 #include <tendon/middleware/pending_requests.h>
@@ -62,8 +63,8 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
                                                std::chrono::milliseconds timeout);
 
   /// For Middleware::Listen(): makes a channel of every link; `choose` gives its handler, or null
-  /// to refuse it. Peers on this machine must know the cookie in `mine`; allowed strangers may have
-  /// 0.
+  /// to refuse it. Peers on this machine must know the cookie in `mine`; allowed strangers need
+  /// none.
   static AcceptLink Acceptor(Hello mine, std::function<std::shared_ptr<ChannelHandler>()> choose,
                              Strangers strangers = Strangers::kRefused);
 
@@ -104,19 +105,19 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   /// Answers that came after their requests had ended.
   [[nodiscard]] std::uint64_t late_replies() const;
 
+  /// `link` is one that was accepted, or null.
   Channel(Key key, Hello mine, std::shared_ptr<ChannelHandler> handler, std::shared_ptr<Link> link,
           Strangers strangers);
 
  private:
   friend class Responder;
-  enum class Stage { kOpening, kAccepting, kOpen, kClosed };
+  enum class Stage { kGreeting, kOpen, kClosed };
 
   void OnFrame(std::span<const std::byte> frame) override;
   void OnClosed(const Error& reason) override;
 
   Result<void> Greet(const std::shared_ptr<Link>& link, SteadyTime deadline);
-  void OnHello(const FrameHeader& header, std::span<const std::byte> body);
-  void OnWelcome(const FrameHeader& header, std::span<const std::byte> body);
+  void OnGreeting(const FrameHeader& header, std::span<const std::byte> body);
   void OnMessage(const FrameHeader& header, std::span<const std::byte> body);
   void Opened(Hello peer);
   void Fail(const Error& reason);
@@ -130,16 +131,17 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   [[nodiscard]] std::string PeerName() const;
   [[nodiscard]] std::shared_ptr<LinkHandler> AsLinkHandler();
 
-  Hello mine_;
-  const Strangers strangers_;
+  const Hello mine_;
+  const bool is_acceptor_;
   std::shared_ptr<ChannelHandler> handler_;  // used in the middleware's thread only
+  std::optional<Handshake> handshake_;       // likewise, once there is a link
   PendingRequests requests_;
 
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::shared_ptr<Link> link_;
   Hello peer_;  // constant from kOpen on
-  Stage stage_;
+  Stage stage_ = Stage::kGreeting;
   bool greeted_ = false;         // after OnOpen()
   std::optional<Error> reason_;  // why it is closed, or about to be
 };

@@ -19,12 +19,12 @@ void WriteFrame(const FrameHeader& header, std::span<const std::byte> body, Byte
   if (!body.empty()) std::memcpy(frame.data() + FrameHeader::kSize, body.data(), body.size());
 }
 
-std::optional<FrameHeader> ReadFrameHeader(std::span<const std::byte> bytes) {
+std::optional<FrameHeader> ReadFrameHeader(std::span<const std::byte> bytes, std::size_t limit) {
   if (bytes.size() < FrameHeader::kSize) return std::nullopt;
   FrameHeader header;
   std::memcpy(&header, bytes.data(), FrameHeader::kSize);
   if (header.magic != FrameHeader::kMagic) return std::nullopt;
-  if (header.size > kMaxFrameSize - FrameHeader::kSize) return std::nullopt;
+  if (header.size > limit - FrameHeader::kSize) return std::nullopt;
   return header;
 }
 

@@ -16,6 +16,8 @@ enum class MessageType : std::uint16_t {
   kWelcome = 2,
   kReply = 3,    ///< answers a request: its body is the answer
   kRefusal = 4,  ///< answers a request: its body is an Error
+  kChallenge = 5,
+  kProof = 6,
   kFirstOfProxy = 0x100,
   kFirstOfProcess = 0x200,
   kFirstOfGcm = 0x300,
@@ -37,13 +39,16 @@ struct FrameHeader {
 
 /// A frame may have at most this many bytes, header included; larger payloads will be split.
 inline constexpr std::size_t kMaxFrameSize = std::size_t{64} << 20U;
+/// The same of a peer that is not known yet.
+inline constexpr std::size_t kMaxStrangersFrameSize = std::size_t{64} << 10U;
 
 /// Header and body in one piece of memory; replaces the content of `frame`, keeps its capacity.
 void WriteFrame(const FrameHeader& header, std::span<const std::byte> body, Bytes& frame);
 
 /// Reads the header at the front of `bytes`; nothing where they are too few, begin with another
-/// magic number or claim a frame over kMaxFrameSize. Says nothing of the version.
-[[nodiscard]] std::optional<FrameHeader> ReadFrameHeader(std::span<const std::byte> bytes);
+/// magic number or claim a frame of over `limit` bytes. Says nothing of the version.
+[[nodiscard]] std::optional<FrameHeader> ReadFrameHeader(std::span<const std::byte> bytes,
+                                                         std::size_t limit = kMaxFrameSize);
 
 /// The same for exactly one frame: nothing where it has another size than its header claims.
 [[nodiscard]] std::optional<FrameHeader> ReadWholeFrame(std::span<const std::byte> frame);

@@ -9,16 +9,17 @@
 
 namespace tendon {
 
-/// One value that one thread waits for and another brings, once. Thread-safe.
+/// One value that one thread waits for and another brings, once. Thread-safe; held by both.
 template <typename T>
 class Handover {
  public:
   /// False where there was a value before or nobody waits any more.
   bool Give(T value) {
-    const std::scoped_lock lock(mutex_);
+    std::unique_lock lock(mutex_);
     if (is_done_) return false;
     is_done_ = true;
     value_ = std::move(value);
+    lock.unlock();  // who is woken with the lock held goes to sleep once more
     given_.notify_one();
     return true;
   }

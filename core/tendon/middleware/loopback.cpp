@@ -103,10 +103,11 @@ struct Door {
 /// One end of a link; the two know each other.
 class End final : public Link, public std::enable_shared_from_this<End> {
  public:
-  End(std::shared_ptr<LoopbackNetwork> network, std::shared_ptr<Courier> courier, std::string peer,
-      const Door* door)
+  End(std::shared_ptr<LoopbackNetwork> network, std::shared_ptr<Courier> courier, std::string local,
+      std::string peer, const Door* door)
       : network_(std::move(network)),
         courier_(std::move(courier)),
+        local_name_(std::move(local)),
         peer_name_(std::move(peer)),
         door_(door) {}
 
@@ -123,18 +124,17 @@ class End final : public Link, public std::enable_shared_from_this<End> {
     return other->Take(frame);
   }
 
+  void Admit() override {
+    const std::scoped_lock lock(mutex_);
+    limit_ = kMaxFrameSize;
+  }
+
   void Close() override {
-    {
-      const std::scoped_lock lock(mutex_);
-      is_deaf_ = true;
-    }
-    Finish({ErrorCode::kUnreachable, "the connection to " + peer_name_ + " was closed here"});
-    if (const auto other = other_.lock()) {
-      other->Finish({ErrorCode::kUnreachable, other->peer_name_ + " closed the connection"});
-    }
+    CloseFor({ErrorCode::kUnreachable, "the connection to " + peer_name_ + " was closed here"});
   }
 
   [[nodiscard]] std::string peer() const override { return peer_name_; }
+  [[nodiscard]] std::string local() const override { return local_name_; }
   [[nodiscard]] const Door* door() const { return door_; }
 
   /// In the courier's thread, before anything else is.
@@ -157,12 +157,24 @@ class End final : public Link, public std::enable_shared_from_this<End> {
     return Status::kQueued;
   }
 
-  void Deliver(const Bytes& frame) {
+  void CloseFor(const Error& reason) {
     {
       const std::scoped_lock lock(mutex_);
-      waiting_ -= frame.size();
-      if (is_deaf_) return;
+      is_deaf_ = true;
     }
+    Finish(reason);
+    if (const auto other = other_.lock()) {
+      other->Finish({ErrorCode::kUnreachable, other->peer_name_ + " closed the connection"});
+    }
+  }
+
+  void Deliver(const Bytes& frame) {
+    std::unique_lock lock(mutex_);
+    waiting_ -= frame.size();
+    if (is_deaf_) return;
+    const bool fits = frame.size() <= limit_;
+    lock.unlock();
+    if (!fits) return CloseFor(NoFrame(peer_name_));
     if (handler_) handler_->OnFrame(frame);
   }
 
@@ -178,12 +190,14 @@ class End final : public Link, public std::enable_shared_from_this<End> {
 
   const std::shared_ptr<LoopbackNetwork> network_;
   const std::shared_ptr<Courier> courier_;
+  const std::string local_name_;
   const std::string peer_name_;
   const Door* const door_;  // that accepted it, or null; never followed
   std::weak_ptr<End> other_;
   std::shared_ptr<LinkHandler> handler_;
 
   std::mutex mutex_;
+  std::size_t limit_ = kMaxStrangersFrameSize;
   std::size_t waiting_ = 0;  // bytes that were sent and not delivered
   bool is_deaf_ = false;     // closed from this end: delivers nothing more
   bool has_ended_ = false;   // closed from either end: takes nothing more
@@ -293,9 +307,11 @@ Result<std::shared_ptr<Link>> LoopbackMiddleware::Open(const std::string& addres
   if (!place) return place.error();
   const auto door = network_->Find(ToString(*place));
   if (!door) return Error{ErrorCode::kUnreachable, "nobody listens at " + address};
-  const auto here = std::make_shared<loopback::End>(network_, courier_, ToString(*place), nullptr);
-  const auto there = std::make_shared<loopback::End>(network_, door->courier,
-                                                     network_->NameOfNextCaller(), door.get());
+  const std::string caller = network_->NameOfNextCaller();
+  const std::string called = ToString(*place);
+  const auto here = std::make_shared<loopback::End>(network_, courier_, caller, called, nullptr);
+  const auto there =
+      std::make_shared<loopback::End>(network_, door->courier, called, caller, door.get());
   here->Begin(there, std::move(handler));
   there->Begin(here, nullptr);
   courier_->Adopt(here);

@@ -51,6 +51,12 @@ class PlainListener final : public Listener {
 
 }  // namespace
 
+Error NoFrame(const std::string& peer) {
+  return {ErrorCode::kInvalid, peer +
+                                   " sent something else than frames, or one that is too large "
+                                   "for a peer that has not said who it is"};
+}
+
 std::unique_ptr<Listener> MakeListener(std::string address, std::function<void()> close) {
   return std::make_unique<PlainListener>(std::move(address), std::move(close));
 }

@@ -31,13 +31,20 @@ class Link {
   /// frame, kNotConnected once the link is closed. kQueued does not mean delivered.
   virtual Status Send(std::span<const std::byte> frame) = 0;
 
+  /// The peer is one of ours: from now on it may send frames of kMaxFrameSize. Until then one of
+  /// more than kMaxStrangersFrameSize ends the link; so do 3 s, where it was accepted, for a
+  /// stranger must take neither memory nor a place. Idempotent; may be called from a handler.
+  virtual void Admit() = 0;
+
   /// Ends the connection: frames on their way to the peer still arrive where it listens, nothing
   /// more is heard from it, and the handlers of both ends hear OnClosed(), within a second.
   /// Idempotent; may be called from a handler.
   virtual void Close() = 0;
 
-  /// Where the peer is, for people: "127.0.0.1:41234".
+  /// Where the peer is: "127.0.0.1:41234".
   [[nodiscard]] virtual std::string peer() const = 0;
+  /// Where this end is, as the peer's peer().
+  [[nodiscard]] virtual std::string local() const = 0;
 };
 
 /// Hears what arrives on a link, in a thread of the middleware, one call at a time, in order. Must
@@ -70,6 +77,9 @@ class Listener {
   /// Where others reach it, the port filled in: "127.0.0.1:10705".
   [[nodiscard]] virtual std::string address() const = 0;
 };
+
+/// Why a link ends on which something else came than frames of a size that the peer may send.
+[[nodiscard]] Error NoFrame(const std::string& peer);
 
 /// A listener that is nothing but its address and what its destructor does.
 std::unique_ptr<Listener> MakeListener(std::string address, std::function<void()> close);

@@ -8,7 +8,6 @@
 #include <future>
 #include <map>
 #include <mutex>
-#include <optional>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -32,7 +31,6 @@ class Served {
 /// The one thread of a TCP middleware.
 class Loop {
  public:
-  using Task = std::function<void()>;
   using Key = std::uint64_t;
   Loop() : thread_([this] { Run(); }) {}
   [[nodiscard]] os::Poller& poller() { return poller_; }
@@ -59,7 +57,7 @@ class Loop {
     return served_;
   }
   /// Soon, in the loop's thread; false after Stop().
-  bool Post(Task task) {
+  bool Post(std::function<void()> task) {
     const std::scoped_lock lock(mutex_);
     if (is_stopped_) return false;
     tasks_.push_back(std::move(task));
@@ -68,7 +66,7 @@ class Loop {
   }
 
   /// In the loop's thread, and done when it returns; not at all after Stop().
-  void Execute(const Task& task) {
+  void Execute(const std::function<void()>& task) {
     assert(std::this_thread::get_id() != thread_.get_id());
     const auto done = std::make_shared<std::promise<void>>();
     const bool accepted = Post([&task, done] {
@@ -108,7 +106,7 @@ class Loop {
     while (!tasks_.empty()) {
       const auto tasks = std::exchange(tasks_, {});
       lock.unlock();
-      for (const Task& task : tasks) task();
+      for (const auto& task : tasks) task();
       lock.lock();
     }
     return !is_stopped_;
@@ -126,7 +124,7 @@ class Loop {
   std::mutex mutex_;
   Key last_key_ = 0;
   bool is_stopped_ = false;
-  std::vector<Task> tasks_;
+  std::vector<std::function<void()>> tasks_;
   std::map<Key, std::shared_ptr<Served>> served_;
   std::thread thread_;  // last: it uses the others
 };
@@ -138,9 +136,9 @@ class TcpLink final : public Link, public Served, public std::enable_shared_from
         key_(loop_->NewKey()),
         door_(door),
         peer_(os::PeerAddress(socket)),
-        socket_(std::move(socket)) {
-    if (door != 0) deadline_ = SteadyClock().Now() + std::chrono::seconds(3);
-  }
+        local_(os::LocalAddress(socket)),
+        deadline_(door == 0 ? SteadyTime::max() : SteadyClock().Now() + std::chrono::seconds(3)),
+        socket_(std::move(socket)) {}
 
   void Begin(std::shared_ptr<LinkHandler> handler) {
     handler_ = std::move(handler);
@@ -157,7 +155,7 @@ class TcpLink final : public Link, public Served, public std::enable_shared_from
   Status Send(std::span<const std::byte> frame) override {
     if (!ReadWholeFrame(frame)) return Status::kInvalid;
     const std::scoped_lock lock(mutex_);
-    if (state_ != State::kOpen) return Status::kNotConnected;
+    if (!is_open()) return Status::kNotConnected;
     const std::size_t unsent = unsent_.size() - sent_;
     if (unsent != 0 && unsent + frame.size() > kSendWindow) return Status::kQueueFull;
     if (unsent == 0) {
@@ -171,12 +169,15 @@ class TcpLink final : public Link, public Served, public std::enable_shared_from
     return Status::kQueued;
   }
 
+  void Admit() override {
+    const std::scoped_lock lock(mutex_);
+    if (is_open()) state_ = State::kAdmitted;
+  }
+
   void Close() override {
-    {
-      const std::scoped_lock lock(mutex_);
-      if (state_ != State::kOpen) return;
-      state_ = State::kClosing;
-    }
+    const std::scoped_lock lock(mutex_);
+    if (!is_open()) return;
+    state_ = State::kClosing;
     loop_->Post([self = shared_from_this()] {
       self->deadline_ = SteadyClock().Now() + std::chrono::milliseconds(750);
       self->Flush();
@@ -184,6 +185,7 @@ class TcpLink final : public Link, public Served, public std::enable_shared_from
   }
 
   [[nodiscard]] std::string peer() const override { return peer_; }
+  [[nodiscard]] std::string local() const override { return local_; }
   [[nodiscard]] Loop::Key door() const override { return door_; }
 
   void OnReady(bool readable, bool writable) override {
@@ -192,9 +194,10 @@ class TcpLink final : public Link, public Served, public std::enable_shared_from
   }
 
   void OnTick(SteadyTime now) override {
-    if (!deadline_ || now < *deadline_) return;
-    if (state() == State::kClosing) return Shut();
-    Reject({ErrorCode::kTimeout, peer_ + " connected and said nothing for 3 s"});
+    if (os::HasVanished(socket_)) return Finish({ErrorCode::kUnreachable, peer_ + " vanished"});
+    if (now < deadline_ || state() == State::kAdmitted) return;
+    if (state() != State::kStranger) return Shut();
+    Reject({ErrorCode::kTimeout, peer_ + " connected and did not say who it is for 3 s"});
   }
 
   void Shut() override {
@@ -202,12 +205,13 @@ class TcpLink final : public Link, public Served, public std::enable_shared_from
   }
 
  private:
-  enum class State { kOpen, kClosing, kClosed };
+  enum class State { kStranger, kAdmitted, kClosing, kClosed };
 
   State state() {
     const std::scoped_lock lock(mutex_);
     return state_;
   }
+  [[nodiscard]] bool is_open() const { return state_ < State::kClosing; }  // with the lock held
 
   void Flush() {
     const std::scoped_lock lock(mutex_);
@@ -227,12 +231,10 @@ class TcpLink final : public Link, public Served, public std::enable_shared_from
 
   void Read() {
     const auto received = os::ReceiveSome(socket_, loop_->scratch());
-    const State now = state();
-    if (!received) {
-      if (now != State::kOpen) return Shut();
-      return Finish({ErrorCode::kUnreachable, peer_ + " closed the connection"});
-    }
-    if (now != State::kOpen) return;
+    const bool is_ending = state() >= State::kClosing;
+    if (!received && is_ending) return Shut();
+    if (!received) return Finish({ErrorCode::kUnreachable, peer_ + " closed the connection"});
+    if (is_ending) return;
     if (rest_.empty()) {
       const auto rest = HandOn(*received);
       rest_.assign(rest.begin(), rest.end());
@@ -246,15 +248,16 @@ class TcpLink final : public Link, public Served, public std::enable_shared_from
 
   /// Delivers the frames at the front and returns the bytes that are not yet one.
   std::span<const std::byte> HandOn(std::span<const std::byte> bytes) {
-    while (bytes.size() >= FrameHeader::kSize && state() == State::kOpen) {
-      const auto header = ReadFrameHeader(bytes);
+    for (State now = state(); bytes.size() >= FrameHeader::kSize && now < State::kClosing;
+         now = state()) {
+      const bool is_known = now == State::kAdmitted;
+      const auto header = ReadFrameHeader(bytes, is_known ? kMaxFrameSize : kMaxStrangersFrameSize);
       if (!header) {
-        Reject({ErrorCode::kInvalid, peer_ + " sent something else than frames"});
+        Reject(NoFrame(peer_));
         return {};
       }
       const std::size_t size = FrameHeader::kSize + header->size;
       if (bytes.size() < size) break;
-      deadline_.reset();
       handler_->OnFrame(bytes.first(size));
       bytes = bytes.subspan(size);
     }
@@ -267,14 +270,12 @@ class TcpLink final : public Link, public Served, public std::enable_shared_from
   }
 
   void Finish(const Error& reason) {
-    {
-      const std::scoped_lock lock(mutex_);
-      if (std::exchange(state_, State::kClosed) == State::kClosed) return;
-      loop_->Remove(key_, socket_);
-      socket_ = {};
-      unsent_ = {};
-      sent_ = 0;
-    }
+    std::unique_lock lock(mutex_);
+    if (std::exchange(state_, State::kClosed) == State::kClosed) return;
+    loop_->Remove(key_, socket_);
+    socket_ = {};
+    unsent_ = {};
+    lock.unlock();
     if (const auto handler = std::exchange(handler_, nullptr)) handler->OnClosed(reason);
   }
 
@@ -282,14 +283,15 @@ class TcpLink final : public Link, public Served, public std::enable_shared_from
   const Loop::Key key_;
   const Loop::Key door_;
   const std::string peer_;
+  const std::string local_;
 
   // Of the loop's thread:
   std::shared_ptr<LinkHandler> handler_;
-  std::optional<SteadyTime> deadline_;
-  Bytes rest_;  // the beginning of a frame
+  SteadyTime deadline_;  // to be admitted, or to have closed
+  Bytes rest_;           // the beginning of a frame
 
   std::mutex mutex_;
-  State state_ = State::kOpen;
+  State state_ = State::kStranger;
   os::Socket socket_;
   Bytes unsent_;  // from sent_ on
   std::size_t sent_ = 0;
@@ -315,11 +317,10 @@ class Door final : public Served, public std::enable_shared_from_this<Door> {
     if (accepted != os::Accepted::kFailed) return;
     loop_->complaints().Add("too many open files (ulimit -n): new connections have to wait");
     loop_->poller().Change(socket_, key_, Watch::kNothing);
-    is_paused_ = true;
   }
 
   void OnTick(SteadyTime /*now*/) override {
-    if (std::exchange(is_paused_, false)) loop_->poller().Change(socket_, key_, Watch::kReads);
+    loop_->poller().Change(socket_, key_, Watch::kReads);  // it may have had to wait
   }
 
   void Shut() override {
@@ -335,7 +336,6 @@ class Door final : public Served, public std::enable_shared_from_this<Door> {
   const Loop::Key key_;
   os::Socket socket_;
   const AcceptLink accept_;
-  bool is_paused_ = false;
 };
 
 class TcpMiddleware final : public Middleware {

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <tuple>
 
@@ -19,7 +20,18 @@ struct NotDescribed {};
 template <typename T>
 inline constexpr auto kPayload = NotDescribed{};
 
-/// One named member of a structure. `unit` is part of the type: rad does not connect to deg.
+/// The numbers which a field is meant to hold, both ends included; a duration counts in seconds.
+struct Range {
+  double lowest = 0;
+  double highest = 0;
+
+  bool operator==(const Range&) const = default;
+};
+
+/// One named member of a structure. `unit` is part of the type: rad does not connect to deg. Help
+/// and range are not; they are for people, forms and JSON, and reach them with the schema:
+///
+///     Field{"speed", &Goal::speed, "rad/s"}.Within(0, 2.5).Help("Of the fastest joint.")
 template <typename Owner, typename Member>
 struct Field {
   using Type = Member;
@@ -27,6 +39,17 @@ struct Field {
   std::string_view name;
   Member Owner::*member;
   std::string_view unit = {};
+  std::string_view help = {};
+  std::optional<Range> range = {};
+
+  /// For a number, a duration, or a list of such.
+  [[nodiscard]] constexpr Field Within(double lowest, double highest) const {
+    return {name, member, unit, help, Range{lowest, highest}};
+  }
+  /// One line.
+  [[nodiscard]] constexpr Field Help(std::string_view line) const {
+    return {name, member, unit, line, range};
+  }
 };
 template <typename Owner, typename Member>
 Field(std::string_view, Member Owner::*, std::string_view = {}) -> Field<Owner, Member>;
@@ -59,6 +82,7 @@ namespace payload {
 constexpr std::size_t kMaxTypeName = 128;
 constexpr std::size_t kMaxFieldName = 64;
 constexpr std::size_t kMaxUnit = 32;
+constexpr std::size_t kMaxHelp = 200;
 
 constexpr bool IsLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 constexpr bool IsDigit(char c) { return c >= '0' && c <= '9'; }
@@ -79,13 +103,17 @@ constexpr bool IsTypeName(std::string_view name) {
   return IsIdentifier(name);
 }
 
-/// Any printable text without spaces at its ends; it may be empty.
-constexpr bool IsUnit(std::string_view unit) {
-  if (unit.size() > kMaxUnit) return false;
+/// One printable line without spaces at its ends; it may be empty.
+constexpr bool IsLine(std::string_view text, std::size_t most) {
+  if (text.size() > most) return false;
   const auto printable = [](char c) { return static_cast<unsigned char>(c) >= ' ' && c != '\x7f'; };
-  if (!std::ranges::all_of(unit, printable)) return false;
-  return unit.empty() || (unit.front() != ' ' && unit.back() != ' ');
+  if (!std::ranges::all_of(text, printable)) return false;
+  return text.empty() || (text.front() != ' ' && text.back() != ' ');
 }
+constexpr bool IsUnit(std::string_view unit) { return IsLine(unit, kMaxUnit); }
+constexpr bool IsHelp(std::string_view help) { return IsLine(help, kMaxHelp); }
+/// False for not-a-number, too.
+constexpr bool IsRange(const Range& range) { return range.lowest <= range.highest; }
 
 template <std::size_t kCount>
 constexpr bool AreDistinct(const std::array<std::string_view, kCount>& names) {
@@ -113,6 +141,12 @@ consteval auto Describe(std::string_view name, Field<Owner, Member>... fields) {
   }
   if (!(payload::IsUnit(fields.unit) && ...)) {
     throw ConfigurationError("a unit is a short printable text");
+  }
+  if (!(payload::IsHelp(fields.help) && ...)) {
+    throw ConfigurationError("a field's help is one line of at most 200 characters");
+  }
+  if (!((!fields.range || payload::IsRange(*fields.range)) && ...)) {
+    throw ConfigurationError("a range begins with its lowest number");
   }
   if (!payload::AreDistinct(std::array<std::string_view, sizeof...(fields)>{fields.name...})) {
     throw ConfigurationError("two fields have one name");

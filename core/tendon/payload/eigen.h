@@ -5,8 +5,12 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <array>
+#include <bit>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
+#include <type_traits>
 #include <vector>
 
 /// Eigen types as payloads; link tendon::eigen. Decoding allocates only where a dynamic size
@@ -71,6 +75,22 @@ struct MatrixOnWire {
   std::uint32_t cols = 0;
   std::vector<Scalar> data;
 };
+
+template <Number Scalar>
+consteval std::string_view MatrixName() {
+  if constexpr (std::is_floating_point_v<Scalar>) {
+    return sizeof(Scalar) == 4 ? "tendon.MatrixFloat32" : "tendon.MatrixFloat64";
+  } else if constexpr (std::same_as<Scalar, bool>) {
+    return "tendon.MatrixBool";
+  } else {
+    constexpr std::array<std::string_view, 4> kSigned{"tendon.MatrixInt8", "tendon.MatrixInt16",
+                                                      "tendon.MatrixInt32", "tendon.MatrixInt64"};
+    constexpr std::array<std::string_view, 4> kUnsigned{
+        "tendon.MatrixUint8", "tendon.MatrixUint16", "tendon.MatrixUint32", "tendon.MatrixUint64"};
+    const int index = std::countr_zero(sizeof(Scalar));
+    return (std::is_signed_v<Scalar> ? kSigned : kUnsigned)[index];
+  }
+}
 
 template <typename Scalar, int kRows, int kCols, int kOptions>
 requires DynamicMatrix<kRows, kCols>
@@ -166,16 +186,11 @@ struct SubstituteFor<Eigen::Isometry3d> {
 
 }  // namespace payload
 
-template <>
-inline constexpr auto kPayload<payload::MatrixOnWire<double>> =
-    Describe("tendon.MatrixFloat64", Field{"rows", &payload::MatrixOnWire<double>::rows},
-             Field{"cols", &payload::MatrixOnWire<double>::cols},
-             Field{"data", &payload::MatrixOnWire<double>::data});
-template <>
-inline constexpr auto kPayload<payload::MatrixOnWire<float>> =
-    Describe("tendon.MatrixFloat32", Field{"rows", &payload::MatrixOnWire<float>::rows},
-             Field{"cols", &payload::MatrixOnWire<float>::cols},
-             Field{"data", &payload::MatrixOnWire<float>::data});
+template <typename Scalar>
+inline constexpr auto kPayload<payload::MatrixOnWire<Scalar>> =
+    Describe(payload::MatrixName<Scalar>(), Field{"rows", &payload::MatrixOnWire<Scalar>::rows},
+             Field{"cols", &payload::MatrixOnWire<Scalar>::cols},
+             Field{"data", &payload::MatrixOnWire<Scalar>::data});
 template <>
 inline constexpr auto kPayload<payload::Vector3OnWire> =
     Describe("geometry_msgs.Vector3", Field{"x", &payload::Vector3OnWire::x},

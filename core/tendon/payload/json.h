@@ -21,8 +21,8 @@ namespace tendon {
 /// so that a viewer shows what is there.
 [[nodiscard]] Result<std::string> ToJson(const Schema& schema, std::span<const std::byte> body);
 
-/// The body of a value. Every field must be there. The error names the place, what was expected
-/// and what was found: "goal.position[3]: expected a number (rad), got string 'x'".
+/// The body of a value: every field once, in its range; at most 16 MiB, 64 levels. The error says
+/// where, what was expected and found: "goal.position[3]: expected a number (rad), got string 'x'".
 [[nodiscard]] Result<std::vector<std::byte>> FromJson(const Schema& schema,
                                                       std::string_view json_text);
 

@@ -2,14 +2,18 @@
 
 #include <tendon/payload/payload.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <string_view>
+#include <typeinfo>
 
 namespace tendon {
 
-/// How a payload lies in memory, as one number: size, alignment, the place of every field, and the
-/// library's binary interface. Two plug-ins whose type has one fingerprint and one layout may hand
-/// values over by pointer. 0 stands for "no layout": a proxy, which has only bytes.
+/// How a payload lies in memory, as one number: size, alignment, the place of every field, the C++
+/// types of what lies in it, and the library's binary interface. Two plug-ins whose type has one
+/// fingerprint and one layout may hand values over by pointer. 0 stands for "no layout": a proxy,
+/// which has only bytes.
 using Layout = std::uint64_t;
 
 namespace layout {
@@ -21,9 +25,16 @@ constexpr Layout Mix(Layout hash, std::uint64_t value) {
   return (hash ^ value) * kPrime;
 }
 
+constexpr Layout Mix(Layout hash, std::string_view text) {
+  for (const char c : text) hash = Mix(hash, static_cast<unsigned char>(c));
+  return hash;
+}
+
 template <Payload T>
 Layout Of(Layout hash) {
   hash = Mix(Mix(hash, sizeof(T)), alignof(T));
+  // Seconds and milliseconds, matrices by row and by column: one fingerprint, one size.
+  if constexpr (!payload::Structure<T>) hash = Mix(hash, std::string_view(typeid(T).name()));
   if constexpr (payload::Structure<T>) {
     const auto probe = std::make_unique<T>();
     const auto* base = reinterpret_cast<const std::byte*>(probe.get());

@@ -75,7 +75,9 @@ class Schema {
   [[nodiscard]] bool is_none() const { return kind() == Kind::kStructure && fields().empty(); }
   /// The fewest bytes a value takes on the wire; at least 1.
   [[nodiscard]] std::size_t minimum_size() const;
-  /// One word for tables and errors: "arm.JointState", "float64[7]", "string[]".
+  /// Whether a field of it can have a range: an integer, a float, a duration, or a list of such.
+  [[nodiscard]] bool holds_numbers() const;
+  /// One word for tables and errors: "arm.JointState", "float64[7]", "string[]". See TypeNameOf().
   [[nodiscard]] std::string TypeName() const;
 
   /// The canonical text: all that two ends must agree on, and nothing else.
@@ -87,13 +89,20 @@ class Schema {
   ///       }
   ///     }
   [[nodiscard]] std::string Text() const;
-  /// Reads a text of any origin: at most 1 MiB, 64 levels, values of at least at most 2 GiB. The
-  /// error names line and column.
+  /// The same, and what only people and forms need, in lines before the field; it has the same
+  /// fingerprint when it is read.
+  ///
+  ///       # Of the fastest joint.
+  ///       @ 0 to 2.5
+  ///       speed: float64 in rad/s
+  [[nodiscard]] std::string TextWithHelp() const;
+  /// Reads either text, of any origin: at most 1 MiB, 64 levels, values of at least at most 2 GiB.
+  /// The error names line and column.
   static Result<Schema> Parse(std::string_view text);
   /// Computed from the text each time; include fingerprint.h.
   [[nodiscard]] Fingerprint fingerprint() const;
 
-  /// Whether the texts are equal.
+  /// Whether the canonical texts are equal.
   bool operator==(const Schema& other) const;
 
  private:
@@ -103,11 +112,14 @@ class Schema {
   std::shared_ptr<const Node> node_;
 };
 
-/// `unit` is empty where the field has none; it holds for all numbers in `schema`.
+/// `unit` is empty where the field has none; it holds for all numbers in `schema`, and so does
+/// `range`.
 struct Schema::Field {
   std::string name;
   std::string unit;
   Schema schema;
+  std::string help = {};
+  std::optional<Range> range = {};
 };
 
 /// "bool", "int8" ... "float64", "string", "duration", "enum", "array", "sequence", "struct".
@@ -162,6 +174,12 @@ template <Payload T>
   return schema;
 }
 
+/// The name of any payload type for people: "float64", "float64[7]", "arm.JointState", "string[]".
+template <Payload T>
+[[nodiscard]] std::string TypeNameOf() {
+  return SchemaOf<T>().TypeName();
+}
+
 template <typename T>
 Schema payload::BuildSchema() {
   if constexpr (Number<T>) {
@@ -187,8 +205,9 @@ Schema payload::BuildSchema() {
   } else {
     std::vector<Schema::Field> fields;
     WithFields<T>([&](const auto&... field) {
-      (fields.push_back(
-           {std::string(field.name), std::string(field.unit), SchemaOf<TypeOf<decltype(field)>>()}),
+      (fields.push_back({std::string(field.name), std::string(field.unit),
+                         SchemaOf<TypeOf<decltype(field)>>(), std::string(field.help),
+                         field.range}),
        ...);
     });
     return Schema::Structure(std::string(kPayload<T>.name), std::move(fields));

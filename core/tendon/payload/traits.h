@@ -115,12 +115,27 @@ constexpr decltype(auto) WithFields(Visitor&& visit) {
   return std::apply(std::forward<Visitor>(visit), kPayload<T>.fields);
 }
 
+/// Whether T is a number, not bool, or a time span, or a list of such: what a range can be for.
+template <typename T>
+consteval bool HoldsNumbers() {
+  if constexpr (Array<T>) {
+    return HoldsNumbers<ElementOf<T>>();
+  } else if constexpr (Sequence<T>) {
+    return HoldsNumbers<ItemOf<T>>();
+  } else if constexpr (Substituted<T>) {
+    return HoldsNumbers<SubstituteOf<T>>();
+  } else {
+    return TimeSpan<T> || (Number<T> && !std::same_as<T, bool>);
+  }
+}
+
 template <typename T>
 consteval bool IsPayload();
 
 template <typename T>
-consteval bool FieldIsPayload() {
+constexpr bool FieldIsPayload(bool has_range) {
   static_assert(IsPayload<T>(), "T is not described: write kPayload<T> beside it");
+  if (has_range && !HoldsNumbers<T>()) throw ConfigurationError("a range is for numbers");
   return true;
 }
 
@@ -134,8 +149,9 @@ consteval bool IsPayload() {
   } else if constexpr (Substituted<T>) {
     return IsPayload<SubstituteOf<T>>();
   } else if constexpr (Structure<T>) {
-    return WithFields<T>(
-        [](const auto&... field) { return (FieldIsPayload<TypeOf<decltype(field)>>() && ...); });
+    return WithFields<T>([](const auto&... field) {
+      return (FieldIsPayload<TypeOf<decltype(field)>>(field.range.has_value()) && ...);
+    });
   } else {
     return Number<T> || Enum<T> || Text<T> || TimeSpan<T>;
   }

@@ -36,7 +36,7 @@ struct Join {
 /// is over when a renewal is refused with kDenied: join again.
 struct Joined {
   std::uint64_t gcm_instance = 0;
-  std::uint64_t session = 0;  ///< token of this membership
+  std::uint64_t session = 0;                  ///< token of this membership
   std::vector<ProcessDescription> processes;  ///< that are there, this one among them
 };
 

@@ -21,7 +21,7 @@ std::string GcmAddress(const std::string& address) {
 
 Hello MakeHello(const std::string& name) {
   const auto cookie = LoopbackCookie();
-  if (!cookie) throw ConfigurationError(cookie.error().message);
+  if (!cookie) throw ConfigurationError(cookie.error());
   return {.instance = os::RandomNumber(), .name = name, .session = 0, .cookie = *cookie};
 }
 
@@ -37,7 +37,7 @@ class Process::Parts final : public MembershipDelegate {
                  .host = process,
                  .middleware = options.middleware,
                  .hello = MakeHello(name),
-                 .worker = std::make_shared<Worker>("process"),
+                 .worker = std::make_shared<Worker>("process", name),
                  .network = network_,
                  .proxies = ComponentProxies(network_)},
         services_{.context = context_,
@@ -101,7 +101,7 @@ class Process::Parts final : public MembershipDelegate {
     const auto choose = [this] { return std::make_shared<Session>(services_); };
     auto listener =
         context_.middleware->Listen(options.listen, Channel::Acceptor(context_.hello, choose));
-    if (!listener) throw ConfigurationError(listener.error().message);
+    if (!listener) throw ConfigurationError(listener.error());
     listener_ = *std::move(listener);
     address_ = options.advertise.empty() ? listener_->address() : options.advertise;
   }

@@ -33,7 +33,8 @@ struct ProcessOptions {
 /// Thread safety: as LocalManager. Threads: two of its own, and the middleware's.
 class Process final : public LocalManager, private ProcessHost {
  public:
-  /// Listens, and begins to join the GCM. ConfigurationError: a bad name or address, a port in use.
+  /// Listens, and begins to join the GCM. ConfigurationError: a bad name or address; kExists where
+  /// the port is in use; kDenied off this machine, or without the user's cookie.
   Process(std::string name, ProcessOptions options);
   /// Says good-bye, disconnects, stops and destroys everything.
   ~Process() override;

@@ -1,11 +1,14 @@
+#include <tendon/base/log.h>
 #include <tendon/base/os/thread.h>
 #include <tendon/process/worker.h>
 
+#include <exception>
 #include <utility>
 
 namespace tendon {
 
-Worker::Worker(std::string name) : name_(std::move(name)), thread_(&Worker::Run, this) {}
+Worker::Worker(std::string name, std::string owner)
+    : name_(std::move(name)), owner_(std::move(owner)), thread_(&Worker::Run, this) {}
 
 Worker::~Worker() { Stop(); }
 
@@ -46,9 +49,22 @@ void Worker::Run() {
     Task task = std::move(tasks_.begin()->second);
     tasks_.erase(tasks_.begin());
     lock.unlock();
-    task();
+    Execute(task);
     task = nullptr;
     lock.lock();
+  }
+}
+
+void Worker::Execute(const Task& task) const {
+  const auto log = [this](const char* what) {
+    Log(LogLevel::kError, owner_, "a task of thread '" + name_ + "' failed: " + what);
+  };
+  try {
+    task();
+  } catch (const std::exception& failure) {
+    log(failure.what());
+  } catch (...) {
+    log("it threw no std::exception");
   }
 }
 

@@ -14,13 +14,16 @@ namespace tendon {
 
 /// A thread with a queue of tasks, for what must not be done in a thread of the middleware: opening
 /// channels, writing files, trying again later. Tasks run one at a time; those due at one time in
-/// the order in which they were posted. Thread-safe. Idle, it sleeps.
+/// the order in which they were posted. What a task throws is logged, and the others run.
+/// Thread-safe. Idle, it sleeps.
 class Worker {
  public:
   using Task = std::function<void()>;
 
   /// `name` is the thread's.
-  explicit Worker(std::string name);
+  explicit Worker(std::string name) : Worker(name, name) {}
+  /// `owner` is who stands in the log.
+  Worker(std::string name, std::string owner);
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
   /// Stop().
@@ -35,8 +38,10 @@ class Worker {
 
  private:
   void Run();
+  void Execute(const Task& task) const;
 
   const std::string name_;
+  const std::string owner_;
   std::mutex mutex_;
   std::condition_variable changed_;
   std::multimap<SteadyTime, Task> tasks_;

@@ -13,11 +13,7 @@ class EventProxy final : public EventBase {
  public:
   /// From one thread at a time. A handler that refuses the value is counted in lost().
   void Raise(std::span<const std::byte> value) {
-    const GuardedPointer<List>::Call call(current_);
-    if (call.get() == nullptr) return;
-    for (const Subscriber& subscriber : *call.get()) {
-      if (!subscriber.target().ExecuteEncoded(value, nothing_)) lost_.Add();
-    }
+    CallHandlers([&](CommandBase& handler) { return handler.ExecuteEncoded(value, nothing_); });
   }
 
   /// Handlers are called by their encoded face.

@@ -22,13 +22,11 @@ class FunctionProxy final : public Caller {
 
   [[nodiscard]] CommandKind kind() const { return kind_; }
 
-  /// All functions of an interface by one thread at a time. `out` is replaced.
+  /// By whom the interface allows. `out` is replaced.
   Status operator()(std::span<const std::byte> in, std::vector<std::byte>& out) {
     out.clear();
-    const BindingPointer::Call call(binding_);
-    if (call.get() == nullptr) return Status::kNotConnected;
-    CommandBase* command = call.get()->commands[index_];
-    return command != nullptr ? command->ExecuteEncoded(in, out) : Status::kNotConnected;
+    return CallMember(binding_, index_,
+                      [&](CommandBase& command) { return command.ExecuteEncoded(in, out); });
   }
 
   /// Commands are called by their encoded face.
@@ -39,7 +37,7 @@ class FunctionProxy final : public Caller {
  private:
   CommandKind kind_;
   std::size_t index_;
-  BindingPointer& binding_;
+  BindingGate& binding_;
 };
 
 /// Whether a call of it waits in a mailbox.

@@ -23,11 +23,11 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
 
   Status ExecuteEncoded(std::span<const std::byte> in, std::vector<std::byte>& /*out*/) override {
     if (!outbox_.is_open()) return Status::kNotConnected;
-    if (!mailbox_.accepting()) return Status::kNotActive;
     if (in.size() > kMostBytes) return Status::kInvalid;
-    if (mailbox_.Claim() == nullptr) return Status::kQueueFull;
-    pool_[mailbox_.claimed_slot()].assign(in.begin(), in.end());
-    mailbox_.Publish(*this);
+    std::byte* const room = mailbox_.Claim();
+    if (room == nullptr) return mailbox_.refusal();
+    pool_[mailbox_.SlotOf(room)].assign(in.begin(), in.end());
+    mailbox_.Publish(room, *this);
     return Status::kQueued;
   }
 

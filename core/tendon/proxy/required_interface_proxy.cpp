@@ -12,10 +12,16 @@ RequiredInterfaceProxy::RequiredInterfaceProxy(std::shared_ptr<NetworkThread> th
     : thread_(std::move(thread)),
       channel_(std::move(channel)),
       handle_(open.handle),
-      capacity_(std::clamp(open.capacity, std::uint32_t{1}, kMostCapacity)),
+      capacity_(open.capacity),
       outbox_(channel_, message::kEvents, thread_->wakeup()),
       interface_(open.description.name, &outbox_.inbox()) {
   for (const MemberDescription& function : open.description.functions) {
+    const CommandKind kind = function.signature.kind;
+    if (WaitsForServer(kind)) {
+      throw ConfigurationError(ToString(open.required) + " needs " + std::string(ToString(kind)) +
+                               " command '" + function.name + "' of " + ToString(open.provided) +
+                               "; those are called within their process only");
+    }
     functions_.push_back(std::make_unique<FunctionProxy>(interface_, function));
   }
   std::uint32_t handle = handle_;

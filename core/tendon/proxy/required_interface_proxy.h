@@ -19,9 +19,6 @@ namespace tendon {
 /// events wait here until the network thread sends them.
 class RequiredInterfaceProxy final : public NetworkJob {
  public:
-  /// The most calls and events that may wait, whatever the peer asks for.
-  static constexpr std::uint32_t kMostCapacity = 65536;
-
   /// ConfigurationError where the description makes no sense.
   RequiredInterfaceProxy(std::shared_ptr<NetworkThread> thread, std::shared_ptr<Channel> channel,
                          const message::OpenInterface& open);

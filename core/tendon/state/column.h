@@ -118,8 +118,16 @@ class Column final : public ColumnBase {
   /// returns the tick to go on with. `lost` counts the rows that could not be read.
   template <typename Visitor>
   std::uint64_t ReadSince(std::uint64_t tick, T& value, std::uint64_t& lost, Visitor visit) const {
-    const std::uint64_t end = rows_.next_tick();
-    const std::uint64_t first = std::clamp(rows_.oldest_tick(), tick, std::max(tick, end));
+    return ReadRange(tick, rows_.next_tick(), value, lost, visit);
+  }
+
+  /// The same for the rows before `end`; those not written yet are left for the next call.
+  /// StateTable::FindRow() gives the ticks of a span of time.
+  template <typename Visitor>
+  std::uint64_t ReadRange(std::uint64_t tick, std::uint64_t end, T& value, std::uint64_t& lost,
+                          Visitor visit) const {
+    end = std::max(tick, std::min(end, rows_.next_tick()));
+    const std::uint64_t first = std::clamp(rows_.oldest_tick(), tick, end);
     lost += first - tick;
     for (tick = first; tick < end; ++tick) {
       RowStamp stamp{tick, {}};

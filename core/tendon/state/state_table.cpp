@@ -13,6 +13,10 @@ std::uint64_t RandomEpoch() {
   return std::uint64_t{device()} << 32 | device();
 }
 
+void LoadRow(const RowRing<>::Word* row, std::span<std::uint64_t> words) noexcept {
+  for (std::size_t i = 0; i < words.size(); ++i) words[i] = row[i].load(std::memory_order_relaxed);
+}
+
 }  // namespace
 
 StateTable::StateTable(std::string name) : name_(std::move(name)), epoch_(RandomEpoch()) {
@@ -21,13 +25,16 @@ StateTable::StateTable(std::string name) : name_(std::move(name)), epoch_(Random
 
 void StateTable::SetLength(std::size_t rows) {
   RequireNoRows("its length cannot change");
-  if (rows == 0) throw ConfigurationError("state table '" + name_ + "' needs at least one row");
+  if (rows == 0 || rows > kMaximumLength) {
+    throw ConfigurationError("state table '" + name_ + "' cannot keep " + std::to_string(rows) +
+                             " rows: give 1 to " + std::to_string(kMaximumLength));
+  }
   length_ = rows;
   is_prepared_ = false;
 }
 
 std::size_t StateTable::LengthFor(std::chrono::nanoseconds period) const noexcept {
-  constexpr std::size_t kMaxWords = (std::size_t{16} << 20) / sizeof(std::uint64_t);
+  constexpr std::size_t kMaxWords = kDefaultBytes / sizeof(std::uint64_t);
   constexpr std::chrono::seconds kHistory(1);
   const auto cycles = period.count() > 0 ? kHistory / period : 0;
   return std::min(std::max(static_cast<std::size_t>(cycles), kMinimumLength),
@@ -37,12 +44,13 @@ std::size_t StateTable::LengthFor(std::chrono::nanoseconds period) const noexcep
 void StateTable::Prepare() {
   if (is_prepared_) return;
   row_.assign(row_words_, 0);
-  rows_.Allocate(length_ == 0 ? kMinimumLength : length_, row_words_);
+  rows_.Allocate(length_ == 0 ? LengthFor({}) : length_, row_words_);
   is_prepared_ = true;
 }
 
 void StateTable::Advance(SteadyTime now) noexcept {
   Prepare();
+  for (const auto& filter : filters_) filter->Apply();
   rows_.Begin(now.time_since_epoch().count());
   for (const auto& column : columns_) {
     const CellLayout& layout = column->layout();
@@ -50,6 +58,11 @@ void StateTable::Advance(SteadyTime now) noexcept {
                 column->Encode(std::span(row_).subspan(layout.offset, layout.words)));
   }
   rows_.Publish();
+  last_ = now;
+}
+
+bool StateTable::IsTooEarly(SteadyTime now) const noexcept {
+  return next_tick() > 0 && now - last_ < interval_;
 }
 
 const ColumnBase* StateTable::Find(std::string_view name) const noexcept {
@@ -70,7 +83,16 @@ RowResult StateTable::CopyRow(std::uint64_t tick, std::span<std::uint64_t> words
                               std::int64_t& time_ns) const noexcept {
   assert(words.size() >= row_words_);
   return rows_.Read(tick, [&](const RowRing<>::Word* row) {
-    for (std::size_t i = 0; i < row_words_; ++i) words[i] = row[i].load(std::memory_order_relaxed);
+    LoadRow(row, words.first(row_words_));
+    time_ns = RowRing<>::TimeOf(row);
+  });
+}
+
+RowResult StateTable::CopyNewestRow(std::uint64_t& tick, std::span<std::uint64_t> words,
+                                    std::int64_t& time_ns) const noexcept {
+  assert(words.size() >= row_words_);
+  return rows_.ReadNewest(tick, [&](const RowRing<>::Word* row) {
+    LoadRow(row, words.first(row_words_));
     time_ns = RowRing<>::TimeOf(row);
   });
 }
@@ -82,9 +104,16 @@ void StateTable::RequireNoRows(std::string_view what) const {
 }
 
 void StateTable::CheckColumn(const std::string& name, const void* variable,
-                             const std::type_info& type) const {
+                             const std::type_info& type, std::size_t bytes) const {
   RequireNoRows("column '" + name + "' cannot be added");
   RequireName("column", name);
+  const std::size_t taken = row_words_ * sizeof(std::uint64_t);
+  if (bytes > kMaximumRowBytes || taken + bytes > kMaximumRowBytes) {
+    throw ConfigurationError("column '" + name + "' of " + std::to_string(bytes) +
+                             " bytes would make a row of state table '" + name_ + "' exceed " +
+                             std::to_string(kMaximumRowBytes) +
+                             " bytes; give it a smaller capacity, or send such values by an event");
+  }
   for (const auto& column : columns_) {
     if (column->name() == name) {
       throw ConfigurationError("state table '" + name_ + "' has a column '" + name + "' already");

@@ -3,9 +3,11 @@
 #include <tendon/base/clock.h>
 #include <tendon/base/error.h>
 #include <tendon/state/column.h>
+#include <tendon/state/filter.h>
 #include <tendon/state/row_ring.h>
 
 #include <chrono>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -20,20 +22,25 @@ namespace tendon {
 /// Publishes chosen variables of a task to other threads and keeps their history: each cycle all of
 /// them become one row, encoded, in a ring of rows.
 ///
-/// Thread safety: Add(), SetLength() and Prepare() before the first Advance(); Advance() by one
-/// thread, which alone changes the variables; everything else by any thread, at any time. Writing
-/// is wait-free; a reader that the writer overtakes by a whole ring is told.
+/// Thread safety: whatever adds or sets, and Prepare(), before the first row; rows are written by
+/// one thread, which alone changes the variables; everything else by any thread, at any time.
+/// Writing is wait-free; a reader that the writer overtakes by a whole ring is told.
 class StateTable {
  public:
-  /// Rows kept where nobody has said how many.
+  /// Rows kept where nobody has said how many, as far as kDefaultBytes hold them.
   static constexpr std::size_t kMinimumLength = 256;
+  static constexpr std::size_t kMaximumLength = std::size_t{1} << 24;
+  static constexpr std::size_t kDefaultBytes = std::size_t{16} << 20;
+  /// The largest row: two of them are what a table is at least.
+  static constexpr std::size_t kMaximumRowBytes = kDefaultBytes / 2;
 
   explicit StateTable(std::string name = "state");
   StateTable(const StateTable&) = delete;
   StateTable& operator=(const StateTable&) = delete;
 
   /// Makes `variable`, which must outlive the table, a column. Throws ConfigurationError when the
-  /// name or the variable is a column already, or when rows have been written.
+  /// name or the variable is a column already, when rows have been written, or when a row would
+  /// exceed kMaximumRowBytes.
   template <FixedPayload T>
   void Add(const T& variable, std::string name) {
     AddColumn<T>(variable, std::move(name), {.bytes = kEncodedSize<T>, .is_dynamic = false});
@@ -45,16 +52,37 @@ class StateTable {
     AddColumn<T>(variable, std::move(name), {.bytes = capacity, .is_dynamic = true});
   }
 
-  /// How many rows can be read back at least. Throws ConfigurationError when it is 0, or when rows
-  /// have been written.
+  /// Makes `output` a column that is computed from `input` just before each row:
+  /// `filter(input, output)`, noexcept, in the writer's thread. Filters run in the order they were
+  /// added, so one may go on with what another has computed. Arguments from `name` on as for Add().
+  template <Payload In, Payload Out, typename Filter, std::integral... Capacity>
+  void AddFiltered(const In& input, Out& output, Filter filter, std::string name,
+                   Capacity... capacity) {
+    Add(output, std::move(name), static_cast<std::size_t>(capacity)...);
+    filters_.push_back(
+        std::make_unique<FunctionFilter<In, Out, Filter>>(input, output, std::move(filter)));
+  }
+
+  /// How many rows can be read back at least, whatever memory they take. Throws ConfigurationError
+  /// when it is not 1 to kMaximumLength, or when rows have been written.
   void SetLength(std::size_t rows);
-  /// The rows of one second, at least kMinimumLength, at most what 16 MiB hold.
+  /// The rows of one second, at least kMinimumLength, at most what kDefaultBytes hold.
   [[nodiscard]] std::size_t LengthFor(std::chrono::nanoseconds period) const noexcept;
+  /// From now on no cycle writes a row; whoever fills the table calls Advance().
+  void AdvanceOnlyByHand() noexcept { is_by_hand_ = true; }
+  /// Cycles write no row sooner after the one before; 0, as it is at first: each writes one.
+  void SetShortestInterval(std::chrono::nanoseconds interval) noexcept { interval_ = interval; }
   /// Allocates the rows and touches their memory, so that the first cycle need not.
   void Prepare();
   /// Encodes every variable into a new row and makes that the newest. Allocates nothing after
   /// Prepare(), which it calls itself where nobody has.
   void Advance(SteadyTime now) noexcept;
+  /// The same for a task after its cycle: unless rows are written by hand, or the last is too
+  /// young.
+  void AdvanceAfterCycle(SteadyTime now) noexcept {
+    if (is_by_hand_ || (interval_.count() > 0 && IsTooEarly(now))) return;
+    Advance(now);
+  }
 
   [[nodiscard]] const std::string& name() const noexcept { return name_; }
   /// As set; 0 before that.
@@ -65,6 +93,11 @@ class StateTable {
   [[nodiscard]] std::uint64_t next_tick() const noexcept { return rows_.next_tick(); }
   /// The oldest row that can still be read.
   [[nodiscard]] std::uint64_t oldest_tick() const noexcept { return rows_.oldest_tick(); }
+  /// The newest row not later than `time`. kNotYet when all are later, kOvertaken when that row is
+  /// lost. A binary search.
+  RowResult FindRow(SteadyTime time, std::uint64_t& tick) const noexcept {
+    return rows_.Find(time.time_since_epoch().count(), tick);
+  }
 
   /// In the order they were added.
   [[nodiscard]] std::span<const std::unique_ptr<ColumnBase>> columns() const noexcept {
@@ -79,9 +112,12 @@ class StateTable {
   }
 
   /// Copies all cells of a row; `words` has room for row_words(). The cells are what
-  /// ColumnBase::Cell() gives. Never kAbsent or kInvalid.
+  /// ColumnBase::Cell() gives. Never kAbsent or kInvalid. RowCopy is the convenient way.
   RowResult CopyRow(std::uint64_t tick, std::span<std::uint64_t> words,
                     std::int64_t& time_ns) const noexcept;
+  /// The same for the newest row: kDone, or kNotYet before the first.
+  RowResult CopyNewestRow(std::uint64_t& tick, std::span<std::uint64_t> words,
+                          std::int64_t& time_ns) const noexcept;
   /// The cells of one row, in words of 64 bits.
   [[nodiscard]] std::size_t row_words() const noexcept { return row_words_; }
   /// A column's CDR body in a row copied by CopyRow(); empty when its value was absent.
@@ -93,23 +129,29 @@ class StateTable {
  private:
   template <Payload T>
   void AddColumn(const T& variable, std::string name, CellLayout layout) {
-    CheckColumn(name, &variable, typeid(T));
+    CheckColumn(name, &variable, typeid(T), layout.bytes);
     layout.offset = row_words_;
     layout.words = (layout.bytes + 7) / 8 + (layout.is_dynamic ? 1 : 0);
     Append(std::make_unique<Column<T>>(rows_, variable, std::move(name), layout));
   }
   void RequireNoRows(std::string_view what) const;
-  void CheckColumn(const std::string& name, const void* variable, const std::type_info& type) const;
+  void CheckColumn(const std::string& name, const void* variable, const std::type_info& type,
+                   std::size_t bytes) const;
   void Append(std::unique_ptr<ColumnBase> column);
   [[nodiscard]] const ColumnBase& Find(const void* variable, const std::type_info& type) const;
+  [[nodiscard]] bool IsTooEarly(SteadyTime now) const noexcept;
 
   std::string name_;
   std::uint64_t epoch_;
   std::size_t length_ = 0;
   std::size_t row_words_ = 0;
   std::vector<std::unique_ptr<ColumnBase>> columns_;
+  std::vector<std::unique_ptr<RowFilter>> filters_;
   std::vector<std::uint64_t> row_;  // where the writer encodes
   bool is_prepared_ = false;
+  bool is_by_hand_ = false;
+  std::chrono::nanoseconds interval_{0};
+  SteadyTime last_;  // of the newest row, in the writer's thread
   RowRing<> rows_;
 };
 

@@ -1,8 +1,10 @@
+#include <tendon/base/clock.h>
 #include <tendon/base/log.h>
 #include <tendon/base/name.h>
 #include <tendon/task/component.h>
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 namespace tendon {
@@ -18,6 +20,12 @@ auto FindByName(const List& list, const std::string& name) -> decltype(list.fron
 bool IsReserved(const std::string& name) { return name == "state" || name.starts_with("state-"); }
 
 std::string Quoted(const std::string& name) { return "'" + name + "'"; }
+
+/// "arm.cpp:23"
+std::string ToString(const std::source_location& where) {
+  const std::string_view path = where.file_name();
+  return std::string(path.substr(path.rfind('/') + 1)) + ":" + std::to_string(where.line());
+}
 
 }  // namespace
 
@@ -61,36 +69,99 @@ void Component::Seal() {
   for (const auto& one : required_) one->Seal();
 }
 
-Result<void> Component::Start() {
-  const ComponentState before = state();
-  if (before == ComponentState::kActive || before == ComponentState::kSuspended) {
-    return Error{ErrorCode::kFailed, "component " + Quoted(name_) + " is " +
-                                         std::string(ToString(before)) + "; stop it first"};
+Result<const Transition*> Component::Check(LifeRequest request) const {
+  const std::scoped_lock lock(mutex_);
+  if (is_starting()) {
+    return Error{ErrorCode::kFailed,
+                 "component " + Quoted(name_) + " is still starting; wait until it is active"};
   }
-  if (before == ComponentState::kConstructed || before == ComponentState::kFaulted) {
+  const Transition& transition = TransitionOf(state(), request);
+  if (transition.refusal.empty()) return &transition;
+  return Error{ErrorCode::kFailed, "component " + Quoted(name_) + " is " +
+                                       std::string(ToString(transition.from)) +
+                                       std::string(transition.refusal)};
+}
+
+Result<void> Component::Start(Patience patience) {
+  const auto transition = Check(LifeRequest::kStart);
+  if (!transition) return transition.error();
+  if ((*transition)->from == ComponentState::kSuspended) {
+    const auto resumed = Resume();
+    return resumed && patience > kNoWait ? WaitFor(ComponentState::kActive, patience) : resumed;
+  }
+  if ((*transition)->configures_first) {
     {
       const std::scoped_lock lock(mutex_);
       fault_.clear();
     }
     if (!RunGuarded("Configure", [this] { Configure(); })) {
-      return Error{ErrorCode::kFailed, "component " + Quoted(name_) + " did not start: " + fault()};
+      return WaitFor(ComponentState::kReady, kNoWait);  // says why not
     }
     SetState(ComponentState::kReady);
   }
-  return Launch();
+  is_starting_.Set(true);
+  if (const auto launched = Launch(); !launched) {
+    is_starting_.Set(false);
+    return launched;
+  }
+  return patience > kNoWait ? WaitFor(ComponentState::kActive, patience) : Result<void>();
 }
 
-Result<void> Component::Stop() {
-  if (state() == ComponentState::kFaulted) {
-    Halt();  // joins the thread that has ended
-    return {};
-  }
-  if (state() != ComponentState::kActive) {
-    return Error{ErrorCode::kFailed, "component " + Quoted(name_) + " is " +
-                                         std::string(ToString(state())) + ", not active"};
-  }
+Result<void> Component::Suspend(Patience patience) {
+  const auto transition = Check(LifeRequest::kSuspend);
+  if (!transition) return transition.error();
+  Pause();
+  return patience > kNoWait ? WaitFor(ComponentState::kSuspended, patience) : Result<void>();
+}
+
+Result<void> Component::Stop(Patience patience) {
+  const auto transition = Check(LifeRequest::kStop);
+  if (!transition) return transition.error();
   Halt();
+  return patience > kNoWait ? WaitFor(ComponentState::kFinished, patience) : Result<void>();
+}
+
+Result<void> Component::WaitFor(ComponentState wanted, Patience patience) {
+  constexpr std::chrono::milliseconds kBetweenLooks(10);
+  const SteadyTime deadline = SteadyClock().Now() + patience;
+  std::unique_lock lock(mutex_);
+  while (state() != wanted) {
+    const std::string who = "component " + Quoted(name_) + " is ";
+    if (state() == ComponentState::kFaulted) {
+      return Error{ErrorCode::kFailed, who + "faulted: " + fault_};
+    }
+    const SteadyTime now = SteadyClock().Now();
+    if (now >= deadline) {
+      const auto waited = std::chrono::ceil<std::chrono::milliseconds>(patience).count();
+      return Error{ErrorCode::kTimeout, who + "still " + std::string(ToString(state())) +
+                                            " after " + std::to_string(waited) + " ms, not " +
+                                            std::string(ToString(wanted)) +
+                                            "; it may be busy in one of its own functions"};
+    }
+    lock.unlock();
+    ServeWaiting();
+    lock.lock();
+    if (state() == wanted) break;
+    changed_.wait_until(lock, std::min<SteadyTime>(deadline, now + kBetweenLooks));
+  }
   return {};
+}
+
+bool Component::is_at_rest() const {
+  const std::scoped_lock lock(mutex_);  // the state and the flag change together
+  return !is_starting() && state() != ComponentState::kActive &&
+         state() != ComponentState::kSuspended;
+}
+
+void Component::End() {
+  bool was_asked = false;
+  bool was_said = false;
+  while (!is_at_rest()) {
+    if (!is_starting() && !std::exchange(was_asked, true)) Halt();
+    const auto ended = WaitFor(ComponentState::kFinished, std::chrono::seconds(1));
+    if (ended || is_at_rest() || std::exchange(was_said, true)) continue;
+    Log(LogLevel::kWarning, name_, "cannot be destroyed yet: " + ended.error().message);
+  }
 }
 
 void Component::SetStateObserver(std::function<void()> observer) {
@@ -98,36 +169,40 @@ void Component::SetStateObserver(std::function<void()> observer) {
   observer_ = std::move(observer);
 }
 
-ProvidedInterface& Component::AddProvidedInterface(std::string name) {
+ProvidedInterface& Component::AddProvidedInterface(std::string name, std::source_location where) {
   if (IsReserved(name)) {
     throw ConfigurationError("interface " + Quoted(name) + " of " + Quoted(name_) +
                              ": the names state and state-... belong to state tables");
   }
-  return AddReservedInterface(std::move(name));
+  return AddReservedInterface(std::move(name), where);
 }
 
-ProvidedInterface& Component::AddReservedInterface(std::string name) {
-  CheckNew("provided interface", name);
+ProvidedInterface& Component::AddReservedInterface(std::string name, std::source_location where) {
+  CheckNew("provided interface", name, where);
   provided_.push_back(std::make_unique<ProvidedInterface>(std::move(name), inbox_.get()));
   return *provided_.back();
 }
 
-RequiredInterface& Component::AddRequiredInterface(std::string name, Need need) {
-  CheckNew("required interface", name);
+RequiredInterface& Component::AddRequiredInterface(std::string name, Need need,
+                                                   std::source_location where) {
+  CheckNew("required interface", name, where);
   required_.push_back(std::make_unique<RequiredInterface>(std::move(name), inbox_.get(), need));
   return *required_.back();
 }
 
 Result<void> Component::Launch() {
-  if (!RunGuarded("Startup", [this] { Startup(); })) {
-    return Error{ErrorCode::kFailed, "component " + Quoted(name_) + " did not start: " + fault()};
-  }
+  if (RunGuarded("Startup", [this] { Startup(); })) SetState(ComponentState::kActive);
+  return {};
+}
+
+void Component::Pause() { SetState(ComponentState::kSuspended); }
+
+Result<void> Component::Resume() {
   SetState(ComponentState::kActive);
   return {};
 }
 
 void Component::Halt() {
-  if (state() != ComponentState::kActive) return;
   if (RunGuarded("Cleanup", [this] { Cleanup(); })) SetState(ComponentState::kFinished);
 }
 
@@ -141,26 +216,35 @@ void Component::EnterFault(const char* where, const std::string& reason) {
 }
 
 void Component::SetState(ComponentState state) {
-  if (inbox_) inbox_->SetAccepting(state == ComponentState::kActive);
-  state_.Set(state);
+  if (inbox_) {
+    inbox_->SetAccepting(state == ComponentState::kActive);
+    const bool has_thread = state == ComponentState::kActive || state == ComponentState::kSuspended;
+    if (!has_thread) inbox_->Unbind();
+  }
   std::function<void()> observer;
   {
     const std::scoped_lock lock(mutex_);
+    is_starting_.Set(false);
+    state_.Set(state);
     observer = observer_;
   }
+  changed_.notify_all();
   if (observer) observer();
 }
 
-void Component::CheckNew(const std::string& what, const std::string& name) const {
+void Component::CheckNew(const std::string& what, const std::string& name,
+                         std::source_location where) {
   RequireName(what, name);
   if (sealed_) {
     throw ConfigurationError("cannot add " + what + " " + Quoted(name) + " to component " +
                              Quoted(name_) + " (state " + std::string(ToString(state())) +
                              "): add it in the constructor");
   }
-  if (FindProvided(name) != nullptr || FindRequired(name) != nullptr) {
-    throw ConfigurationError("interface " + Quoted(name) + " already exists in " + Quoted(name_));
+  if (const auto first = added_at_.find(name); first != added_at_.end()) {
+    throw ConfigurationError("interface " + Quoted(name) + " already exists in " + Quoted(name_) +
+                             " (added at " + ToString(first->second) + ")");
   }
+  added_at_[name] = where;
 }
 
 }  // namespace tendon

@@ -7,14 +7,24 @@
 #include <tendon/lockfree/flag.h>
 #include <tendon/task/component_state.h>
 
+#include <chrono>
+#include <condition_variable>
 #include <exception>
 #include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
+#include <source_location>
 #include <string>
 #include <vector>
 
 namespace tendon {
+
+/// How long a request waits for the state it leads to.
+using Patience = std::chrono::nanoseconds;
+inline constexpr Patience kPatience = std::chrono::seconds(10);
+/// Only asks: the state follows when the component's thread gets to it.
+inline constexpr Patience kNoWait{0};
 
 /// A named object with interfaces and a life cycle, and no thread of its own: its commands and
 /// event handlers run in the threads that call them. A Task adds a thread.
@@ -44,15 +54,26 @@ class Component {
   [[nodiscard]] std::vector<ProvidedDescription> provided() const;
   [[nodiscard]] std::vector<RequiredDescription> required() const;
 
+  /// Returns once it is in that state: kTimeout when it is not within `patience`, kFailed when it
+  /// is faulted meanwhile. Any thread but the component's own.
+  Result<void> WaitFor(ComponentState state, Patience patience);
+
   // For managers.
 
   /// Ends the construction: from now on no interface and no member can be added.
   virtual void Seal();
-  /// Configures it where needed and lets it run, as the table of ComponentState says. Returns once
-  /// it is active, or why it is not.
-  Result<void> Start();
-  /// Returns once its thread, if any, has ended and Cleanup() has run.
-  Result<void> Stop();
+  /// Each does what the table of transitions says, and waits for the state it leads to as
+  /// WaitFor() does; what is illegal is refused with kFailed. Start() configures in the calling
+  /// thread where needed.
+  Result<void> Start(Patience patience = kPatience);
+  Result<void> Suspend(Patience patience = kPatience);
+  Result<void> Stop(Patience patience = kPatience);
+  /// Whether it was asked to start, and is neither active nor faulted yet.
+  [[nodiscard]] bool is_starting() const noexcept { return is_starting_.Get(); }
+  /// Neither active nor suspended, nor on the way: none of its functions runs.
+  [[nodiscard]] bool is_at_rest() const;
+  /// Stops it where it runs, and waits for that as long as it takes: it can be destroyed then.
+  void End();
   /// Called after each change of the state, in the thread that made it; must not call back.
   void SetStateObserver(std::function<void()> observer);
 
@@ -62,8 +83,11 @@ class Component {
 
   /// A second interface of one name, a bad name, or a sealed component: ConfigurationError. The
   /// names `state` and `state-...` are reserved for state tables.
-  ProvidedInterface& AddProvidedInterface(std::string name);
-  RequiredInterface& AddRequiredInterface(std::string name, Need need = Need::kRequired);
+  ProvidedInterface& AddProvidedInterface(
+      std::string name, std::source_location where = std::source_location::current());
+  RequiredInterface& AddRequiredInterface(
+      std::string name, Need need = Need::kRequired,
+      std::source_location where = std::source_location::current());
 
   /// Before the first start, and again before a restart after a fault. May throw.
   virtual void Configure() {}
@@ -72,13 +96,20 @@ class Component {
   /// After the last cycle, in the component's thread if it has one. May throw.
   virtual void Cleanup() {}
 
+  // What the requests do, once they are known to be legal. They need not wait for their effect.
+
   /// Lets the component run until Halt(); a task starts its thread.
   virtual Result<void> Launch();
+  virtual void Pause();
+  virtual Result<void> Resume();
   virtual void Halt();
+  /// Called now and then in a thread that waits for a state: for what no thread of its own does.
+  virtual void ServeWaiting() {}
 
-  /// Runs one of the author's functions; an exception faults the component, named after `where`.
+  /// Runs one of the author's functions; an exception faults the component, named after `where`,
+  /// which is looked at then.
   template <typename Body>
-  bool RunGuarded(const char* where, Body body) {
+  bool RunGuarded(const char* const& where, Body body) {
     try {
       body();
       return true;
@@ -92,19 +123,24 @@ class Component {
   void EnterFault(const char* where, const std::string& reason);
   void SetState(ComponentState state);
 
-  ProvidedInterface& AddReservedInterface(std::string name);
+  ProvidedInterface& AddReservedInterface(
+      std::string name, std::source_location where = std::source_location::current());
   [[nodiscard]] Inbox* inbox() const { return inbox_.get(); }
 
  private:
-  void CheckNew(const std::string& what, const std::string& name) const;
+  Result<const Transition*> Check(LifeRequest request) const;
+  void CheckNew(const std::string& what, const std::string& name, std::source_location where);
 
   std::string name_;
   std::unique_ptr<Inbox> inbox_;
   bool sealed_ = false;
   std::vector<std::unique_ptr<ProvidedInterface>> provided_;
   std::vector<std::unique_ptr<RequiredInterface>> required_;
+  std::map<std::string, std::source_location> added_at_;
   Published<ComponentState> state_{ComponentState::kConstructed};
-  mutable std::mutex mutex_;  // of fault_ and observer_
+  Flag is_starting_;
+  mutable std::mutex mutex_;  // of fault_ and observer_, and of changes of the state
+  std::condition_variable changed_;
   std::string fault_;
   std::function<void()> observer_;
 };

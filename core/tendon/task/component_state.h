@@ -2,27 +2,21 @@
 
 #include <tendon/payload/payload.h>
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 
 namespace tendon {
 
 /// Where a component is in its life.
-///
-/// | from        | Start               | Stop     | a thrown exception |
-/// |-------------|---------------------|----------|--------------------|
-/// | constructed | configures, active  | refused  | faulted            |
-/// | ready       | active              | refused  | faulted            |
-/// | active      | refused             | finished | faulted            |
-/// | finished    | active              | refused  |                    |
-/// | faulted     | configures, active  | refused  | faulted            |
 enum class ComponentState : std::int32_t {
   kConstructed,
-  kReady,
+  kReady,  ///< configured
   kActive,
-  kSuspended,
+  kSuspended,  ///< its cycles rest, nothing is lost but time; goes on with a start
   kFinished,
-  kFaulted,
+  kFaulted,  ///< one of its functions threw; a start configures it anew
 };
 
 template <>
@@ -36,6 +30,51 @@ inline constexpr auto kPayload<ComponentState> = DescribeEnum(
 /// "active", "faulted", ...
 [[nodiscard]] constexpr std::string_view ToString(ComponentState state) noexcept {
   return NameOf(state);
+}
+
+/// What managers ask of a component.
+enum class LifeRequest : std::uint32_t { kStart, kSuspend, kStop };
+
+/// What a request does in a state.
+struct Transition {
+  ComponentState from;
+  LifeRequest request;
+  ComponentState to;           ///< `from` where it is refused
+  std::string_view refusal{};  ///< what follows "component 'arm' is active"; empty where legal
+  bool configures_first = false;
+};
+
+/// Every request in every state. Beside these, an exception in one of the author's functions leads
+/// from any state to faulted.
+inline constexpr std::array kTransitions = [] {
+  using enum ComponentState;
+  using enum LifeRequest;
+  return std::array<Transition, 18>{{
+      {kConstructed, kStart, kActive, "", true},
+      {kConstructed, kSuspend, kConstructed, ", not active; start it first"},
+      {kConstructed, kStop, kConstructed, ", not active; there is nothing to stop"},
+      {kReady, kStart, kActive},
+      {kReady, kSuspend, kReady, ", not active; start it first"},
+      {kReady, kStop, kReady, ", not active; there is nothing to stop"},
+      {kActive, kStart, kActive, " already; stop it first to start it anew"},
+      {kActive, kSuspend, kSuspended},
+      {kActive, kStop, kFinished},
+      {kSuspended, kStart, kActive},
+      {kSuspended, kSuspend, kSuspended, " already; start lets it go on"},
+      {kSuspended, kStop, kFinished},
+      {kFinished, kStart, kActive},
+      {kFinished, kSuspend, kFinished, ", not active; start it first"},
+      {kFinished, kStop, kFinished, " already, not active; start lets it run again"},
+      {kFaulted, kStart, kActive, "", true},
+      {kFaulted, kSuspend, kFaulted, ", not active; start it again first"},
+      {kFaulted, kStop, kFaulted, " and has ended, so it is not active; start it again"},
+  }};
+}();
+
+[[nodiscard]] constexpr const Transition& TransitionOf(ComponentState from, LifeRequest request) {
+  constexpr std::size_t kRequests = 3;
+  return kTransitions[static_cast<std::size_t>(from) * kRequests +
+                      static_cast<std::size_t>(request)];
 }
 
 }  // namespace tendon

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <tendon/base/clock.h>
 #include <tendon/payload/payload.h>
 
 #include <cstdint>
@@ -12,8 +11,27 @@ struct CycleStatistics {
   double period = 0.0;         ///< s from the cycle before to this one; 0 in the first
   double lateness = 0.0;       ///< s after the time it was due
   double compute = 0.0;        ///< s that the cycle before has computed
-  double load = 0.0;           ///< compute / wanted period
+  double load = 0.0;           ///< compute / wanted period; 0 where it has none
   std::uint64_t overruns = 0;  ///< cycles skipped since the start because one took too long
+};
+
+/// How a time was spread over some cycles. The percentiles are right to 3 %.
+struct TimeStatistics {
+  double mean = 0.0;       ///< s
+  double deviation = 0.0;  ///< s; of the sample, so 0 for a single cycle
+  double min = 0.0;        ///< s
+  double max = 0.0;        ///< s
+  double p50 = 0.0;        ///< s
+  double p99 = 0.0;        ///< s
+};
+
+/// How the cycles of a whole second went, of ten at least: replaced each time such a window is
+/// full. The column `CycleSummary` of a task's default state table.
+struct CycleSummary {
+  std::uint64_t cycles = 0;  ///< in the window; 0 until the first is full
+  TimeStatistics period;
+  TimeStatistics lateness;
+  TimeStatistics compute;
 };
 
 template <>
@@ -22,5 +40,19 @@ inline constexpr auto kPayload<CycleStatistics> =
              Field{"lateness", &CycleStatistics::lateness, "s"},
              Field{"compute", &CycleStatistics::compute, "s"},
              Field{"load", &CycleStatistics::load}, Field{"overruns", &CycleStatistics::overruns});
+
+template <>
+inline constexpr auto kPayload<TimeStatistics> =
+    Describe("tendon.TimeStatistics", Field{"mean", &TimeStatistics::mean, "s"},
+             Field{"deviation", &TimeStatistics::deviation, "s"},
+             Field{"min", &TimeStatistics::min, "s"}, Field{"max", &TimeStatistics::max, "s"},
+             Field{"p50", &TimeStatistics::p50, "s"}, Field{"p99", &TimeStatistics::p99, "s"});
+
+template <>
+inline constexpr auto kPayload<CycleSummary> = Describe("tendon.CycleSummary",
+                                                        Field{"cycles", &CycleSummary::cycles},
+                                                        Field{"period", &CycleSummary::period},
+                                                        Field{"lateness", &CycleSummary::lateness},
+                                                        Field{"compute", &CycleSummary::compute});
 
 }  // namespace tendon

@@ -10,18 +10,17 @@ namespace {
 class ColumnReadCommand final : public CommandBase {
  public:
   ColumnReadCommand(const StateTable& table, std::size_t column)
-      : CommandBase(layout::kNone, layout::kNone),
-        table_(table),
-        column_(column),
-        row_(table.row_words()) {}
+      : CommandBase(layout::kNone, layout::kNone), table_(table), column_(column) {}
 
   Status ExecuteEncoded(std::span<const std::byte> /*in*/, std::vector<std::byte>& out) override {
+    Scratch<std::vector<std::uint64_t>>::Use row(row_);
+    row->resize(table_.row_words());
     while (true) {
       const std::uint64_t next = table_.next_tick();
       if (next == 0) return Status::kNoSample;
       std::int64_t time = 0;
-      if (table_.CopyRow(next - 1, row_, time) != RowResult::kDone) continue;  // lapped
-      const std::span<const std::byte> cell = table_.cell(row_, column_);
+      if (table_.CopyRow(next - 1, *row, time) != RowResult::kDone) continue;  // lapped
+      const std::span<const std::byte> cell = table_.cell(*row, column_);
       if (cell.empty()) return Status::kNoSample;
       out.assign(cell.begin(), cell.end());
       return Status::kDone;
@@ -31,7 +30,7 @@ class ColumnReadCommand final : public CommandBase {
  private:
   const StateTable& table_;
   std::size_t column_;
-  std::vector<std::uint64_t> row_;
+  Scratch<std::vector<std::uint64_t>> row_;
 };
 
 class ColumnOffer final : public Offer {
@@ -55,7 +54,7 @@ void AddColumnReads(const StateTable& table, ProvidedInterface& interface) {
     const ColumnBase& column = *table.columns()[i];
     MemberDescription description = DescribeMember<None, None>(column.name(), CommandKind::kRead);
     description.signature.out = column.fingerprint();
-    description.out_type = column.schema().name();
+    description.out_type = column.schema().TypeName();
     interface.AddOffer(std::make_unique<ColumnOffer>(std::move(description), table, i));
   }
 }

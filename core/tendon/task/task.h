@@ -1,29 +1,47 @@
 #pragma once
 
+#include <tendon/lockfree/guarded_pointer.h>
+#include <tendon/lockfree/wakeup.h>
 #include <tendon/state/state_table.h>
 #include <tendon/task/component.h>
-#include <tendon/task/cycle_statistics.h>
+#include <tendon/task/cycle/cycle_meter.h>
 
 #include <chrono>
+#include <cstdint>
 #include <memory>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace tendon {
 
-/// A component with a thread, a state table and mailboxes: commands and events that others send
-/// wait until its Run() calls ProcessQueuedCommands().
+/// A component with cycles, a state table and mailboxes: commands and events that others send wait
+/// until its Run() calls ProcessQueuedCommands().
 ///
-/// Kinds of tasks differ in what makes a cycle due; they derive from this class and implement
-/// Loop().
+/// What makes a cycle due is up to the kinds of tasks, which derive from this class. Tasks with a
+/// thread of their own may run after another task instead, in its thread and its cycles.
+///
+/// What managers ask for is an order; the thread that makes the cycles obeys it between two of
+/// them.
 class Task : public Component {
  public:
   [[nodiscard]] std::vector<const StateTable*> tables() const override;
   void Seal() override;
 
+  /// The task after which it runs, or null. For managers.
+  [[nodiscard]] const Task* leader() const { return leader_; }
+  /// How long ago its last cycle began; 0 while it is not active. Any thread.
+  [[nodiscard]] std::chrono::nanoseconds SinceLastCycle(SteadyTime now) const noexcept;
+  /// What period() was at the last start. Any thread.
+  [[nodiscard]] std::chrono::duration<double> started_period() const noexcept {
+    return started_period_.Get();
+  }
+
  protected:
-  explicit Task(std::string name);
+  enum class Posts {
+    kWait,  ///< until a cycle executes them
+    kWake,  ///< the thread that sleeps on wakeup()
+  };
+  explicit Task(std::string name, Posts posts = Posts::kWait);
   ~Task() override;
 
   /// The table `state`: variables added to it are recorded once a cycle, after Run().
@@ -31,37 +49,95 @@ class Task : public Component {
   /// A further table, seen by others as the interface `state-NAME`, also recorded once a cycle.
   StateTable& AddStateTable(const std::string& name);
 
+  /// All its tables get a row no sooner after the last; for constructors, before others are added.
+  void SetShortestInterval(std::chrono::nanoseconds interval);
+
   /// One cycle of the author's work, in the task's thread. An exception faults the task.
   virtual void Run() = 0;
 
   /// Executes the commands and events that have arrived, in the calling thread, which is the
   /// task's; how many they were. Called by the author in Run(): when is a control decision.
-  std::size_t ProcessQueuedCommands() { return inbox()->ExecuteQueued(); }
+  std::size_t ProcessQueuedCommands();
 
-  /// Calls DoCycle() whenever one is due, until stop_requested().
-  virtual void Loop() = 0;
-  /// Run() and a row of every table. False once the task is faulted.
-  bool DoCycle(SteadyTime now);
-  [[nodiscard]] bool stop_requested() const noexcept { return stop_.Get(); }
-  /// Written by Loop() before each cycle.
-  CycleStatistics& cycle() { return cycle_; }
+  // For kinds of tasks, in the thread that makes the cycles.
+
+  /// Obeys what has been asked of this task and of those that run after it.
+  void ObeyOrders();
+  /// Whether there is something to obey.
+  [[nodiscard]] bool has_orders() const noexcept { return orders_.Get() != orders_seen_; }
+  /// Run(), a row of every table, and the cycles of the tasks that run after this one. False once
+  /// this one is faulted.
+  bool DoCycle(SteadyTime begin, SteadyTime due);
+  bool DoCycle(SteadyTime now) { return DoCycle(now, now); }
+  /// When the last cycle, with those of the tasks that run after this one, has ended.
+  [[nodiscard]] SteadyTime cycle_end() const { return cycle_end_; }
+  /// Cycles that were skipped because one took too long, here and in those that run after it.
+  void AddOverruns(std::uint64_t cycles);
+  /// Ends the tasks that run after this one: for a thread that makes no cycles any more.
+  void EndFollowers();
+  /// Called when it has become active, at a start as well as after a rest.
+  virtual void OnActive() {}
+
+  /// Notified of orders, and of posts where they wake.
+  Wakeup<>& wakeup() { return wakeup_; }
   /// The time between two rows, by which tables get their length: about a second of rows.
   [[nodiscard]] virtual std::chrono::nanoseconds row_period() const;
 
-  Result<void> Launch() override;
-  void Halt() override;
+  // For managers.
 
-  /// Ends the thread; to be called by the destructor of every class that implements Loop(), for a
-  /// thread must not outlive what it runs.
-  void Join();
+  /// What a start needs before its order: drops what waited when the task ended.
+  void PrepareStart();
+  /// Has the thread that makes the cycles obey; where there is none now, this one.
+  void Order(LifeRequest request);
+  void Pause() override { Order(LifeRequest::kSuspend); }
+  Result<void> Resume() override;
+  void Halt() override { Order(LifeRequest::kStop); }
+  /// From now on it runs after `leader`. Both must live, and this one must be at rest.
+  void Follow(Task& leader);
 
  private:
-  void ThreadMain();
+  using Followers = std::vector<Task*>;
+  struct NumberedOrder {
+    std::uint32_t number = 0;
+    LifeRequest request = LifeRequest::kStop;
+  };
+
+  template <typename Action>
+  void ForEachFollower(Action action) {
+    const GuardedPointer<Followers>::Call call(followers_);
+    if (call.get() == nullptr) return;
+    for (Task* follower : *call.get()) action(*follower);
+  }
+  void ReplaceFollowers(std::unique_ptr<Followers> next);
+  void Unfollow();
+  Task& root() { return leader_ == nullptr ? *this : leader_->root(); }
+
+  void Obey();
+  void BecomeActive();
+  void Begin();
+  void Rest();
+  void GoOn();
+  void Finish();
+  void EndWithLeader();
 
   std::vector<std::unique_ptr<StateTable>> tables_;
-  CycleStatistics cycle_;
-  Flag stop_;
-  std::thread thread_;
+  std::chrono::nanoseconds shortest_interval_{0};
+  CycleMeter meter_;
+  Wakeup<> wakeup_;
+  const char* doing_ = "Run";  // which of the author's functions runs in a cycle
+  bool rests_with_leader_ = false;
+  SteadyTime cycle_end_{};
+  Published<SteadyTime> last_begin_;
+  Published<std::chrono::duration<double>> started_period_;
+
+  Published<NumberedOrder> order_;
+  std::uint32_t obeyed_ = 0;
+  Published<std::uint64_t> orders_;  // of all tasks in this thread; counted in the first of them
+  std::uint64_t orders_seen_ = 0;
+
+  Task* leader_ = nullptr;
+  std::unique_ptr<Followers> follower_list_;
+  GuardedPointer<Followers> followers_;
 };
 
 }  // namespace tendon

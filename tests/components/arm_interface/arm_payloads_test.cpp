@@ -1,8 +1,8 @@
 #include <components/arm_interface/arm_payloads.h>
 #include <gtest/gtest.h>
-#include <tendon/payload/plot_channel.h>
 #include <tendon/payload/codec.h>
 #include <tendon/payload/json.h>
+#include <tendon/payload/plot_channel.h>
 
 namespace arm {
 namespace {

@@ -6,7 +6,7 @@
 #include <tendon/middleware/loopback.h>
 #include <tendon/middleware/tcp.h>
 #include <tests/core/gcm/fake_process.h>
-#include <tests/core/gcm/folder.h>
+#include <tests/support/folder.h>
 
 #include <memory>
 #include <mutex>

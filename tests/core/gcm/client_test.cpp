@@ -1,4 +1,7 @@
+#include <tendon/gcm/client/process_links.h>
 #include <tests/core/gcm/bench.h>
+
+#include <future>
 
 namespace tendon {
 namespace {
@@ -55,6 +58,25 @@ TEST_P(Client, AStatusOtherThanGoodIsAnError) {
   ASSERT_FALSE(stopped);
   EXPECT_EQ(stopped.error().message,
             "robot/arm/Control.Stop: not active; start its component first");
+}
+
+TEST_P(Client, NewsOfAProcessEndNoChannelThatLeadsThereAlready) {
+  const auto middleware = NewMiddleware();
+  const auto links = std::make_shared<client::ProcessLinks>(
+      *middleware,
+      [this](const std::string&) { return Result<ProcessDescription>(robot_->description()); },
+      "test");
+  std::promise<std::shared_ptr<Channel>> promise;
+  links->With("robot", [&](const auto& channel) { promise.set_value(*channel); });
+  const auto channel = promise.get_future().get();
+
+  // A request may be faster than the snapshot that tells of the process.
+  links->Drop("robot", robot_->description().instance);
+  EXPECT_TRUE(channel->is_open());
+
+  links->Drop("robot", robot_->description().instance + 1);
+  EXPECT_TRUE(Eventually([&] { return !channel->is_open(); }));
+  links->Stop();
 }
 
 TEST_P(Client, AWrongPathIsSaidWithWhatIsNear) {

@@ -1,6 +1,11 @@
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <tendon/base/log.h>
 #include <tendon/gcm/history.h>
-#include <tests/core/gcm/folder.h>
+#include <tests/support/folder.h>
+
+#include <fstream>
+#include <future>
 
 namespace tendon {
 namespace {
@@ -13,20 +18,30 @@ message::HistoryEntry Step(int number) {
           .when = 1'700'000'000'000'000'000 + number};
 }
 
+/// Adds the step and waits until it is kept; returns it with its number.
+message::HistoryEntry Record(History& history, message::HistoryEntry step) {
+  std::promise<void> kept;
+  step.id = history.Record(step, [&] { kept.set_value(); });
+  kept.get_future().wait();
+  return step;
+}
+
 TEST(History, KnowsItsStepsAfterARestart) {
   const test::Folder folder;
   const auto file = folder.path() / "history.jsonl";
   std::vector<message::HistoryEntry> steps;
+  int kept = 0;
   {
     History history(file);
     for (int i = 0; i < 60; ++i) {
       steps.push_back(Step(i));
-      ASSERT_TRUE(history.Record(steps.back()));
+      steps.back().id = history.Record(steps.back(), [&kept] { ++kept; });
     }
     steps[59].undone = true;
-    ASSERT_TRUE(history.MarkUndone(steps[59].id));
+    history.MarkUndone(steps[59].id, [&kept] { ++kept; });
   }
 
+  EXPECT_EQ(kept, 61);  // an end waits for the disk
   const History again(file);
 
   EXPECT_EQ(again.steps().entries, steps);
@@ -36,19 +51,16 @@ TEST(History, KnowsItsStepsAfterARestart) {
 TEST(History, ALastLineCutShortAnywhereIsLeftOut) {
   const test::Folder folder;
   const auto file = folder.path() / "history.jsonl";
-  auto first = Step(0);
-  auto second = Step(1);
   History history(file);
-  ASSERT_TRUE(history.Record(first));
+  const auto first = Record(history, Step(0));
   const std::string one = folder.Read("history.jsonl");
-  ASSERT_TRUE(history.Record(second));
+  Record(history, Step(1));
   const std::string two = folder.Read("history.jsonl");
   for (std::size_t size = one.size(); size < two.size(); ++size) {
     folder.Write("history.jsonl", two.substr(0, size));
 
     History torn(file);
-    auto third = Step(2);
-    ASSERT_TRUE(torn.Record(third));
+    const auto third = Record(torn, Step(2));
 
     EXPECT_EQ(torn.steps().entries, (std::vector{first, third})) << size;
     EXPECT_EQ(History(file).steps().entries, (std::vector{first, third})) << size;
@@ -57,12 +69,10 @@ TEST(History, ALastLineCutShortAnywhereIsLeftOut) {
 
 TEST(History, ALineThatDoesNotReadIsLeftOutAlone) {
   const test::Folder folder;
-  auto first = Step(0);
-  auto second = Step(1);
+  std::vector<message::HistoryEntry> both;
   {
     History history(folder.path() / "h");
-    ASSERT_TRUE(history.Record(first));
-    ASSERT_TRUE(history.Record(second));
+    both = {Record(history, Step(0)), Record(history, Step(1))};
   }
   const std::string text = folder.Read("h");
   const std::size_t end = text.find('\n') + 1;
@@ -70,7 +80,7 @@ TEST(History, ALineThatDoesNotReadIsLeftOutAlone) {
                                 "{\"id\":1,\"verb\":\"connect\",\"required\":\"a\","
                                 "\"provided\":\"b\",\"who\":\"x\",\"when\":1}"}) {
     folder.Write("h", text.substr(0, end) + bad + "\n" + text.substr(end));
-    EXPECT_EQ(History(folder.path() / "h").steps().entries, (std::vector{first, second})) << bad;
+    EXPECT_EQ(History(folder.path() / "h").steps().entries, both) << bad;
   }
 }
 
@@ -86,8 +96,7 @@ TEST(History, KeepsTheNewestStepsWhenThereAreTooMany) {
   std::string text;
   {
     History history(folder.path() / "h");
-    auto step = Step(0);
-    ASSERT_TRUE(history.Record(step));
+    Record(history, Step(0));
     text = folder.Read("h");
   }
   std::string many;
@@ -104,15 +113,49 @@ TEST(History, KeepsTheNewestStepsWhenThereAreTooMany) {
   EXPECT_LT(folder.Read("h").size(), many.size());
 }
 
-TEST(History, WhatCannotBeWrittenIsSaidAndStillKnown) {
+TEST(History, WhatCannotBeWrittenIsLoggedAndStillKnown) {
+  const auto logged = std::make_shared<std::string>();  // the sink outlives this test
+  AddLogSink([logged](LogLevel, std::string_view, std::string_view text) { *logged += text; });
   History history("/proc/nowhere/history");
-  auto step = Step(0);
 
-  const auto written = history.Record(step);
+  const auto step = Record(history, Step(0));
 
-  ASSERT_FALSE(written);
-  EXPECT_NE(written.error().message.find("/proc/nowhere/history"), std::string::npos);
+  EXPECT_NE(logged->find("cannot write /proc/nowhere/history"), std::string::npos) << *logged;
   EXPECT_EQ(history.last(), step);
+}
+
+TEST(History, AWriteThatFailedHalfwaySpoilsNoLaterLine) {
+  const test::Folder folder;
+  const auto file = folder.path() / "h";
+  History history(file);
+  const auto first = Record(history, Step(0));
+  std::filesystem::rename(file, folder.path() / "kept");
+  std::filesystem::create_directory(file);  // nobody can append to a folder
+  Record(history, Step(1));
+  std::filesystem::remove(file);
+  folder.Write("h", folder.Read("kept") + "{\"id\":2,\"ve");  // what a full disk took of it
+
+  const auto third = Record(history, Step(2));
+
+  EXPECT_EQ(History(file).steps().entries, (std::vector{first, third}));
+}
+
+TEST(History, AStepIsKnownWhileTheDiskIsSlow) {
+  const test::Folder folder;
+  const auto file = folder.path() / "h";
+  History history(file);
+  ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);  // whoever opens it waits until it is read
+  std::vector<int> done;
+  const auto first = history.Record(Step(0), [&] { done.push_back(0); });
+  history.Record(Step(1), [&] { done.push_back(1); });
+  history.MarkUndone(2, [&] { done.push_back(2); });
+
+  EXPECT_EQ(history.last()->id, first);
+  EXPECT_EQ(history.steps().entries.size(), 2U);
+
+  const std::ifstream disk_that_works_again(file);
+  history.Close();
+  EXPECT_EQ(done, (std::vector{0, 1, 2}));
 }
 
 }  // namespace

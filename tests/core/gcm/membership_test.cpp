@@ -166,6 +166,18 @@ TEST_P(Membership, EveryProcessIsToldWhereTheOthersAre) {
   EXPECT_TRUE(Eventually([&] { return seen().size() == 1; }));
 }
 
+TEST_P(Membership, ASecondGcmAtTheAddressDoesNotTouchTheHistoryOfTheFirst) {
+  const std::string file =
+      "history-127.0.0.1-" + address_.substr(address_.find(':') + 1) + ".jsonl";
+  const std::string half_a_line = "{\"id\":1,\"verb\":\"con";  // being written just now
+  folder_.Write(file, half_a_line);
+
+  ASSERT_FALSE(GlobalManager::Start(
+      NewMiddleware(), {.address = address_, .state_folder = folder_.path(), .clock = &clock_}));
+
+  EXPECT_EQ(folder_.Read(file), half_a_line);
+}
+
 TEST_P(Membership, ASecondGcmAtTheAddressIsRefused) {
   const auto second = GlobalManager::Start(
       NewMiddleware(), {.address = address_, .state_folder = folder_.path(), .clock = &clock_});

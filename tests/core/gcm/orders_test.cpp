@@ -1,4 +1,8 @@
+#include <sys/stat.h>
 #include <tests/core/gcm/bench.h>
+
+#include <fstream>
+#include <future>
 
 namespace tendon {
 namespace {
@@ -149,6 +153,47 @@ TEST_P(Orders, AProcessThatIsStartedAgainGetsItsConnectionsBack) {
   EXPECT_TRUE(Eventually([&] { return Connection().has_value(); }));
   EXPECT_EQ(desk_->orders().size(), 1U);
   EXPECT_EQ(Steps(*client_).size(), 1U);
+}
+
+TEST_P(Orders, AConnectionThatCannotBeGivenBackNowIsGivenBackLater) {
+  ASSERT_TRUE(Connect(*client_));
+  desk_.reset();
+  ASSERT_TRUE(Eventually([&] { return StateOf("desk") == ProcessState::kLost; }));
+  desk_ = std::make_unique<FakeProcess>(NewMiddleware(), "desk");
+  desk_->Add(test::Teleoperation());
+  desk_->set_manners(FakeProcess::Manners::kRefuse);
+  ASSERT_TRUE(desk_->Join(address_));
+  ASSERT_TRUE(Eventually([&] { return desk_->orders().size() == 1; }));
+
+  desk_->set_manners(FakeProcess::Manners::kObey);
+
+  EXPECT_TRUE(Eventually([&] {
+    EXPECT_TRUE(robot_->Renew());
+    EXPECT_TRUE(desk_->Renew());
+    Pass(50ms);
+    return Connection().has_value();
+  }));
+  EXPECT_EQ(desk_->orders().size(), 2U);
+}
+
+TEST_P(Orders, ADiskThatHangsDelaysTheAnswerButNoLease) {
+  const auto file = folder_.path() / "history-127.0.0.1-0.jsonl";
+  ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);  // whoever opens it waits until it is read
+  std::promise<Result<ConnectionDescription>> promise;
+  auto answer = promise.get_future();
+  client_->Connect(kRobot, kControl, [&](auto made) { promise.set_value(std::move(made)); });
+  ASSERT_TRUE(Eventually([&] { return Connection().has_value(); }));
+
+  // The GCM's own thread ticks; here is only made time.
+  EXPECT_TRUE(Eventually([&] {
+    clock_.Advance(1ms);
+    return StateOf("robot") == ProcessState::kLost;
+  }));
+  EXPECT_EQ(Steps(*client_).size(), 1U);  // known, if not kept
+  EXPECT_EQ(answer.wait_for(0ms), std::future_status::timeout);
+
+  const std::ifstream disk_that_works_again(file);
+  EXPECT_TRUE(answer.get());
 }
 
 TEST_P(Orders, HistoryKnowsWhatWhoAndWhen) {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 #include <tendon/gcm/system_file.h>
-#include <tests/core/gcm/folder.h>
+#include <tests/support/folder.h>
 
 namespace tendon {
 namespace {

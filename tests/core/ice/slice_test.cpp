@@ -33,6 +33,14 @@ class GeneratedEndpoint final : public Endpoint {
     frames_.push_back(Plain(frame));
     connection_ = current.con;
   }
+  void part(FrameBytes part, const Ice::Current& /*current*/) override {
+    const std::scoped_lock lock(mutex_);
+    parts_.push_back(part.size());
+  }
+  std::vector<std::size_t> parts() const {
+    const std::scoped_lock lock(mutex_);
+    return parts_;
+  }
   std::vector<Bytes> frames() const {
     const std::scoped_lock lock(mutex_);
     return frames_;
@@ -45,6 +53,7 @@ class GeneratedEndpoint final : public Endpoint {
  private:
   mutable std::mutex mutex_;
   std::vector<Bytes> frames_;
+  std::vector<std::size_t> parts_;
   std::shared_ptr<Ice::Connection> connection_;
 };
 
@@ -143,6 +152,21 @@ TEST_F(Slice, OurClientTalksWithAGeneratedServer) {
   EXPECT_EQ(endpoint->frames()[0], FrameOf(5));
   ASSERT_TRUE(recorder->WaitForFrames(1));
   EXPECT_EQ(recorder->numbers(), std::vector<std::uint32_t>{6});
+}
+
+TEST_F(Slice, AFrameTooLargeForAMessageComesInParts) {
+  const auto endpoint = std::make_shared<GeneratedEndpoint>();
+  const auto adapter = Serve(endpoint, "tcp -h 127.0.0.1");
+  const auto client = MakeIceMiddleware(Exposure::kLoopbackOnly);
+  const auto link = client->Open(AddressOf(*adapter), std::make_shared<Recorder>(), kPatience);
+  ASSERT_TRUE(link) << link.error().message;
+  constexpr std::size_t kMessage = std::size_t{256} << 10U;
+
+  ASSERT_EQ((*link)->Send(FrameOf(5, 2 * kMessage)), Status::kQueued);
+
+  ASSERT_TRUE(Eventually([&] { return endpoint->frames().size() == 1; }));
+  EXPECT_EQ(endpoint->parts(), (std::vector<std::size_t>{kMessage, kMessage}));
+  EXPECT_EQ(endpoint->frames()[0].size(), FrameHeader::kSize);
 }
 
 TEST_F(Slice, UnknownNamesAreAnsweredAsIceDoes) {

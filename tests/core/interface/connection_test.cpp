@@ -191,8 +191,9 @@ TEST(Connection, ARefusalNamesBothEndsAndEveryMember) {
   EXPECT_EQ(connection.error().code, ErrorCode::kIncompatible);
   EXPECT_EQ(connection.error().message,
             "desk/Robot does not fit arm/Control: needs write command 'MoveTo' of test.JointGoal, "
-            "offered is another test.JointGoal (fields, units or shapes differ); missing void "
-            "command 'Fly'; needs write command 'GetJoints' of test.JointGoal, offered is a read "
+            "offered is another test.JointGoal (position of test.JointGoal: float64[7] in deg "
+            "needed, float64[7] in rad offered); missing void command 'Fly'; needs write command "
+            "'GetJoints' of test.JointGoal, offered is a read "
             "one");
   EXPECT_FALSE(move_to.is_connected());
 }

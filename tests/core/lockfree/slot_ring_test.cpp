@@ -110,6 +110,18 @@ TEST(SlotRing, AFrontSlotIsNotReusedUntilItIsReleased) {
   EXPECT_EQ(ring.Claim(), front);
 }
 
+TEST(SlotRing, TheReserveIsForThoseAloneWhoAskForIt) {
+  SlotRing<> ring(2, 8, 8, 1);
+  EXPECT_EQ(Fill(ring), 2U);
+
+  ASSERT_NE(ring.ClaimReserved(), nullptr);
+  ring.Publish();
+
+  EXPECT_EQ(ring.ClaimReserved(), nullptr);
+  EXPECT_EQ(ring.Claim(), nullptr);
+  EXPECT_EQ(ring.size(), 3U);
+}
+
 TEST(SlotRing, CountsWhatWaits) {
   SlotRing<> ring(4, 8, 8);
   EXPECT_EQ(ring.size(), 0U);

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "support/folder.h"
+
 namespace tendon_test {
 
 struct GripperConfiguration {
@@ -78,15 +80,12 @@ TEST_F(ComponentRegistryTest, AClassRegisteredTwiceIsRefused) {
 }
 
 struct ComponentLoaderTest : testing::Test {
-  ComponentLoaderTest() {
-    fs::remove_all(folder);
-    fs::create_directories(folder);
-  }
   std::string Refusal(const std::string& library) {
     const auto loaded = loader.Load(library);
     return loaded ? "loaded" : loaded.error().message;
   }
-  fs::path folder = fs::path(testing::TempDir()) / "component_loader_test";
+  const tendon::test::Folder temporary;
+  const fs::path& folder = temporary.path();
   tendon::ComponentLoader loader{{folder}};
 };
 
@@ -106,7 +105,7 @@ TEST_F(ComponentLoaderTest, APathIsNoNameOfALibrary) {
 TEST_F(ComponentLoaderTest, AFileThatIsNoLibraryIsRefusedInOneSentence) {
   std::ofstream(folder / "text.so") << "this is no library";
 
-  EXPECT_THAT(Refusal("text"), HasSubstr("text.so cannot be loaded"));
+  EXPECT_THAT(Refusal("text"), HasSubstr("text.so: expected a shared library for "));
 }
 
 }  // namespace

@@ -65,6 +65,59 @@ TEST_F(LocalManagerTest, ASecondComponentOfOneNameIsRefused) {
   EXPECT_THAT(manager.components(), SizeIs(2));
 }
 
+TEST_F(LocalManagerTest, NoComponentIsNone) {
+  try {
+    manager.Add(nullptr, {});
+    FAIL() << "nothing was thrown";
+  } catch (const tendon::ConfigurationError& error) {
+    EXPECT_STREQ(error.what(), "LocalManager::Add: null component");
+  }
+}
+
+TEST_F(LocalManagerTest, RequestsNameTheMissingComponentAndTheNearest) {
+  const std::string sentence = "no component 'arn'; did you mean 'arm'?";
+
+  EXPECT_EQ(manager.Start("arn").error().message, sentence);
+  EXPECT_EQ(manager.Suspend("arn").error().message, sentence);
+  EXPECT_EQ(manager.Stop("arn").error().message, sentence);
+  EXPECT_EQ(manager.Remove("arn").error().message, sentence);
+  EXPECT_EQ(manager.RunAfter("arn", "operator").error().message, sentence);
+  EXPECT_EQ(manager.RunAfter("operator", "arn").error().message, sentence);
+  EXPECT_EQ(
+      manager.WaitFor("arn", tendon::ComponentState::kActive, tendon::kNoWait).error().message,
+      sentence);
+}
+
+TEST_F(LocalManagerTest, AConnectionLeadsFromARequiredToAProvidedInterface) {
+  manager.Add<Operator>("other");
+
+  const auto to_required = manager.Connect({"operator", "Robot"}, {"other", "Robot"});
+  const auto to_itself = manager.Connect({"operator", "Robot"}, {"operator", "Robot"});
+  const auto from_provided = manager.Connect({"arm", "Control"}, {"arm", "Control"});
+
+  ASSERT_FALSE(to_required.ok());
+  EXPECT_EQ(to_required.error().message,
+            "interface 'Robot' of component 'other' is a required one; name a provided one there");
+  ASSERT_FALSE(to_itself.ok());
+  EXPECT_EQ(
+      to_itself.error().message,
+      "interface 'Robot' of component 'operator' is a required one; name a provided one there");
+  ASSERT_FALSE(from_provided.ok());
+  EXPECT_EQ(from_provided.error().message,
+            "interface 'Control' of component 'arm' is a provided one; name a required one there");
+}
+
+TEST_F(LocalManagerTest, ASecondServerForOneRequiredInterfaceIsRefused) {
+  manager.Add<Arm>("second");
+  ASSERT_TRUE(manager.Connect({"operator", "Robot"}, {"arm", "Control"}).ok());
+
+  const auto connected = manager.Connect({"operator", "Robot"}, {"second", "Control"});
+
+  ASSERT_FALSE(connected.ok());
+  EXPECT_EQ(connected.error().code, ErrorCode::kExists);
+  EXPECT_THAT(connected.error().message, HasSubstr("operator/Robot is connected already"));
+}
+
 TEST_F(LocalManagerTest, ConnectNamesTheMissingComponentAndTheNearest) {
   const auto connected = manager.Connect({"operator", "Robot"}, {"arn", "Control"});
 
@@ -111,21 +164,30 @@ TEST_F(LocalManagerTest, RemovingAComponentEndsItsConnections) {
   EXPECT_EQ(manager.Find("arm"), nullptr);
 }
 
-TEST_F(LocalManagerTest, EveryChangeIsObserved) {
-  int changes = 0;
-  manager.SetObserver([&changes] { ++changes; });
-  const auto observed = [&changes] { return std::exchange(changes, 0) > 0; };
+TEST(LocalManager, ADerivedOneHearsOfEveryChange) {
+  class Observing final : public tendon::LocalManager {
+   public:
+    Observing() {
+      SetObserver([this] { ++changes_; });
+    }
+    bool HasHeard() { return std::exchange(changes_, 0) > 0; }
 
-  manager.Add<Arm>("second");
-  EXPECT_TRUE(observed());
+   private:
+    int changes_ = 0;
+  };
+  Observing manager;
+
+  manager.Add<Arm>("arm");
+  manager.Add<Operator>("operator");
+  EXPECT_TRUE(manager.HasHeard());
   ASSERT_TRUE(manager.Connect({"operator", "Robot"}, {"arm", "Control"}).ok());
-  EXPECT_TRUE(observed());
+  EXPECT_TRUE(manager.HasHeard());
   ASSERT_TRUE(manager.StartAll().ok());
-  EXPECT_TRUE(observed());
+  EXPECT_TRUE(manager.HasHeard());
   ASSERT_TRUE(manager.Disconnect({"operator", "Robot"}).ok());
-  EXPECT_TRUE(observed());
-  ASSERT_TRUE(manager.Remove("second").ok());
-  EXPECT_TRUE(observed());
+  EXPECT_TRUE(manager.HasHeard());
+  ASSERT_TRUE(manager.Remove("arm").ok());
+  EXPECT_TRUE(manager.HasHeard());
 }
 
 TEST_F(LocalManagerTest, DescribesItsComponents) {

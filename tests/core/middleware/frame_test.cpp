@@ -92,7 +92,7 @@ TEST(Frame, AFrameHasExactlyTheSizeItClaims) {
 
   frame.push_back({});
   EXPECT_FALSE(ReadWholeFrame(frame));
-  frame.resize(frame.size() - 2);
+  frame.erase(frame.end() - 2, frame.end());
   EXPECT_FALSE(ReadWholeFrame(frame));
 }
 

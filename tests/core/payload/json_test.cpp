@@ -203,20 +203,6 @@ TEST(FromJson, AnIntegerMayBeWrittenAsARealNumber) {
             "1e+18");
 }
 
-TEST(FromJson, TextThatIsNoJsonIsToldWhere) {
-  EXPECT_EQ(ErrorOf<sample::Goal>("{"),
-            "this is no JSON: parse error at line 1, column 2: syntax error while parsing object "
-            "key - unexpected end of input; expected string literal");
-  EXPECT_EQ(ErrorOf<double>("").substr(0, 17), "this is no JSON: ");
-  EXPECT_EQ(ErrorOf<double>("1e999").substr(0, 17), "this is no JSON: ");
-  EXPECT_EQ(ErrorOf<std::string>("\"\xff\"").substr(0, 17), "this is no JSON: ");
-}
-
-TEST(FromJson, DeepNestingIsRefusedWithoutRecursion) {
-  EXPECT_EQ(ErrorOf<double>(std::string(200'000, '[') + std::string(200'000, ']')),
-            "expected a number, got an array of 1");
-}
-
 TEST(ToJson, SaysWhyABodyIsNone) {
   const auto error = [](const Schema& schema, std::vector<std::byte> body) {
     const auto json = ToJson(schema, body);

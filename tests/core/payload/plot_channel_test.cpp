@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <tendon/payload/plot_channel.h>
 #include <tendon/payload/codec.h>
+#include <tendon/payload/plot_channel.h>
 #include <tests/core/payload/random_value.h>
 #include <tests/core/payload/sample_types.h>
 

@@ -59,6 +59,14 @@ TEST(SchemaParse, SaysWhereAndWhat) {
   EXPECT_EQ(ErrorOf("float64[7"), "schema line 1 column 10: expected ']'");
 }
 
+TEST(SchemaParse, RefusesATextCutAtAnyByte) {
+  const std::string text = "struct a.B {\n  # Help.\n  @ 0 to 1\n  x: float64[2][] in rad\n}";
+  ASSERT_EQ(ErrorOf(text), "accepted");
+  for (std::size_t size = 0; size < text.size(); ++size) {
+    EXPECT_NE(ErrorOf(text.substr(0, size)), "accepted") << size;
+  }
+}
+
 TEST(SchemaParse, RefusesValuesOfGigabytes) {
   EXPECT_EQ(ErrorOf("float64[4294967295]"), "schema line 1 column 20: values of over 2 GiB");
   EXPECT_EQ(ErrorOf("bool[65536][65536][65536][65536]"),

@@ -45,6 +45,11 @@ TEST(Schema, HasOneWordForTables) {
   EXPECT_EQ(SchemaOf<sample::Point>().TypeName(), "sample.Point");
   EXPECT_EQ((SchemaOf<std::vector<std::array<double, 3>>>().TypeName()), "float64[3][]");
   EXPECT_EQ(SchemaOf<std::vector<sample::Mode>>().TypeName(), "sample.Mode[]");
+  EXPECT_EQ(TypeNameOf<double>(), "float64");
+  EXPECT_EQ((TypeNameOf<std::array<double, 7>>()), "float64[7]");
+  EXPECT_EQ(TypeNameOf<std::vector<bool>>(), "bool[]");
+  EXPECT_EQ(TypeNameOf<std::string>(), "string");
+  EXPECT_EQ(TypeNameOf<None>(), "tendon.None");
 }
 
 TEST(Schema, PrintsAllThatTwoEndsMustAgreeOn) {

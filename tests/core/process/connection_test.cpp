@@ -3,8 +3,7 @@
 #include <atomic>
 #include <thread>
 
-#include "support/network_test.h"
-#include "support/plant.h"
+#include "core/process/remote_connection.h"
 
 namespace {
 
@@ -19,39 +18,6 @@ using tendon::InterfaceName;
 using tendon::Process;
 using tendon::Status;
 using testing::HasSubstr;
-
-const InterfaceName kRobot("desk", "operator", "Robot");
-const InterfaceName kControl("robot", "plant", "Control");
-
-/// Process robot with a plant that runs, process desk with an operator.
-class RemoteConnection : public NetworkTest {
- protected:
-  void StartRobot() {
-    robot = Start("robot");
-    plant = &robot->Add<Plant>("plant");
-    ASSERT_TRUE(robot->StartAll().ok());
-  }
-  void StartDesk(std::size_t capacity = 64) {
-    desk = Start("desk");
-    user = &desk->Add<Operator>("operator", capacity);
-    ASSERT_TRUE(desk->StartAll().ok());
-  }
-  void Connect() {
-    const auto id = desk->Connect(kRobot, kControl);
-    ASSERT_TRUE(id.ok()) << id.error().message;
-    ASSERT_TRUE(EventuallyActive(*desk, 1)) << Reason();
-  }
-  std::string Reason() const { return desk->connections().front().reason; }
-  template <typename Call>
-  static bool EventuallyQueued(Call call) {
-    return EventuallyTrue([&] { return call() == Status(Status::kQueued); });
-  }
-
-  std::unique_ptr<Process> robot;
-  std::unique_ptr<Process> desk;
-  Plant* plant = nullptr;
-  Operator* user = nullptr;
-};
 
 TEST_P(RemoteConnection, CarriesEveryKindOfCommandAndEvent) {
   StartRobot();
@@ -220,7 +186,7 @@ TEST_P(RemoteConnection, CanBeEndedAndMadeAgain) {
     EXPECT_TRUE(desk->proxies().empty());
     EXPECT_TRUE(EventuallyTrue([&] { return robot->proxies().empty(); }));
   }
-  EXPECT_EQ(plant->stops.size(), 3U);
+  EXPECT_TRUE(EventuallyTrue([&] { return plant->stops.size() == 3; }));
   const auto again = desk->Disconnect(kRobot);
   ASSERT_FALSE(again.ok());
   EXPECT_EQ(again.error().code, ErrorCode::kNotFound);
@@ -262,7 +228,7 @@ TEST_P(RemoteConnection, WaitsForAProcessThatIsNotThereYet) {
 
   EXPECT_TRUE(EventuallyActive(*desk, 1)) << Reason();
   EXPECT_EQ(desk->connections().front().id, *id);
-  EXPECT_EQ(user->stop(), Status(Status::kQueued));
+  EXPECT_TRUE(EventuallyQueued([&] { return user->stop(); }));
 }
 
 TEST_P(RemoteConnection, WaitsForAComponentThatIsNotThereYet) {

@@ -225,15 +225,17 @@ TEST_P(Telemetry, LetsAViewerThatStopsReadingLoseRowsAndNobodyElse) {
   ASSERT_TRUE(EventuallyTrue([&] { return blocked_sink->count() > 0 && sink->count() > 0; }));
 
   // Not for so long that it takes the silence for the end of the process.
-  EXPECT_TRUE(EventuallyTrue([&] {
+  const auto hold_up = [&] {
     blocked_sink->Block(true);
     const std::size_t before = sink->count();
-    EXPECT_TRUE(EventuallyTrue([&] { return sink->count() > before + 500; }));
+    const bool others_go_on =
+        EventuallyTrue([&] { return sink->count() > before + 500; }, std::chrono::seconds(1));
     blocked_sink->Block(false);
     const std::size_t blocked_before = blocked_sink->count();
     EXPECT_TRUE(EventuallyTrue([&] { return blocked_sink->count() > blocked_before + 500; }));
-    return blocked_sink->lost_network() > 0;
-  }));
+    return others_go_on && blocked_sink->lost_network() > 0;
+  };
+  EXPECT_TRUE(EventuallyTrue(hold_up, std::chrono::seconds(60)));
   ExpectWithoutHoles(sink->rows());
   EXPECT_EQ(sink->lost_table() + sink->lost_network(), 0U);
 }

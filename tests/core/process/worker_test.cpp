@@ -1,9 +1,14 @@
 #include <gtest/gtest.h>
+#include <tendon/base/log.h>
 #include <tendon/process/worker.h>
 
 #include <future>
 #include <latch>
 #include <memory>
+#include <mutex>
+#include <stdexcept>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace tendon {
@@ -52,6 +57,36 @@ TEST(Worker, ATaskMayPostTheNext) {
   worker.Post([&] { next(0); });
 
   EXPECT_EQ(done.get_future().get(), 100);
+}
+
+/// The errors of robot since this was last asked.
+std::vector<std::string> ErrorsOfRobot() {
+  static std::mutex mutex;
+  static std::vector<std::string> errors;
+  static const bool listening = [] {
+    AddLogSink([](LogLevel level, std::string_view source, std::string_view text) {
+      const std::scoped_lock lock(mutex);
+      if (level == LogLevel::kError && source == "robot") errors.emplace_back(text);
+    });
+    return true;
+  }();
+  const std::scoped_lock lock(mutex);
+  return listening ? std::exchange(errors, {}) : std::vector<std::string>();
+}
+
+TEST(Worker, ATaskThatThrowsIsLoggedByItsOwnersNameAndTheOthersRun) {
+  ErrorsOfRobot();
+  std::promise<void> done;
+  Worker worker("test", "robot");
+
+  worker.Post([] { throw std::length_error("much too long"); });
+  worker.Post([] { throw 7; });
+  worker.Post([&] { done.set_value(); });
+
+  done.get_future().wait();
+  EXPECT_EQ(ErrorsOfRobot(), (std::vector<std::string>{
+                                 "a task of thread 'test' failed: much too long",
+                                 "a task of thread 'test' failed: it threw no std::exception"}));
 }
 
 TEST(Worker, StopWaitsForTheRunningTaskAndDropsTheOthers) {

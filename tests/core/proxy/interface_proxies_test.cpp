@@ -285,4 +285,29 @@ TEST_F(InterfaceProxies, AreNotMadeFromNonsense) {
                tendon::ConfigurationError);
 }
 
+TEST_F(InterfaceProxies, AWaitForACommandOfAnotherProcessIsUnsupported) {
+  EXPECT_EQ(push.Wait(1, std::chrono::seconds(20)), Status(Status::kUnsupported));
+}
+
+TEST_F(InterfaceProxies, ACommandThatReturnsSomethingIsNotServedToAnotherProcess) {
+  const tendon::message::OpenInterface open{
+      .required = {"desk", "client", "Robot"},
+      .provided = {"robot", "server", "Control"},
+      .description = {.name = "Robot",
+                      .functions = {tendon::DescribeMember<tendon::None, int>(
+                          "Calibrate", tendon::CommandKind::kVoidReturn)},
+                      .event_handlers = {}},
+      .handle = 1,
+      .capacity = 4};
+
+  try {
+    const tendon::RequiredInterfaceProxy proxy(thread, channel, open);
+    FAIL() << "it was made";
+  } catch (const tendon::ConfigurationError& error) {
+    EXPECT_STREQ(error.what(),
+                 "desk/client/Robot needs void-return command 'Calibrate' of robot/server/Control; "
+                 "those are called within their process only");
+  }
+}
+
 }  // namespace

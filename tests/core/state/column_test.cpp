@@ -144,6 +144,45 @@ TEST_F(ColumnTest, ATickToComeIsAwaited) {
   EXPECT_EQ(lost, 0U);
 }
 
+TEST_F(ColumnTest, ReadsARangeOfRows) {
+  Advance(6);
+  std::vector<std::int32_t> counts;
+  std::uint64_t lost = 0;
+  const auto visit = [&](const RowStamp& /*stamp*/, const Sample& sample) {
+    counts.push_back(sample.count);
+  };
+
+  EXPECT_EQ(column().ReadRange(2, 4, read_, lost, visit), 4U);
+  EXPECT_EQ(column().ReadRange(5, 9, read_, lost, visit), 6U) << "those to come are left";
+  EXPECT_EQ(column().ReadRange(4, 2, read_, lost, visit), 4U);
+
+  EXPECT_THAT(counts, ElementsAre(2, 3, 5));
+  EXPECT_EQ(lost, 0U);
+}
+
+TEST_F(ColumnTest, CountsTheLostRowsOfARangeAlone) {
+  Advance(100);
+  std::uint64_t lost = 0;
+  const auto visit = [](const auto&, const auto&) { FAIL() << "a row"; };
+  EXPECT_EQ(column().ReadRange(10, 40, read_, lost, visit), 40U);
+  EXPECT_EQ(lost, 30U);
+}
+
+TEST_F(ColumnTest, ReadsTheRowsOfASpanOfTime) {
+  Advance(7);
+  std::uint64_t first = 0;
+  std::uint64_t last = 0;
+  ASSERT_EQ(table_.FindRow(TimeOf(3), first), RowResult::kDone);
+  ASSERT_EQ(table_.FindRow(TimeOf(5) + 1ns, last), RowResult::kDone);
+
+  std::vector<std::int32_t> counts;
+  std::uint64_t lost = 0;
+  column().ReadRange(first, last + 1, read_, lost,
+                     [&](const auto&, const Sample& sample) { counts.push_back(sample.count); });
+
+  EXPECT_THAT(counts, ElementsAre(3, 4, 5));
+}
+
 TEST_F(ColumnTest, ReadingAFixedPayloadAllocatesNothing) {
   Advance(20);
   std::uint64_t lost = 0;

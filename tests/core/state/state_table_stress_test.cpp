@@ -1,5 +1,6 @@
 #include <core/state/sample.h>
 #include <gtest/gtest.h>
+#include <tendon/state/row_copy.h>
 #include <tendon/state/state_table.h>
 
 #include <algorithm>
@@ -94,6 +95,23 @@ TEST(StateTableStress, TextsOfAnyLengthAreWhole) {
     RowStamp stamp;
     ASSERT_EQ(writer.texts().ReadNewest(text, stamp), Status::kDone);
     ASSERT_EQ(text, std::string(stamp.tick % 50, static_cast<char>('a' + stamp.tick % 26)));
+  }
+}
+
+TEST(StateTableStress, AllColumnsOfACopiedRowBelongToOneCycle) {
+  const FastWriter writer(3);
+  RowCopy row(writer.table());
+  Block block;
+  std::string text;
+  for (int i = 0; i < 20'000; ++i) {
+    ASSERT_EQ(row.ReadNewest(), Status::kDone);
+    const std::uint64_t tick = row.stamp().tick;
+    ASSERT_EQ(row.Get(writer.blocks(), block), RowResult::kDone);
+    ASSERT_EQ(row.Get(writer.texts(), text), RowResult::kDone);
+    ASSERT_EQ(row.stamp().time, TimeOf(tick));
+    ASSERT_TRUE(IsWhole(block));
+    ASSERT_EQ(static_cast<std::uint64_t>(block[0]), tick);
+    ASSERT_EQ(text, std::string(tick % 50, static_cast<char>('a' + tick % 26)));
   }
 }
 

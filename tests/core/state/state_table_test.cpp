@@ -127,8 +127,26 @@ TEST_F(StateTableTest, CanGrowAfterItIsPrepared) {
   EXPECT_EQ(sample, sample_);
 }
 
-TEST_F(StateTableTest, NeedsARow) {
-  EXPECT_THAT(ErrorOf([&] { table_.SetLength(0); }), HasSubstr("at least one row"));
+TEST_F(StateTableTest, RefusesALengthThatItCannotHave) {
+  EXPECT_THAT(ErrorOf([&] { table_.SetLength(0); }), HasSubstr("cannot keep 0 rows"));
+  EXPECT_THAT(ErrorOf([&] { table_.SetLength(~std::size_t{0}); }), HasSubstr("give 1 to 16777216"));
+}
+
+TEST_F(StateTableTest, RefusesAColumnThatMakesItsRowTooLarge) {
+  constexpr std::size_t kMost = StateTable::kMaximumRowBytes;
+  EXPECT_THAT(ErrorOf([&] { table_.Add(report_, "Report", kMost + 1); }),
+              AllOf(HasSubstr("'Report'"), HasSubstr("smaller capacity")));
+  EXPECT_THAT(ErrorOf([&] { table_.Add(report_, "Report", ~std::size_t{0}); }),
+              HasSubstr("smaller capacity"));
+  table_.Add(report_, "Report", kMost);
+  EXPECT_THAT(ErrorOf([&] { table_.Add(number_, "Number"); }), HasSubstr("'Number'"));
+  EXPECT_EQ(table_.columns().size(), 1U);
+}
+
+TEST_F(StateTableTest, ByItselfKeepsNoMoreRowsThan16MiBHold) {
+  table_.Add(report_, "Report", 1 << 20);
+  for (int i = 0; i < 30; ++i) Advance();
+  EXPECT_EQ(table_.oldest_tick(), 30U - 7U);
 }
 
 TEST_F(StateTableTest, KeepsAsManyRowsAsSet) {
@@ -261,6 +279,33 @@ TEST_F(StateTableTest, AValueThatFitsAgainIsThereAgain) {
   EXPECT_EQ(table_.Find(report_).ReadNewest(report), Status::kDone);
   EXPECT_EQ(report, report_);
   EXPECT_EQ(table_.Find(report_).absent(), 1U);
+}
+
+TEST_F(StateTableTest, ACycleWritesARowUnlessRowsAreWrittenByHand) {
+  AddBoth();
+  table_.AdvanceAfterCycle(TimeOf(0));
+  EXPECT_EQ(table_.next_tick(), 1U);
+
+  table_.AdvanceOnlyByHand();
+  table_.AdvanceAfterCycle(TimeOf(1));
+  EXPECT_EQ(table_.next_tick(), 1U);
+  table_.Advance(TimeOf(2));
+  EXPECT_EQ(table_.next_tick(), 2U);
+}
+
+TEST_F(StateTableTest, FastCyclesWriteNoMoreThanARowAnInterval) {
+  AddBoth();
+  table_.SetShortestInterval(1ms);
+  constexpr int kCycles = 10'000;
+  for (int i = 0; i < kCycles; ++i) {
+    number_ = i;
+    table_.AdvanceAfterCycle(SteadyTime(i * 10us));
+  }
+
+  double value = 0;
+  EXPECT_EQ(table_.next_tick(), kCycles / 100U);
+  EXPECT_EQ(table_.Find(number_).ReadNewest(value), Status::kDone);
+  EXPECT_EQ(value, 9900.0);
 }
 
 TEST_F(StateTableTest, AdvancingAllocatesNothingOncePrepared) {

@@ -38,6 +38,18 @@ struct SimulatedAtomics {
       return Value(simulation::Modify(
           location_, order, [&](auto old) { return Bits(static_cast<T>(Value(old) - n)); }));
     }
+    bool compare_exchange_strong(T& expected, T value,
+                                 std::memory_order order = std::memory_order_seq_cst) noexcept {
+      const std::uint64_t wanted = Bits(expected);
+      const std::uint64_t found = simulation::Modify(
+          location_, order, [&](auto old) { return old == wanted ? Bits(value) : old; });
+      expected = Value(found);
+      return found == wanted;
+    }
+    bool compare_exchange_weak(T& expected, T value,
+                               std::memory_order order = std::memory_order_seq_cst) noexcept {
+      return compare_exchange_strong(expected, value, order);
+    }
     [[nodiscard]] MemoryModel::Location location() const noexcept { return location_; }
 
    private:

@@ -12,8 +12,6 @@ namespace {
 
 using Location = MemoryModel::Location;
 
-constexpr std::size_t kSetUp = 0;  // the thread that builds the scenario and runs `finally`
-
 /// The decisions of one execution, in order; the next execution repeats all but the last that has
 /// an alternative left.
 class Decisions {
@@ -281,6 +279,8 @@ Report Explore(const std::function<void(Scenario&)>& build, Limits limits) {
 void Check(bool condition, std::string_view sentence) {
   if (!condition) current->Fail(sentence);
 }
+
+std::size_t RunningThread() { return current->running; }
 
 Location AddAtomic(std::uint64_t value) {
   return current->memory.AddAtomic(current->running, value);

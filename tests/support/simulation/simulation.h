@@ -44,6 +44,11 @@ Report Explore(const std::function<void(Scenario&)>& build, Limits limits = {});
 /// In a thread of a scenario: the execution fails with `sentence` unless `condition` holds.
 void Check(bool condition, std::string_view sentence);
 
+/// The thread that builds the scenario and runs `finally`; the others count from 1.
+inline constexpr std::size_t kSetUp = 0;
+/// In a scenario: the thread that runs now.
+std::size_t RunningThread();
+
 // What SimulatedAtomics is made of: operations of the running thread.
 MemoryModel::Location AddAtomic(std::uint64_t value);
 MemoryModel::Location AddPlain();

@@ -28,6 +28,10 @@ struct WithoutRelease : SimulatedAtomics {
     void store(T value, std::memory_order /*order*/) noexcept {
       SimulatedAtomics::Atomic<T>::store(value, std::memory_order_relaxed);
     }
+    T exchange(T value, std::memory_order order) noexcept {
+      return SimulatedAtomics::Atomic<T>::exchange(
+          value, order == std::memory_order_acq_rel ? std::memory_order_acquire : order);
+    }
     T fetch_sub(T n, std::memory_order /*order*/) noexcept {
       return SimulatedAtomics::Atomic<T>::fetch_sub(n, std::memory_order_relaxed);
     }
@@ -42,6 +46,15 @@ struct WithoutAcquire : SimulatedAtomics {
 
     T load(std::memory_order /*order*/) const noexcept {
       return SimulatedAtomics::Atomic<T>::load(std::memory_order_relaxed);
+    }
+    T exchange(T value, std::memory_order order) noexcept {
+      return SimulatedAtomics::Atomic<T>::exchange(value, order == std::memory_order_acq_rel
+                                                              ? std::memory_order_release
+                                                              : std::memory_order_relaxed);
+    }
+    bool compare_exchange_strong(T& expected, T value, std::memory_order /*order*/) noexcept {
+      return SimulatedAtomics::Atomic<T>::compare_exchange_strong(expected, value,
+                                                                  std::memory_order_relaxed);
     }
   };
 };

@@ -6,8 +6,8 @@
 
 namespace tendon::os {
 
-/// Sleeps while `word` holds `expected`, until woken or until `timeout` has passed. May wake without
-/// reason. One system call.
+/// Sleeps while `word` holds `expected`, until woken or until `timeout` has passed. May wake
+/// without reason. One system call.
 void FutexWait(const std::atomic<std::uint32_t>& word, std::uint32_t expected,
                std::chrono::nanoseconds timeout) noexcept;
 

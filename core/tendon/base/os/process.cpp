@@ -28,6 +28,8 @@ fs::path FolderFromEnvironment(const char* name, const fs::path& fallback) {
 
 std::int64_t ProcessId() noexcept { return getpid(); }
 
+bool RunsAsRoot() noexcept { return geteuid() == 0; }
+
 std::string HostName() {
   std::array<char, 256> name{};
   if (gethostname(name.data(), name.size() - 1) != 0) return "localhost";

@@ -8,6 +8,9 @@ namespace tendon::os {
 
 [[nodiscard]] std::int64_t ProcessId() noexcept;
 
+/// Whether this process may do anything on this machine.
+[[nodiscard]] bool RunsAsRoot() noexcept;
+
 [[nodiscard]] std::string HostName();
 
 /// 64 bits that nobody can guess, from the kernel.

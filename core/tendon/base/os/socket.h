@@ -51,6 +51,10 @@ std::optional<std::size_t> SendSome(const Socket& socket, std::span<const std::b
 std::optional<std::span<const std::byte>> ReceiveSome(const Socket& socket,
                                                       std::span<std::byte> buffer);
 
+/// Whether what was sent has been repeated for 1.5 s without an answer: the peer's machine, or the
+/// way to it, is gone. A peer that only does not read still answers.
+[[nodiscard]] bool HasVanished(const Socket& socket);
+
 /// Tells the peer that nothing more will come.
 void ShutDownSending(const Socket& socket);
 

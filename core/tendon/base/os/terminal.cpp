@@ -1,8 +1,31 @@
+#include <fcntl.h>
+#include <sys/ioctl.h>
 #include <tendon/base/os/terminal.h>
 #include <unistd.h>
 
+#include <csignal>
+#include <initializer_list>
+
 namespace tendon::os {
 
-bool IsTerminal(Stream stream) noexcept { return isatty(static_cast<int>(stream)) == 1; }
+int TerminalColumns(Stream stream) noexcept {
+  constexpr int kUsual = 80;
+  const int descriptor = static_cast<int>(stream);
+  if (isatty(descriptor) != 1) return 0;
+  winsize size{};
+  const bool says = ioctl(descriptor, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return says ? size.ws_col : kUsual;
+}
+
+void GuardStreams() noexcept {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (fcntl(stream, F_GETFD) != -1) continue;
+    // The lowest free number is this one. What is only read from refuses to be written to, and the
+    // other way round.
+    static_cast<void>(open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY));
+  }
+}
+
+void IgnoreBrokenPipes() noexcept { std::signal(SIGPIPE, SIG_IGN); }
 
 }  // namespace tendon::os

@@ -1,4 +1,5 @@
 #include <pthread.h>
+#include <tendon/base/os/terminal.h>
 #include <tendon/base/os/termination.h>
 
 #include <csignal>
@@ -15,12 +16,21 @@ sigset_t TerminationSignals() {
   return signals;
 }
 
+/// Whether they were held.
+bool LetThrough() noexcept {
+  const sigset_t signals = TerminationSignals();
+  sigset_t before;
+  sigemptyset(&before);
+  pthread_sigmask(SIG_UNBLOCK, &signals, &before);
+  return sigismember(&before, SIGTERM) == 1;
+}
+
 }  // namespace
 
 void HoldTerminationSignals() noexcept {
   const sigset_t signals = TerminationSignals();
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-  std::signal(SIGPIPE, SIG_IGN);
+  IgnoreBrokenPipes();
 }
 
 int WaitForTermination() noexcept {
@@ -28,7 +38,7 @@ int WaitForTermination() noexcept {
   int signal = 0;
   while (sigwait(&signals, &signal) != 0) {
   }
-  pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
+  LetThrough();
   return signal;
 }
 
@@ -36,7 +46,15 @@ bool TerminationAsked(std::chrono::milliseconds patience) noexcept {
   const sigset_t signals = TerminationSignals();
   const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(patience);
   const timespec limit{seconds.count(), std::chrono::nanoseconds(patience - seconds).count()};
-  return sigtimedwait(&signals, nullptr, &limit) > 0;
+  if (sigtimedwait(&signals, nullptr, &limit) <= 0) return false;
+  LetThrough();
+  return true;
+}
+
+TerminationLetThrough::TerminationLetThrough() noexcept : was_held_(LetThrough()) {}
+
+TerminationLetThrough::~TerminationLetThrough() {
+  if (was_held_) HoldTerminationSignals();
 }
 
 }  // namespace tendon::os

@@ -12,7 +12,21 @@ void HoldTerminationSignals() noexcept;
 /// ends the process at once.
 int WaitForTermination() noexcept;
 
-/// Whether somebody asks the process to end; waits for at most `patience`.
+/// Whether somebody asks the process to end; waits for at most `patience`. A second signal then
+/// ends the process at once.
 bool TerminationAsked(std::chrono::milliseconds patience) noexcept;
+
+/// As long as it lives, SIGINT and SIGTERM end the process at once, also where they are held: for
+/// waits that cannot be cut short. On the stack of main()'s thread.
+class TerminationLetThrough {
+ public:
+  TerminationLetThrough() noexcept;
+  TerminationLetThrough(const TerminationLetThrough&) = delete;
+  TerminationLetThrough& operator=(const TerminationLetThrough&) = delete;
+  ~TerminationLetThrough();
+
+ private:
+  const bool was_held_;
+};
 
 }  // namespace tendon::os

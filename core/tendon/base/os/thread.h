@@ -3,7 +3,9 @@
 #include <tendon/base/clock.h>
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 
 namespace tendon::os {
@@ -18,8 +20,26 @@ void SleepUntil(SteadyTime time) noexcept;
 /// set).
 void SetTimerSlack(std::uint64_t nanoseconds) noexcept;
 
-/// SCHED_FIFO at `priority` (1 to 99) for the calling thread; false where it is not allowed.
-bool SetRealTimePriority(int priority) noexcept;
+/// Whether the kernel has done what was asked, and if not, its reason.
+struct Permission {
+  bool granted = true;
+  std::string reason;
+};
+
+/// SCHED_FIFO, or SCHED_RR, at `priority` (1 to 99) for the calling thread.
+Permission SetRealTimePriority(int priority, bool is_fifo);
+
+/// Binds the calling thread to these processors, numbered from 0.
+Permission RunOnProcessors(std::span<const std::int32_t> processors);
+
+/// How many processors the machine has, used or not.
+[[nodiscard]] int ProcessorCount() noexcept;
+
+/// Keeps all pages of the process in memory, those to come as well.
+Permission LockMemory();
+
+/// Writes to that much of the calling thread's stack, so that no page of it is missing later.
+void TouchStack(std::size_t bytes) noexcept;
 
 /// How much processor time the calling thread has used; does not advance while it waits.
 [[nodiscard]] std::chrono::nanoseconds ThreadCpuTime() noexcept;

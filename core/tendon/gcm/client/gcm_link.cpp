@@ -23,11 +23,11 @@ Places PlacesOf(const Catalog& catalog) {
   return places;
 }
 
-std::vector<std::string> Moved(const Places& before, const Places& after) {
-  std::vector<std::string> moved;
+std::vector<GcmLink::Moved> Moves(const Places& before, const Places& after) {
+  std::vector<GcmLink::Moved> moved;
   for (const auto& [name, place] : after) {
     const auto old = before.find(name);
-    if (old == before.end() || old->second != place) moved.push_back(name);
+    if (old == before.end() || old->second != place) moved.push_back({name, place.first});
   }
   return moved;
 }
@@ -156,11 +156,11 @@ void GcmLink::Receive(const SharedChannel& channel, const message::Snapshot& sna
   for (const CatalogChange& change : snapshot.changes) {
     if (!catalog.Apply(change)) return channel->Close();
   }
-  std::vector<std::string> moved;
+  std::vector<Moved> moved;
   {
     const std::scoped_lock lock(mutex_);
     if (channel_ != channel) return;
-    moved = Moved(PlacesOf(catalog_), PlacesOf(catalog));
+    moved = Moves(PlacesOf(catalog_), PlacesOf(catalog));
     catalog_ = catalog;
     is_waiting_ = false;
     lost_.reset();
@@ -175,7 +175,7 @@ void GcmLink::Receive(const SharedChannel& channel, const message::Snapshot& sna
 
 void GcmLink::Receive(const SharedChannel& channel, const message::Changes& changes) {
   std::vector<CatalogChange> applied;
-  std::vector<std::string> moved;
+  std::vector<Moved> moved;
   bool has_hole = false;
   {
     const std::scoped_lock lock(mutex_);
@@ -186,7 +186,7 @@ void GcmLink::Receive(const SharedChannel& channel, const message::Changes& chan
       if (has_hole) break;
       applied.push_back(change);
     }
-    moved = Moved(before, PlacesOf(catalog_));
+    moved = Moves(before, PlacesOf(catalog_));
     is_waiting_ = has_hole;
   }
   Tell([&] {

@@ -6,6 +6,7 @@
 #include <tendon/process/worker.h>
 
 #include <condition_variable>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -20,11 +21,15 @@ namespace tendon::client {
 /// that comes through it. Thread-safe.
 class GcmLink final : public std::enable_shared_from_this<GcmLink> {
  public:
+  /// A process that is at another place than before, or there again.
+  struct Moved {
+    std::string process;
+    std::uint64_t instance = 0;  ///< that is there now
+  };
   /// What it tells others, one call at a time; no more after Stop().
   struct Events {
     std::shared_ptr<GcmListener> listener;  ///< may be null
-    /// These processes are at another place than before, or there again.
-    std::function<void(const std::vector<std::string>& processes)> on_moved;
+    std::function<void(const std::vector<Moved>& processes)> on_moved;
   };
   /// The middleware outlives Stop(). The timer watches over deadlines.
   GcmLink(Middleware& middleware, GcmClient::Options options, Events events,

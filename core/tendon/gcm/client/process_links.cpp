@@ -39,13 +39,15 @@ void ProcessLinks::With(const std::string& process, Use use) {
   if (place.waiting.size() == 1) opener_.Post([this, process] { Open(process); });
 }
 
-void ProcessLinks::Drop(const std::string& process) {
+void ProcessLinks::Drop(const std::string& process, std::uint64_t instance) {
   std::unique_lock lock(mutex_);
   const auto found = places_.find(process);
-  if (found == places_.end()) return;
+  if (found == places_.end() || !found->second.channel) return;
+  // We may have been faster than the news, and be in the middle of a request.
+  if (found->second.channel->peer().instance == instance) return;
   const SharedChannel channel = std::exchange(found->second.channel, nullptr);
   lock.unlock();
-  if (channel) channel->Close();
+  channel->Close();
 }
 
 void ProcessLinks::Stop() {

@@ -4,6 +4,7 @@
 #include <tendon/process/description.h>
 #include <tendon/process/worker.h>
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
@@ -29,8 +30,8 @@ class ProcessLinks final : public std::enable_shared_from_this<ProcessLinks> {
   /// Calls `use` with an open channel or the reason why there is none: at once, or in the thread
   /// that opens it.
   void With(const std::string& process, Use use);
-  /// The process is elsewhere now.
-  void Drop(const std::string& process);
+  /// The process is now this instance: a channel to another one is closed.
+  void Drop(const std::string& process, std::uint64_t instance);
   void Stop();
 
  private:

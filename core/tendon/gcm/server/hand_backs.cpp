@@ -1,10 +1,19 @@
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/server/hand_backs.h>
 
-#include <utility>
+#include <algorithm>
 
 namespace tendon::server {
 namespace {
+
+constexpr std::chrono::milliseconds kShortestPause(200);
+constexpr std::chrono::milliseconds kLongestPause(5000);
+
+/// Whether the same order would be refused again. Taken: the process has connected it by itself.
+bool IsFinal(const Error& error) {
+  return error.code == ErrorCode::kIncompatible || error.code == ErrorCode::kInvalid ||
+         error.code == ErrorCode::kDenied || error.code == ErrorCode::kExists;
+}
 
 std::string ClassOf(const Catalog& catalog, const InterfaceName& end) {
   const ComponentDescription* component = catalog.FindComponent(end.process, end.component);
@@ -30,28 +39,52 @@ void HandBacks::Drop(const std::string& process) {
   std::erase_if(kept_, [&](const Kept& kept) { return kept.wire.required.process == process; });
 }
 
-std::vector<message::Wire> HandBacks::TakeDue(const Catalog& catalog) {
+std::vector<message::Wire> HandBacks::TakeDue(const Catalog& catalog, SteadyTime now) {
   std::vector<message::Wire> due;
-  std::erase_if(kept_, [&](const Kept& kept) {
+  std::erase_if(kept_, [&](Kept& kept) {
+    if (kept.is_ordered || now < kept.not_before) return false;
     const Readiness readiness = Judge(kept, catalog);
-    if (readiness == Readiness::kDue) due.push_back(kept.wire);
-    return readiness != Readiness::kWaiting;
+    kept.is_ordered = readiness == Readiness::kDue;
+    if (kept.is_ordered) due.push_back(kept.wire);
+    return readiness == Readiness::kPointless;
   });
   return due;
+}
+
+HandBacks::Verdict HandBacks::Settle(const message::Wire& wire, const Result<void>& outcome,
+                                     SteadyTime now) {
+  const auto kept = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& one) {
+    return one.is_ordered && one.wire == wire;
+  });
+  if (kept == kept_.end() || outcome || IsFinal(outcome.error())) {
+    if (kept != kept_.end()) kept_.erase(kept);
+    return outcome ? Verdict::kDone : Verdict::kGivenUp;
+  }
+  const bool is_first = kept->pause == kept->pause.zero();
+  kept->is_ordered = false;
+  kept->pause = std::clamp(2 * kept->pause, kShortestPause, kLongestPause);
+  kept->not_before = now + kept->pause;
+  return is_first ? Verdict::kTryAgain : Verdict::kStillTrying;
+}
+
+bool HandBacks::IsPauseOver(SteadyTime now) const {
+  return std::any_of(kept_.begin(), kept_.end(), [&](const Kept& kept) {
+    return !kept.is_ordered && kept.pause > kept.pause.zero() && kept.not_before <= now;
+  });
 }
 
 HandBacks::Readiness HandBacks::Judge(const Kept& kept, const Catalog& catalog) {
   const auto& [required, provided] = kept.wire;
   const ProcessEntry* owner = catalog.FindProcess(required.process);
   if (owner == nullptr || !IsPresent(owner->process)) return Readiness::kWaiting;
+  if (catalog.FindConnection(required) != nullptr) return Readiness::kPointless;
   if (catalog.FindRequired(required) == nullptr || catalog.FindProvided(provided) == nullptr) {
     return Readiness::kWaiting;
   }
   const bool same_classes =
       ClassOf(catalog, required) == kept.required_class &&
       (kept.provided_class.empty() || ClassOf(catalog, provided) == kept.provided_class);
-  if (!same_classes || catalog.FindConnection(required) != nullptr) return Readiness::kPointless;
-  return Readiness::kDue;
+  return same_classes ? Readiness::kDue : Readiness::kPointless;
 }
 
 }  // namespace tendon::server

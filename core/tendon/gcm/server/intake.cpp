@@ -1,5 +1,5 @@
+#include <tendon/base/printable.h>
 #include <tendon/gcm/server/intake.h>
-#include <tendon/gcm/text/printable.h>
 
 #include <set>
 #include <vector>

@@ -9,8 +9,16 @@
 namespace tendon::server {
 namespace {
 
-void LogFailure(const Result<void>& written) {
-  if (!written) Log(LogLevel::kWarning, "gcm", "history: " + written.error().message);
+void LogHandBack(const message::Wire& wire, const Result<void>& outcome,
+                 HandBacks::Verdict verdict) {
+  const std::string what = ToString(wire.required) + " to " + ToString(wire.provided);
+  if (outcome) return Log(LogLevel::kInfo, "gcm", "connected again: " + what);
+  const bool is_told = verdict == HandBacks::Verdict::kStillTrying;
+  if (is_told || outcome.error().code == ErrorCode::kExists) return;  // the process did it itself
+  const bool is_over = verdict == HandBacks::Verdict::kGivenUp;
+  Log(LogLevel::kWarning, "gcm",
+      "cannot connect again " + what + ": " + outcome.error().message +
+          (is_over ? "" : "; trying again"));
 }
 
 }  // namespace
@@ -53,11 +61,11 @@ void Orders::Undo(Done<message::HistoryEntry> done) {
 }
 
 void Orders::HandBack(const message::Wire& wire) {
-  Make(wire, [wire](const auto& made) {
-    const std::string what = ToString(wire.required) + " to " + ToString(wire.provided);
-    if (made) return Log(LogLevel::kInfo, "gcm", "connected again: " + what);
-    if (made.error().code == ErrorCode::kExists) return;  // the process did it itself
-    Log(LogLevel::kWarning, "gcm", "cannot connect again " + what + ": " + made.error().message);
+  Make(wire, [locked = locked_, wire](const auto& made) {
+    const Result<void> outcome = made ? Result<void>() : made.error();
+    auto verdict = HandBacks::Verdict::kStillTrying;
+    locked([&](Orders& orders) { verdict = orders.parts_.registry.SettleHandBack(wire, outcome); });
+    LogHandBack(wire, outcome, verdict);
   });
 }
 
@@ -90,16 +98,12 @@ void Orders::Give(MessageType type, const InterfaceName& required, const Body& b
        finish = std::move(finish)] { Ask<T>(worker, channel, type, body, timeout, finish); });
 }
 
-/// Keeps the step, then answers.
+/// Answers once the step is kept.
 template <typename T>
 void Orders::Record(const std::string& verb, const message::Wire& wire, const std::string& who,
                     T answer, Done<T> done) {
-  message::HistoryEntry step{.verb = verb, .wire = wire, .who = who, .when = WallTime()};
-  parts_.worker.Post([&history = parts_.history, step = std::move(step), answer = std::move(answer),
-                      done = std::move(done)]() mutable {
-    LogFailure(history.Record(step));
-    done(std::move(answer));
-  });
+  parts_.history.Record({.verb = verb, .wire = wire, .who = who, .when = WallTime()},
+                        [answer = std::move(answer), done = std::move(done)] { done(answer); });
 }
 
 void Orders::Make(const message::Wire& wire, ConnectDone done) {
@@ -140,10 +144,7 @@ void Orders::FinishUndo(message::HistoryEntry step, const Result<ConnectionDescr
     return Answer(std::move(done), Result<message::HistoryEntry>(error));
   }
   step.undone = true;
-  parts_.worker.Post([&history = parts_.history, step = std::move(step), done = std::move(done)]() {
-    LogFailure(history.MarkUndone(step.id));
-    done(step);
-  });
+  parts_.history.MarkUndone(step.id, [step, done = std::move(done)] { done(step); });
 }
 
 }  // namespace tendon::server

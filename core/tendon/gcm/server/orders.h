@@ -30,7 +30,7 @@ class Orders {
     Registry& registry;
     History& history;
     Outbox& outbox;
-    Worker& worker;  ///< writes the history and watches over deadlines
+    Worker& worker;  ///< watches over deadlines
   };
   Orders(Parts parts, Locked locked, std::chrono::milliseconds timeout);
 

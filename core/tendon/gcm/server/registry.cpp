@@ -179,6 +179,7 @@ std::vector<std::shared_ptr<Channel>> Registry::Tick() {
     End(session, ProcessState::kLost, "no renewal of its lease for " + Milliseconds(silence));
   }
   ClearTombstones(now);
+  look_for_hand_backs_ = look_for_hand_backs_ || hand_backs_.IsPauseOver(now);
   return channels;
 }
 
@@ -221,7 +222,12 @@ message::Peers Registry::peers() const {
 
 std::vector<message::Wire> Registry::TakeDueHandBacks() {
   if (!std::exchange(look_for_hand_backs_, false)) return {};
-  return hand_backs_.TakeDue(catalog_);
+  return hand_backs_.TakeDue(catalog_, clock_.Now());
+}
+
+HandBacks::Verdict Registry::SettleHandBack(const message::Wire& wire,
+                                            const Result<void>& outcome) {
+  return hand_backs_.Settle(wire, outcome, clock_.Now());
 }
 
 Registry::Member* Registry::Find(Session session) {
@@ -249,8 +255,8 @@ void Registry::Apply(CatalogChange change) {
   if (ChangesNothing(change, catalog_.FindProcess(change.process))) return;
   change.revision = catalog_.revision() + 1;
   if (!catalog_.Apply(change)) return;
-  look_for_hand_backs_ =
-      look_for_hand_backs_ || change.kind == Kind::kProcess || change.kind == Kind::kComponent;
+  look_for_hand_backs_ = look_for_hand_backs_ || change.kind == Kind::kProcess ||
+                         change.kind == Kind::kComponent || change.kind == Kind::kConnection;
   changes_.push_back(std::move(change));
 }
 

@@ -66,7 +66,9 @@ class Registry {
 
   /// What happened since it was last asked.
   [[nodiscard]] std::vector<CatalogChange> TakeChanges() { return std::exchange(changes_, {}); }
+  /// Connections to be made again now; SettleHandBack() is then told what became of each.
   [[nodiscard]] std::vector<message::Wire> TakeDueHandBacks();
+  HandBacks::Verdict SettleHandBack(const message::Wire& wire, const Result<void>& outcome);
 
  private:
   struct Member {

@@ -1,6 +1,6 @@
 #include <tendon/base/log.h>
+#include <tendon/base/printable.h>
 #include <tendon/gcm/server/server.h>
-#include <tendon/gcm/text/printable.h>
 
 #include <map>
 #include <string_view>
@@ -105,6 +105,7 @@ void Server::Stop() {
     stopped_ = true;
   }
   worker_.Stop();
+  history_.Close();
 }
 
 std::shared_ptr<ChannelHandler> Server::MakeHandler() {

@@ -19,7 +19,7 @@ namespace tendon::server {
 
 /// A GCM behind its door: hears the channels of LCMs and viewers. One mutex guards what is known;
 /// under it is only decided. Sending, answering and logging follow from the outbox, files from the
-/// worker. Thread-safe.
+/// history's own thread. Thread-safe.
 class Server final : public std::enable_shared_from_this<Server> {
  public:
   struct Options {
@@ -33,7 +33,8 @@ class Server final : public std::enable_shared_from_this<Server> {
 
   /// Call it once, first.
   void Start();
-  /// Afterwards no thread of ours runs, and nothing is answered any more.
+  /// Waits until the disk has the history. Afterwards no thread of ours runs, and nothing is
+  /// answered any more.
   void Stop();
 
   /// Of one channel.

@@ -1,4 +1,5 @@
 #include <tendon/payload/schema.h>
+#include <tendon/payload/schema/range.h>
 
 #include <algorithm>
 #include <charconv>
@@ -69,16 +70,20 @@ class Parser {
     std::size_t size = 0;
     Expect('{');
     while (!failed() && !Accept('}')) {
+      const std::string_view help = Help();
+      const auto range = FieldRange();
       const std::string_view field = Identifier("a field's name or '}'");
       if (!names.insert(field).second) Fail("a second field of this name");
       Expect(':');
       if (failed()) return {};
       Parsed parsed = ParseType(depth + 1);
       const std::string_view unit = Unit();
+      if (range && !parsed.schema.holds_numbers()) Fail("a range is for numbers");
       height = std::max(height, parsed.height);
       size += parsed.schema.minimum_size();
       if (size > kMaxValue) return Fail("values of over 2 GiB");
-      fields.push_back({std::string(field), std::string(unit), std::move(parsed.schema)});
+      fields.push_back({std::string(field), std::string(unit), std::move(parsed.schema),
+                        std::string(help), range});
     }
     if (failed()) return {};
     return {Schema::Structure(std::move(name), std::move(fields)), height + 1};
@@ -105,14 +110,43 @@ class Parser {
 
   /// " in rad" up to the end of the line, or nothing.
   std::string_view Unit() {
-    if (!text_.substr(position_).starts_with(" in ")) return {};
-    const std::size_t start = position_ + 4;
-    const std::size_t end = std::min(text_.find('\n', start), text_.size());
-    const std::string_view unit = text_.substr(start, end - start);
-    if (unit.empty() || !payload::IsUnit(unit)) Fail("expected a unit");
-    position_ = end;
-    return unit;
+    const auto unit = LineAfter(" in ");
+    if (!unit) return {};
+    if (unit->empty() || !payload::IsUnit(*unit)) Fail("expected a unit");
+    SkipLine();
+    return *unit;
   }
+
+  /// "# Of the fastest joint." or nothing.
+  std::string_view Help() {
+    if (!Accept('#')) return {};
+    const auto help = LineAfter(" ");
+    if (!help || help->empty() || !payload::IsHelp(*help)) Fail("expected a line of help");
+    SkipLine();
+    return help.value_or(std::string_view());
+  }
+
+  /// "@ 0 to 2.5" or nothing.
+  std::optional<Range> FieldRange() {
+    if (!Accept('@')) return std::nullopt;
+    auto rest = LineAfter(" ");
+    Range range;
+    if (!rest || !payload::ReadRange(*rest, range) || !rest->empty()) {
+      Fail("expected a range, like 0 to 2.5");
+    }
+    SkipLine();
+    return range;
+  }
+
+  /// What is on this line behind `start`, or nothing where `start` is not next.
+  [[nodiscard]] std::optional<std::string_view> LineAfter(std::string_view start) const {
+    const std::string_view rest = text_.substr(position_);
+    const std::string_view line = rest.substr(0, rest.find('\n'));
+    if (!line.starts_with(start)) return std::nullopt;
+    return line.substr(start.size());
+  }
+
+  void SkipLine() { position_ = std::min(text_.find('\n', position_), text_.size()); }
 
   std::string TypeName() {
     const std::string_view name = Word();

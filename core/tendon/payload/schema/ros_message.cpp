@@ -1,4 +1,5 @@
 #include <tendon/payload/schema.h>
+#include <tendon/payload/schema/range.h>
 
 #include <algorithm>
 #include <set>
@@ -57,10 +58,11 @@ class Printer {
   }
 
   std::string Line(const Schema::Field& field, const std::string& owner) {
-    std::string out = Constants(field);
-    out += Type(field.schema, owner + CamelCase(field.name)) + " " + field.name;
-    if (!field.unit.empty()) out += "  # " + field.unit;
-    return out + "\n";
+    std::string out = field.help.empty() ? "" : "# " + field.help + "\n";
+    out += Constants(field) + Type(field.schema, owner + CamelCase(field.name)) + " " + field.name;
+    std::string comment = field.unit;
+    if (field.range) comment += (comment.empty() ? "" : ", ") + payload::ToString(*field.range);
+    return out + (comment.empty() ? "" : "  # " + comment) + "\n";
   }
 
   /// "int32 MODE_OFF=0" for each value of an enum.

@@ -1,4 +1,5 @@
 #include <tendon/process/client/peer_link.h>
+#include <tendon/process/schema_exchange.h>
 #include <tendon/process/watch_over.h>
 #include <tendon/proxy/messages.h>
 
@@ -25,6 +26,12 @@ Result<std::shared_ptr<PeerLink>> PeerLink::Open(const ProcessContext& context,
   }
   WatchOver(context.worker, link->channel_);
   return link;
+}
+
+void PeerLink::OnRequest(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
+                         std::span<const std::byte> body, Responder responder) {
+  if (header.type == message::kGetSchemas) return AnswerSchemas(body, responder);
+  ChannelHandler::OnRequest(channel, header, body, std::move(responder));
 }
 
 void PeerLink::OnNotice(const std::shared_ptr<Channel>& /*channel*/, const FrameHeader& header,

@@ -41,6 +41,8 @@ class PeerLink final : public ChannelHandler, public std::enable_shared_from_thi
   [[nodiscard]] HandleTable<ProvidedInterfaceProxy>& handles() { return handles_; }
 
  private:
+  void OnRequest(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
+                 std::span<const std::byte> body, Responder responder) override;
   void OnNotice(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
                 std::span<const std::byte> body) override;
   void OnClosed(const std::shared_ptr<Channel>& channel, const Error& reason) override;

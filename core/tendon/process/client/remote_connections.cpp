@@ -1,5 +1,4 @@
 #include <tendon/base/os/process.h>
-#include <tendon/process/ask.h>
 #include <tendon/process/client/remote_connections.h>
 
 #include <algorithm>
@@ -9,6 +8,7 @@ namespace tendon {
 namespace {
 
 constexpr std::chrono::milliseconds kOpenTimeout(1000);
+constexpr std::chrono::hours kAsLongAsTheLink(24 * 365);
 constexpr std::chrono::milliseconds kShortestPause(100);
 constexpr std::chrono::milliseconds kLongestPause(2000);
 
@@ -28,6 +28,7 @@ Result<std::shared_ptr<ProvidedInterfaceProxy>> MakeProxy(
         network, ProvidedInterfaceProxy::Remote{.channel = channel, .opened = *answer}, required,
         read_deadline);
   } catch (const ConfigurationError& error) {
+    (void)channel->Notify(message::kCloseInterface, answer->handle, Bytes());
     return Error{ErrorCode::kInvalid, channel->peer().name + " answered nonsense: " + error.what()};
   }
 }
@@ -133,8 +134,9 @@ void RemoteConnections::Request(ConnectionId id, const std::shared_ptr<PeerLink>
     attempt.number = entry.attempt;
   }
   // The proxy is made in the middleware's thread, before anything else that the peer sends to it.
-  Ask<message::InterfaceOpened>(
-      *context_.worker, link->channel(), message::kOpenInterface, open, kOpenTimeout,
+  // An answer that comes after GiveUp() still counts: it says what must be closed there.
+  link->channel()->Request<message::InterfaceOpened>(
+      message::kOpenInterface, 0, open, kAsLongAsTheLink,
       [this, worker = context_.worker, network = context_.network, attempt, read_deadline,
        description = open.description](const Result<message::InterfaceOpened>& answer) {
         const auto proxy =
@@ -142,6 +144,20 @@ void RemoteConnections::Request(ConnectionId id, const std::shared_ptr<PeerLink>
         if (proxy) attempt.link->handles().Put(attempt.handle, *proxy);
         worker->Post([this, attempt, proxy] { Finish(attempt, proxy); });
       });
+  context_.worker->PostAfter(
+      kOpenTimeout, [this, id, number = attempt.number, peer = link->channel()->peer().name] {
+        GiveUp(id, number, NoAnswer(peer, kOpenTimeout));
+      });
+}
+
+void RemoteConnections::GiveUp(ConnectionId id, std::uint64_t attempt, const Error& reason) {
+  {
+    const auto lock = context_.host.LockStructure();
+    const auto found = entries_.find(id);
+    if (found == entries_.end() || found->second.attempt != attempt) return;
+    if (!found->second.is_opening) return;
+  }
+  Postpone(id, reason.message);
 }
 
 void RemoteConnections::Finish(const Attempt& attempt, const Opened& opened) {
@@ -154,7 +170,7 @@ void RemoteConnections::Finish(const Attempt& attempt, const Opened& opened) {
     const bool is_void = found == entries_.end() || found->second.attempt != attempt.number;
     if (is_void) {
       attempt.link->handles().Remove(attempt.handle);
-      if (opened) CloseThere(*attempt.link, **opened);
+      if (opened) CloseThere(attempt.link->channel(), (*opened)->handle());
       return;
     }
     Entry& entry = found->second;
@@ -182,7 +198,7 @@ Result<void> RemoteConnections::Bind(Entry& entry,
                                   ToString(description.provided))
                : required.error();
   if (!connection) {
-    CloseThere(*entry.link, *proxy);
+    CloseThere(entry.link->channel(), proxy->handle());
     return connection.error();
   }
   entry.connection = *std::move(connection);
@@ -278,15 +294,20 @@ void RemoteConnections::TakeDown(Entry& entry, std::chrono::milliseconds patienc
   entry.connection.reset();
   if (entry.proxy) {
     context_.proxies.Remove(entry.description.provided, *entry.proxy);
-    CloseThere(*entry.link, *entry.proxy);
+    CloseThere(entry.link->channel(), entry.proxy->handle());
   }
   if (entry.link) entry.link->handles().Remove(entry.handle);
   entry.proxy.reset();
   entry.link.reset();
 }
 
-void RemoteConnections::CloseThere(const PeerLink& link, const ProvidedInterfaceProxy& proxy) {
-  (void)link.channel()->Notify(message::kCloseInterface, proxy.handle(), Bytes());
+/// What the peer is not told stays connected there: again, where the link has no room.
+void RemoteConnections::CloseThere(const std::shared_ptr<Channel>& channel, std::uint32_t handle) {
+  constexpr std::chrono::milliseconds kUntilLinkHasRoom(20);
+  const Status told = channel->Notify(message::kCloseInterface, handle, Bytes());
+  if (told != Status(Status::kQueueFull)) return;
+  context_.worker->PostAfter(kUntilLinkHasRoom,
+                             [this, channel, handle] { CloseThere(channel, handle); });
 }
 
 bool RemoteConnections::Has(const InterfaceName& required) const {

@@ -75,13 +75,14 @@ class RemoteConnections final : private PeerListener {
   void TryPossible();
   void Try(ConnectionId id);
   void Request(ConnectionId id, const std::shared_ptr<PeerLink>& link);
+  void GiveUp(ConnectionId id, std::uint64_t attempt, const Error& reason);
   void Finish(const Attempt& attempt, const Opened& opened);
   Result<void> Bind(Entry& entry, const std::shared_ptr<ProvidedInterfaceProxy>& proxy);
   void Postpone(ConnectionId id, const std::string& reason);
   void Refuse(ConnectionId id, const Error& error);
   void Suspend(Entry& entry, const std::string& reason);
   void TakeDown(Entry& entry, std::chrono::milliseconds patience);
-  static void CloseThere(const PeerLink& link, const ProvidedInterfaceProxy& proxy);
+  void CloseThere(const std::shared_ptr<Channel>& channel, std::uint32_t handle);
   [[nodiscard]] bool IsNewest(ConnectionId id, std::uint64_t attempt) const;
   [[nodiscard]] Entries::const_iterator FindEntry(const InterfaceName& required) const;
 

@@ -9,7 +9,7 @@ namespace tendon {
 class MemberCalls::Target {
  public:
   Target(const Offer& offer, ProvidedInterface& provided, const std::string& name)
-      : description_(offer.description()), required_("call", nullptr) {
+      : description_(offer.description()), enabled_(offer.enabled()), required_("call", nullptr) {
     if (!IsQueued(description_.signature.kind)) {
       read_ = offer.Bind(nullptr);
       return;
@@ -27,7 +27,8 @@ class MemberCalls::Target {
     message::Called called;
     Status status = Status::kNotConnected;
     if (read_) {
-      status = read_->ExecuteEncoded(argument, called.answer);
+      status = enabled_.Get() ? read_->ExecuteEncoded(argument, called.answer)
+                              : Status(Status::kDisabled);
     } else if (function_) {
       status = (*function_)(argument, called.answer);
     }
@@ -45,6 +46,7 @@ class MemberCalls::Target {
 
  private:
   const MemberDescription description_;
+  const Flag& enabled_;  // of the component
   std::mutex mutex_;
   std::unique_ptr<CommandBase> read_;
   RequiredInterface required_;
@@ -99,6 +101,12 @@ Result<std::shared_ptr<MemberCalls::Target>> MemberCalls::Make(const message::Ca
     for (const auto& command : (*provided)->description().commands) known.push_back(command.name);
     return Error{ErrorCode::kNotFound, ToString(name) + " has no command '" + call.member + "'" +
                                            DidYouMean(call.member, known)};
+  }
+  const CommandKind kind = offer->description().signature.kind;
+  if (WaitsForServer(kind)) {
+    return Error{ErrorCode::kInvalid, "'" + call.member + "' of " + ToString(name) + " is a " +
+                                          std::string(ToString(kind)) +
+                                          " command; those are called within its process only"};
   }
   auto target = std::make_shared<Target>(*offer, **provided, ToString(name));
   const std::scoped_lock lock(mutex_);

@@ -1,17 +1,26 @@
+#include <tendon/process/server/refusal.h>
 #include <tendon/process/server/served_connections.h>
 
+#include <exception>
+#include <string>
 #include <utility>
 
 namespace tendon {
 
 void ServedConnections::Open(const std::shared_ptr<Client>& client,
-                             const message::OpenInterface& open, Responder& responder) {
+                             const message::OpenInterface& open,
+                             const std::shared_ptr<Responder>& responder) {
   const auto lock = context_.host.LockStructure();
-  auto made = Make(client, open);
-  if (!made) return responder.Refuse(made.error());
+  const auto server = LookUp(open.provided);
+  if (!server) return responder->Refuse(server.error());
+  auto made = Make(client, open, **server);
+  if (!made && made.error().code == ErrorCode::kIncompatible) {
+    return RefuseMisfit(*context_.worker, client->channel, open, (*server)->description(),
+                        made.error(), responder);
+  }
+  if (!made) return responder->Refuse(made.error());
   entries_.push_back(*std::move(made));
   Entry& entry = entries_.back();
-  const auto server = context_.host.LookUpProvided(open.provided);
   message::InterfaceOpened opened{
       .handle = client->handles.Reserve(open.description.functions.size()),
       .credit = entry.proxy->capacity(),
@@ -19,23 +28,28 @@ void ServedConnections::Open(const std::shared_ptr<Client>& client,
       .description = (*server)->description()};
   entry.handle = opened.handle;
   client->handles.Put(entry.handle, entry.proxy);
-  responder.Reply(EncodeBody(opened));
+  responder->Reply(EncodeBody(opened));
   context_.proxies.Add(entry.required, entry.proxy);  // only now it sends
 }
 
-Result<ServedConnections::Entry> ServedConnections::Make(const std::shared_ptr<Client>& client,
-                                                         const message::OpenInterface& open) {
-  if (open.provided.process != context_.name) {
+Result<ProvidedInterface*> ServedConnections::LookUp(const InterfaceName& provided) const {
+  if (provided.process != context_.name) {
     return Error{ErrorCode::kNotFound,
-                 "this is process '" + context_.name + "', not '" + open.provided.process + "'"};
+                 "this is process '" + context_.name + "', not '" + provided.process + "'"};
   }
-  const auto server = context_.host.LookUpProvided(open.provided);
-  if (!server) {
-    return Error{server.error().code, "process '" + context_.name + "': " + server.error().message};
-  }
+  const auto found = context_.host.LookUpProvided(provided);
+  if (found) return found;
+  return Error{found.error().code, "process '" + context_.name + "': " + found.error().message};
+}
+
+Result<ServedConnections::Entry> ServedConnections::Make(const std::shared_ptr<Client>& client,
+                                                         const message::OpenInterface& open,
+                                                         ProvidedInterface& provided) {
   try {
     auto proxy = std::make_shared<RequiredInterfaceProxy>(context_.network, client->channel, open);
-    auto connection = Connection::Make(proxy->interface(), **server, ToString(open.required),
+    const auto bytes = Connection::MailboxBytes(proxy->interface(), provided);
+    if (const auto fits = CheckSize(open, bytes); !fits) return fits.error();
+    auto connection = Connection::Make(proxy->interface(), provided, ToString(open.required),
                                        ToString(open.provided));
     if (!connection) return connection.error();
     return Entry{.client = client,
@@ -46,7 +60,22 @@ Result<ServedConnections::Entry> ServedConnections::Make(const std::shared_ptr<C
                  .connection = *std::move(connection)};
   } catch (const ConfigurationError& error) {
     return Error{ErrorCode::kInvalid, error.what()};
+  } catch (const std::exception& failure) {  // such as a lack of memory
+    return Error{ErrorCode::kFailed, "process '" + context_.name + "' cannot serve " +
+                                         ToString(open.required) + ": " + failure.what()};
   }
+}
+
+/// A stranger says how much memory it takes here.
+Result<void> ServedConnections::CheckSize(const message::OpenInterface& open, std::size_t bytes) {
+  constexpr std::size_t kMostCalls = 65536;
+  constexpr std::size_t kMostBytes = std::size_t{64} << 20U;
+  if (open.capacity <= kMostCalls && bytes <= kMostBytes) return {};
+  return Error{ErrorCode::kInvalid,
+               ToString(open.required) + " wants room for " + std::to_string(open.capacity) +
+                   " calls at " + ToString(open.provided) +
+                   ", but another process may have at most " + std::to_string(kMostCalls) +
+                   " calls and 64 MiB there: set a smaller mailbox capacity"};
 }
 
 void ServedConnections::Close(const std::shared_ptr<Client>& client, std::uint32_t handle) {

@@ -28,9 +28,10 @@ class ServedConnections {
   explicit ServedConnections(ProcessContext& context) : context_(context) {}
 
   /// Connects, and answers before anything else is sent about the connection. Refusals: kNotFound
-  /// with a suggestion, kIncompatible.
+  /// with a suggestion, kIncompatible with the first difference, kInvalid for a mailbox that is too
+  /// large.
   void Open(const std::shared_ptr<Client>& client, const message::OpenInterface& open,
-            Responder& responder);
+            const std::shared_ptr<Responder>& responder);
   /// Executes first what has arrived; `handle` is our number of it.
   void Close(const std::shared_ptr<Client>& client, std::uint32_t handle);
   /// All of a client that is gone.
@@ -51,7 +52,10 @@ class ServedConnections {
     std::unique_ptr<Connection> connection;
   };
 
-  Result<Entry> Make(const std::shared_ptr<Client>& client, const message::OpenInterface& open);
+  Result<ProvidedInterface*> LookUp(const InterfaceName& provided) const;
+  static Result<void> CheckSize(const message::OpenInterface& open, std::size_t bytes);
+  Result<Entry> Make(const std::shared_ptr<Client>& client, const message::OpenInterface& open,
+                     ProvidedInterface& provided);
   void TakeDown(Entry& entry, std::chrono::milliseconds patience);
   template <typename Predicate>
   void CloseWhere(Predicate predicate, std::chrono::milliseconds patience);

@@ -1,3 +1,4 @@
+#include <tendon/process/schema_exchange.h>
 #include <tendon/process/server/session.h>
 
 #include <utility>
@@ -14,7 +15,7 @@ void Session::OnRequest(const SharedChannel& channel, const FrameHeader& header,
   if (type == message::kRead) return Read(header, body, std::move(responder));
   if (type == message::kPing) return responder.Answer(Result<void>());
   if (type == message::kOpenInterface) return OpenInterface(body, std::move(responder));
-  if (type == message::kGetSchemas) return GetSchemas(body, responder);
+  if (type == message::kGetSchemas) return AnswerSchemas(body, responder);
   if (type == message::kCallMember) return CallMember(body, std::move(responder));
   if (type == message::kSubscribe) return Subscribe(channel, body, std::move(responder));
   ChannelHandler::OnRequest(channel, header, body, std::move(responder));
@@ -57,19 +58,8 @@ void Session::OpenInterface(Body body, Responder responder) {
   if (!open) return responder.Refuse(open.error());
   services_.context.worker->Post([&services = services_, client = client_, open = *open,
                                   shared = std::make_shared<Responder>(std::move(responder))] {
-    services.connections.Open(client, open, *shared);
+    services.connections.Open(client, open, shared);
   });
-}
-
-void Session::GetSchemas(Body body, Responder& responder) {
-  const auto wanted = DecodeBody<message::GetSchemas>(body);
-  if (!wanted) return responder.Refuse(wanted.error());
-  message::Schemas schemas;
-  for (const Fingerprint& fingerprint : wanted->fingerprints) {
-    const auto schema = FindSchema(fingerprint);
-    schemas.texts.push_back(schema ? schema->Text() : std::string());
-  }
-  responder.Reply(EncodeBody(schemas));
 }
 
 void Session::CallMember(Body body, Responder responder) {

@@ -36,7 +36,6 @@ class Session final : public ChannelHandler {
 
   void Read(const FrameHeader& header, Body body, Responder responder);
   void OpenInterface(Body body, Responder responder);
-  static void GetSchemas(Body body, Responder& responder);
   void CallMember(Body body, Responder responder);
   void Subscribe(const SharedChannel& channel, Body body, Responder responder);
 

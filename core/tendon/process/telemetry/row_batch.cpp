@@ -1,8 +1,10 @@
 #include <tendon/payload/codec.h>
 #include <tendon/process/telemetry/row_batch.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cstring>
+#include <span>
 
 namespace tendon {
 namespace {
@@ -28,7 +30,7 @@ RowBatchWriter::RowBatchWriter(std::vector<std::uint32_t> sizes)
       row_size_(kStampSize) {
   for (const std::uint32_t size : sizes_) row_size_ += PlaceSize(size);
   body_.resize(first_row_);
-  std::memcpy(body_.data() + kHeaderSize, sizes_.data(), sizes_.size() * sizeof(std::uint32_t));
+  std::ranges::copy(std::as_bytes(std::span(sizes_)), body_.begin() + kHeaderSize);
 }
 
 void RowBatchWriter::Clear() {

@@ -23,10 +23,7 @@ void RowSource::Add(const std::shared_ptr<RowSubscription>& subscription) {
 void RowSource::Remove(const std::shared_ptr<RowSubscription>& subscription) {
   const Item* item = Find(subscription);
   if (item == nullptr) return;
-  if (item->stage == Stage::kStanding && channel_) {
-    Take(channel_.get(), item->handle);
-    (void)channel_->Notify(message::kUnsubscribe, item->handle, Bytes());
-  }
+  if (item->stage == Stage::kStanding && channel_) EndThere(*channel_, item->handle);
   std::erase_if(items_, [&](const Item& one) { return one.subscription == subscription; });
   if (items_.empty()) Close();
 }
@@ -90,7 +87,10 @@ void RowSource::Ask(Item& item) {
         }
         auto outcome = answer;
         if (answer) {
-          if (const auto begun = subscription->Begin(*answer); !begun) outcome = begun.error();
+          if (const auto begun = subscription->Begin(*answer); !begun) {
+            self->EndThere(*channel, answer->handle);
+            outcome = begun.error();
+          }
         }
         self->worker_->Post([self, channel, subscription, outcome] {
           self->OnAnswer(channel, subscription, outcome);
@@ -104,9 +104,7 @@ void RowSource::OnAnswer(const std::shared_ptr<Channel>& channel,
   Item* item = Find(subscription);
   const bool is_void = item == nullptr || channel != channel_;
   if (is_void) {
-    if (!answer) return;
-    Take(channel.get(), answer->handle);
-    (void)channel->Notify(message::kUnsubscribe, answer->handle, Bytes());
+    if (answer) EndThere(*channel, answer->handle);
     return;
   }
   if (answer) {
@@ -161,6 +159,11 @@ void RowSource::OnClosed(const std::shared_ptr<Channel>& channel, const Error& r
     for (Item& item : self->items_) item.stage = Stage::kWanted;
     self->RetryLater();
   });
+}
+
+void RowSource::EndThere(Channel& channel, std::uint32_t handle) {
+  Take(&channel, handle);
+  (void)channel.Notify(message::kUnsubscribe, handle, Bytes());
 }
 
 void RowSource::RetryLater() {

@@ -57,6 +57,8 @@ class RowSource final : public ChannelHandler, public std::enable_shared_from_th
   void OnAnswer(const std::shared_ptr<Channel>& channel,
                 const std::shared_ptr<RowSubscription>& subscription,
                 const Result<message::Subscribed>& answer);
+  /// Any thread.
+  void EndThere(Channel& channel, std::uint32_t handle);
   void RetryLater();
   Item* Find(const std::shared_ptr<RowSubscription>& subscription);
   std::shared_ptr<RowSubscription> Take(const Channel* channel, std::uint32_t handle);

@@ -77,7 +77,9 @@ void TableFeed::SendBatch(std::uint64_t lost) {
 
 void TableFeed::End(const Error& reason) {
   for (const Viewer& viewer : viewers_) {
-    (void)viewer.channel->Notify(message::kRowsEnded, viewer.handle, reason);
+    const Status told = viewer.channel->Notify(message::kRowsEnded, viewer.handle, reason);
+    // Not told, it would wait for rows for ever; it opens the channel again, and hears why.
+    if (told == Status(Status::kQueueFull)) viewer.channel->Close();
   }
   viewers_.clear();
 }

@@ -33,7 +33,7 @@ class TableFeed {
 
   /// Sends what has been written since; true when it stopped half-way.
   bool Gather();
-  /// Tells the viewers that there will be no more.
+  /// Tells the viewers that there will be no more; closes the channel of one that cannot be told.
   void End(const Error& reason);
 
  private:

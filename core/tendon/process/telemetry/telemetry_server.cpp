@@ -32,7 +32,7 @@ void TelemetryServer::Subscribe(const std::shared_ptr<Channel>& channel,
   message::Subscribed subscribed;
   subscribed.epoch = os::RandomNumber();
   for (const std::size_t column : source->columns) {
-    subscribed.schemas.push_back(source->table->columns()[column]->schema().Text());
+    subscribed.schemas.push_back(source->table->columns()[column]->schema().TextWithHelp());
   }
   const std::scoped_lock lock(mutex_);
   subscribed.handle = ++last_handle_;

@@ -6,5 +6,6 @@ struct Pair {
 };
 
 template <>
-inline constexpr auto tendon::kPayload<Pair> =
-    tendon::Describe("test.Pair", tendon::Field{"a", &Pair::a}, tendon::Field{"a", &Pair::b});
+inline constexpr auto tendon::kPayload<Pair> = tendon::Describe("test.Pair",
+                                                                tendon::Field{"a", &Pair::a},
+                                                                tendon::Field{"a", &Pair::b});

@@ -1,0 +1,44 @@
+# What `cmake --install` puts where, so that find_package(tendon COMPONENTS core network ice eigen) finds it. Each part
+# is an install component of its own: core, network, ice, eigen, programs, plugins, gui.
+include(CMakePackageConfigHelpers)
+
+set(package lib/cmake/tendon)
+
+# tendon::NAME, its headers, and the file which describes it to find_package().
+function(install_library name)
+  install(TARGETS tendon_${name} EXPORT tendon_${name}
+    LIBRARY DESTINATION lib COMPONENT ${name} NAMELINK_COMPONENT ${name}
+    FILE_SET HEADERS DESTINATION include COMPONENT ${name})
+  install(EXPORT tendon_${name}
+    FILE tendon-${name}.cmake NAMESPACE tendon:: DESTINATION ${package} COMPONENT ${name})
+endfunction()
+
+foreach(name core network ice)
+  if(TARGET tendon_${name})
+    set_target_properties(tendon_${name} PROPERTIES INSTALL_RPATH $ORIGIN)
+    install_library(${name})
+  endif()
+endforeach()
+install_library(eigen)
+
+foreach(program lcm gcm tendon-probe)
+  set_target_properties(${program} PROPERTIES INSTALL_RPATH $ORIGIN/../lib)
+  install(TARGETS ${program} RUNTIME DESTINATION bin COMPONENT programs)
+endforeach()
+if(TARGET gcm-gui)
+  set_target_properties(gcm-gui PROPERTIES INSTALL_RPATH $ORIGIN/../lib)
+  install(TARGETS gcm-gui RUNTIME DESTINATION bin COMPONENT gui)
+endif()
+
+get_property(plugins GLOBAL PROPERTY TENDON_PLUGINS)
+foreach(plugin ${plugins})
+  set_target_properties(${plugin} PROPERTIES INSTALL_RPATH $ORIGIN/../..)
+  install(TARGETS ${plugin} LIBRARY DESTINATION lib/tendon/components COMPONENT plugins)
+endforeach()
+
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/tendon-config.cmake.in
+  ${PROJECT_BINARY_DIR}/tendon-config.cmake INSTALL_DESTINATION ${package})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/tendon-config-version.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/tendon-config.cmake ${PROJECT_BINARY_DIR}/tendon-config-version.cmake
+  DESTINATION ${package} COMPONENT core)

@@ -1,0 +1,155 @@
+#include <cxxabi.h>
+#include <dlfcn.h>
+#include <elf.h>
+#include <link.h>
+#include <tendon/base/os/loading/shared_library.h>
+#include <tendon/base/printable.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <memory>
+
+namespace tendon::os {
+namespace {
+
+using Header = ElfW(Ehdr);
+using Segment = ElfW(Phdr);
+
+std::string MachineName(unsigned machine) {
+  switch (machine) {
+    case EM_X86_64:
+      return "x86-64";
+    case EM_AARCH64:
+      return "aarch64";
+    case EM_386:
+      return "i386";
+    case EM_ARM:
+      return "arm";
+    case EM_RISCV:
+      return "riscv";
+    default:
+      return "machine " + std::to_string(machine);
+  }
+}
+
+struct FileHead {
+  Header header{};
+  std::size_t size = 0;  // of what could be read of it
+};
+
+FileHead ReadHead(std::ifstream& file) {
+  FileHead head;
+  file.read(reinterpret_cast<char*>(&head.header), sizeof(head.header));
+  head.size = static_cast<std::size_t>(file.gcount());
+  return head;
+}
+
+/// What a library must be like to fit this program.
+const Header& OwnHeader() {
+  static const Header header = [] {
+    std::ifstream file("/proc/self/exe", std::ios::binary);
+    return ReadHead(file).header;
+  }();
+  return header;
+}
+
+Error Expected(const std::string& found) {
+  return {ErrorCode::kFailed, "expected a shared library for " +
+                                  MachineName(OwnHeader().e_machine) + ", found " + found};
+}
+
+/// Where the last part of the file ends that its own header speaks of.
+std::uint64_t ClaimedSize(const Header& header, std::ifstream& file) {
+  std::uint64_t end = header.e_shoff + std::uint64_t{header.e_shnum} * header.e_shentsize;
+  file.seekg(static_cast<std::streamoff>(header.e_phoff));
+  for (unsigned i = 0; i < header.e_phnum; ++i) {
+    Segment segment{};
+    if (!file.read(reinterpret_cast<char*>(&segment), sizeof(segment))) break;
+    end = std::max<std::uint64_t>(end, segment.p_offset + segment.p_filesz);
+  }
+  return std::max<std::uint64_t>(
+      end, header.e_phoff + std::uint64_t{header.e_phnum} * header.e_phentsize);
+}
+
+/// "tendon::Task::Run()" for "_ZN6tendon4Task3RunEv".
+std::string Readable(const std::string& symbol) {
+  int status = 0;
+  const std::unique_ptr<char, decltype(&std::free)> name(
+      abi::__cxa_demangle(symbol.c_str(), nullptr, nullptr, &status), &std::free);
+  return status == 0 ? name.get() : symbol;
+}
+
+/// The loader's own words as ours.
+Error Explained(const std::string& words) {
+  constexpr std::string_view kSymbol = "undefined symbol: ";
+  constexpr std::string_view kMissing = ": cannot open shared object file";
+  if (const auto at = words.find(kSymbol); at != words.npos) {
+    std::string symbol = words.substr(at + kSymbol.size());
+    symbol.resize(std::min(symbol.size(), symbol.find_first_of(" ,")));
+    return {ErrorCode::kFailed, "expected all it uses in the libraries it needs, found no " +
+                                    Readable(symbol) +
+                                    "; build it against this version and link what it uses"};
+  }
+  if (const auto at = words.find(kMissing); at != words.npos) {
+    return {ErrorCode::kFailed, "expected the libraries it needs, found no " +
+                                    Printable(words.substr(0, at), 256) +
+                                    "; install it, or add its folder to LD_LIBRARY_PATH"};
+  }
+  return {ErrorCode::kFailed, "expected a library that loads, found that " + Printable(words, 512)};
+}
+
+}  // namespace
+
+Result<void> CheckSharedLibrary(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return Expected("a file that cannot be read");
+  const auto [header, size] = ReadHead(file);
+  if (size == 0) return Expected("an empty file");
+  if (size < SELFMAG || std::memcmp(&header, ELFMAG, SELFMAG) != 0) {
+    const auto* text = reinterpret_cast<const char*>(&header);
+    return Expected("a file that begins with '" +
+                    Printable({text, std::min<std::size_t>(size, 16)}) + "'");
+  }
+  if (size < sizeof(header)) return Expected("one cut short after " + std::to_string(size) + " B");
+  const Header& own = OwnHeader();
+  if (header.e_machine != own.e_machine)
+    return Expected("one for " + MachineName(header.e_machine));
+  if (header.e_ident[EI_CLASS] != own.e_ident[EI_CLASS] ||
+      header.e_ident[EI_DATA] != own.e_ident[EI_DATA]) {
+    return Expected("one of another word size or byte order");
+  }
+  if (header.e_type != ET_DYN) return Expected("an object file or a program");
+  std::error_code ignored;
+  const std::uint64_t whole = std::filesystem::file_size(path, ignored);
+  const std::uint64_t claimed = ClaimedSize(header, file);
+  if (whole < claimed) {
+    return Expected("one cut short: " + std::to_string(whole) + " of " + std::to_string(claimed) +
+                    " B");
+  }
+  return {};
+}
+
+Result<void*> LoadSharedLibrary(const std::filesystem::path& file) {
+  if (void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL)) return library;
+  const char* reason = dlerror();
+  return Explained(reason != nullptr ? reason : "the loader gives no reason");
+}
+
+void* FindSymbol(void* library, const char* name) noexcept {
+  void* const symbol = dlsym(library, name);
+  link_map* map = nullptr;
+  Dl_info owner{};
+  if (symbol == nullptr || dlinfo(library, RTLD_DI_LINKMAP, &map) != 0) return nullptr;
+  if (dladdr(symbol, &owner) == 0) return nullptr;
+  return reinterpret_cast<ElfW(Addr)>(owner.dli_fbase) == map->l_addr ? symbol : nullptr;
+}
+
+std::filesystem::path FileOf(const void* function) {
+  Dl_info info{};
+  if (dladdr(function, &info) == 0 || info.dli_fname == nullptr) return {};
+  return info.dli_fname;
+}
+
+}  // namespace tendon::os

@@ -1,0 +1,195 @@
+#include <tendon/gcm/diagnosis.h>
+#include <tendon/gcm/lookup.h>
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+#include <utility>
+
+namespace tendon {
+namespace {
+
+using Verdict = DiagnosisStep::Verdict;
+
+/// What each step looks at; said where it was not reached.
+constexpr std::array kSteps = {
+    "both processes are there", "both components are active",     "the required interface is free",
+    "the signatures match",     "the processes reach each other", "the connection is made",
+    "the provider answers"};
+
+/// Goes through the steps until one is bad.
+class Examination {
+ public:
+  explicit Examination(const message::Wire& wire) { diagnosis_.wire = wire; }
+
+  [[nodiscard]] bool goes_on() const { return !diagnosis_.failure; }
+  void Good(const std::string& text) { diagnosis_.steps.push_back({Verdict::kGood, text, {}, {}}); }
+  void Bad(ErrorCode code, const std::string& text, const std::string& fix,
+           std::vector<std::string> details = {}) {
+    diagnosis_.steps.push_back({Verdict::kBad, text, fix, std::move(details)});
+    diagnosis_.failure = Error{code, text + (fix.empty() ? "" : "; " + fix)};
+  }
+  void SetConnected() { diagnosis_.is_connected = true; }
+
+  Diagnosis Take() && {
+    while (diagnosis_.steps.size() < kSteps.size()) {
+      diagnosis_.steps.push_back({Verdict::kNotReached, kSteps[diagnosis_.steps.size()], {}, {}});
+    }
+    return std::move(diagnosis_);
+  }
+
+ private:
+  Diagnosis diagnosis_;
+};
+
+void CheckProcesses(const ProcessDescription& required, const ProcessDescription& provided,
+                    Examination& examination) {
+  for (const ProcessDescription* process : {&required, &provided}) {
+    if (IsPresent(*process)) continue;
+    const std::string reason = process->reason.empty() ? "" : " (" + process->reason + ")";
+    return examination.Bad(
+        ErrorCode::kUnreachable,
+        "process '" + process->name + "' is " + std::string(ToString(process->state)) + reason,
+        "start it again");
+  }
+  const bool is_one = required.name == provided.name;
+  examination.Good(is_one ? "process " + required.name + " is there"
+                          : "processes " + required.name + " and " + provided.name + " are there");
+}
+
+void CheckComponents(const ComponentDescription& required, const ComponentDescription& provided,
+                     Examination& examination) {
+  for (const ComponentDescription* component : {&required, &provided}) {
+    if (component->state != ComponentState::kFaulted) continue;
+    return examination.Bad(ErrorCode::kFailed,
+                           "component '" + component->name + "' is faulted: " + component->fault,
+                           "start it again");
+  }
+  examination.Good(required.name + " is " + std::string(ToString(required.state)) + ", " +
+                   provided.name + " is " + std::string(ToString(provided.state)));
+}
+
+/// Step 3; what the required interface is connected to.
+void CheckFree(const Catalog& catalog, const message::Wire& wire, Examination& examination) {
+  const auto* connection = catalog.FindConnection(wire.required);
+  if (connection == nullptr) return examination.Good(ToString(wire.required) + " is free");
+  if (connection->provided == wire.provided) {
+    examination.SetConnected();
+    return examination.Good("the connection is wanted");
+  }
+  examination.Bad(ErrorCode::kExists,
+                  ToString(wire.required) + " is connected to " + ToString(connection->provided),
+                  "disconnect it first: gcm disconnect " + ToString(wire.required));
+}
+
+void CheckSignatures(const message::Wire& wire, const RequiredDescription& required,
+                     const ProvidedDescription& provided, Examination& examination) {
+  const Compatibility compatibility = Compare(required, provided);
+  const std::string text = "signatures match: " + std::to_string(compatibility.matched) + " of " +
+                           std::to_string(compatibility.needed);
+  if (compatibility.fits()) return examination.Good(text);
+  std::vector<std::string> details;
+  for (const Mismatch& one : compatibility.mismatches) details.push_back(one.text);
+  examination.Bad(ErrorCode::kIncompatible, text,
+                  "see what does fit: gcm candidates " + ToString(wire.required),
+                  std::move(details));
+}
+
+/// An address of this machine alone, told to a process on another one.
+bool IsOutOfReach(const ProcessDescription& required, const ProcessDescription& provided) {
+  const bool is_loopback =
+      provided.address.starts_with("127.") || provided.address.starts_with("[::1]");
+  return is_loopback && required.host != provided.host;
+}
+
+/// Steps 5 and 6.
+void CheckConnection(const Catalog& catalog, const message::Wire& wire, Examination& examination) {
+  const ProcessDescription& required = catalog.FindProcess(wire.required.process)->process;
+  const ProcessDescription& provided = catalog.FindProcess(wire.provided.process)->process;
+  const auto* connection = catalog.FindConnection(wire.required);
+  if (IsOutOfReach(required, provided)) {
+    return examination.Bad(
+        ErrorCode::kUnreachable,
+        required.name + " on host " + required.host + " cannot reach " + provided.name + " at " +
+            provided.address,
+        "start " + provided.name + " with --listen and --advertise for host " + provided.host);
+  }
+  if (connection == nullptr) return;  // nobody has tried
+  if (connection->state == ConnectionState::kPending) {
+    return examination.Bad(ErrorCode::kTimeout, "it is pending: " + connection->reason,
+                           "it is tried again by itself; look at " + provided.name);
+  }
+  examination.Good(required.name == provided.name
+                       ? "both ends are in one process"
+                       : required.name + " reaches " + provided.name + " at " + provided.address);
+  if (connection->state == ConnectionState::kActive) return examination.Good("it is made");
+  examination.Bad(ErrorCode::kFailed, "it was refused: " + connection->reason,
+                  "disconnect it: gcm disconnect " + ToString(wire.required));
+}
+
+/// The better one is the smaller.
+auto RankOf(const Candidate& candidate) {
+  const Compatibility& how = candidate.compatibility;
+  return std::tuple(!how.fits(), -how.matched, how.mismatches.size(), candidate.provided);
+}
+
+}  // namespace
+
+Result<Diagnosis> Diagnose(const Catalog& catalog, const message::Wire& wire) {
+  const auto required = LookUpRequired(catalog, wire.required);
+  if (!required) return required.error();
+  const auto provided = LookUpProvided(catalog, wire.provided);
+  if (!provided) return provided.error();
+  Examination examination(wire);
+  CheckProcesses(catalog.FindProcess(wire.required.process)->process,
+                 catalog.FindProcess(wire.provided.process)->process, examination);
+  if (examination.goes_on()) {
+    CheckComponents(*catalog.FindComponent(wire.required.process, wire.required.component),
+                    *catalog.FindComponent(wire.provided.process, wire.provided.component),
+                    examination);
+  }
+  if (examination.goes_on()) CheckFree(catalog, wire, examination);
+  if (examination.goes_on()) CheckSignatures(wire, **required, **provided, examination);
+  if (examination.goes_on()) CheckConnection(catalog, wire, examination);
+  return std::move(examination).Take();
+}
+
+void AddRoundTrip(Diagnosis& diagnosis, const Result<std::chrono::microseconds>& round_trip) {
+  if (diagnosis.failure) return;
+  DiagnosisStep& step = diagnosis.steps.back();
+  const std::string process = "process '" + diagnosis.wire.provided.process + "'";
+  if (round_trip) {
+    step = {Verdict::kGood,
+            process + " answers within " + std::to_string(round_trip->count()) + " us",
+            {},
+            {}};
+    return;
+  }
+  diagnosis.failure = round_trip.error();
+  step = {Verdict::kBad, round_trip.error().message, "look at " + process + ", which may hang", {}};
+}
+
+Result<std::vector<Candidate>> RankCandidates(const Catalog& catalog,
+                                              const InterfaceName& required) {
+  const auto wanted = LookUpRequired(catalog, required);
+  if (!wanted) return wanted.error();
+  const auto* connection = catalog.FindConnection(required);
+  std::vector<Candidate> candidates;
+  for (const auto& [process, entry] : catalog.processes()) {
+    if (!IsPresent(entry.process)) continue;
+    for (const auto& [component, description] : entry.components) {
+      for (const ProvidedDescription& provided : description.provided) {
+        Candidate candidate{{process, component, provided.name}, Compare(**wanted, provided)};
+        if (candidate.compatibility.matched == 0) continue;
+        candidate.is_connected =
+            connection != nullptr && connection->provided == candidate.provided;
+        candidates.push_back(std::move(candidate));
+      }
+    }
+  }
+  std::sort(candidates.begin(), candidates.end(),
+            [](const Candidate& a, const Candidate& b) { return RankOf(a) < RankOf(b); });
+  return candidates;
+}
+
+}  // namespace tendon

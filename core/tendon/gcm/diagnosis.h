@@ -1,0 +1,55 @@
+#pragma once
+
+#include <tendon/base/result.h>
+#include <tendon/gcm/catalog.h>
+#include <tendon/interface/compatibility.h>
+#include <tendon/process/membership_messages.h>
+
+#include <chrono>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tendon {
+
+/// One step of the way to a connection that works.
+struct DiagnosisStep {
+  enum class Verdict { kGood, kBad, kNotReached };
+
+  Verdict verdict = Verdict::kNotReached;
+  std::string text;                  ///< what was found, or what would be looked at
+  std::string fix;                   ///< kBad: what to do
+  std::vector<std::string> details;  ///< each member that does not match
+};
+
+/// Why a connection stands, or does not: the same seven steps in the console and in the window.
+struct Diagnosis {
+  message::Wire wire;
+  std::vector<DiagnosisStep> steps;  ///< all seven; those behind a bad one were not reached
+  std::optional<Error> failure;      ///< of the step that is bad
+  bool is_connected = false;         ///< as the wire says; else it could be, if nothing is bad
+};
+
+/// Checks what the catalogue knows: processes, components, that the required interface is free,
+/// signatures, and how the connection is doing where it is wanted already. Errors: kInvalid and
+/// kNotFound where an end is not in the catalogue at all.
+Result<Diagnosis> Diagnose(const Catalog& catalog, const message::Wire& wire);
+
+/// The last step, which a catalogue cannot know: how long the provider's process took to answer, or
+/// why it did not. Does nothing where an earlier step is bad.
+void AddRoundTrip(Diagnosis& diagnosis, const Result<std::chrono::microseconds>& round_trip);
+
+/// A provided interface that a required one might be connected to.
+struct Candidate {
+  InterfaceName provided;
+  Compatibility compatibility;
+  bool is_connected = false;  ///< to the one that asks
+};
+
+/// The provided interfaces of processes that are there with which at least one member fits, the
+/// best first: those that fit, then by how much of them does, then by name. Errors of
+/// LookUpRequired().
+Result<std::vector<Candidate>> RankCandidates(const Catalog& catalog,
+                                              const InterfaceName& required);
+
+}  // namespace tendon

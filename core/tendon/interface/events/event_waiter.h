@@ -1,0 +1,111 @@
+#pragma once
+
+#include <tendon/interface/offer.h>
+#include <tendon/lockfree/counter.h>
+#include <tendon/lockfree/flag.h>
+#include <tendon/lockfree/lease.h>
+#include <tendon/lockfree/snapshot.h>
+#include <tendon/lockfree/wakeup.h>
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <type_traits>
+#include <utility>
+
+namespace tendon {
+
+/// Lets a thread wait for an event instead of handling it; a member of the component that waits.
+///
+///     robot.AddEventWaiter(homed_, "Homed");
+///     ...
+///     homed_.Forget();
+///     (void)home_();
+///     if (!homed_.Wait(2s)) ...
+///
+/// It keeps the newest value that was raised since the last Wait() or Forget(). Raising costs what
+/// a wake-up costs, and never waits.
+///
+/// Thread safety: one thread calls Wait() and Forget().
+template <Payload T>
+class EventWaiter {
+ public:
+  EventWaiter() = default;
+  EventWaiter(const EventWaiter&) = delete;
+  EventWaiter& operator=(const EventWaiter&) = delete;
+
+  /// kDone with the newest value, at once where one has come since the last time; kTimeout, or
+  /// kNotConnected when nobody can raise the event (any more).
+  Status Wait(T& value, std::chrono::nanoseconds timeout) requires(!std::is_same_v<T, None>) {
+    return Await(value, timeout);
+  }
+  Status Wait(std::chrono::nanoseconds timeout) requires std::is_same_v<T, None> {
+    None nothing;
+    return Await(nothing, timeout);
+  }
+  /// Only what is raised from now on ends a wait.
+  void Forget() noexcept { newest_.Take(); }
+
+  /// How many values were replaced by newer ones before they were waited for.
+  [[nodiscard]] std::uint64_t missed() const noexcept { return missed_.value(); }
+
+ private:
+  friend class RequiredInterface;
+
+  /// Tells of one connection: it is there as long as the connection.
+  class Handler final : public Command<T, None> {
+   public:
+    explicit Handler(EventWaiter& waiter) : waiter_(waiter) { waiter_.connected_.Set(true); }
+    ~Handler() override {
+      waiter_.connected_.Set(false);
+      waiter_.wakeup_.Notify();
+    }
+    Handler(const Handler&) = delete;
+    Handler& operator=(const Handler&) = delete;
+
+    Status Execute(const T& value, None& /*out*/) override {
+      waiter_.Raised(value);
+      return Status::kDone;
+    }
+
+   private:
+    EventWaiter& waiter_;
+  };
+  class HandlerOffer final : public Offer {
+   public:
+    HandlerOffer(MemberDescription description, EventWaiter& waiter)
+        : Offer(std::move(description)), waiter_(waiter) {}
+    [[nodiscard]] std::unique_ptr<CommandBase> Bind(Mailbox* /*mailbox*/) const override {
+      return std::make_unique<Handler>(waiter_);
+    }
+
+   private:
+    EventWaiter& waiter_;
+  };
+
+  /// In the thread that raises; of several at once one is heard.
+  void Raised(const T& value) {
+    if (!raising_.TryTake()) return missed_.Add();
+    if (newest_.Write(value)) missed_.Add();
+    raising_.Return();
+    wakeup_.Notify();
+  }
+
+  Status Await(T& value, std::chrono::nanoseconds timeout) {
+    constexpr std::chrono::nanoseconds kLongest = std::chrono::hours(24 * 365);
+    const SteadyTime deadline = StdAtomics::Now() + std::min(timeout, kLongest);
+    wakeup_.WaitUntil([this] { return newest_.is_fresh() || !connected_.Get(); }, deadline);
+    const T* newest = newest_.Take();
+    if (newest == nullptr) return connected_.Get() ? Status::kTimeout : Status::kNotConnected;
+    value = *newest;
+    return Status::kDone;
+  }
+
+  Flag connected_;
+  Lease<> raising_;
+  Snapshot<T> newest_;
+  SharedCounter<> missed_;
+  Wakeup<> wakeup_;
+};
+
+}  // namespace tendon

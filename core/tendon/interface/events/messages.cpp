@@ -1,0 +1,18 @@
+#include <tendon/interface/events/messages.h>
+
+#include <utility>
+
+namespace tendon {
+
+Messages::Messages(ProvidedInterface& interface, std::string source) : source_(std::move(source)) {
+  interface.AddEvent(status_, "Status");
+  interface.AddEvent(warning_, "Warning");
+  interface.AddEvent(error_, "Error");
+}
+
+void Messages::Send(LogLevel level, WriteEvent<std::string>& event, std::string_view text) {
+  event(std::string(text));
+  Log(level, source_, text);
+}
+
+}  // namespace tendon

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <tendon/base/log.h>
+#include <tendon/interface/provided_interface.h>
+
+#include <string>
+#include <string_view>
+
+namespace tendon {
+
+/// What a component tells people: the events `Status`, `Warning` and `Error` of one of its provided
+/// interfaces, each a text; what is sent is logged as well. A member of the component.
+///
+/// Thread safety: that of the component's events. Sending costs what Log() costs.
+class Messages {
+ public:
+  /// Adds the events to `interface`; `source` is the name under which they are logged.
+  Messages(ProvidedInterface& interface, std::string source);
+  Messages(const Messages&) = delete;
+  Messages& operator=(const Messages&) = delete;
+
+  void SendStatus(std::string_view text) { Send(LogLevel::kInfo, status_, text); }
+  void SendWarning(std::string_view text) { Send(LogLevel::kWarning, warning_, text); }
+  void SendError(std::string_view text) { Send(LogLevel::kError, error_, text); }
+
+ private:
+  void Send(LogLevel level, WriteEvent<std::string>& event, std::string_view text);
+
+  std::string source_;
+  WriteEvent<std::string> status_;
+  WriteEvent<std::string> warning_;
+  WriteEvent<std::string> error_;
+};
+
+}  // namespace tendon

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <tendon/lockfree/completion.h>
+#include <tendon/lockfree/flag.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+namespace tendon {
+
+/// The completion records of one mailbox, as many as it has slots. A record is taken for each call
+/// that is waited for; it may outlive the call's slot, until the caller has read the answer.
+class CompletionPool {
+ public:
+  explicit CompletionPool(std::size_t slots)
+      : size_(slots),
+        records_(std::make_unique<Completion<>[]>(slots)),
+        of_slot_(std::make_unique<std::uint32_t[]>(slots)) {}
+
+  /// The number of a record that is now the caller's; nothing when all are in use. Lock-free.
+  [[nodiscard]] std::optional<std::size_t> Take() noexcept {
+    for (std::size_t record = 0; record < size_; ++record) {
+      if (records_[record].TryTake()) return record;
+    }
+    return std::nullopt;
+  }
+  [[nodiscard]] Completion<>& operator[](std::size_t record) noexcept { return records_[record]; }
+  [[nodiscard]] std::size_t size() const noexcept { return size_; }
+
+  /// Producer: the call in a claimed slot is waited for with this record.
+  void Assign(std::size_t slot, std::size_t record) noexcept {
+    of_slot_[slot] = static_cast<std::uint32_t>(record);
+  }
+  /// Consumer: the record of a published slot.
+  [[nodiscard]] std::size_t RecordOf(std::size_t slot) const noexcept { return of_slot_[slot]; }
+
+  /// Any thread: ends all waits, and those that will begin.
+  void Cancel() noexcept {
+    cancelled_.Set(true);
+    Interrupt();
+  }
+  /// Any thread: lets all who wait look again at what may end their wait.
+  void Interrupt() noexcept {
+    for (std::size_t record = 0; record < size_; ++record) records_[record].Interrupt();
+  }
+  [[nodiscard]] bool cancelled() const noexcept { return cancelled_.Get(); }
+
+ private:
+  std::size_t size_;
+  std::unique_ptr<Completion<>[]> records_;
+  std::unique_ptr<std::uint32_t[]> of_slot_;
+  Flag cancelled_;
+};
+
+}  // namespace tendon

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <tendon/interface/execution/queued_command.h>
+#include <tendon/lockfree/lease.h>
+#include <tendon/lockfree/snapshot.h>
+
+#include <cassert>
+#include <chrono>
+
+namespace tendon {
+
+/// A queued command whose newer calls replace an older one that still waits, and which is therefore
+/// never refused for want of room. At most one token of it waits in the mailbox while another is
+/// executed; so many slots are reserved for it. A call that is waited for takes a slot of its own.
+template <Payload In, typename Handler>
+class LatestCommand final : public Command<In, None>, private Mailbox::Entry {
+ public:
+  LatestCommand(const Handler& handler, Mailbox& mailbox)
+      : handler_(handler), mailbox_(mailbox), queued_(handler, &mailbox) {}
+
+  static constexpr Mailbox::SlotShape Shape() {
+    Mailbox::SlotShape shape = QueuedCommand<In, None, Handler>::Shape();
+    shape.reserve = 2;
+    return shape;
+  }
+
+  Status Execute(const In& in, None& /*out*/) override {
+    if (!mailbox_.is_open()) return mailbox_.refusal();
+    if (!writing_.TryTake()) {  // the call that writes right now is the newer one
+      mailbox_.CountReplaced();
+      return Status::kQueued;
+    }
+    if (newest_.Write(in)) {
+      mailbox_.CountReplaced();
+    } else {
+      std::byte* const token = mailbox_.ClaimReserved();
+      assert(token != nullptr);
+      mailbox_.Publish(token, *this);
+    }
+    writing_.Return();
+    return Status::kQueued;
+  }
+
+  Status Wait(const In& in, None& out, std::chrono::nanoseconds timeout) override {
+    return queued_.Wait(in, out, timeout);
+  }
+
+ private:
+  void ExecuteSlot(std::byte* /*argument*/, std::size_t /*slot*/) override {
+    None nothing;
+    if (const In* in = newest_.Take()) handler_(*in, nothing);
+  }
+  void DropSlot(std::size_t /*slot*/) noexcept override { newest_.Take(); }
+
+  Handler handler_;
+  Mailbox& mailbox_;
+  QueuedCommand<In, None, Handler> queued_;
+  Lease<> writing_;
+  Snapshot<In> newest_;
+};
+
+}  // namespace tendon

@@ -1,0 +1,163 @@
+#pragma once
+
+#include <tendon/interface/command.h>
+#include <tendon/interface/mailbox.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <memory>
+#include <new>
+#include <type_traits>
+#include <utility>
+
+namespace tendon {
+
+/// Types that may lie in a mailbox' slot as they are; others go through a pool of objects that are
+/// assigned, and keep what they have allocated.
+template <typename T>
+inline constexpr bool kLiesInSlot = std::is_trivially_copyable_v<T>;
+
+/// Hands the call over to the thread that empties the mailbox, which runs `handler(in, out)`.
+/// Without a mailbox (a component without a thread) it runs in the caller's thread. Who wants the
+/// answer must wait: the answer lies in a pool, since its caller may give up first.
+template <Payload In, Payload Out, typename Handler>
+class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
+ public:
+  static_assert(alignof(In) <= 64, "an argument of a queued command is aligned to at most 64");
+
+  QueuedCommand(Handler handler, Mailbox* mailbox)
+      : handler_(std::move(handler)), mailbox_(mailbox) {
+    if (mailbox_ == nullptr) return;
+    if constexpr (!kLiesInSlot<In>) arguments_ = std::make_unique<In[]>(mailbox_->storage());
+    if constexpr (kAnswers) answers_ = std::make_unique<Out[]>(mailbox_->completions().size());
+  }
+
+  static constexpr Mailbox::SlotShape Shape() {
+    return kLiesInSlot<In> ? Mailbox::SlotShape{sizeof(In), alignof(In)} : Mailbox::SlotShape{};
+  }
+
+  Status Execute(const In& in, Out& out) override {
+    if (mailbox_ == nullptr) return ExecuteNow(in, out);
+    if constexpr (kAnswers) return Status::kUnsupported;
+    std::byte* const argument = Claim(in);
+    if (argument == nullptr) return mailbox_->refusal();
+    mailbox_->Publish(argument, *this);
+    return Status::kQueued;
+  }
+
+  Status Wait(const In& in, Out& out, std::chrono::nanoseconds timeout) override {
+    if (mailbox_ == nullptr) return ExecuteNow(in, out);
+    if (mailbox_->is_executed_here()) return Status::kWouldDeadlock;
+    const SteadyTime deadline = StdAtomics::Now() + std::min(timeout, kLongestWait);
+    CompletionPool& completions = mailbox_->completions();
+    const auto record = completions.Take();
+    if (!record) {
+      mailbox_->CountRefused();
+      return Status::kQueueFull;
+    }
+    std::byte* const argument = Claim(in);
+    if (argument == nullptr) {
+      completions[*record].Free();
+      return mailbox_->refusal();
+    }
+    completions.Assign(mailbox_->SlotOf(argument), *record);
+    mailbox_->Publish(argument, awaited_);
+    return Await(*record, out, deadline);
+  }
+
+ private:
+  static constexpr bool kAnswers = !std::is_same_v<Out, None>;
+  static constexpr std::chrono::nanoseconds kLongestWait = std::chrono::hours(24 * 365);
+
+  /// What a slot refers to when its caller waits.
+  class Awaited final : public Mailbox::Entry {
+   public:
+    explicit Awaited(QueuedCommand& command) : command_(command) {}
+
+    void ExecuteSlot(std::byte* argument, std::size_t slot) override {
+      const std::size_t record = command_.mailbox_->completions().RecordOf(slot);
+      Completion<>& completion = command_.mailbox_->completions()[record];
+      if (!completion.Start()) return;
+      try {
+        command_.Run(argument, slot, record);
+      } catch (...) {
+        completion.Finish(Status::kFailed);
+        throw;
+      }
+      completion.Finish(Status::kDone);
+    }
+    void DropSlot(std::size_t slot) noexcept override {
+      CompletionPool& completions = command_.mailbox_->completions();
+      Completion<>& completion = completions[completions.RecordOf(slot)];
+      if (completion.Start()) completion.Finish(Status::kNotActive);
+    }
+
+   private:
+    QueuedCommand& command_;
+  };
+
+  Status ExecuteNow(const In& in, Out& out) {
+    try {
+      handler_(in, out);
+      return Status::kDone;
+    } catch (...) {
+      return Status::kFailed;
+    }
+  }
+
+  std::byte* Claim(const In& in) {
+    std::byte* const argument = mailbox_->Claim();
+    if (argument == nullptr) return nullptr;
+    if constexpr (kLiesInSlot<In>) {
+      new (argument) In(in);
+    } else {
+      arguments_[mailbox_->SlotOf(argument)] = in;
+    }
+    return argument;
+  }
+
+  Status Await(std::size_t record, Out& out, SteadyTime deadline) {
+    using Ending = Completion<>::Ending;
+    Completion<>& completion = mailbox_->completions()[record];
+    const auto is_cancelled = [this] { return mailbox_->completions().cancelled(); };
+    const auto is_hopeless = [&] { return is_cancelled() || !mailbox_->accepting(); };
+    const Ending ending = completion.Await(is_hopeless, deadline);
+    if (ending == Ending::kStarted) return Status::kOutcomeUnknown;
+    if (ending == Ending::kNotStarted) {
+      if (is_cancelled()) return Status::kNotConnected;
+      return mailbox_->accepting() ? Status::kTimeout : Status::kNotActive;
+    }
+    const Status status = completion.status();
+    if constexpr (kAnswers) {
+      if (status) out = answers_[record];
+    }
+    completion.Free();
+    return status;
+  }
+
+  void ExecuteSlot(std::byte* argument, std::size_t slot) override { Run(argument, slot, 0); }
+
+  void Run(std::byte* argument, std::size_t slot, [[maybe_unused]] std::size_t record) {
+    const In* in = nullptr;
+    if constexpr (kLiesInSlot<In>) {
+      in = std::launder(reinterpret_cast<const In*>(argument));
+    } else {
+      in = &arguments_[slot];
+    }
+    if constexpr (kAnswers) {
+      handler_(*in, answers_[record]);
+    } else {
+      None nothing;
+      handler_(*in, nothing);
+    }
+  }
+
+  Handler handler_;
+  Mailbox* mailbox_;
+  Awaited awaited_{*this};
+  std::unique_ptr<In[]> arguments_;  // by slot
+  std::unique_ptr<Out[]> answers_;   // by completion record
+};
+
+}  // namespace tendon

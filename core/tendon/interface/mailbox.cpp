@@ -1,0 +1,44 @@
+#include <tendon/interface/mailbox.h>
+
+#include <algorithm>
+#include <bit>
+
+namespace tendon {
+
+void Mailbox::SlotShape::Cover(const SlotShape& other) {
+  size = std::max(size, other.size);
+  alignment = std::max(alignment, other.alignment);
+  reserve += other.reserve;
+}
+
+Mailbox::Mailbox(std::size_t capacity, SlotShape argument, Callers callers, const Server& server)
+    : capacity_(capacity),
+      argument_offset_(std::max(sizeof(Entry*), argument.alignment)),
+      server_(server),
+      completions_(std::bit_ceil(std::max<std::size_t>(capacity + argument.reserve, 1))) {
+  const std::size_t size = argument_offset_ + argument.size;
+  const std::size_t alignment = std::max(alignof(Entry*), argument.alignment);
+  if (callers == Callers::kOneThread) {
+    one_.emplace(capacity, size, alignment, argument.reserve);
+  } else {
+    many_.emplace(capacity, size, alignment, argument.reserve);
+  }
+}
+
+Status Mailbox::refusal() const noexcept {
+  if (closed_.Get()) return Status::kNotConnected;
+  return accepting() ? Status::kQueueFull : Status::kNotActive;
+}
+
+bool Mailbox::DropOne() noexcept { return many_ ? DropIn(*many_) : DropIn(*one_); }
+
+template <typename Ring>
+bool Mailbox::DropIn(Ring& ring) noexcept {
+  std::byte* const slot = ring.Front();
+  if (slot == nullptr) return false;
+  EntryIn(slot).DropSlot(ring.IndexOf(slot));
+  ring.Release();
+  return true;
+}
+
+}  // namespace tendon

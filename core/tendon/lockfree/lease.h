@@ -1,0 +1,25 @@
+#pragma once
+
+#include <tendon/lockfree/atomics.h>
+
+#include <atomic>
+
+namespace tendon {
+
+/// Something that one thread at a time may have, and that nobody waits for: who comes second does
+/// without. Wait-free; one locked instruction.
+template <typename Atomics = StdAtomics>
+class Lease {
+ public:
+  /// False when somebody has it.
+  [[nodiscard]] bool TryTake() noexcept {
+    return !taken_.exchange(true, std::memory_order_acquire);  // pairs with (A)
+  }
+  /// By whom TryTake() gave it.
+  void Return() noexcept { taken_.store(false, std::memory_order_release); }  // (A)
+
+ private:
+  typename Atomics::template Atomic<bool> taken_{false};
+};
+
+}  // namespace tendon

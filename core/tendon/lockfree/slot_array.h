@@ -1,0 +1,61 @@
+#pragma once
+
+#include <tendon/lockfree/atomics.h>
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+namespace tendon {
+
+/// The memory of a ring: aligned slots at least a cache line apart, their number a power of two.
+/// Allocated by the constructor.
+class SlotArray {
+ public:
+  /// Room for `count` slots; `slot_size` in bytes; `alignment` is a power of two.
+  SlotArray(std::size_t count, std::size_t slot_size, std::size_t alignment)
+      : mask_(std::bit_ceil(std::max<std::size_t>(count, 1)) - 1) {
+    assert(std::has_single_bit(alignment));
+    alignment = std::max(alignment, kCacheLine);
+    stride_ = std::max((slot_size + alignment - 1) & ~(alignment - 1), alignment);
+    shift_ = static_cast<unsigned>(std::countr_zero(stride_));
+    inverse_ = InverseOfOdd(stride_ >> shift_);
+    std::size_t size = count_in_memory() * stride_ + alignment;
+    memory_ = std::make_unique<std::byte[]>(size);
+    void* first = memory_.get();
+    slots_ =
+        static_cast<std::byte*>(std::align(alignment, count_in_memory() * stride_, first, size));
+  }
+
+  /// The slot of a free-running index.
+  [[nodiscard]] std::byte* At(std::uint64_t index) const noexcept {
+    return slots_ + (index & mask_) * stride_;
+  }
+  /// The number of a slot's place, below count_in_memory().
+  [[nodiscard]] std::size_t IndexOf(const std::byte* slot) const noexcept {
+    // Exact division by the stride: a shift and the inverse of its odd part, modulo 2^64.
+    return (static_cast<std::size_t>(slot - slots_) >> shift_) * inverse_;
+  }
+  [[nodiscard]] std::size_t count_in_memory() const noexcept { return mask_ + 1; }
+  /// Bytes from one slot to the next.
+  [[nodiscard]] std::size_t stride() const noexcept { return stride_; }
+
+ private:
+  static constexpr std::size_t InverseOfOdd(std::size_t odd) {
+    std::size_t inverse = odd;  // right in three bits; each Newton step doubles them
+    for (int step = 0; step < 5; ++step) inverse *= 2 - odd * inverse;
+    return inverse;
+  }
+
+  std::size_t mask_;
+  std::size_t stride_ = 0;
+  std::size_t inverse_ = 1;
+  unsigned shift_ = 0;
+  std::unique_ptr<std::byte[]> memory_;
+  std::byte* slots_ = nullptr;
+};
+
+}  // namespace tendon

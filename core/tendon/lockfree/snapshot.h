@@ -1,0 +1,53 @@
+#pragma once
+
+#include <tendon/lockfree/atomics.h>
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+
+namespace tendon {
+
+/// The newest value of one thread for one other, whole; values in between are replaced. Values are
+/// assigned, so that those of dynamic types keep what they have allocated.
+///
+/// Thread safety: one thread calls Write(), one other Take(), any is_fresh(). Wait-free.
+///
+/// Of three values one is the writer's, one the reader's, and one in the middle, for which either
+/// exchanges its own.
+template <typename T, typename Atomics = StdAtomics>
+class Snapshot {
+ public:
+  /// Whether the value before was never taken: it is replaced.
+  bool Write(const T& value) {
+    values_[mine_] = value;
+    // (A) publishes the value, and takes over one that the reader is done with, by (B).
+    const std::uint32_t old = middle_.exchange(mine_ | kFresh, std::memory_order_acq_rel);
+    mine_ = old & kPlace;
+    return (old & kFresh) != 0;
+  }
+
+  /// The newest value, the reader's until its next Take(); null when it has been taken already.
+  T* Take() noexcept {
+    if (!is_fresh()) return nullptr;
+    // (B) hands the reader's value back; pairs with (A).
+    theirs_ = middle_.exchange(theirs_, std::memory_order_acq_rel) & kPlace;
+    return &values_[theirs_];
+  }
+
+  /// Whether a value waits to be taken. Only the writer makes it true, only the reader false.
+  [[nodiscard]] bool is_fresh() const noexcept {
+    return (middle_.load(std::memory_order_relaxed) & kFresh) != 0;  // orders nothing
+  }
+
+ private:
+  static constexpr std::uint32_t kPlace = 3;
+  static constexpr std::uint32_t kFresh = 4;
+
+  std::array<T, 3> values_{};
+  std::uint32_t mine_ = 0;    // of the writer
+  std::uint32_t theirs_ = 1;  // of the reader
+  typename Atomics::template Atomic<std::uint32_t> middle_{2};
+};
+
+}  // namespace tendon

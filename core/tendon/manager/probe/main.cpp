@@ -1,0 +1,44 @@
+#include <tendon/manager/plugin.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <string>
+
+/// tendon-probe FILE: loads a plug-in as the programs do, says "loaded" or why not, and ends with 0
+/// or 1. Whatever the plug-in does meanwhile, it does to this process.
+namespace {
+
+std::string plugin;  // for the terminate handler, which takes no argument
+
+[[noreturn]] void End(int code, const std::string& last_words) {
+  std::printf("\n%s\n", last_words.c_str());
+  std::fflush(stdout);
+  std::_Exit(code);  // without the plug-in's destructors
+}
+
+[[noreturn]] void OnTerminate() {
+  std::string why = "that it ends the process";
+  try {
+    if (const auto thrown = std::current_exception()) std::rethrow_exception(thrown);
+  } catch (const std::exception& error) {
+    why = std::string("that its start-up threw: ") + error.what();
+  } catch (...) {
+    why = "that its start-up threw something that is no std::exception";
+  }
+  End(1, "plug-in " + plugin + ": expected a library that loads, found " + why);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::fputs("usage: tendon-probe FILE\n", stderr);
+    return 2;
+  }
+  plugin = argv[1];
+  std::set_terminate(OnTerminate);
+  const auto opened = tendon::OpenPlugin(plugin);
+  if (!opened) End(1, opened.error().message);
+  End(0, "loaded");
+}

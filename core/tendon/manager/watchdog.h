@@ -1,0 +1,73 @@
+#pragma once
+
+#include <tendon/base/clock.h>
+#include <tendon/base/log.h>
+
+#include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace tendon {
+
+class Component;
+class Task;
+
+/// Notices tasks with a period whose next cycle does not come, because the last one blocks: three
+/// periods and 50 ms after it has begun it is overdue. Each is said once in the log, as is its
+/// return; other tasks are not concerned.
+///
+/// One thread for all tasks, which looks every 50 ms; none while there is no task. Thread-safe.
+class Watchdog {
+ public:
+  static constexpr std::chrono::milliseconds kBetweenLooks{50};
+  static constexpr std::chrono::milliseconds kGrace{50};
+  static constexpr int kPeriods = 3;
+
+  /// `on_change` is called, in the watchdog's thread, when a warning has come or gone.
+  explicit Watchdog(std::function<void()> on_change) : on_change_(std::move(on_change)) {}
+  Watchdog(const Watchdog&) = delete;
+  Watchdog& operator=(const Watchdog&) = delete;
+  ~Watchdog();
+
+  /// `task` must be forgotten before it is destroyed.
+  void Watch(const Task& task);
+  void Forget(const Component& component);
+
+  /// "missed 8 x 10 ms" while the task is overdue, else empty.
+  [[nodiscard]] std::string WarningOf(const Component& component) const;
+
+  /// Whether a task of this period is overdue so long after its last cycle began.
+  [[nodiscard]] static bool IsOverdue(std::chrono::duration<double> period,
+                                      std::chrono::nanoseconds since_last_cycle);
+
+ private:
+  struct Watched {
+    const Task* task;
+    std::string warning;
+    SteadyTime since{};  // when its last cycle began
+  };
+
+  struct Finding {
+    std::string task;
+    LogLevel level;
+    std::string text;
+  };
+
+  static void Judge(Watched& watched, SteadyTime now, std::vector<Finding>& findings);
+  void Look(SteadyTime now);
+  void Run();
+
+  std::function<void()> on_change_;
+  mutable std::mutex mutex_;
+  std::condition_variable stopped_;
+  bool stopping_ = false;
+  std::vector<Watched> tasks_;
+  std::thread thread_;
+};
+
+}  // namespace tendon

@@ -1,0 +1,195 @@
+#include <openssl/crypto.h>
+#include <openssl/evp.h>
+#include <openssl/hmac.h>
+#include <tendon/base/os/process.h>
+#include <tendon/middleware/handshake/handshake.h>
+
+#include <cstring>
+#include <stdexcept>
+#include <utility>
+
+namespace tendon {
+namespace {
+
+using message::Challenge;
+using message::Digest;
+using message::Greeting;
+using message::Proof;
+
+/// What a proof covers: each part is preceded by its size, so that none runs into the next.
+struct Covered {
+  std::uint8_t role = 0;
+  Greeting opener;
+  Greeting acceptor;
+  std::string address;
+  std::uint64_t session = 0;
+};
+
+}  // namespace
+}  // namespace tendon
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::Covered> =
+    tendon::Describe("tendon.Covered", tendon::Field{"role", &tendon::Covered::role},
+                     tendon::Field{"opener", &tendon::Covered::opener},
+                     tendon::Field{"acceptor", &tendon::Covered::acceptor},
+                     tendon::Field{"address", &tendon::Covered::address},
+                     tendon::Field{"session", &tendon::Covered::session});
+
+namespace tendon {
+namespace {
+
+Digest Sign(std::uint64_t cookie, const Covered& covered) {
+  const Bytes text = EncodeBody(covered);
+  Digest digest{};
+  unsigned size = 0;
+  const unsigned char* made =
+      HMAC(EVP_sha256(), &cookie, sizeof cookie,
+           reinterpret_cast<const unsigned char*>(text.data()), text.size(), digest.data(), &size);
+  if (made == nullptr || size != digest.size()) throw std::runtime_error("HMAC-SHA256 failed");
+  return digest;
+}
+
+/// In a time that says nothing of where they differ.
+bool AreEqual(const Digest& one, const Digest& other) {
+  return CRYPTO_memcmp(one.data(), other.data(), one.size()) == 0;
+}
+
+void FillWithRandom(std::array<std::uint8_t, 16>& nonce) {
+  const std::array<std::uint64_t, 2> random{os::RandomNumber(), os::RandomNumber()};
+  static_assert(sizeof random == sizeof nonce);
+  std::memcpy(nonce.data(), random.data(), sizeof random);
+}
+
+/// In the words of the one who opened the link.
+Error VersionsDiffer(const std::string& acceptor, unsigned its_version, unsigned openers_version) {
+  return {ErrorCode::kIncompatible,
+          acceptor + " speaks protocol " + std::to_string(its_version) + ", this program " +
+              std::to_string(openers_version) + ": update " +
+              (its_version > openers_version ? "this program" : acceptor)};
+}
+
+Handshake::Step Answer(MessageType type, Bytes body) {
+  return {.type = type, .body = std::move(body), .has_answer = true, .peer = std::nullopt};
+}
+
+}  // namespace
+
+Handshake::Handshake(Role role, Hello mine, std::string address, Strangers strangers)
+    : mine_(std::move(mine)),
+      address_(std::move(address)),
+      strangers_(strangers),
+      stage_(role == Role::kOpener ? Stage::kChallenge : Stage::kHello) {}
+
+Bytes Handshake::Greet() {
+  opener_ = MyGreeting();
+  return EncodeBody(opener_);
+}
+
+Result<Handshake::Step> Handshake::Take(const FrameHeader& header,
+                                        std::span<const std::byte> body) {
+  switch (stage_) {
+    case Stage::kHello:
+      return OnHello(header, body);
+    case Stage::kProof:
+      return OnProof(header, body);
+    default:
+      break;
+  }
+  if (header.type == MessageType::kRefusal) return ReadRefusal(body, address_);
+  if (header.version != mine_.protocol_version) {
+    return VersionsDiffer(address_, header.version, mine_.protocol_version);
+  }
+  return stage_ == Stage::kChallenge ? OnChallenge(header, body) : OnWelcome(header);
+}
+
+Result<Handshake::Step> Handshake::OnHello(const FrameHeader& header,
+                                           std::span<const std::byte> body) {
+  if (header.type != MessageType::kHello || header.request == 0) {
+    return Error{ErrorCode::kInvalid, mine_.name + " expects a Hello first"};
+  }
+  if (header.version != mine_.protocol_version) {
+    return VersionsDiffer(mine_.name, mine_.protocol_version, header.version);
+  }
+  auto greeting = DecodeBody<Greeting>(body);
+  if (!greeting) return greeting.error();
+  opener_ = *std::move(greeting);
+  acceptor_ = MyGreeting();
+  stage_ = Stage::kProof;
+  const Challenge challenge{.greeting = acceptor_, .proof = ProofOf(Role::kAcceptor, 0)};
+  return Answer(MessageType::kChallenge, EncodeBody(challenge));
+}
+
+Result<Handshake::Step> Handshake::OnChallenge(const FrameHeader& header,
+                                               std::span<const std::byte> body) {
+  auto challenge = DecodeBody<Challenge>(body);
+  if (header.type != MessageType::kChallenge || !challenge) {
+    return Error{ErrorCode::kInvalid, address_ + " answered the Hello with something else"};
+  }
+  acceptor_ = std::move(challenge->greeting);
+  const bool is_proved = AreEqual(challenge->proof, ProofOf(Role::kAcceptor, 0));
+  if (mine_.cookie != 0 && !is_proved) return NotKnown();
+  stage_ = Stage::kWelcome;
+  const Proof proof{.proof = ProofOf(Role::kOpener, mine_.session), .session = mine_.session};
+  return Answer(MessageType::kProof, EncodeBody(proof));
+}
+
+Result<Handshake::Step> Handshake::OnProof(const FrameHeader& header,
+                                           std::span<const std::byte> body) {
+  const auto proof = DecodeBody<Proof>(body);
+  if (header.type != MessageType::kProof || !proof) {
+    return Error{ErrorCode::kInvalid, mine_.name + " expects a proof after the Hello"};
+  }
+  if (!IsWelcome(*proof)) return NotKnown();
+  Step step = Answer(MessageType::kWelcome, EncodeBody(None{}));
+  step.peer = Peer(proof->session);
+  return step;
+}
+
+Result<Handshake::Step> Handshake::OnWelcome(const FrameHeader& header) {
+  if (header.type != MessageType::kWelcome) {
+    return Error{ErrorCode::kInvalid, address_ + " answered the proof with something else"};
+  }
+  return Step{.peer = Peer(0)};
+}
+
+Greeting Handshake::MyGreeting() const {
+  Greeting greeting{.protocol_version = mine_.protocol_version,
+                    .instance = mine_.instance,
+                    .name = mine_.name,
+                    .nonce = {}};
+  FillWithRandom(greeting.nonce);
+  return greeting;
+}
+
+Hello Handshake::Peer(std::uint64_t session) const {
+  const Greeting& greeting = stage_ == Stage::kProof ? opener_ : acceptor_;
+  return {.protocol_version = greeting.protocol_version,
+          .instance = greeting.instance,
+          .name = greeting.name,
+          .session = session,
+          .cookie = 0};
+}
+
+/// Zeroes where this end has no cookie.
+Digest Handshake::ProofOf(Role role, std::uint64_t session) const {
+  if (mine_.cookie == 0) return {};
+  return Sign(mine_.cookie, {.role = static_cast<std::uint8_t>(role),
+                             .opener = opener_,
+                             .acceptor = acceptor_,
+                             .address = address_,
+                             .session = session});
+}
+
+bool Handshake::IsWelcome(const Proof& proof) const {
+  if (strangers_ == Strangers::kFromElsewhere) return true;
+  if (AreEqual(proof.proof, Digest{})) return strangers_ == Strangers::kAllowed;
+  return mine_.cookie != 0 && AreEqual(proof.proof, ProofOf(Role::kOpener, proof.session));
+}
+
+Error Handshake::NotKnown() const {
+  return {ErrorCode::kDenied, acceptor_.name + " does not know '" + opener_.name +
+                                  "': both must run as the same user of this machine"};
+}
+
+}  // namespace tendon

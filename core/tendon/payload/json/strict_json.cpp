@@ -1,0 +1,167 @@
+#include <tendon/base/printable.h>
+#include <tendon/payload/json/strict_json.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstddef>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+namespace tendon {
+namespace {
+
+constexpr std::size_t kMaxDepth = 64;
+
+std::string Place(std::string_view text, std::size_t offset) {
+  const std::string_view before = text.substr(0, offset);
+  const auto line = std::count(before.begin(), before.end(), '\n') + 1;
+  const std::size_t line_start = before.rfind('\n');
+  const std::size_t column = line_start == before.npos ? offset + 1 : offset - line_start;
+  return "line " + std::to_string(line) + ", column " + std::to_string(column);
+}
+
+/// The parser's own words without its codes and places: "unexpected ','; expected string literal".
+std::string Words(const std::string& what) {
+  std::string words = what.substr(what.find("] ") == what.npos ? 0 : what.find("] ") + 2);
+  if (words.starts_with("parse error at ")) words = words.substr(words.find(": ") + 2);
+  const std::string phase = "syntax error while parsing ";
+  if (words.starts_with(phase)) words = words.substr(words.find(" - ") + 3);
+  return Printable(words, 200);
+}
+
+/// How many bytes before the parser's position the mistake begins. `last_token` ends there, but
+/// begins early unless it is a string.
+std::size_t OffendingLength(const std::string& words, const std::string& last_token) {
+  if (words.starts_with("unexpected end")) return 0;
+  if (words.starts_with("unexpected string")) return last_token.size();
+  if (words.starts_with("unexpected '") || words.starts_with("invalid ")) return 1;
+  const auto is_of_word = [](char letter) {
+    return std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '-' ||
+           letter == '+' || letter == '.';
+  };
+  const auto begin = std::find_if_not(last_token.rbegin(), last_token.rend(), is_of_word);
+  return static_cast<std::size_t>(begin - last_token.rbegin());
+}
+
+/// Builds the value while it checks what the grammar alone allows.
+class Builder final : public nlohmann::json_sax<Json> {
+ public:
+  explicit Builder(std::string_view text) : text_(text) {}
+
+  bool null() override { return Add(nullptr); }
+  bool boolean(bool value) override { return Add(value); }
+  bool number_integer(number_integer_t value) override { return Add(value); }
+  bool number_unsigned(number_unsigned_t value) override { return Add(value); }
+  bool number_float(number_float_t value, const string_t& /*text*/) override { return Add(value); }
+  bool string(string_t& value) override { return Add(value); }
+  bool binary(binary_t& /*value*/) override { return Fail("binary data"); }
+  bool start_object(std::size_t /*size*/) override { return Enter(Json::object()); }
+  bool start_array(std::size_t /*size*/) override { return Enter(Json::array()); }
+  bool end_object() override { return Leave(); }
+  bool end_array() override { return Leave(); }
+
+  bool key(string_t& value) override {
+    const Open& object = open_.back();
+    if (object.value->contains(value)) {
+      const std::string place = object.place.empty() ? "" : object.place + ": ";
+      return Fail(place + "key '" + Printable(value, 64) + "' occurs twice");
+    }
+    key_ = value;
+    return true;
+  }
+
+  bool parse_error(std::size_t position, const std::string& last_token,
+                   const nlohmann::detail::exception& reason) override {
+    const std::string words = Words(reason.what());
+    const std::size_t end = std::min(position, text_.size());
+    return Fail(Place(text_, end - std::min(end, OffendingLength(words, last_token))) + ": " +
+                words);
+  }
+
+  Result<Json> Take() && {
+    if (!error_.empty()) return Error{ErrorCode::kInvalid, error_};
+    return std::move(root_);
+  }
+
+ private:
+  /// A list or an object that has not ended yet.
+  struct Open {
+    Json* value;
+    std::string place;  // "processes[0].components"
+  };
+
+  bool Fail(const std::string& reason) {
+    error_ = reason;
+    return false;
+  }
+
+  Json& Put(Json value) {
+    if (open_.empty()) return root_ = std::move(value);
+    Json& parent = *open_.back().value;
+    if (parent.is_object()) return parent[key_] = std::move(value);
+    parent.push_back(std::move(value));
+    return parent.back();
+  }
+
+  bool Add(Json value) {
+    Put(std::move(value));
+    return true;
+  }
+
+  bool Enter(Json container) {
+    if (open_.size() == kMaxDepth) return Fail("nesting deeper than " + std::to_string(kMaxDepth));
+    const std::string place = NextPlace();
+    open_.push_back({&Put(std::move(container)), place});
+    return true;
+  }
+
+  bool Leave() {
+    open_.pop_back();
+    return true;
+  }
+
+  [[nodiscard]] std::string NextPlace() const {
+    if (open_.empty()) return {};
+    const auto& [parent, place] = open_.back();
+    if (parent->is_array()) return place + "[" + std::to_string(parent->size()) + "]";
+    return place + (place.empty() ? "" : ".") + Printable(key_, 64);
+  }
+
+  const std::string_view text_;
+  Json root_;
+  std::vector<Open> open_;  // from the root to where values are added now
+  std::string key_;
+  std::string error_;
+};
+
+}  // namespace
+
+Result<Json> ParseStrictJson(std::string_view text) {
+  if (text.starts_with("\xef\xbb\xbf")) {
+    return Error{ErrorCode::kInvalid,
+                 "begins with a byte-order mark; save it as UTF-8 without one"};
+  }
+  if (text.find_first_not_of(" \t\r\n") == text.npos) return Error{ErrorCode::kInvalid, "is empty"};
+  Builder builder(text);
+  Json::sax_parse(text, &builder);
+  return std::move(builder).Take();
+}
+
+std::string KindOf(const Json& value) {
+  switch (value.type()) {
+    case Json::value_t::null:
+      return "null";
+    case Json::value_t::object:
+      return "an object";
+    case Json::value_t::array:
+      return "a list";
+    case Json::value_t::string:
+      return "text";
+    case Json::value_t::boolean:
+      return "true or false";
+    default:
+      return "number";
+  }
+}
+
+}  // namespace tendon

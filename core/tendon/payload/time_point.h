@@ -1,0 +1,47 @@
+#pragma once
+
+#include <tendon/payload/cdr.h>
+#include <tendon/payload/payload.h>
+
+#include <chrono>
+#include <cstdint>
+
+/// Points on the system clock as payloads; include it where one is a member. On the wire it is
+/// builtin_interfaces/Time of ROS 2. Points on the steady clock do not travel: they mean nothing on
+/// another machine.
+namespace tendon {
+
+namespace payload {
+
+/// Since 1970-01-01 00:00 UTC.
+struct TimeOnWire {
+  std::int32_t sec = 0;
+  std::uint32_t nanosec = 0;
+};
+
+/// Beyond 1901 and 2038 it becomes the nearest time that an int32 of seconds can tell.
+template <TimeSpan Span>
+struct SubstituteFor<std::chrono::sys_time<Span>> {
+  using Type = TimeOnWire;
+
+  static Type From(std::chrono::sys_time<Span> time) {
+    const CdrDuration since_1970 = ToCdr(time.time_since_epoch());
+    return {since_1970.sec, since_1970.nanosec};
+  }
+  /// Refuses a billion nanoseconds and more.
+  static bool Into(const Type& wire, std::chrono::sys_time<Span>& time) {
+    Span since_1970{};
+    if (!FromCdr({wire.sec, wire.nanosec}, since_1970)) return false;
+    time = std::chrono::sys_time<Span>(since_1970);
+    return true;
+  }
+};
+
+}  // namespace payload
+
+template <>
+inline constexpr auto kPayload<payload::TimeOnWire> =
+    Describe("builtin_interfaces.Time", Field{"sec", &payload::TimeOnWire::sec, "s"},
+             Field{"nanosec", &payload::TimeOnWire::nanosec, "ns"});
+
+}  // namespace tendon

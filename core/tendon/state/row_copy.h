@@ -1,0 +1,51 @@
+#pragma once
+
+#include <tendon/payload/codec.h>
+#include <tendon/state/state_table.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace tendon {
+
+/// A reader's copy of a whole row of a table, whose columns all belong to one cycle.
+///
+/// Made once the table has all its columns, which it must outlive; the reads allocate nothing. One
+/// thread at a time.
+class RowCopy {
+ public:
+  explicit RowCopy(const StateTable& table) : table_(table), words_(table.row_words()) {}
+
+  /// kNoSample before the first row. Wait-free unless the writer goes round the whole ring
+  /// meanwhile.
+  Status ReadNewest();
+  /// Where it does not return kDone, the row copied before is gone.
+  RowResult ReadAt(std::uint64_t tick);
+  /// The newest row not later than `time`.
+  RowResult ReadAtTime(SteadyTime time);
+
+  /// Which row it is.
+  [[nodiscard]] const RowStamp& stamp() const noexcept { return stamp_; }
+  /// The value of a column of the table. kNotYet while there is no row, kAbsent when the value did
+  /// not fit into the column. Allocates at most what a dynamic `value` grows by.
+  template <Payload T>
+  RowResult Get(const Column<T>& column, T& value) const {
+    if (!has_row_) return RowResult::kNotYet;
+    const auto body = Cell(column);
+    if (body.empty()) return RowResult::kAbsent;
+    return Decode(body, value) ? RowResult::kDone : RowResult::kInvalid;
+  }
+  /// The CDR body of a column; empty when its value is absent.
+  [[nodiscard]] std::span<const std::byte> Cell(const ColumnBase& column) const noexcept;
+
+ private:
+  RowResult Note(RowResult result, std::int64_t time);
+
+  const StateTable& table_;
+  std::vector<std::uint64_t> words_;
+  RowStamp stamp_;
+  bool has_row_ = false;
+};
+
+}  // namespace tendon

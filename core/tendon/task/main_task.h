@@ -1,0 +1,33 @@
+#pragma once
+
+#include <tendon/task/callback_task.h>
+#include <tendon/task/cycle/cycle_grid.h>
+
+#include <chrono>
+#include <string>
+
+namespace tendon {
+
+/// A periodic task for the thread of main(), where windows and some devices want to be served:
+///
+///     manager.StartAll();
+///     window.RunInThisThread();  // until another thread stops it
+class MainTask : public CallbackTask {
+ public:
+  /// Makes the cycles of the task, which has been started, in the calling thread; returns when it
+  /// has finished or is faulted.
+  void RunInThisThread();
+
+  [[nodiscard]] double period() const override;
+
+ protected:
+  /// `period` is 10 µs to 3600 s, else ConfigurationError.
+  MainTask(std::string name, std::chrono::nanoseconds period);
+
+  [[nodiscard]] std::chrono::nanoseconds row_period() const override { return grid_.period(); }
+
+ private:
+  CycleGrid grid_;
+};
+
+}  // namespace tendon

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <tendon/payload/payload.h>
+
+#include <chrono>
+#include <cstdint>
+#include <vector>
+
+namespace tendon {
+
+enum class SchedulingPolicy : std::int32_t {
+  kNormal,
+  kFifo,        ///< SCHED_FIFO: runs until it sleeps
+  kRoundRobin,  ///< SCHED_RR: shares with threads of the same priority
+};
+
+/// How a task's own thread runs; used at each start. What the machine refuses is left out: one
+/// warning in the life of the process says so.
+struct ThreadOptions {
+  SchedulingPolicy policy = SchedulingPolicy::kNormal;
+  std::int32_t priority = 0;       ///< 1 to 99 for kFifo and kRoundRobin, else 0
+  std::vector<std::int32_t> cpus;  ///< the processors it may run on; empty: any
+  bool lock_memory = false;        ///< keeps the pages of the whole process in memory
+  std::uint64_t stack_bytes = 0;   ///< of the stack, touched before the first cycle; to 4 MiB
+  /// How much later than asked a sleep may end for the sake of power.
+  std::chrono::nanoseconds timer_slack{1};
+  /// Periodic tasks wake so much earlier and spin until the cycle is due.
+  std::chrono::nanoseconds spin{0};
+
+  bool operator==(const ThreadOptions&) const = default;
+};
+
+template <>
+inline constexpr auto kPayload<SchedulingPolicy> =
+    DescribeEnum("tendon.SchedulingPolicy", Enumerator{"normal", SchedulingPolicy::kNormal},
+                 Enumerator{"fifo", SchedulingPolicy::kFifo},
+                 Enumerator{"round_robin", SchedulingPolicy::kRoundRobin});
+
+template <>
+inline constexpr auto kPayload<ThreadOptions> = Describe(
+    "tendon.ThreadOptions", Field{"policy", &ThreadOptions::policy},
+    Field{"priority", &ThreadOptions::priority}, Field{"cpus", &ThreadOptions::cpus},
+    Field{"lock_memory", &ThreadOptions::lock_memory},
+    Field{"stack_bytes", &ThreadOptions::stack_bytes, "B"},
+    Field{"timer_slack", &ThreadOptions::timer_slack}, Field{"spin", &ThreadOptions::spin});
+
+}  // namespace tendon

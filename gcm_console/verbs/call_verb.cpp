@@ -1,0 +1,49 @@
+#include <gcm_console/verb.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <iterator>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+namespace console {
+namespace {
+
+struct Arguments {
+  std::string path;
+  std::string argument;
+};
+
+tendon::Result<program::ExitCode> Call(Context& context, const Arguments& arguments) {
+  std::string argument = arguments.argument;
+  if (argument == "-") argument = {std::istreambuf_iterator<char>(std::cin), {}};
+  const auto client = context.Client();
+  if (!client) return client.error();
+  const auto answer = tendon::Wait<std::string>(context.settings().timeout, [&](auto handler) {
+    (*client)->Call(arguments.path, argument, handler);
+  });
+  if (!answer) return answer.error();
+  if (context.settings().json) {
+    const auto value = nlohmann::ordered_json::parse(answer->empty() ? "null" : *answer);
+    context.PrintJson({{"path", arguments.path}, {"value", value}});
+  } else if (!answer->empty()) {
+    context.out() << *answer << '\n';
+  }
+  return program::kOk;
+}
+
+}  // namespace
+
+std::vector<Verb> ActVerbs() {
+  return {
+      {"call", "execute a command", [](CLI::App& app) -> Verb::Run {
+         auto arguments = std::make_shared<Arguments>();
+         app.add_option("path", arguments->path, "process/component/interface.command")->required();
+         app.add_option("argument", arguments->argument,
+                        "JSON, where the command takes an argument; - reads it from stdin");
+         return [arguments](Context& context) { return Call(context, *arguments); };
+       }}};
+}
+
+}  // namespace console

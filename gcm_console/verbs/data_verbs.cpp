@@ -1,0 +1,210 @@
+#include <gcm_console/report.h>
+#include <gcm_console/row_printer.h>
+#include <gcm_console/verb.h>
+#include <program/command_line.h>
+#include <tendon/base/os/termination.h>
+#include <tendon/base/path.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+namespace console {
+namespace {
+
+using nlohmann::ordered_json;
+using program::ExitCode;
+using tendon::Error;
+using tendon::ErrorCode;
+using tendon::Result;
+using namespace std::chrono_literals;
+
+Result<ExitCode> Get(Context& context, const std::string& text) {
+  const auto path = tendon::ParsePath(text);
+  if (!path) return path.error();
+  const auto client = context.Client();
+  if (!client) return client.error();
+  const tendon::Catalog catalog = (*client)->catalog();
+  if (const auto* provided = catalog.FindProvided(path->interface_name())) {
+    for (const auto& command : provided->commands) {
+      if (command.name != path->member || command.signature.kind == tendon::CommandKind::kRead) {
+        continue;
+      }
+      return Error{ErrorCode::kInvalid, "'" + text + "' is a " +
+                                            std::string(ToString(command.signature.kind)) +
+                                            " command, which get does not call; use gcm call"};
+    }
+  }
+  const auto value = tendon::Wait<std::string>(
+      context.settings().timeout, [&](auto handler) { (*client)->Call(text, "", handler); });
+  if (!value) return value.error();
+  if (context.settings().json) {
+    context.PrintJson({{"path", text}, {"value", ordered_json::parse(*value, nullptr, false)}});
+  } else {
+    context.out() << *value << '\n';
+  }
+  return program::kOk;
+}
+
+struct WatchOptions {
+  std::vector<std::string> paths;
+  double rate = 0.0;        // rows a second, 0: all
+  std::uint64_t count = 0;  // rows, 0: no end
+  double seconds = 0.0;     // 0: no end
+};
+
+/// The one subscription that gives all paths, which must lie in one table.
+Result<tendon::TableSubscription> SubscriptionFor(const tendon::Catalog& catalog,
+                                                  const std::vector<std::string>& paths,
+                                                  std::vector<RowPrinter::Wanted>& wanted) {
+  tendon::TableSubscription subscription;
+  for (const std::string& text : paths) {
+    auto path = tendon::ParsePath(text);
+    if (!path) return path.error();
+    const tendon::InterfaceName name = path->interface_name();
+    const auto* provided = catalog.FindProvided(name);
+    const bool is_table = name.interface == "state" || name.interface.starts_with("state-");
+    if (provided == nullptr || !is_table) {
+      return Error{ErrorCode::kNotFound, "'" + text +
+                                             "' is no column of a state table; list them " +
+                                             "with gcm ls process/component/state"};
+    }
+    std::vector<std::string> columns;
+    for (const auto& command : provided->commands) columns.push_back(command.name);
+    if (std::find(columns.begin(), columns.end(), path->member) == columns.end()) {
+      return Error{ErrorCode::kNotFound, ToString(name) + " has no column '" + path->member + "'" +
+                                             tendon::DidYouMean(path->member, columns)};
+    }
+    if (wanted.empty()) {
+      subscription = {name.process, name.component, name.interface, {}};
+    } else if (tendon::InterfaceName(subscription.process, subscription.component,
+                                     subscription.table) != name) {
+      return Error{ErrorCode::kInvalid, "'" + text + "' is in another table than '" + paths[0] +
+                                            "'; watch one table at a time"};
+    }
+    const auto known =
+        std::find(subscription.columns.begin(), subscription.columns.end(), path->member);
+    wanted.push_back({*path, static_cast<std::size_t>(known - subscription.columns.begin())});
+    if (known == subscription.columns.end()) subscription.columns.push_back(path->member);
+  }
+  return subscription;
+}
+
+/// Prints rows, at most `rate` a second by the source's clock.
+class RowWriter {
+ public:
+  RowWriter(Context& context, const WatchOptions& options) : context_(context), options_(options) {}
+
+  /// False once as many rows as wanted are printed, or when the output is gone.
+  bool Write(const PrintedRow& row) {
+    if (options_.rate > 0.0 && printed_ > 0 &&
+        static_cast<double>(row.time_ns - last_time_) < 1e9 / options_.rate) {
+      return true;
+    }
+    last_time_ = row.time_ns;
+    ++printed_;
+    Print(row);
+    return (options_.count == 0 || printed_ < options_.count) && context_.out().good();
+  }
+  [[nodiscard]] std::uint64_t printed() const { return printed_; }
+
+ private:
+  void Print(const PrintedRow& row) {
+    if (context_.settings().json) {
+      ordered_json values;
+      for (const auto& [path, value] : row.values) {
+        values[path] = ordered_json::parse(value, nullptr, false);
+      }
+      const ordered_json line = {
+          {"schema", 1}, {"time_ns", row.time_ns}, {"tick", row.tick}, {"values", values}};
+      context_.out() << line.dump() << '\n';
+      return;
+    }
+    context_.out() << row.time_ns << '\t' << row.tick;
+    for (const auto& [path, value] : row.values) context_.out() << '\t' << value;
+    context_.out() << '\n';
+  }
+
+  Context& context_;
+  const WatchOptions& options_;
+  std::int64_t last_time_ = 0;
+  std::uint64_t printed_ = 0;
+};
+
+void Summarize(const RowWriter& writer, const RowPrinter::Losses& losses) {
+  std::cerr << "gcm: " << writer.printed() << " rows, " << losses.all() << " lost";
+  if (losses.all() > 0) {
+    std::cerr << " (" << losses.table << " in the table, " << losses.network << " on the network, "
+              << losses.viewer << " here)";
+  }
+  std::cerr << '\n';
+}
+
+Result<ExitCode> Watch(Context& context, const WatchOptions& options) {
+  tendon::os::HoldTerminationSignals();
+  const auto client = context.Client();
+  if (!client) return client.error();
+  std::vector<RowPrinter::Wanted> wanted;
+  const auto subscription = SubscriptionFor((*client)->catalog(), options.paths, wanted);
+  if (!subscription) return subscription.error();
+
+  const auto printer = std::make_shared<RowPrinter>(wanted);
+  const auto id = (*client)->telemetry().Subscribe(*subscription, printer);
+  const auto begin = std::chrono::steady_clock::now();
+  RowWriter writer(context, options);
+  bool wants_more = true;
+  bool interrupted = false;
+  while (wants_more && !interrupted) {
+    interrupted = tendon::os::TerminationAsked(20ms);
+    for (const PrintedRow& row : printer->Take()) {
+      wants_more = writer.Write(row);
+      if (!wants_more) break;
+    }
+    context.out().flush();
+    if (const auto mistake = printer->mistake()) {
+      (*client)->telemetry().Unsubscribe(id);
+      return *mistake;
+    }
+    if (const std::string complaint = printer->TakeComplaint(); !complaint.empty()) {
+      std::cerr << "gcm: " << Plain(complaint) << '\n';
+    }
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
+    if (options.seconds > 0.0 && passed.count() >= options.seconds) wants_more = false;
+  }
+  (*client)->telemetry().Unsubscribe(id);
+  Summarize(writer, printer->losses());
+  return interrupted ? program::kInterrupted : program::kOk;
+}
+
+}  // namespace
+
+std::vector<Verb> DataVerbs() {
+  return {
+      {"get", "read a value once",
+       [](CLI::App& app) -> Verb::Run {
+         auto path = std::make_shared<std::string>();
+         app.add_option("path", *path,
+                        "a read command or column, such as robot/arm/state.Joints.position[0]")
+             ->required();
+         return [path](Context& context) { return Get(context, *path); };
+       }},
+      {"watch", "print every row of columns of a state table: ns, tick, values",
+       [](CLI::App& app) -> Verb::Run {
+         auto options = std::make_shared<WatchOptions>();
+         app.add_option("paths", options->paths, "columns or parts of them, of one table")
+             ->required();
+         app.add_option("--hz", options->rate, "at most so many rows a second (default: all)")
+             ->check(&program::CheckPositive);
+         app.add_option("--count", options->count, "end after so many rows")
+             ->check(&program::CheckPositive);
+         app.add_option("--for", options->seconds, "end after so long: 10s, 500ms, 2min")
+             ->transform(CLI::Validator(&program::TransformDuration, "TIME"));
+         return [options](Context& context) { return Watch(context, *options); };
+       }},
+  };
+}
+
+}  // namespace console

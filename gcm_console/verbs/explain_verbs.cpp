@@ -1,0 +1,168 @@
+#include <gcm_console/report.h>
+#include <gcm_console/verb.h>
+#include <tendon/gcm/diagnosis.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+namespace console {
+namespace {
+
+using nlohmann::ordered_json;
+using program::ExitCode;
+using tendon::Candidate;
+using tendon::Catalog;
+using tendon::Diagnosis;
+using tendon::DiagnosisStep;
+using tendon::Error;
+using tendon::ErrorCode;
+using tendon::InterfaceName;
+using tendon::Result;
+
+/// "7 of 9".
+std::string Share(const Candidate& candidate) {
+  return std::to_string(candidate.compatibility.matched) + " of " +
+         std::to_string(candidate.compatibility.needed);
+}
+
+ordered_json ToJson(const Candidate& candidate) {
+  ordered_json mismatches = ordered_json::array();
+  for (const auto& one : candidate.compatibility.mismatches) mismatches.push_back(one.text);
+  return {{"provided", ToString(candidate.provided)},   {"fits", candidate.compatibility.fits()},
+          {"matched", candidate.compatibility.matched}, {"needed", candidate.compatibility.needed},
+          {"connected", candidate.is_connected},        {"mismatches", std::move(mismatches)}};
+}
+
+Result<ExitCode> Candidates(Context& context, const std::string& text) {
+  const auto required = tendon::ParseInterfaceName(text);
+  if (!required) return required.error();
+  const auto client = context.Client();
+  if (!client) return client.error();
+  const auto candidates = RankCandidates((*client)->catalog(), *required);
+  if (!candidates) return candidates.error();
+  if (context.settings().json) {
+    ordered_json all = ordered_json::array();
+    for (const Candidate& candidate : *candidates) all.push_back(ToJson(candidate));
+    context.PrintJson({{"required", text}, {"candidates", std::move(all)}});
+    return program::kOk;
+  }
+  Table table({"PROVIDED", "FITS", "MATCHED", "WHY NOT"});
+  for (const Candidate& candidate : *candidates) {
+    const std::string fits = candidate.is_connected           ? "connected"
+                             : candidate.compatibility.fits() ? "yes"
+                                                              : "no";
+    table.Add(
+        {ToString(candidate.provided), fits, Share(candidate), candidate.compatibility.Text()});
+  }
+  table.Print(context.out(), context.columns());
+  return program::kOk;
+}
+
+/// The provided interface to look at where the user names none: the one it is connected to, else
+/// the best candidate.
+Result<InterfaceName> LikelyProvider(const Catalog& catalog, const InterfaceName& required) {
+  if (const auto* connection = catalog.FindConnection(required)) return connection->provided;
+  const auto candidates = RankCandidates(catalog, required);
+  if (!candidates) return candidates.error();
+  if (!candidates->empty()) return candidates->front().provided;
+  return Error{ErrorCode::kIncompatible,
+               ToString(required) + " is not connected, and nothing that is there fits it"};
+}
+
+/// Asks the process for something that needs no thread of a component's.
+Result<std::chrono::microseconds> RoundTrip(Context& context, tendon::GcmClient& client,
+                                            const std::string& process) {
+  const auto begin = std::chrono::steady_clock::now();
+  const auto answer = tendon::Wait<tendon::Schema>(context.settings().timeout, [&](auto handler) {
+    client.GetSchema(process, tendon::FingerprintOf<tendon::None>(), handler);
+  });
+  const bool knows_not = !answer && answer.error().code == ErrorCode::kNotFound;
+  if (!answer && !knows_not) return answer.error();
+  return std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::steady_clock::now() -
+                                                               begin);
+}
+
+void Print(const Diagnosis& diagnosis, std::ostream& out) {
+  out << ToString(diagnosis.wire.required) << " -> " << ToString(diagnosis.wire.provided) << '\n';
+  int number = 0;
+  for (const DiagnosisStep& step : diagnosis.steps) {
+    const char* verdict = step.verdict == DiagnosisStep::Verdict::kGood  ? "ok  "
+                          : step.verdict == DiagnosisStep::Verdict::kBad ? "BAD "
+                                                                         : "-   ";
+    out << "  " << ++number << ' ' << verdict << Plain(step.text) << '\n';
+    for (const auto& detail : step.details) out << "         " << Plain(detail) << '\n';
+    if (!step.fix.empty()) out << "         fix: " << Plain(step.fix) << '\n';
+  }
+  if (diagnosis.failure || diagnosis.is_connected) return;
+  out << "  next: gcm connect " << ToString(diagnosis.wire.required) << ' '
+      << ToString(diagnosis.wire.provided) << '\n';
+}
+
+ordered_json ToJson(const Diagnosis& diagnosis) {
+  ordered_json steps = ordered_json::array();
+  for (const DiagnosisStep& step : diagnosis.steps) {
+    const char* verdict = step.verdict == DiagnosisStep::Verdict::kGood  ? "good"
+                          : step.verdict == DiagnosisStep::Verdict::kBad ? "bad"
+                                                                         : "not reached";
+    steps.push_back(
+        {{"verdict", verdict}, {"text", step.text}, {"details", step.details}, {"fix", step.fix}});
+  }
+  return {{"required", ToString(diagnosis.wire.required)},
+          {"provided", ToString(diagnosis.wire.provided)},
+          {"connected", diagnosis.is_connected},
+          {"steps", std::move(steps)}};
+}
+
+struct Ends {
+  std::string required;
+  std::string provided;
+};
+
+Result<ExitCode> Explain(Context& context, const Ends& ends) {
+  const auto required = tendon::ParseInterfaceName(ends.required);
+  if (!required) return required.error();
+  const auto client = context.Client();
+  if (!client) return client.error();
+  const Catalog catalog = (*client)->catalog();
+  const auto provided = ends.provided.empty() ? LikelyProvider(catalog, *required)
+                                              : tendon::ParseInterfaceName(ends.provided);
+  if (!provided) return provided.error();
+  auto diagnosis = Diagnose(catalog, {*required, *provided});
+  if (!diagnosis) return diagnosis.error();
+  if (!diagnosis->failure) {
+    AddRoundTrip(*diagnosis, RoundTrip(context, **client, provided->process));
+  }
+  if (context.settings().json) {
+    context.PrintJson(ToJson(*diagnosis));
+  } else {
+    Print(*diagnosis, context.out());
+  }
+  return diagnosis->failure ? program::ExitCodeOf(diagnosis->failure->code) : program::kOk;
+}
+
+}  // namespace
+
+std::vector<Verb> ExplainVerbs() {
+  return {
+      {"candidates", "list what a required interface can be connected to, the best first",
+       [](CLI::App& app) -> Verb::Run {
+         auto required = std::make_shared<std::string>();
+         app.add_option("required", *required, "process/component/interface")->required();
+         return [required](Context& context) { return Candidates(context, *required); };
+       }},
+      {"explain", "check a connection step by step and say what keeps it from working",
+       [](CLI::App& app) -> Verb::Run {
+         auto ends = std::make_shared<Ends>();
+         app.add_option("required", ends->required, "process/component/interface")->required();
+         app.add_option("provided", ends->provided,
+                        "what it is to be connected to (default: what it is connected to, else "
+                        "the best candidate)");
+         return [ends](Context& context) { return Explain(context, *ends); };
+       }},
+  };
+}
+
+}  // namespace console

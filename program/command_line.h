@@ -1,0 +1,21 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+namespace program {
+
+/// What is wrong with a command line, in one sentence with what to do next: "no option '--jsn'; did
+/// you mean '--json'? gcm --help tells more". `command` is what --help is asked of.
+std::string SentenceOf(const CLI::ParseError& mistake, const CLI::App& app,
+                       const std::string& command);
+
+/// For CLI::Option::check(): a number above zero.
+std::string CheckPositive(const std::string& text);
+
+/// For CLI::Option::transform(): "500ms", "10s", "2min" or a plain number becomes that many
+/// seconds.
+std::string TransformDuration(std::string& text);
+
+}  // namespace program

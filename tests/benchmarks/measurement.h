@@ -1,0 +1,54 @@
+#pragma once
+
+#include <benchmarks/case.h>
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <thread>
+
+namespace tendon::benchmark {
+
+template <typename Action>
+double NanosecondsEach(std::uint64_t times, Action action) {
+  const auto start = std::chrono::steady_clock::now();
+  for (std::uint64_t i = 0; i < times; ++i) action(i);
+  const std::chrono::duration<double, std::nano> took = std::chrono::steady_clock::now() - start;
+  return took.count() / static_cast<double>(times);
+}
+
+/// The compiler must have `value` ready in memory, and believe that it is used.
+template <typename T>
+void Use(T& value) {
+  asm volatile("" : : "g"(&value) : "memory");
+}
+
+/// Until `attempt` succeeds; gives way when whoever is to make that possible seems not to run.
+template <typename Attempt>
+void Insist(Attempt attempt) {
+  constexpr int kPatience = 20'000;
+  for (int failed = 1; !attempt(); ++failed) {
+    if (failed % kPatience == 0) std::this_thread::yield();
+  }
+}
+
+/// Of a subject that waits most of the time: what disturbs it cannot be told from what it does.
+inline constexpr double kSleeps = 0;
+
+/// A function that runs one short repetition and returns what an operation took, in nanoseconds.
+struct Subject {
+  std::function<double()> run;
+  /// Processors it keeps busy when nothing disturbs it.
+  double processors = 1;
+};
+
+/// Runs one after the other, each first in turns.
+std::function<std::optional<Pair>()> SideBySide(Subject ours, Subject floor);
+
+/// Repeats the case until there are enough undisturbed pairs, or until ten seconds have passed.
+/// Nothing where this machine cannot tell.
+std::optional<Outcome> Measure(const Case& one, const Effort& effort);
+
+double Median(std::vector<double> values);
+
+}  // namespace tendon::benchmark

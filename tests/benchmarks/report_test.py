@@ -1,0 +1,60 @@
+"""Runs every case of the report as shortly as can be, and reads what it writes. Judges no time."""
+
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM = ""
+IDS = ["Q1", "D1", "D3", "D4", "D5", "S1", "S2", "S3", "S4", "P1", "P4"]
+KEYS = {"id", "ours", "floor", "ratio", "gate", "stretch", "holds"}
+
+
+def run(*arguments):
+    return subprocess.run([PROGRAM, "--tiny", *arguments], capture_output=True, text=True, timeout=120)
+
+
+def entries(*arguments):
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder) / "report.json"
+        finished = run("--json", str(path), *arguments)
+        assert finished.returncode == 0, finished.stderr
+        return finished.stdout, json.loads(path.read_text())
+
+
+class Report(unittest.TestCase):
+    def test_every_case_runs_and_has_an_entry(self):
+        table, report = entries()
+        self.assertEqual([entry["id"] for entry in report], IDS)
+        self.assertEqual(len(table.splitlines()), 1 + len(IDS))
+        for entry in report:
+            self.assertLessEqual(KEYS, entry.keys())
+            if entry["ratio"] is not None:
+                self.assertIn(entry["holds"], (True, False))
+
+    def test_only_the_cases_asked_for_run(self):
+        _, report = entries("--only", "S4,Q1")
+        self.assertEqual([entry["id"] for entry in report], ["Q1", "S4"])
+
+    def test_an_unknown_case_is_named_with_those_there_are(self):
+        finished = run("--only", "S4,X9")
+        self.assertEqual(finished.returncode, 2)
+        self.assertIn("there is no case 'X9'; there are Q1, D1", finished.stderr)
+
+    def test_a_file_that_cannot_be_written_is_a_failure(self):
+        finished = run("--only", "S1", "--json", "/no/such/folder/report.json")
+        self.assertEqual(finished.returncode, 1)
+        self.assertIn("/no/such/folder", finished.stderr)
+
+    def test_a_queued_command_makes_no_system_call(self):
+        _, (entry,) = entries("--only", "D4")
+        if entry["ours"] is None:
+            self.skipTest("this kernel does not let a program watch its system calls")
+        self.assertEqual(entry["ours"], 0)
+
+
+if __name__ == "__main__":
+    PROGRAM = sys.argv.pop(1)
+    unittest.main()

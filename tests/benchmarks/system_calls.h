@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+namespace tendon::benchmark {
+
+/// Runs `work(from_now_on)` in a thread of its own and counts the system calls which that thread
+/// makes after it has called `from_now_on()`. They are executed, slowly: the kernel asks us each
+/// time. Nothing where the kernel does not let us.
+std::optional<std::uint64_t> CountSystemCalls(
+    const std::function<void(const std::function<void()>& from_now_on)>& work);
+
+}  // namespace tendon::benchmark

@@ -1,0 +1,132 @@
+#include <benchmarks/measurement.h>
+#include <benchmarks/wiring.h>
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+namespace tendon::benchmark {
+namespace {
+
+using Block = std::array<double, 128>;  // 1 kB
+
+double ReadNewestRow(std::uint64_t reads) {
+  const auto table = std::make_unique<Table<Message>>();
+  const Column<Message>& column = table->column();
+  Message message{};
+  return NanosecondsEach(reads, [&](std::uint64_t) {
+    (void)column.ReadNewest(message);
+    Use(message);
+  });
+}
+
+double CallReadFunction(std::uint64_t reads) {
+  const auto wiring = std::make_unique<Wiring>();
+  Message message{};
+  return NanosecondsEach(reads, [&](std::uint64_t) {
+    (void)wiring->get(message);
+    Use(message);
+  });
+}
+
+double LoadSeqlock(std::uint64_t reads) {
+  const auto seqlock = std::make_unique<Seqlock<Message>>();
+  Message message{};
+  return NanosecondsEach(reads, [&](std::uint64_t) {
+    seqlock->Load(message);
+    Use(message);
+  });
+}
+
+template <typename Target>
+double StoreInto(std::uint64_t stores) {
+  const auto target = std::make_unique<Target>();
+  Message message{};
+  return NanosecondsEach(stores, [&](std::uint64_t i) {
+    message[0] = static_cast<double>(i);
+    Use(message);
+    target->Store(message);
+  });
+}
+
+/// What a read takes while a writer writes 1 kB without a pause.
+template <typename Write, typename Read>
+double ReadBesideWriter(std::uint64_t reads, Write write, Read read) {
+  std::atomic<bool> is_ready = false;
+  std::jthread writer([&](const std::stop_token& stop) {
+    Block block{};
+    for (double n = 0; !stop.stop_requested(); ++n) {
+      block.fill(n);
+      write(block);
+      is_ready.store(true, std::memory_order_relaxed);
+    }
+  });
+  Insist([&] { return is_ready.load(); });
+  Block block{};
+  return NanosecondsEach(reads, [&](std::uint64_t) {
+    read(block);
+    Use(block);
+  });
+}
+
+double ReadTableBesideWriter(std::uint64_t reads) {
+  const auto table = std::make_unique<Table<Block>>();
+  const Column<Block>& column = table->column();
+  return ReadBesideWriter(
+      reads, [&](const Block& block) { table->Store(block); },
+      [&](Block& block) { (void)column.ReadNewest(block); });
+}
+
+double ReadMutexBesideWriter(std::uint64_t reads) {
+  std::mutex mutex;
+  Block shared{};
+  return ReadBesideWriter(
+      reads,
+      [&](const Block& block) {
+        const std::scoped_lock lock(mutex);
+        shared = block;
+      },
+      [&](Block& block) {
+        const std::scoped_lock lock(mutex);
+        block = shared;
+      });
+}
+
+}  // namespace
+
+std::vector<Case> TableCases(const Effort& effort) {
+  constexpr double kBoth = 2;
+  constexpr double kOneAtATime = 1;  // who waits for a mutex sleeps
+  const std::uint64_t alone = effort.Times(100'000);
+  const std::uint64_t beside_writer = effort.Times(50'000);
+  const auto with = [](std::uint64_t times, double (*function)(std::uint64_t)) {
+    return [=] { return function(times); };
+  };
+  return {
+      {.id = "S1",
+       .what = "newest row, 64 B / seqlock",
+       .gate = 3.0,
+       .stretch = 2.7,
+       .repetition = SideBySide({with(alone, ReadNewestRow)}, {with(alone, LoadSeqlock)})},
+      {.id = "S2",
+       .what = "the same through a bound read function / bare",
+       .gate = 2,
+       .stretch = 1.3,
+       .repetition = SideBySide({with(alone, CallReadFunction)}, {with(alone, ReadNewestRow)})},
+      {.id = "S3",
+       .what = "reads beside a fast writer, 1 kB / mutex",
+       .gate = 0.7,
+       .stretch = 0.35,
+       .repetition = SideBySide({with(beside_writer, ReadTableBesideWriter), kBoth},
+                                {with(beside_writer, ReadMutexBesideWriter), kOneAtATime})},
+      {.id = "S4",
+       .what = "advance of a row, 64 B / seqlock store",
+       .gate = 2.5,
+       .stretch = 1.5,
+       .repetition = SideBySide({with(alone, StoreInto<Table<Message>>)},
+                                {with(alone, StoreInto<Seqlock<Message>>)})},
+  };
+}
+
+}  // namespace tendon::benchmark

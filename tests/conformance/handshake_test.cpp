@@ -1,0 +1,161 @@
+#include <algorithm>
+#include <future>
+
+#include "conformance/contract.h"
+#include "conformance/oracle.h"
+
+namespace tendon::conformance {
+namespace {
+
+TEST_P(ChannelContract, AnotherProtocolVersionIsRefusedWithWhomToUpdate) {
+  Start(Channel::Acceptor(HelloOf("robot"), [] { return std::make_shared<Oracle>(); }));
+  Hello newer = HelloOf("desk");
+  newer.protocol_version = 3;
+  const auto client = std::make_shared<Oracle>();
+
+  const auto channel = Channel::Open(*pair_.client, listener_->address(), newer, client, kPatience);
+
+  ASSERT_FALSE(channel);
+  EXPECT_EQ(channel.error().code, ErrorCode::kIncompatible);
+  EXPECT_EQ(channel.error().message, "robot speaks protocol 1, this program 3: update robot");
+  ASSERT_TRUE(client->Wait([](const Oracle& oracle) { return !oracle.closed_.empty(); }));
+  EXPECT_EQ(client->closed_.size(), 1U);
+  EXPECT_EQ(client->peer_, "");
+}
+
+TEST_P(ChannelContract, AnOlderProgramIsToldToUpdateItself) {
+  Hello newer = HelloOf("robot");
+  newer.protocol_version = 3;
+  Start(Channel::Acceptor(newer, [] { return std::make_shared<Oracle>(); }));
+
+  const auto channel = Channel::Open(*pair_.client, listener_->address(), HelloOf("desk"),
+                                     std::make_shared<Oracle>(), kPatience);
+
+  ASSERT_FALSE(channel);
+  EXPECT_EQ(channel.error().message,
+            "robot speaks protocol 3, this program 1: update this program");
+}
+
+TEST_P(ChannelContract, AWrongCookieIsDeniedAndNoOpenIsHeard) {
+  const auto server = std::make_shared<Oracle>();
+  Start(Channel::Acceptor(HelloOf("robot"), [server] { return server; }));
+  for (const std::uint64_t cookie : {std::uint64_t{0}, kCookie + 1}) {
+    Hello hello = HelloOf("desk");
+    hello.cookie = cookie;
+
+    const auto channel = Channel::Open(*pair_.client, listener_->address(), hello,
+                                       std::make_shared<Oracle>(), kPatience);
+
+    ASSERT_FALSE(channel) << cookie;
+    EXPECT_EQ(channel.error().code, ErrorCode::kDenied);
+    EXPECT_EQ(channel.error().message,
+              "robot does not know 'desk': both must run as the same user of this machine");
+  }
+  ASSERT_TRUE(server->Wait([](const Oracle& oracle) { return oracle.closed_.size() == 2; }));
+  EXPECT_EQ(server->peer_, "");
+}
+
+/// Which of `frames` hold the cookie.
+std::size_t CountOfCookie(const std::vector<Bytes>& frames, std::uint64_t cookie) {
+  const auto wanted = std::as_bytes(std::span(&cookie, 1));
+  return static_cast<std::size_t>(
+      std::count_if(frames.begin(), frames.end(), [&](const Bytes& one) {
+        return std::search(one.begin(), one.end(), wanted.begin(), wanted.end()) != one.end();
+      }));
+}
+
+TEST_P(ChannelContract, AnImpostorAtThePortIsDeniedAndLearnsNothing) {
+  std::mutex mutex;
+  std::vector<Bytes> heard;
+  Host impostor([&](const std::shared_ptr<Link>& link) {
+    return std::make_shared<Recorder>([&, link](std::span<const std::byte> frame) {
+      const std::scoped_lock lock(mutex);
+      heard.emplace_back(frame.begin(), frame.end());
+      message::Challenge challenge;
+      challenge.greeting.name = "robot";
+      challenge.proof.fill(7);
+      const Bytes body = EncodeBody(challenge);
+      FrameHeader header{.type = MessageType::kChallenge, .request = 1};
+      header.size = static_cast<std::uint32_t>(body.size());
+      Bytes answer;
+      WriteFrame(header, body, answer);
+      (void)link->Send(answer);
+    });
+  });
+  Start(impostor.accept());
+
+  const auto channel = Channel::Open(*pair_.client, listener_->address(), HelloOf("desk"),
+                                     std::make_shared<Oracle>(), kPatience);
+
+  ASSERT_FALSE(channel);
+  EXPECT_EQ(channel.error().code, ErrorCode::kDenied);
+  EXPECT_TRUE(impostor.guest().recorder->WaitForClosed());
+  const std::scoped_lock lock(mutex);
+  EXPECT_EQ(heard.size(), 1U) << "a Hello and no proof";
+  EXPECT_EQ(CountOfCookie(heard, kCookie), 0U);
+}
+
+TEST_P(ChannelContract, WhoPassesOnWhatOthersSayIsDenied) {
+  const auto robot = std::make_shared<Oracle>();
+  Start(Channel::Acceptor(HelloOf("robot"), [robot] { return robot; }));
+  std::promise<std::shared_ptr<Link>> to_desk;
+  const auto desk = to_desk.get_future().share();
+  const auto to_robot = Open(std::make_shared<Recorder>(
+      [&](std::span<const std::byte> frame) { (void)desk.get()->Send(frame); }));
+  ASSERT_TRUE(to_robot);
+  const auto relay = pair_.server->Listen("127.0.0.1:0", [&](const std::shared_ptr<Link>& link) {
+    to_desk.set_value(link);
+    return std::make_shared<Recorder>(
+        [&](std::span<const std::byte> frame) { (void)(*to_robot)->Send(frame); });
+  });
+  ASSERT_TRUE(relay);
+
+  const auto channel = Channel::Open(*pair_.client, (*relay)->address(), HelloOf("desk"),
+                                     std::make_shared<Oracle>(), kPatience);
+
+  ASSERT_FALSE(channel);
+  EXPECT_EQ(channel.error().code, ErrorCode::kDenied);
+  (*to_robot)->Close();
+  ASSERT_TRUE(robot->Wait([](const Oracle& oracle) { return oracle.closed_.size() == 1; }));
+  EXPECT_EQ(robot->peer_, "");
+}
+
+TEST_P(ChannelContract, StrangersAreLetInWhereTheAcceptorSaysSo) {
+  Start(Channel::Acceptor(
+      HelloOf("robot"), [] { return std::make_shared<Oracle>(); }, Strangers::kAllowed));
+  Hello hello = HelloOf("desk");
+  hello.cookie = 0;
+
+  const auto channel = Channel::Open(*pair_.client, listener_->address(), hello,
+                                     std::make_shared<Oracle>(), kPatience);
+
+  EXPECT_TRUE(channel) << channel.error().message;
+}
+
+TEST_P(ChannelContract, ALinkThatBeginsWithSomethingElseIsClosed) {
+  const auto server = std::make_shared<Oracle>();
+  Start(Channel::Acceptor(HelloOf("robot"), [server] { return server; }));
+  const auto recorder = std::make_shared<Recorder>();
+  const auto link = Open(recorder);
+  ASSERT_TRUE(link);
+
+  ASSERT_EQ((*link)->Send(FrameOf(1)), Status::kQueued);
+
+  EXPECT_TRUE(recorder->WaitForClosed());
+  ASSERT_TRUE(server->Wait([](const Oracle& oracle) { return oracle.closed_.size() == 1; }));
+  EXPECT_EQ(server->peer_, "");
+}
+
+TEST_P(ChannelContract, AnAcceptorThatNeverAnswersTimesOut) {
+  Host mute;
+  Start(mute.accept());
+
+  const auto channel = Channel::Open(*pair_.client, listener_->address(), HelloOf("desk"),
+                                     std::make_shared<Oracle>(), std::chrono::milliseconds(200));
+
+  ASSERT_FALSE(channel);
+  EXPECT_EQ(channel.error().code, ErrorCode::kTimeout);
+}
+
+}  // namespace
+}  // namespace tendon::conformance

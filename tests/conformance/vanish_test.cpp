@@ -1,0 +1,68 @@
+#include <arpa/inet.h>
+#include <linux/filter.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+
+#include "conformance/contract.h"
+#include "conformance/resources.h"
+
+namespace tendon::conformance {
+namespace {
+
+/// 0 where there is none.
+template <typename Query>
+std::uint16_t PortOf(int descriptor, Query query) {
+  sockaddr_in address{};
+  socklen_t size = sizeof address;
+  if (query(descriptor, reinterpret_cast<sockaddr*>(&address), &size) != 0) return 0;
+  return address.sin_family == AF_INET ? ntohs(address.sin_port) : std::uint16_t{0};
+}
+
+/// From now on whatever comes for the connections to `port` of this program, at either end, is
+/// thrown away before the kernel answers it, as if the cable had been cut. Returns how many ends
+/// there were.
+int CutCable(std::uint16_t port) {
+  constexpr int kDescriptors = 1024;
+  sock_filter drop{BPF_RET | BPF_K, 0, 0, 0};
+  const sock_fprog program{1, &drop};
+  int ends = 0;
+  for (int descriptor = 0; descriptor < kDescriptors; ++descriptor) {
+    const std::uint16_t local = PortOf(descriptor, getsockname);
+    const std::uint16_t peer = PortOf(descriptor, getpeername);
+    if (peer == 0 || (local != port && peer != port)) continue;
+    ends += setsockopt(descriptor, SOL_SOCKET, SO_ATTACH_FILTER, &program, sizeof program) == 0;
+  }
+  return ends;
+}
+
+TEST_P(PortContract, AnOpenerThatVanishedWithoutAWordIsNoticedByWhatIsSentToIt) {
+  Host host;
+  Start(host.accept());
+  const auto link = Open(std::make_shared<Recorder>());
+  ASSERT_TRUE(link);
+  ASSERT_EQ((*link)->Send(FrameOf(1)), Status::kQueued);
+  const auto guest = host.guest();
+  ASSERT_TRUE(guest.recorder->WaitForFrames(1));
+  ASSERT_EQ(CutCable(ParseAddress(listener_->address(), 1)->port), 2);
+
+  ASSERT_EQ(guest.link->Send(FrameOf(2)), Status::kQueued);
+
+  EXPECT_TRUE(guest.recorder->WaitForClosed());
+}
+
+TEST_P(PortContract, AnOpenerThatVanishedWithoutAWordIsNoticedInSilenceToo) {
+  Host host;
+  Start(host.accept());
+  const auto link = Open(std::make_shared<Recorder>());
+  ASSERT_TRUE(link);
+  ASSERT_EQ((*link)->Send(FrameOf(1)), Status::kQueued);
+  const auto guest = host.guest();
+  ASSERT_TRUE(guest.recorder->WaitForFrames(1));
+
+  ASSERT_EQ(CutCable(ParseAddress(listener_->address(), 1)->port), 2);
+
+  EXPECT_TRUE(guest.recorder->WaitForClosed());
+}
+
+}  // namespace
+}  // namespace tendon::conformance

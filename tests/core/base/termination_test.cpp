@@ -1,0 +1,70 @@
+#include <gtest/gtest.h>
+#include <tendon/base/os/termination.h>
+#include <unistd.h>
+
+#include <csignal>
+
+namespace tendon::os {
+namespace {
+
+using namespace std::chrono_literals;  // NOLINT(google-build-using-namespace)
+
+constexpr int kWasAsked = 3;
+
+void SignalMyself() { kill(getpid(), SIGTERM); }
+
+TEST(Termination, AHeldSignalIsSeenAndDoesNotKill) {
+  EXPECT_EXIT(
+      {
+        HoldTerminationSignals();
+        SignalMyself();
+        _exit(TerminationAsked(60s) ? kWasAsked : 0);
+      },
+      testing::ExitedWithCode(kWasAsked), "");
+}
+
+TEST(Termination, NobodyHasAsked) {
+  EXPECT_EXIT(
+      {
+        HoldTerminationSignals();
+        _exit(TerminationAsked(1ms) ? kWasAsked : 0);
+      },
+      testing::ExitedWithCode(0), "");
+}
+
+TEST(Termination, ASecondSignalKills) {
+  EXPECT_EXIT(
+      {
+        HoldTerminationSignals();
+        SignalMyself();
+        static_cast<void>(TerminationAsked(60s));
+        SignalMyself();
+        _exit(0);
+      },
+      testing::KilledBySignal(SIGTERM), "");
+}
+
+TEST(Termination, AWaitThatLetsSignalsThroughEndsWithTheFirst) {
+  EXPECT_EXIT(
+      {
+        HoldTerminationSignals();
+        const TerminationLetThrough impatient;
+        SignalMyself();
+        _exit(0);
+      },
+      testing::KilledBySignal(SIGTERM), "");
+}
+
+TEST(Termination, AfterTheWaitSignalsAreHeldAgain) {
+  EXPECT_EXIT(
+      {
+        HoldTerminationSignals();
+        { const TerminationLetThrough impatient; }
+        SignalMyself();
+        _exit(TerminationAsked(60s) ? kWasAsked : 0);
+      },
+      testing::ExitedWithCode(kWasAsked), "");
+}
+
+}  // namespace
+}  // namespace tendon::os

@@ -1,0 +1,190 @@
+#include <gtest/gtest.h>
+#include <tendon/gcm/diagnosis.h>
+#include <tests/core/gcm/samples.h>
+
+namespace tendon {
+namespace {
+
+using namespace std::chrono_literals;  // NOLINT(google-build-using-namespace)
+using Kind = CatalogChange::Kind;
+using Verdict = DiagnosisStep::Verdict;
+
+const message::Wire kWire{{"desk", "teleoperation", "Robot"}, {"robot", "arm", "Control"}};
+
+class DiagnosisTest : public testing::Test {
+ protected:
+  DiagnosisTest() {
+    Enter(robot_, {test::Arm(), test::FakeArm()});
+    Enter(desk_, {test::Teleoperation()});
+  }
+
+  void Apply(CatalogChange change) {
+    change.revision = catalog_.revision() + 1;
+    EXPECT_TRUE(catalog_.Apply(change));
+  }
+  void Enter(const ProcessDescription& process,
+             const std::vector<ComponentDescription>& components = {}) {
+    Apply({.kind = Kind::kProcess, .process = process.name, .processes = {process}});
+    for (const auto& component : components) {
+      Apply({.kind = Kind::kComponent, .process = process.name, .components = {component}});
+    }
+  }
+  void Connect(ConnectionState state, const std::string& reason = {},
+               const InterfaceName& provided = kWire.provided) {
+    Apply({.kind = Kind::kConnection,
+           .process = "desk",
+           .connections = {{.id = 1,
+                            .required = kWire.required,
+                            .provided = provided,
+                            .state = state,
+                            .reason = reason}}});
+  }
+
+  Diagnosis Examine(const message::Wire& wire = kWire) {
+    const auto diagnosis = Diagnose(catalog_, wire);
+    EXPECT_TRUE(diagnosis) << diagnosis.error().message;
+    if (!diagnosis) return {};
+    EXPECT_EQ(diagnosis->steps.size(), 7U);
+    return *diagnosis;
+  }
+  /// That the steps before `number` are good, it is bad, and those behind were not reached.
+  static void ExpectBad(const Diagnosis& diagnosis, std::size_t number, ErrorCode code,
+                        const std::string& text) {
+    ASSERT_EQ(diagnosis.steps.size(), 7U);
+    for (std::size_t i = 0; i < 7; ++i) {
+      const Verdict expected = i + 1 < number    ? Verdict::kGood
+                               : i + 1 == number ? Verdict::kBad
+                                                 : Verdict::kNotReached;
+      EXPECT_EQ(diagnosis.steps[i].verdict, expected) << i + 1 << diagnosis.steps[i].text;
+      EXPECT_FALSE(diagnosis.steps[i].text.empty());
+    }
+    EXPECT_EQ(diagnosis.steps[number - 1].text, text);
+    EXPECT_FALSE(diagnosis.steps[number - 1].fix.empty());
+    ASSERT_TRUE(diagnosis.failure);
+    EXPECT_EQ(diagnosis.failure->code, code);
+  }
+
+  Catalog catalog_;
+  ProcessDescription robot_ = test::ProcessNamed("robot", 1);
+  ProcessDescription desk_ = test::ProcessNamed("desk", 2);
+};
+
+TEST_F(DiagnosisTest, OfAConnectionThatStandsIsGoodToTheEnd) {
+  Connect(ConnectionState::kActive);
+
+  Diagnosis diagnosis = Examine();
+  AddRoundTrip(diagnosis, 800us);
+
+  EXPECT_TRUE(diagnosis.is_connected);
+  EXPECT_FALSE(diagnosis.failure);
+  for (const auto& step : diagnosis.steps) EXPECT_EQ(step.verdict, Verdict::kGood) << step.text;
+  EXPECT_EQ(diagnosis.steps[3].text, "signatures match: 2 of 2");
+  EXPECT_EQ(diagnosis.steps[6].text, "process 'robot' answers within 800 us");
+}
+
+TEST_F(DiagnosisTest, OfTwoThatCouldBeConnectedLeavesOutWhatWasNotTried) {
+  const Diagnosis diagnosis = Examine();
+
+  EXPECT_FALSE(diagnosis.is_connected);
+  EXPECT_FALSE(diagnosis.failure);
+  EXPECT_EQ(diagnosis.steps[3].verdict, Verdict::kGood);
+  EXPECT_EQ(diagnosis.steps[4].verdict, Verdict::kNotReached);
+}
+
+TEST_F(DiagnosisTest, FindsAProcessThatIsGone) {
+  robot_.state = ProcessState::kLost;
+  robot_.reason = "its connection broke";
+  Enter(robot_);
+
+  ExpectBad(Examine(), 1, ErrorCode::kUnreachable,
+            "process 'robot' is lost (its connection broke)");
+}
+
+TEST_F(DiagnosisTest, FindsAFault) {
+  ComponentDescription arm = test::Arm();
+  arm.state = ComponentState::kFaulted;
+  arm.fault = "out of range";
+  Apply({.kind = Kind::kComponent, .process = "robot", .components = {arm}});
+
+  ExpectBad(Examine(), 2, ErrorCode::kFailed, "component 'arm' is faulted: out of range");
+}
+
+TEST_F(DiagnosisTest, FindsAnotherConnection) {
+  Connect(ConnectionState::kActive, {}, {"robot", "second", "Control"});
+
+  ExpectBad(Examine(), 3, ErrorCode::kExists,
+            "desk/teleoperation/Robot is connected to robot/second/Control");
+}
+
+TEST_F(DiagnosisTest, FindsWhatDoesNotMatch) {
+  const Diagnosis diagnosis = Examine({kWire.required, {"robot", "fake", "Control"}});
+
+  ExpectBad(diagnosis, 4, ErrorCode::kIncompatible, "signatures match: 1 of 2");
+  EXPECT_EQ(diagnosis.steps[3].details.size(), 1U);
+  EXPECT_EQ(diagnosis.steps[3].fix, "see what does fit: gcm candidates desk/teleoperation/Robot");
+}
+
+TEST_F(DiagnosisTest, FindsAnAddressThatIsOfTheOtherMachineAlone) {
+  robot_.host = "far";
+  Enter(robot_);
+
+  const Diagnosis diagnosis = Examine();
+
+  ExpectBad(diagnosis, 5, ErrorCode::kUnreachable,
+            "desk on host bench cannot reach robot at " + robot_.address);
+  EXPECT_EQ(diagnosis.steps[4].fix, "start robot with --listen and --advertise for host far");
+}
+
+TEST_F(DiagnosisTest, FindsAConnectionThatWaits) {
+  Connect(ConnectionState::kPending, "robot did not answer");
+
+  ExpectBad(Examine(), 5, ErrorCode::kTimeout, "it is pending: robot did not answer");
+}
+
+TEST_F(DiagnosisTest, FindsAConnectionThatWasRefused) {
+  Connect(ConnectionState::kFailed, "no");
+
+  ExpectBad(Examine(), 6, ErrorCode::kFailed, "it was refused: no");
+}
+
+TEST_F(DiagnosisTest, FindsAProcessThatDoesNotAnswer) {
+  Connect(ConnectionState::kActive);
+  Diagnosis diagnosis = Examine();
+
+  AddRoundTrip(diagnosis, Error{ErrorCode::kTimeout, "no answer"});
+
+  ExpectBad(diagnosis, 7, ErrorCode::kTimeout, "no answer");
+}
+
+TEST_F(DiagnosisTest, OfSomethingThatIsNotThereIsAnError) {
+  EXPECT_EQ(Diagnose(catalog_, {kWire.required, {"robot", "arn", "Control"}}).error().code,
+            ErrorCode::kNotFound);
+  EXPECT_EQ(Diagnose(catalog_, {kWire.provided, kWire.provided}).error().code,
+            ErrorCode::kNotFound);
+}
+
+TEST_F(DiagnosisTest, CandidatesAreRankedByHowMuchFits) {
+  Enter(desk_, {test::Arm("b_arm"), test::Arm("a_arm")});
+  Connect(ConnectionState::kActive);
+
+  const auto candidates = RankCandidates(catalog_, kWire.required);
+
+  ASSERT_TRUE(candidates);
+  std::vector<std::string> names;
+  for (const auto& candidate : *candidates) names.push_back(ToString(candidate.provided));
+  EXPECT_EQ(names, (std::vector<std::string>{"desk/a_arm/Control", "desk/b_arm/Control",
+                                             "robot/arm/Control", "robot/fake/Control"}));
+  EXPECT_TRUE((*candidates)[2].is_connected);
+  EXPECT_TRUE((*candidates)[2].compatibility.fits());
+  EXPECT_FALSE((*candidates)[3].compatibility.fits());
+}
+
+TEST_F(DiagnosisTest, AProcessThatIsGoneHasNoCandidates) {
+  robot_.state = ProcessState::kLeft;
+  Enter(robot_);
+
+  EXPECT_TRUE(RankCandidates(catalog_, kWire.required)->empty());
+}
+
+}  // namespace
+}  // namespace tendon

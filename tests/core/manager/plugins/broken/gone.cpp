@@ -1,0 +1,2 @@
+void Gone();
+void Gone() {}

@@ -1,0 +1,5 @@
+namespace lamp {
+void SwitchOn(int level);
+}
+
+extern "C" void TendonRegisterComponents(void* /*registry*/) { lamp::SwitchOn(1); }

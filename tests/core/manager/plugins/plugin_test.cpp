@@ -1,0 +1,220 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <tendon/manager/component_loader.h>
+#include <tendon/manager/plugin.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+/// Every way in which a plug-in can be broken gives one sentence, and leaves nothing behind.
+namespace tendon {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::MatchesRegex;
+
+const fs::path kBuilt = TENDON_TEST_PLUGINS;
+
+std::string Content(const fs::path& file) {
+  std::ostringstream content;
+  content << std::ifstream(file, std::ios::binary).rdbuf();
+  return content.str();
+}
+
+/// Whether this process has the file in its memory.
+bool IsMapped(const fs::path& file) {
+  return Content("/proc/self/maps").find(file.string()) != std::string::npos;
+}
+
+/// A file is written, to be looked at by the loader; its name is `library`.
+struct PluginTest : testing::Test {
+  PluginTest() {
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+  }
+  ~PluginTest() override { fs::remove_all(folder); }
+
+  fs::path Write(const std::string& name, const std::string& content) const {
+    const fs::path file = folder / (name + ".so");
+    std::ofstream(file, std::ios::binary) << content;
+    return file;
+  }
+  /// What the loader says of it, without "plug-in PATH: ".
+  std::string Refusal(const std::string& library, const fs::path& in = kBuilt) {
+    ComponentLoader loader({in, folder});
+    const fs::path file = in / (library + ".so");
+    const auto loaded = loader.Load(library);
+    if (loaded) return "loaded";
+    EXPECT_FALSE(IsMapped(file));
+    EXPECT_TRUE(loader.loaded().empty());
+    EXPECT_EQ(loaded.error().message.find('\n'), std::string::npos);
+    const std::string start = "plug-in " + file.string() + ": ";
+    EXPECT_EQ(loaded.error().message.substr(0, start.size()), start);
+    return loaded.error().message.substr(start.size());
+  }
+  /// The same for a good plug-in with some bytes replaced.
+  std::string RefusalOfPatched(std::size_t offset, const std::string& bytes) {
+    std::string content = Content(kBuilt / "good.so");
+    content.replace(offset, bytes.size(), bytes);
+    Write("patched", content);
+    return Refusal("patched", folder);
+  }
+
+  fs::path folder =
+      fs::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name();
+};
+
+TEST_F(PluginTest, ThatIsGoodRegistersItsClassesAndTheirConfigurations) {
+  ComponentLoader loader({kBuilt});
+
+  const auto loaded = loader.Load("good");
+
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  const auto classes = loader.loaded().at("good").classes();
+  ASSERT_EQ(classes.size(), 2U);
+  EXPECT_EQ(classes[0].name, "Lamp");
+  EXPECT_EQ(classes[0].configuration.name(), "test.LampConfiguration");
+  EXPECT_EQ(classes[0].configuration.fields()[0].range, (Range{0, 1}));
+  EXPECT_EQ(classes[0].defaults, R"({"brightness":0.5})");
+  EXPECT_EQ(classes[1].name, "Socket");
+  EXPECT_TRUE(classes[1].configuration.is_none());
+}
+
+TEST_F(PluginTest, ThatIsGoodRefusesAConfigurationOutOfRange) {
+  ComponentLoader loader({kBuilt});
+
+  const auto lamp = loader.Create("good", "Lamp", "lamp", R"({"brightness": 2})");
+
+  ASSERT_FALSE(lamp);
+  EXPECT_EQ(lamp.error().message,
+            "component 'lamp' (class Lamp): brightness: expected a number from 0 to 1, got number "
+            "2 (plug-in good.so)");
+}
+
+TEST_F(PluginTest, ThatIsNoElfFileIsQuoted) {
+  Write("text", "this is no library");
+  Write("empty", "");
+  Write("magic",
+        "\x7f"
+        "ELF");
+
+  EXPECT_THAT(Refusal("text", folder), MatchesRegex("expected a shared library for .*, found a "
+                                                    "file that begins with 'this is no libra'"));
+  EXPECT_THAT(Refusal("empty", folder), HasSubstr("found an empty file"));
+  EXPECT_THAT(Refusal("magic", folder), HasSubstr("found one cut short after 4 B"));
+}
+
+TEST_F(PluginTest, ThatIsTruncatedIsRefusedWhereverItEnds) {
+  const std::string whole = Content(kBuilt / "good.so");
+  const std::string size = std::to_string(whole.size());
+  for (std::size_t part = 1; part < 10; ++part) {
+    const std::size_t kept = whole.size() * part / 10;
+    Write("cut", whole.substr(0, kept));
+    EXPECT_THAT(Refusal("cut", folder),
+                HasSubstr("found one cut short: " + std::to_string(kept) + " of " + size + " B"));
+  }
+}
+
+TEST_F(PluginTest, OfAnotherMachineIsNamed) {
+  EXPECT_THAT(RefusalOfPatched(18, std::string("\x28\0", 2)), HasSubstr("found one for arm"));
+  EXPECT_THAT(RefusalOfPatched(18, std::string("\x34\x12", 2)),
+              HasSubstr("found one for machine 4660"));
+  EXPECT_THAT(RefusalOfPatched(4, "\x01"), HasSubstr("found one of another word size"));
+  EXPECT_THAT(RefusalOfPatched(16, std::string("\x01\0", 2)),
+              HasSubstr("found an object file or a program"));
+}
+
+TEST_F(PluginTest, WhoseLibraryIsMissingNamesIt) {
+  EXPECT_EQ(Refusal("missing_dependency"),
+            "expected the libraries it needs, found no libtest_plugin_gone.so; install it, or add "
+            "its folder to LD_LIBRARY_PATH");
+}
+
+TEST_F(PluginTest, WhoseSymbolIsMissingNamesIt) {
+  EXPECT_EQ(Refusal("missing_symbol"),
+            "expected all it uses in the libraries it needs, found no lamp::SwitchOn(int); build "
+            "it against this version and link what it uses");
+}
+
+TEST_F(PluginTest, WithoutEntryPointIsNone) {
+  EXPECT_EQ(Refusal("no_entry"),
+            "expected the function TendonRegisterComponents, found none; it is no plug-in with "
+            "components");
+}
+
+TEST_F(PluginTest, OfAnotherBinaryInterfaceNamesBoth) {
+  const std::string ours = DescribePluginAbi(TendonPluginAbi());
+  EXPECT_EQ(Refusal("other_abi"), "expected " + ours +
+                                      ", found tendon 7.2, C++ ABI 1011 with old strings; build it "
+                                      "again against this version");
+  EXPECT_THAT(Refusal("no_abi"), HasSubstr("expected the function TendonPluginAbi, found none"));
+}
+
+TEST_F(PluginTest, KnowsTheVersionOfTheProject) {
+  const std::string version = TENDON_VERSION;
+  const std::string without_patch = version.substr(0, version.rfind('.'));
+  EXPECT_EQ(DescribePluginAbi(TendonPluginAbi()).find("tendon " + without_patch + ","), 0U);
+}
+
+TEST_F(PluginTest, ThatCrashesHarmsAnotherProcessOnly) {
+  EXPECT_THAT(Refusal("crashes"),
+              MatchesRegex("expected a library that loads, found that it ends the process that "
+                           "loads it with (SIGSEGV|exit code .*)"));
+}
+
+TEST_F(PluginTest, ThatEndsTheProcessIsTold) {
+  EXPECT_EQ(Refusal("exits"),
+            "expected a library that loads, found that it ends the process that loads it with "
+            "exit code 0");
+}
+
+TEST_F(PluginTest, ThatThrowsAtItsStartIsQuoted) {
+  EXPECT_EQ(Refusal("throws_at_start"),
+            "expected a library that loads, found that its start-up threw: no calibration");
+}
+
+TEST_F(PluginTest, ThatNeverFinishesIsToldInTime) {
+  const auto probed = ProbePlugin(kBuilt / "never_finishes.so", std::chrono::milliseconds(200));
+
+  ASSERT_FALSE(probed);
+  EXPECT_THAT(probed.error().message, HasSubstr("found that it has not finished after 200 ms"));
+}
+
+TEST_F(PluginTest, ThatThrowsWhenItRegistersIsQuoted) {
+  EXPECT_EQ(Refusal("throws_on_registration"),
+            "expected TendonRegisterComponents to return, found that it threw something that is "
+            "no std::exception");
+}
+
+TEST_F(PluginTest, WithAClassTwiceNamesTheClass) {
+  EXPECT_EQ(Refusal("duplicate_class"),
+            "expected TendonRegisterComponents to return, found that it threw: component class "
+            "'Lamp' is registered twice");
+}
+
+TEST_F(PluginTest, WhoseNameLeadsOutOfTheFoldersIsRefused) {
+  ComponentLoader loader({folder / "inner"});
+  fs::create_directories(folder / "inner");
+  fs::copy_file(kBuilt / "good.so", folder / "good.so");
+  for (const char* name : {"../good", "inner/../good", "/tmp/good", "good.so", "..", ""}) {
+    const auto loaded = loader.Load(name);
+    ASSERT_FALSE(loaded) << name;
+    EXPECT_EQ(loaded.error().code, ErrorCode::kInvalid) << name;
+  }
+}
+
+TEST_F(PluginTest, ThatFailedCanBeLoadedOnceItIsMended) {
+  ComponentLoader loader({folder});
+  const fs::path file = Write("lamp", "nothing yet");
+  ASSERT_FALSE(loader.Load("lamp"));
+
+  fs::copy_file(kBuilt / "good.so", file, fs::copy_options::overwrite_existing);
+
+  const auto loaded = loader.Load("lamp");
+  EXPECT_TRUE(loaded) << loaded.error().message;
+}
+
+}  // namespace
+}  // namespace tendon

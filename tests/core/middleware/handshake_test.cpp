@@ -1,0 +1,198 @@
+#include <gtest/gtest.h>
+#include <tendon/middleware/handshake/handshake.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace tendon {
+namespace {
+
+using message::Challenge;
+using message::Proof;
+
+constexpr std::uint64_t kCookie = 4711;
+
+Hello HelloOf(const std::string& name, std::uint64_t cookie = kCookie) {
+  return {.instance = 3, .name = name, .session = name == "desk" ? 99U : 0U, .cookie = cookie};
+}
+
+FrameHeader HeaderOf(MessageType type, std::uint16_t version = 1) {
+  FrameHeader header;
+  header.type = type;
+  header.version = version;
+  header.request = 1;
+  return header;
+}
+
+/// The two ends of a link, and what they say to each other.
+struct Talk {
+  explicit Talk(Hello one = HelloOf("desk"), Hello other = HelloOf("robot"),
+                Strangers strangers = Strangers::kRefused,
+                const std::string& seen = "127.0.0.1:10705")
+      : opener(Handshake::Role::kOpener, std::move(one), seen, Strangers::kRefused),
+        acceptor(Handshake::Role::kAcceptor, std::move(other), "127.0.0.1:10705", strangers) {}
+
+  Result<Handshake::Step> Hear(MessageType type, const Bytes& body) {
+    return acceptor.Take(HeaderOf(type), body);
+  }
+  Result<Handshake::Step> Answer(const Handshake::Step& step) {
+    return opener.Take(HeaderOf(step.type), step.body);
+  }
+  /// Whom the acceptor lets in.
+  Result<Hello> Run() {
+    const auto challenge = Hear(MessageType::kHello, opener.Greet());
+    if (!challenge) return challenge.error();
+    const auto proof = Answer(*challenge);
+    if (!proof) return proof.error();
+    const auto welcome = Hear(proof->type, proof->body);
+    if (!welcome) return welcome.error();
+    const auto end = Answer(*welcome);
+    if (!end) return end.error();
+    robot = *end->peer;
+    return *welcome->peer;
+  }
+
+  Handshake opener;
+  Handshake acceptor;
+  Hello robot;  // as the opener knows it
+};
+
+TEST(Handshake, BothEndsLearnWhoTheOtherIsAndTheAcceptorTheSession) {
+  Talk talk;
+
+  const auto desk = talk.Run();
+
+  ASSERT_TRUE(desk) << desk.error().message;
+  EXPECT_EQ(desk->name, "desk");
+  EXPECT_EQ(desk->instance, 3U);
+  EXPECT_EQ(desk->session, 99U);
+  EXPECT_EQ(talk.robot.name, "robot");
+  EXPECT_EQ(desk->cookie + talk.robot.cookie + talk.robot.session, 0U);
+}
+
+TEST(Handshake, WhoDoesNotKnowTheCookieIsDenied) {
+  const Error denied{ErrorCode::kDenied,
+                     "robot does not know 'desk': both must run as the same user of this machine"};
+
+  EXPECT_EQ(Talk(HelloOf("desk", 8)).Run().error(), denied);
+  EXPECT_EQ(Talk(HelloOf("desk", 0)).Run().error(), denied);
+  EXPECT_EQ(Talk(HelloOf("desk"), HelloOf("robot", 0)).Run().error(), denied);
+}
+
+TEST(Handshake, NoCookieAtBothEndsIsNoKnowledge) {
+  EXPECT_EQ(Talk(HelloOf("desk", 0), HelloOf("robot", 0)).Run().error().code, ErrorCode::kDenied);
+}
+
+TEST(Handshake, AllowedStrangersMayShowNoneButNoWrongOne) {
+  EXPECT_TRUE(Talk(HelloOf("desk", 0), HelloOf("robot"), Strangers::kAllowed).Run());
+  Talk talk(HelloOf("desk", 0), HelloOf("robot"), Strangers::kAllowed);
+  ASSERT_TRUE(talk.Hear(MessageType::kHello, talk.opener.Greet()));
+  Proof wrong;
+  wrong.proof.fill(1);
+
+  EXPECT_FALSE(talk.Hear(MessageType::kProof, EncodeBody(wrong)));
+}
+
+TEST(Handshake, FromElsewhereNoCookieIsAskedForAndNoneIsUsed) {
+  Talk talk(HelloOf("desk", 0), HelloOf("robot", 0), Strangers::kFromElsewhere);
+
+  const auto challenge = talk.Hear(MessageType::kHello, talk.opener.Greet());
+
+  ASSERT_TRUE(challenge);
+  EXPECT_EQ(DecodeBody<Challenge>(challenge->body)->proof, message::Digest{});
+  EXPECT_TRUE(Talk(HelloOf("desk", 0), HelloOf("robot", 0), Strangers::kFromElsewhere).Run());
+}
+
+TEST(Handshake, NothingThatIsSaidHoldsTheCookie) {
+  Talk talk;
+  const Bytes greeting = talk.opener.Greet();
+  const auto challenge = talk.Hear(MessageType::kHello, greeting);
+  const auto proof = talk.Answer(*challenge);
+  const auto wanted = std::as_bytes(std::span(&kCookie, 1));
+
+  for (const Bytes& said : {greeting, challenge->body, proof->body}) {
+    EXPECT_EQ(std::search(said.begin(), said.end(), wanted.begin(), wanted.end()), said.end());
+  }
+}
+
+TEST(Handshake, AProofIsOfNoUseOnAnotherLink) {
+  Talk recorded;
+  const Bytes greeting = recorded.opener.Greet();
+  const auto proof = recorded.Answer(*recorded.Hear(MessageType::kHello, greeting));
+  ASSERT_TRUE(proof);
+  Talk replayed;
+  ASSERT_TRUE(replayed.Hear(MessageType::kHello, greeting));
+
+  const auto judged = replayed.Hear(MessageType::kProof, proof->body);
+
+  ASSERT_FALSE(judged);
+  EXPECT_EQ(judged.error().code, ErrorCode::kDenied);
+}
+
+TEST(Handshake, AnAcceptorsProofIsNoOpeners) {
+  Talk talk;
+  const auto challenge = talk.Hear(MessageType::kHello, talk.opener.Greet());
+  Proof mirrored;
+  mirrored.proof = DecodeBody<Challenge>(challenge->body)->proof;
+
+  EXPECT_FALSE(talk.Hear(MessageType::kProof, EncodeBody(mirrored)));
+}
+
+TEST(Handshake, AProofCoversTheSession) {
+  Talk talk;
+  const auto answer = talk.Answer(*talk.Hear(MessageType::kHello, talk.opener.Greet()));
+  auto proof = DecodeBody<Proof>(answer->body);
+  ++proof->session;
+
+  EXPECT_FALSE(talk.Hear(MessageType::kProof, EncodeBody(*proof)));
+}
+
+TEST(Handshake, WhoFoundTheAcceptorElsewhereIsDenied) {
+  Talk talk(HelloOf("desk"), HelloOf("robot"), Strangers::kRefused, "127.0.0.1:6666");
+
+  EXPECT_EQ(talk.Run().error().code, ErrorCode::kDenied);
+}
+
+TEST(Handshake, AnotherVersionIsRefusedBeforeItsBodyIsRead) {
+  Talk talk;
+
+  const auto judged = talk.acceptor.Take(HeaderOf(MessageType::kHello, 3), Bytes(5));
+
+  EXPECT_EQ(judged.error(), (Error{ErrorCode::kIncompatible,
+                                   "robot speaks protocol 1, this program 3: update robot"}));
+}
+
+TEST(Handshake, WhatIsOutOfTurnIsInvalid) {
+  for (const auto type : {MessageType::kProof, MessageType::kWelcome, MessageType::kReply}) {
+    EXPECT_EQ(Talk().Hear(type, Bytes(5)).error().code, ErrorCode::kInvalid);
+  }
+  EXPECT_EQ(Talk().Hear(MessageType::kHello, Bytes(5)).error().code, ErrorCode::kInvalid);
+  Talk talk;
+  ASSERT_TRUE(talk.Hear(MessageType::kHello, talk.opener.Greet()));
+  EXPECT_EQ(talk.Hear(MessageType::kHello, talk.opener.Greet()).error().code, ErrorCode::kInvalid);
+  EXPECT_EQ(talk.Answer({.type = MessageType::kWelcome, .body = Bytes(1)}).error().code,
+            ErrorCode::kInvalid);
+}
+
+TEST(Handshake, TheRefusalOfAnotherVersionIsReadAllTheSame) {
+  const Error refusal{ErrorCode::kIncompatible, "robot speaks protocol 9, this program 1: update"};
+  Talk talk;
+  (void)talk.opener.Greet();
+
+  const auto judged = talk.opener.Take(HeaderOf(MessageType::kRefusal, 9), EncodeBody(refusal));
+
+  EXPECT_EQ(judged.error(), refusal);
+}
+
+TEST(Handshake, AChallengeInAnotherVersionIsRefusedHere) {
+  Talk talk;
+  (void)talk.opener.Greet();
+
+  const auto judged = talk.opener.Take(HeaderOf(MessageType::kChallenge, 9), Bytes(5));
+
+  EXPECT_EQ(judged.error().message,
+            "127.0.0.1:10705 speaks protocol 9, this program 1: update this program");
+}
+
+}  // namespace
+}  // namespace tendon

@@ -1,0 +1,116 @@
+#include <gtest/gtest.h>
+#include <tendon/payload/json.h>
+#include <tests/core/payload/sample_types.h>
+
+#include <cmath>
+#include <limits>
+
+/// What people and scripts get wrong in JSON: each mistake has its sentence.
+namespace tendon {
+namespace {
+
+template <typename T>
+std::string ErrorOf(std::string_view json) {
+  const auto value = FromJson<T>(json);
+  return value ? "accepted" : value.error().message;
+}
+
+TEST(FromJson, SaysWhereTextIsNoJson) {
+  const auto error = ErrorOf<sample::Point>;
+  EXPECT_EQ(error("{"),
+            "this is no JSON: line 1, column 2: unexpected end of input; expected string literal");
+  EXPECT_EQ(error("{\"x\": 1,\n \"y\": 2,,\n"),
+            "this is no JSON: line 2, column 9: unexpected ','; expected string literal");
+  EXPECT_EQ(error("{\"x\": 1,\n}"),
+            "this is no JSON: line 2, column 1: unexpected '}'; expected string literal");
+  EXPECT_EQ(error("{} // done").substr(0, 34), "this is no JSON: line 1, column 4:");
+  EXPECT_EQ(error("{'x': 1}").substr(0, 34), "this is no JSON: line 1, column 2:");
+  EXPECT_EQ(error("\xef\xbb\xbf{}"),
+            "this is no JSON: begins with a byte-order mark; save it as UTF-8 without one");
+}
+
+TEST(FromJson, NothingIsNoValueButNone) {
+  EXPECT_EQ(ErrorOf<sample::Point>(""), "expected sample.Point, got nothing");
+  EXPECT_EQ(ErrorOf<double>(" \n"), "expected float64, got nothing");
+}
+
+TEST(FromJson, AKeyThatOccursTwiceIsNamedWithItsPlace) {
+  EXPECT_EQ(ErrorOf<sample::Point>(R"({"x":1,"y":2,"z":3,"y":4})"),
+            "this is no JSON: key 'y' occurs twice");
+  EXPECT_EQ(ErrorOf<std::vector<sample::Point>>(R"([{},{"x":1,"x":1}])"),
+            "this is no JSON: [1]: key 'x' occurs twice");
+}
+
+TEST(FromJson, NestsNoDeeperThan64) {
+  const auto nested = [](std::size_t depth) {
+    return std::string(depth, '[') + std::string(depth, ']');
+  };
+  EXPECT_EQ(ErrorOf<double>(nested(64)), "expected a number, got an array of 1");
+  EXPECT_EQ(ErrorOf<double>(nested(65)), "this is no JSON: nesting deeper than 64");
+  EXPECT_EQ(ErrorOf<double>(std::string(1'000'000, '[')),
+            "this is no JSON: nesting deeper than 64");
+}
+
+TEST(FromJson, ReadsAtMostSixteenMebibytes) {
+  std::string text = "1" + std::string((16U << 20U) - 1, ' ');
+  EXPECT_EQ(ErrorOf<double>(text), "accepted");
+  text += ' ';
+  EXPECT_EQ(ErrorOf<double>(text), "this JSON has 16777217 bytes; at most 16777216 are read");
+}
+
+TEST(FromJson, IntegersAreExactBeyondTwoToThe53) {
+  EXPECT_EQ(*FromJson<std::int64_t>("9007199254740993"), 9007199254740993);
+  EXPECT_EQ(*FromJson<std::int64_t>("-9223372036854775808"),
+            std::numeric_limits<std::int64_t>::min());
+  EXPECT_EQ(*FromJson<std::uint64_t>("18446744073709551615"),
+            std::numeric_limits<std::uint64_t>::max());
+  EXPECT_EQ(ErrorOf<std::int64_t>("9223372036854775808"),
+            "expected an integer from -9223372036854775808 to 9223372036854775807, got number "
+            "9223372036854775808");
+  EXPECT_EQ(ErrorOf<std::uint64_t>("18446744073709551616").substr(0, 56),
+            "expected an integer from 0 to 18446744073709551615, got ");
+  EXPECT_EQ(ErrorOf<std::uint64_t>("9007199254740993.0").substr(0, 11), "expected an");
+}
+
+TEST(FromJson, NumbersThatNoDoubleHoldsAreRefused) {
+  EXPECT_NE(ErrorOf<double>("1e999").find("1e999"), std::string::npos);
+  EXPECT_EQ(*FromJson<float>(ToJson(std::numeric_limits<float>::max())),
+            std::numeric_limits<float>::max());
+  EXPECT_EQ(ErrorOf<float>("3.41e38").substr(0, 40), "expected a number that float32 can hold,");
+  EXPECT_EQ(ErrorOf<double>("NaN").substr(0, 17), "this is no JSON: ");
+  EXPECT_EQ(ErrorOf<double>("Infinity").substr(0, 17), "this is no JSON: ");
+  EXPECT_EQ(ErrorOf<double>("\"NaN\""), "expected a number, got string 'NaN'");
+  EXPECT_EQ(*FromJson<int>("-0"), 0);
+  EXPECT_TRUE(std::signbit(*FromJson<double>("-0.0")));
+  EXPECT_EQ(ErrorOf<int>("\"nan\"").substr(0, 27), "expected an integer from -2");
+  EXPECT_EQ(ErrorOf<std::chrono::seconds>("\"inf\""),
+            "expected a number of seconds, below 68 years, got string 'inf'");
+}
+
+TEST(FromJson, AStringIsValidUtf8WithoutNul) {
+  for (const char* bad : {"\"\xff\"", "\"\xc0\xaf\"", "\"\xed\xa0\x80\"", "\"\xe2\x82\"",
+                          R"("\ud800")", "\"a\x01\""}) {
+    EXPECT_EQ(ErrorOf<std::string>(bad).substr(0, 17), "this is no JSON: ") << bad;
+  }
+  EXPECT_EQ(ErrorOf<std::string>(std::string("\"a\0b\"", 5)).substr(0, 17), "this is no JSON: ");
+  EXPECT_EQ(ErrorOf<std::string>(R"("a\u0000b")"),
+            "expected a string without \\u0000, got string 'a\\x00b'");
+  EXPECT_EQ(*FromJson<std::string>(R"("\ud83e\uddbe")"), "\xf0\x9f\xa6\xbe");
+}
+
+TEST(FromJson, WhatItQuotesIsSafeToPrint) {
+  EXPECT_EQ(ErrorOf<double>(R"("\u001b[2J")"), "expected a number, got string '\\x1b[2J'");
+  EXPECT_EQ(ErrorOf<sample::Point>(R"({"\u001b[2J":1})"), "unknown key '\\x1b[2J'");
+  EXPECT_LT(ErrorOf<sample::Point>("{\"" + std::string(1'000'000, 'k') + "\":1}").size(), 200U);
+}
+
+TEST(FromJson, AnyTextCutShortIsRefused) {
+  const std::string text = R"({"x":1.5,"y":-2e3,"z":0})";
+  ASSERT_EQ(ErrorOf<sample::Point>(text), "accepted");
+  for (std::size_t size = 0; size < text.size(); ++size) {
+    EXPECT_NE(ErrorOf<sample::Point>(text.substr(0, size)), "accepted") << size;
+  }
+}
+
+}  // namespace
+}  // namespace tendon

@@ -1,0 +1,92 @@
+#include <gmock/gmock.h>
+#include <tendon/base/os/process.h>
+#include <tendon/process/messages.h>
+
+#include <chrono>
+#include <future>
+
+#include "core/process/remote_connection.h"
+
+namespace {
+
+using tendon::ConnectionState;
+using tendon::Status;
+using tendon::message::Called;
+using tendon::message::CallMember;
+using testing::HasSubstr;
+
+/// Process robot answers pings, but not at once who wants to connect: its worker waits at the
+/// plant's gate.
+class LateAnswer : public RemoteConnection {
+ protected:
+  void SetUp() override {
+    StartRobot();
+    StartDesk();
+    auto opened =
+        tendon::Channel::Open(*middleware, robot->address(),
+                              {.instance = tendon::os::RandomNumber(),
+                               .name = "console",
+                               .cookie = *tendon::LoopbackCookie()},
+                              std::make_shared<tendon::ChannelHandler>(), std::chrono::seconds(20));
+    ASSERT_TRUE(opened.ok()) << opened.error().message;
+    console = *opened;
+    held = std::unique_lock(plant->gate);
+    first_call = std::async(std::launch::async, [this] { return Call("Ask"); });
+    ASSERT_TRUE(EventuallyTrue([&] { return plant->asked == 1; }));
+  }
+  void TearDown() override {
+    if (held.owns_lock()) Release();
+    if (console) console->Close();
+  }
+
+  /// The first call of a member goes through the worker, behind what waits there.
+  bool Call(const std::string& member) const {
+    return console
+        ->Call<Called>(tendon::message::kCallMember, 0, CallMember{"plant", "Control", member, {}},
+                       std::chrono::seconds(20))
+        .ok();
+  }
+  void Release() {
+    held.unlock();
+    EXPECT_TRUE(first_call.get());
+  }
+  /// Connections that robot serves.
+  std::size_t Served() const {
+    std::size_t count = 0;
+    for (const auto& proxy : robot->proxies()) count += proxy.required.size();
+    return count;
+  }
+
+  std::shared_ptr<tendon::Middleware> middleware = NewMiddleware();
+  std::shared_ptr<tendon::Channel> console;
+  std::unique_lock<std::mutex> held;
+  std::future<bool> first_call;
+};
+
+TEST_P(LateAnswer, ToAnAttemptThatWasGivenUpLeavesNoSecondConnection) {
+  ASSERT_TRUE(desk->Connect(kRobot, kControl).ok());
+  ASSERT_EQ(desk->connections().front().state, ConnectionState::kPending);
+  EXPECT_THAT(Reason(), HasSubstr("no answer from robot"));
+
+  Release();
+
+  ASSERT_TRUE(EventuallyActive(*desk, 1)) << Reason();
+  EXPECT_TRUE(EventuallyTrue([&] { return Served() == 1; })) << Served();
+  EXPECT_EQ(user->stop(), Status(Status::kQueued));
+  EXPECT_TRUE(EventuallyTrue([&] { return plant->stops.size() == 1; }));
+}
+
+TEST_P(LateAnswer, ToAnEndThatIsNotWantedAnyMoreLeavesNoConnection) {
+  ASSERT_TRUE(desk->Connect(kRobot, kControl).ok());
+  ASSERT_TRUE(desk->Disconnect(kRobot).ok());
+
+  Release();
+  ASSERT_TRUE(Call("GetMove"));
+
+  EXPECT_TRUE(EventuallyTrue([&] { return Served() == 0; })) << Served();
+  EXPECT_TRUE(desk->connections().empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(Over, LateAnswer, testing::ValuesIn(NetworkKinds()), NameOfNetwork);
+
+}  // namespace

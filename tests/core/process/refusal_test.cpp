@@ -1,0 +1,192 @@
+#include <gmock/gmock.h>
+#include <tendon/base/os/process.h>
+#include <tendon/process/messages.h>
+#include <tendon/proxy/messages.h>
+
+#include <chrono>
+#include <mutex>
+
+#include "core/process/remote_connection.h"
+
+namespace {
+
+using tendon::Channel;
+using tendon::ErrorCode;
+using tendon::Schema;
+using tendon::message::InterfaceOpened;
+using tendon::message::OpenInterface;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+constexpr std::chrono::seconds kPatience(20);
+
+/// Slots of 64 KiB.
+struct Picture {
+  std::array<double, 8192> pixels{};
+};
+
+}  // namespace
+
+template <>
+inline constexpr auto tendon::kPayload<Picture> =
+    tendon::Describe("test.Picture", tendon::Field{"pixels", &Picture::pixels});
+
+namespace {
+
+/// Shows pictures.
+class Screen final : public tendon::Component {
+ public:
+  explicit Screen(std::string name)
+      : Component(std::move(name), std::make_unique<tendon::Inbox>()) {
+    AddProvidedInterface("Screen").AddCommandWrite(&Screen::Show, this, "Show");
+  }
+
+ private:
+  void Show(const Picture& /*picture*/) {}
+};
+
+class Camera final : public tendon::Component {
+ public:
+  Camera(std::string name, std::size_t capacity) : Component(std::move(name)) {
+    auto& screen = AddRequiredInterface("Screen");
+    screen.AddFunction(show, "Show");
+    screen.SetMailboxCapacity(capacity);
+  }
+  tendon::WriteFunction<Picture> show;
+};
+
+using RefusedForItsSize = RemoteConnection;
+
+TEST_P(RefusedForItsSize, IsAMailboxOfTooManyCalls) {
+  StartRobot();
+  StartDesk(std::size_t{1} << 24U);
+
+  const auto id = desk->Connect(kRobot, kControl);
+
+  ASSERT_FALSE(id.ok());
+  EXPECT_EQ(id.error().code, ErrorCode::kInvalid);
+  EXPECT_EQ(
+      id.error().message,
+      "desk/operator/Robot wants room for 16777216 calls at robot/plant/Control, but another "
+      "process may have at most 65536 calls and 64 MiB there: set a smaller mailbox capacity");
+  EXPECT_EQ(robot->proxies().size(), 0U);
+}
+
+TEST_P(RefusedForItsSize, IsAMailboxOfTooManyBytes) {
+  robot = Start("robot");
+  robot->Add<Screen>("screen");
+  desk = Start("desk");
+  desk->Add<Camera>("large", 4096U);
+  desk->Add<Camera>("small", 64U);
+
+  const auto large = desk->Connect({"large", "Screen"}, {"robot", "screen", "Screen"});
+  const auto small = desk->Connect({"small", "Screen"}, {"robot", "screen", "Screen"});
+
+  ASSERT_FALSE(large.ok());
+  EXPECT_EQ(large.error().code, ErrorCode::kInvalid);
+  EXPECT_THAT(large.error().message, StartsWith("desk/large/Screen wants room for 4096 calls at "
+                                                "robot/screen/Screen, but another process may"));
+  EXPECT_TRUE(small.ok()) << small.error().message;
+  EXPECT_TRUE(EventuallyActive(*desk, 1));
+}
+
+INSTANTIATE_TEST_SUITE_P(Over, RefusedForItsSize, testing::ValuesIn(NetworkKinds()), NameOfNetwork);
+
+/// A process with a type of its own, that answers the question what it is.
+class Foreigner final : public tendon::ChannelHandler {
+ public:
+  enum class Manner { kHonest, kLying, kSilent };
+  Foreigner(const Schema& schema, Manner manner) : text_(schema.Text()), manner_(manner) {
+    if (manner == Manner::kLying) text_ = Schema(Schema::Kind::kBool).Text();
+  }
+
+ private:
+  void OnRequest(const std::shared_ptr<Channel>& channel, const tendon::FrameHeader& header,
+                 std::span<const std::byte> body, tendon::Responder responder) override {
+    if (header.type != tendon::message::kGetSchemas) {
+      return ChannelHandler::OnRequest(channel, header, body, std::move(responder));
+    }
+    if (manner_ == Manner::kSilent) {
+      const std::scoped_lock lock(mutex_);
+      kept_.push_back(std::move(responder));
+      return;
+    }
+    responder.Reply(tendon::EncodeBody(tendon::message::Schemas{.texts = {text_}}));
+  }
+
+  std::string text_;
+  const Manner manner_;
+  std::mutex mutex_;
+  std::vector<tendon::Responder> kept_;
+};
+
+Schema Goal(const std::string& unit, Schema::Kind kind = Schema::Kind::kFloat64) {
+  return Schema::Structure("plant.Move", {{"number", "", Schema(Schema::Kind::kUint64)},
+                                          {"goal", unit, Schema::Array(Schema(kind), 3)}});
+}
+
+class RefusedForItsTypes : public RemoteConnection {
+ protected:
+  /// Asks robot for a connection that needs MoveTo of this type, and returns what it says.
+  std::string WhyRefused(const Schema& schema,
+                         Foreigner::Manner manner = Foreigner::Manner::kHonest) {
+    const auto channel = Channel::Open(*middleware, robot->address(),
+                                       {.instance = tendon::os::RandomNumber(),
+                                        .name = "desk",
+                                        .cookie = *tendon::LoopbackCookie()},
+                                       std::make_shared<Foreigner>(schema, manner), kPatience);
+    EXPECT_TRUE(channel.ok()) << channel.error().message;
+    OpenInterface open{.required = kRobot, .provided = kControl, .handle = 1, .capacity = 64};
+    open.description.name = "Robot";
+    open.description.functions.push_back(
+        {.name = "MoveTo",
+         .signature = {tendon::CommandKind::kWrite, schema.fingerprint(),
+                       tendon::FingerprintOf<tendon::None>()},
+         .in_type = schema.name()});
+    const auto opened =
+        (*channel)->Call<InterfaceOpened>(tendon::message::kOpenInterface, 0, open, kPatience);
+    (*channel)->Close();
+    EXPECT_FALSE(opened.ok());
+    if (opened.ok()) return "accepted";
+    EXPECT_EQ(opened.error().code, ErrorCode::kIncompatible);
+    return opened.error().message;
+  }
+
+  const std::string kFrame =
+      "desk/operator/Robot does not fit robot/plant/Control: needs write command 'MoveTo' of "
+      "plant.Move, offered is another plant.Move ";
+  std::shared_ptr<tendon::Middleware> middleware = NewMiddleware();
+};
+
+TEST_P(RefusedForItsTypes, NamesTheFirstDifferenceOfATypeThatIsUnknownHere) {
+  StartRobot();
+
+  EXPECT_EQ(WhyRefused(Goal("deg")),
+            kFrame + "(goal of plant.Move: float64[3] in deg needed, float64[3] in rad offered)");
+  EXPECT_EQ(WhyRefused(Goal("rad", Schema::Kind::kFloat32)),
+            kFrame + "(goal of plant.Move: float32[3] needed, float64[3] offered)");
+  EXPECT_EQ(
+      WhyRefused(Schema::Structure("plant.Move", {{"number", "", Schema(Schema::Kind::kUint64)},
+                                                  {"aim", "rad", Schema(Schema::Kind::kFloat64)}})),
+      kFrame + "(plant.Move: field aim needed, field goal offered)");
+}
+
+TEST_P(RefusedForItsTypes, BelievesNoTextOfAnotherFingerprint) {
+  StartRobot();
+
+  EXPECT_EQ(WhyRefused(Goal("mm"), Foreigner::Manner::kLying),
+            kFrame + "(fields, units or shapes differ)");
+}
+
+TEST_P(RefusedForItsTypes, IsSaidAlsoToOneWhoDoesNotAnswerTheQuestion) {
+  StartRobot();
+
+  EXPECT_EQ(WhyRefused(Goal("m"), Foreigner::Manner::kSilent),
+            kFrame + "(fields, units or shapes differ)");
+}
+
+INSTANTIATE_TEST_SUITE_P(Over, RefusedForItsTypes, testing::ValuesIn(NetworkKinds()),
+                         NameOfNetwork);
+
+}  // namespace

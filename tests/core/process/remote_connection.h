@@ -1,0 +1,40 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "support/network_test.h"
+#include "support/plant.h"
+
+inline const tendon::InterfaceName kRobot("desk", "operator", "Robot");
+inline const tendon::InterfaceName kControl("robot", "plant", "Control");
+
+/// Process robot with a plant that runs, process desk with an operator.
+class RemoteConnection : public NetworkTest {
+ protected:
+  void StartRobot() {
+    robot = Start("robot");
+    plant = &robot->Add<plant::Plant>("plant");
+    ASSERT_TRUE(robot->StartAll().ok());
+  }
+  void StartDesk(std::size_t capacity = 64) {
+    desk = Start("desk");
+    user = &desk->Add<plant::Operator>("operator", capacity);
+    ASSERT_TRUE(desk->StartAll().ok());
+  }
+  void Connect() {
+    const auto id = desk->Connect(kRobot, kControl);
+    ASSERT_TRUE(id.ok()) << id.error().message;
+    ASSERT_TRUE(EventuallyActive(*desk, 1)) << Reason();
+  }
+  std::string Reason() const { return desk->connections().front().reason; }
+  template <typename Call>
+  static bool EventuallyQueued(Call call) {
+    return EventuallyTrue([&] { return call() == tendon::Status(tendon::Status::kQueued); });
+  }
+
+  std::unique_ptr<tendon::Process> robot;
+  std::unique_ptr<tendon::Process> desk;
+  plant::Plant* plant = nullptr;
+  plant::Operator* user = nullptr;
+};

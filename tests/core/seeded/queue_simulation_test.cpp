@@ -1,0 +1,86 @@
+#include <core/seeded/faults.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <tendon/lockfree/slot_ring.h>
+
+#include <array>
+#include <memory>
+
+namespace tendon::seeded {
+namespace {
+
+using simulation::Check;
+using testing::AnyOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+constexpr std::size_t kProducer = 1;
+constexpr std::size_t kConsumer = 2;
+constexpr MemoryModel::Location kWrite = 0;  // the ring's indices, as they are made
+constexpr MemoryModel::Location kRead = 1;
+
+/// Three messages through a ring of two slots; what a slot holds is ordinary memory.
+struct Transfer {
+  SlotRing<SeededAtomics> ring{2, 8, 8};
+  std::array<Plain<int>, 2> slots;
+
+  void Produce() {
+    for (int message = 1; message <= kMessages; ++message) {
+      std::byte* slot = nullptr;
+      for (unsigned looks = 0; (slot = ring.Claim()) == nullptr; ++looks) {
+        SeededAtomics::Pause(looks);
+      }
+      slots[ring.IndexOf(slot)].Write(message);
+      ring.Publish();
+    }
+  }
+  void Consume() {
+    for (int message = 1; message <= kMessages; ++message) {
+      std::byte* slot = nullptr;
+      for (unsigned looks = 0; (slot = ring.Front()) == nullptr; ++looks) {
+        SeededAtomics::Pause(looks);
+      }
+      Check(slots[ring.IndexOf(slot)].Read() == message, "a message is lost");
+      ring.Release();
+    }
+  }
+
+  static constexpr int kMessages = 3;
+};
+
+simulation::Report ExploreTransfer(const Fault& fault) {
+  return Explore(fault, [](simulation::Scenario& scenario) {
+    const auto transfer = std::make_shared<Transfer>();
+    scenario.Thread([=] { transfer->Produce(); });
+    scenario.Thread([=] { transfer->Consume(); });
+  });
+}
+
+TEST(SeededQueueSimulation, PassesWithoutAFault) {
+  const auto report = ExploreTransfer(None());
+  EXPECT_THAT(report.failure, IsEmpty());
+  EXPECT_TRUE(report.is_complete);
+  EXPECT_GT(report.executions, 1000U);
+}
+
+class SeededQueueFaultSimulation : public testing::TestWithParam<Fault> {};
+
+TEST_P(SeededQueueFaultSimulation, IsCaught) {
+  EXPECT_THAT(ExploreTransfer(GetParam()).failure,
+              AnyOf(HasSubstr("races"), HasSubstr("a message is lost")));
+}
+
+constexpr auto kOneMore = [](std::uint64_t index) { return index + 1; };
+
+INSTANTIATE_TEST_SUITE_P(
+    , SeededQueueFaultSimulation,
+    testing::Values(Relaxed("PublishDoesNotRelease", Step::kStore, kWrite),
+                    Relaxed("ReleaseOfASlotDoesNotRelease", Step::kStore, kRead),
+                    Relaxed("ConsumerDoesNotAcquire", Step::kLoad, kWrite, kConsumer),
+                    Relaxed("ProducerDoesNotAcquire", Step::kLoad, kRead, kProducer),
+                    WithoutCheck("FullCheckLetsOneMorePass", kRead, kProducer, kOneMore),
+                    WithoutCheck("EmptyCheckLetsOneMorePass", kWrite, kConsumer, kOneMore)),
+    NameOf());
+
+}  // namespace
+}  // namespace tendon::seeded

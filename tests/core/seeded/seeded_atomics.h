@@ -1,0 +1,91 @@
+#pragma once
+
+#include <support/simulation/simulated_atomics.h>
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <ostream>
+#include <string>
+#include <type_traits>
+
+/// Lock-free classes with one fault in them: compiled from their own source under a policy that
+/// does one step other than it is written.
+namespace tendon::seeded {
+
+enum class Step { kLoad, kStore, kAdd, kSubtract, kExchange, kFence, kProcessBarrier };
+
+/// A step that a class takes, as a fault sees it.
+struct Access {
+  Step step = Step::kLoad;
+  std::size_t thread = 0;              ///< of the scenario, from 1 on
+  MemoryModel::Location location = 0;  ///< atomics count from 0, as they are made
+  std::size_t loads_since_fence = 0;   ///< of this thread
+  std::memory_order order = std::memory_order_seq_cst;
+  bool is_left_out = false;  ///< of a fence or a barrier
+};
+
+struct Fault {
+  std::string name;
+  std::function<void(Access&)> weaken;  ///< changes the order, or leaves the step out
+  /// Changes what a load gives, so that the check made of it always passes.
+  std::function<void(const Access&, std::uint64_t& value)> forge;
+
+  friend std::ostream& operator<<(std::ostream& out, const Fault& fault) {
+    return out << fault.name;
+  }
+};
+
+/// Explores the scenario with the fault in every class under SeededAtomics.
+simulation::Report Explore(const Fault& fault,
+                           const std::function<void(simulation::Scenario&)>& build);
+
+/// What the policy is made of.
+Access Begin(Step step, std::memory_order order, MemoryModel::Location location = 0);
+void Forge(const Access& access, std::uint64_t& value);
+
+struct SeededAtomics : SimulatedAtomics {
+  template <typename T>
+  struct Atomic : SimulatedAtomics::Atomic<T> {
+    using Base = SimulatedAtomics::Atomic<T>;
+    using Base::Base;
+
+    T load(std::memory_order order) const noexcept {
+      const Access access = Begin(Step::kLoad, order, this->location());
+      const T value = Base::load(access.order);
+      if constexpr (std::is_integral_v<T>) {
+        auto bits = static_cast<std::uint64_t>(value);
+        Forge(access, bits);
+        return static_cast<T>(bits);
+      } else {
+        return value;
+      }
+    }
+    void store(T value, std::memory_order order) noexcept {
+      Base::store(value, Begin(Step::kStore, order, this->location()).order);
+    }
+    T exchange(T value, std::memory_order order) noexcept {
+      return Base::exchange(value, Begin(Step::kExchange, order, this->location()).order);
+    }
+    T fetch_add(T n, std::memory_order order) noexcept {
+      return Base::fetch_add(n, Begin(Step::kAdd, order, this->location()).order);
+    }
+    T fetch_sub(T n, std::memory_order order) noexcept {
+      return Base::fetch_sub(n, Begin(Step::kSubtract, order, this->location()).order);
+    }
+  };
+
+  static void Fence(std::memory_order order) noexcept {
+    const Access access = Begin(Step::kFence, order);
+    if (!access.is_left_out) SimulatedAtomics::Fence(access.order);
+  }
+  static void ProcessBarrier() noexcept {
+    const Access access = Begin(Step::kProcessBarrier, std::memory_order_seq_cst);
+    if (!access.is_left_out) SimulatedAtomics::ProcessBarrier();
+  }
+};
+
+}  // namespace tendon::seeded

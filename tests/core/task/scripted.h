@@ -1,0 +1,127 @@
+#pragma once
+
+#include <tendon/manager/local_manager.h>
+#include <tendon/task/callback_task.h>
+#include <tendon/task/continuous_task.h>
+#include <tendon/task/main_task.h>
+#include <tendon/task/periodic_task.h>
+#include <tendon/task/signal_task.h>
+
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+namespace tendon_test {
+
+/// What the author's functions of a component do: they count, and throw or block when told.
+class Script {
+ public:
+  enum Function { kNone, kConfigure, kStartup, kRun, kHandler, kCleanup };
+
+  /// The function that throws, until it is told otherwise.
+  std::atomic<Function> throws = kNone;
+  std::atomic<bool> throws_a_number = false;  // not a std::exception
+  /// The function that does not return as long as this stands.
+  std::atomic<Function> blocks = kNone;
+  std::atomic<bool> is_blocked = false;  // it has been reached
+
+  std::atomic<int> configures = 0;
+  std::atomic<int> startups = 0;
+  std::atomic<std::uint64_t> runs = 0;
+  std::atomic<int> pokes = 0;
+  std::atomic<int> cleanups = 0;
+  std::atomic<std::thread::id> thread;  // of the last Startup(), Run() or Cleanup()
+  std::function<void()> on_run;         // set before the start
+
+  void Play(Function function) {
+    thread = std::this_thread::get_id();
+    while (blocks == function) {
+      is_blocked = true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    is_blocked = false;
+    if (throws != function) return;
+    if (throws_a_number) throw 17;
+    throw std::runtime_error("cable cut");
+  }
+};
+
+/// Any kind of component that plays a script.
+template <std::derived_from<tendon::Component> Base>
+class Scripted final : public Base, public Script {
+  static constexpr bool kIsTask = std::derived_from<Base, tendon::Task>;
+
+ public:
+  template <typename... Arguments>
+  explicit Scripted(std::string name, Arguments... arguments)
+      : Base(std::move(name), arguments...) {
+    auto& control = this->AddProvidedInterface("Control");
+    control.AddCommandVoid(&Scripted::Poke, this, "Poke");
+    control.AddEvent(poked, "Poked");
+    if constexpr (kIsTask) {
+      this->state_table().Add(row_, "Runs");
+      control.AddCommandReadState(this->state_table(), row_, "GetRuns");
+    }
+  }
+
+  tendon::VoidEvent poked;
+
+  const tendon::StateTable& table() const requires kIsTask { return *this->tables().front(); }
+  template <typename T>
+  T Newest(const char* column) const {
+    T value{};
+    (void)dynamic_cast<const tendon::Column<T>&>(*table().Find(column)).ReadNewest(value);
+    return value;
+  }
+
+ private:
+  void Configure() override {
+    ++configures;
+    Play(kConfigure);
+  }
+  void Startup() override {
+    ++startups;
+    Play(kStartup);
+  }
+  void Run() {
+    row_ = ++runs;
+    if (on_run) on_run();
+    if constexpr (kIsTask) this->ProcessQueuedCommands();
+    Play(kRun);
+  }
+  void Cleanup() override {
+    ++cleanups;
+    Play(kCleanup);
+  }
+  void Poke() {
+    ++pokes;
+    Play(kHandler);
+    poked();
+  }
+
+  std::uint64_t row_ = 0;
+};
+
+using Periodic = Scripted<tendon::PeriodicTask>;
+using Continuous = Scripted<tendon::ContinuousTask>;
+using Signal = Scripted<tendon::SignalTask>;
+using Callback = Scripted<tendon::CallbackTask>;
+using Main = Scripted<tendon::MainTask>;
+using Threadless = Scripted<tendon::Component>;
+
+/// A client without a thread: its calls come from the test's.
+class Client final : public tendon::Component {
+ public:
+  explicit Client(std::string name) : Component(std::move(name)) {
+    auto& server = AddRequiredInterface("Server");
+    server.AddFunction(poke, "Poke");
+    server.AddFunction(get_runs, "GetRuns", tendon::Need::kOptional);
+  }
+  tendon::VoidFunction poke;
+  tendon::ReadFunction<std::uint64_t> get_runs;
+};
+
+}  // namespace tendon_test

@@ -1,0 +1,98 @@
+#include "targets.h"
+
+#include <tendon/middleware/frame.h>
+#include <tendon/middleware/handshake/handshake.h>
+#include <tendon/payload/fingerprint.h>
+#include <tendon/payload/json.h>
+#include <tendon/payload/plot_channel.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+#include "promise.h"
+#include "typed_decode.h"
+
+namespace fuzz {
+namespace {
+
+/// Two bytes are the length of a schema's text, which follows; the rest is a body.
+void DecodeBySchema(Bytes bytes) {
+  constexpr std::size_t kMostRead = 8;
+  if (bytes.size() < 2) return;
+  const std::size_t length = std::min(
+      std::to_integer<std::size_t>(bytes[0]) + std::to_integer<std::size_t>(bytes[1]) * 256,
+      bytes.size() - 2);
+  const auto schema = tendon::Schema::Parse(TextOf(bytes.subspan(2, length)));
+  if (!schema) return;
+  const Bytes rest = bytes.subspan(2 + length);
+  const std::vector<std::byte> body(rest.begin(), rest.end());  // a sanitizer sees its end
+
+  if (const auto json = tendon::ToJson(*schema, body)) {
+    const auto again = tendon::FromJson(*schema, *json);
+    Require(!again || tendon::ToJson(*schema, *again).ok(), "what was read prints");
+  }
+  const auto channels = tendon::Channels(*schema, body);
+  for (std::size_t i = 0; i < std::min(channels.size(), kMostRead); ++i) {
+    const auto number = tendon::ReadChannel(channels[i], body);
+    Require(number.has_value(), "a channel of a body reads");
+    const auto found = tendon::FindChannel(*schema, channels[i].path);
+    Require(found && found->route == channels[i].route, "a channel is found by its path");
+    const auto again = tendon::ReadChannel(*found, body);
+    Require(again && std::memcmp(&*again, &*number, sizeof(double)) == 0,
+            "a channel reads the same however it was found");
+  }
+}
+
+void ReadSchema(Bytes bytes) {
+  const auto schema = tendon::Schema::Parse(TextOf(bytes));
+  if (!schema) return;
+  const auto canonical = tendon::Schema::Parse(schema->Text());
+  Require(canonical && canonical->Text() == schema->Text(), "a canonical text reads back");
+  const auto full = tendon::Schema::Parse(schema->TextWithHelp());
+  Require(full && full->TextWithHelp() == schema->TextWithHelp(), "a full text reads back");
+  Require(full->fingerprint() == schema->fingerprint(), "help is not in the fingerprint");
+  Require(!tendon::FirstDifference(*schema, *canonical), "a type does not differ from itself");
+  Require(schema->minimum_size() >= 1, "every value takes a byte");
+  (void)tendon::RosMessage(*schema);
+  (void)tendon::Channels(*schema);
+}
+
+/// Frames one after the other, as the first that an end hears on a link.
+void ReadFrames(Bytes bytes, tendon::Handshake::Role role) {
+  const tendon::Hello mine{.instance = 1, .name = "robot", .session = 2, .cookie = 7};
+  tendon::Handshake handshake(role, mine, "127.0.0.1:1", tendon::Strangers::kRefused);
+  if (role == tendon::Handshake::Role::kOpener) (void)handshake.Greet();
+  while (true) {
+    const auto header = tendon::ReadFrameHeader(bytes, tendon::kMaxStrangersFrameSize);
+    if (!header) return;
+    const std::size_t size = tendon::FrameHeader::kSize + header->size;
+    Require(size <= tendon::kMaxStrangersFrameSize, "a stranger's frame is bounded");
+    if (bytes.size() < size) return;
+    Require(tendon::ReadWholeFrame(bytes.first(size)).has_value(), "a whole frame is one");
+    const Bytes inner = bytes.subspan(tendon::FrameHeader::kSize, header->size);
+    const std::vector<std::byte> body(inner.begin(), inner.end());  // a sanitizer sees its end
+    (void)tendon::ReadRefusal(body, "peer");
+    const auto step = handshake.Take(*header, body);
+    if (!step) return;
+    Require(!step->peer, "who does not know the cookie is refused");
+    bytes = bytes.subspan(size);
+  }
+}
+
+void ReadFrames(Bytes bytes) {
+  ReadFrames(bytes, tendon::Handshake::Role::kAcceptor);
+  ReadFrames(bytes, tendon::Handshake::Role::kOpener);
+}
+
+}  // namespace
+
+std::span<const Target> Targets() {
+  static constexpr std::array kTargets{Target{"frame", ReadFrames}, Target{"json", ReadJson},
+                                       Target{"schema_decode", DecodeBySchema},
+                                       Target{"schema_text", ReadSchema},
+                                       Target{"typed_decode", DecodeTyped}};
+  return kTargets;
+}
+
+}  // namespace fuzz

@@ -1,0 +1,79 @@
+#include "typed_decode.h"
+
+#include <tendon/middleware/body.h>
+#include <tendon/middleware/handshake/handshake.h>
+#include <tendon/payload/eigen.h>
+#include <tendon/payload/json.h>
+#include <tests/core/payload/sample_types.h>
+
+#include <array>
+
+#include "promise.h"
+
+namespace fuzz {
+namespace {
+
+using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3>;
+
+template <typename T>
+std::vector<std::byte> Encoded(const T& value) {
+  std::vector<std::byte> body(tendon::EncodedSize(value));
+  tendon::Encode(value, body);
+  return body;
+}
+
+template <typename T>
+void Decode(Bytes bytes) {
+  const std::vector<std::byte> body(bytes.begin(), bytes.end());  // a sanitizer sees its end
+  T value{};
+  if (!tendon::Decode(body, value)) return;
+  const auto again = Encoded(value);
+  Require(again.size() <= body.size() && body.size() - again.size() < 8,
+          "what decodes encodes to as many bytes");
+  T twin{};
+  Require(tendon::Decode(again, twin), "what was encoded decodes");
+  Require(Encoded(twin) == again, "what was encoded decodes to itself");
+  Require(tendon::ToJson(tendon::SchemaOf<T>(), body).ok(),
+          "what decodes by its type decodes by its schema");
+}
+
+template <typename T>
+void Read(Bytes bytes) {
+  const auto body = tendon::FromJson(tendon::SchemaOf<T>(), TextOf(bytes));
+  if (!body) {
+    Require(!body.error().message.empty(), "a refusal has a reason");
+    return;
+  }
+  const auto json = tendon::ToJson(tendon::SchemaOf<T>(), *body);
+  Require(json.ok(), "what was read prints");
+  Require(tendon::FromJson(tendon::SchemaOf<T>(), *json).ok(), "what was printed reads back");
+  const auto value = tendon::FromJson<T>(TextOf(bytes));
+  Require(!value || tendon::ToJson(*value) == *json, "type and schema print the same");
+}
+
+}  // namespace
+
+void DecodeTyped(Bytes bytes) {
+  constexpr std::array kDecoders{Decode<sample::Dynamic>,
+                                 Decode<sample::Fixed>,
+                                 Decode<sample::Numbers>,
+                                 Decode<Eigen::MatrixXd>,
+                                 Decode<Rows>,
+                                 Decode<Eigen::Matrix3f>,
+                                 Decode<Eigen::VectorXf>,
+                                 Decode<tendon::message::Challenge>,
+                                 Decode<tendon::Error>,
+                                 Decode<std::vector<sample::JointState>>};
+  const std::size_t choice = TakeChoice(bytes, kDecoders.size());
+  kDecoders.at(choice)(bytes);
+}
+
+void ReadJson(Bytes bytes) {
+  constexpr std::array kReaders{
+      Read<sample::Dynamic>, Read<sample::Fixed>, Read<sample::Numbers>,
+      Read<tendon::None>,    Read<Rows>,          Read<tendon::message::Greeting>};
+  const std::size_t choice = TakeChoice(bytes, kReaders.size());
+  kReaders.at(choice)(bytes);
+}
+
+}  // namespace fuzz

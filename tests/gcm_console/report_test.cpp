@@ -1,0 +1,41 @@
+#include <gcm_console/report.h>
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+namespace console {
+namespace {
+
+std::string Printed(int columns) {
+  Table table({"PROCESS", "STATE", "ADDRESS"});
+  table.Add({"robot", "alive", "127.0.0.1:41721"});
+  table.Add({"a-desk-of-mine", "lost\n", ""});
+  std::ostringstream out;
+  table.Print(out, columns);
+  return out.str();
+}
+
+TEST(Table, IsAlignedOnATerminal) {
+  EXPECT_EQ(Printed(80),
+            "PROCESS         STATE     ADDRESS\n"
+            "robot           alive     127.0.0.1:41721\n"
+            "a-desk-of-mine  lost\\x0a\n");
+}
+
+TEST(Table, IsSeparatedByTabsForScripts) {
+  EXPECT_EQ(Printed(0), "robot\talive\t127.0.0.1:41721\na-desk-of-mine\tlost\\x0a\t\n");
+}
+
+TEST(Table, BreaksItsRowsWhereTheTerminalEnds) {
+  EXPECT_EQ(Printed(30),
+            "PROCESS         STATE\n"
+            "    ADDRESS\n"
+            "robot           alive\n"
+            "    127.0.0.1:41721\n"
+            "a-desk-of-mine  lost\\x0a\n");
+}
+
+TEST(Table, IsPrintedOnTheNarrowestTerminal) { EXPECT_FALSE(Printed(1).empty()); }
+
+}  // namespace
+}  // namespace console

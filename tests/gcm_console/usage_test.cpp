@@ -1,0 +1,154 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <program/exit_code.h>
+
+#include <algorithm>
+#include <csignal>
+
+#include "gcm_console/system_fixture.h"
+
+namespace {
+
+using testing::HasSubstr;
+
+class UsageTest : public SystemFixture {
+ protected:
+  /// `gcm WORDS...` as a newcomer types it.
+  Outcome Typed(Program::Words words) const {
+    words.insert(words.begin(), Binary("gcm"));
+    return RunProgram(words, {{"TENDON_GCM", address}});
+  }
+};
+
+void ExpectOneSentence(const Outcome& outcome, int exit_code, const std::string& sentence) {
+  EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;
+  EXPECT_THAT(outcome.err, testing::StartsWith("gcm: "));
+  EXPECT_THAT(outcome.err, HasSubstr(sentence));
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+}
+
+TEST_F(UsageTest, AMistypedCommandLineSaysWhatIsWrongAndWhereHelpIs) {
+  struct Case {
+    Program::Words words;
+    std::string sentence;
+  };
+  const std::vector<Case> cases = {
+      {{}, "a verb is missing; gcm --help tells more"},
+      {{"conect"}, "no verb 'conect'; did you mean 'connect'? gcm --help lists them"},
+      {{"frobnicate"}, "no verb 'frobnicate'; gcm --help lists them"},
+      {{"ls", "--jsn"}, "no option '--jsn'; did you mean '--json'? gcm ls --help tells more"},
+      {{"watch", "a", "--cont=3"}, "no option '--cont'; did you mean '--count'?"},
+      {{"ls", "a", "b"}, "'b' is one word too many; gcm ls --help tells more"},
+      {{"connect", "a/b/C"}, "provided is missing; gcm connect --help tells more"},
+      {{"--gcm"}, "--gcm needs a value; gcm --help tells more"},
+      {{"--gcm", "a", "--gcm", "b", "ls"}, "--gcm is given 2 times"},
+      {{"--timeout", "soon", "ls"}, "--timeout: "},
+      {{"--timeout", "0", "ls"}, "--timeout: "},
+      {{"--middleware", "pigeon", "ls"}, "--middleware: pigeon not in"},
+      {{"watch", "a", "--hz", "-1"}, "--hz: expected a number above 0, got '-1'"},
+      {{"watch", "a", "--hz", "nan"}, "--hz: expected a number above 0, got 'nan'"},
+      {{"watch", "a", "--count", "0"}, "--count: expected a number above 0, got '0'"},
+      {{"watch", "a", "--for", "1h"}, "--for: expected a time such as 500ms, 10s or 2min"},
+  };
+  for (const Case& one : cases) {
+    ExpectOneSentence(Typed(one.words), program::kUsage, one.sentence);
+  }
+}
+
+TEST_F(UsageTest, HelpIsHadInEveryWay) {
+  for (const Program::Words& words : {Program::Words{"--help"}, {"help"}, {"-h"}}) {
+    const Outcome help = Typed(words);
+    EXPECT_EQ(help.exit_code, program::kOk);
+    EXPECT_THAT(help.out, HasSubstr("Exit codes: 0 done"));
+    EXPECT_EQ(help.err, "");
+  }
+  EXPECT_EQ(Typed({"help", "watch"}).out, Typed({"watch", "--help"}).out);
+  EXPECT_THAT(Typed({"help", "exit-codes"}).out, testing::StartsWith("Exit codes: 0 done"));
+  ExpectOneSentence(Typed({"help", "wacth"}), program::kUsage, "did you mean 'watch'?");
+}
+
+TEST_F(UsageTest, WithoutAGcmEveryVerbSaysHowToStartOne) {
+  const std::vector<Program::Words> verbs = {{"ls"},
+                                             {"tree"},
+                                             {"show", "a"},
+                                             {"get", "a/b/c.d"},
+                                             {"watch", "a/b/c.d"},
+                                             {"call", "a/b/c.d"},
+                                             {"undo"},
+                                             {"disconnect", "a/b/C"},
+                                             {"connect", "a/b/C", "d/e/F"}};
+  for (Program::Words words : verbs) {
+    words.insert(words.end(), {"--timeout", "50"});
+    const Outcome outcome = Typed(words);
+    ExpectOneSentence(outcome, program::kUnreachable, "no GCM at " + address);
+    EXPECT_THAT(outcome.err, HasSubstr("start one with: gcm serve"));
+  }
+}
+
+TEST_F(UsageTest, ASecondGcmOnOnePortIsToldWhoHasIt) {
+  StartGcm();
+
+  ExpectOneSentence(Typed({"serve"}), program::kRefused,
+                    address + " is in use by pid " + std::to_string(gcm->pid()) +
+                        " (gcm); use the GCM that is there, or give --gcm another port");
+}
+
+TEST_F(UsageTest, AnAddressThatIsNoneIsRefused) {
+  for (const char* bad : {"127.0.0.1:abc", "127.0.0.1:65536", "127.0.0.1:-1", "127.0.0.1:0"}) {
+    ExpectOneSentence(Typed({"--gcm", bad, "ls"}), program::kUsage, "expected 1..65535");
+  }
+  for (const char* bad : {"127.0.0.1:abc", "127.0.0.1:65536", "127.0.0.1:-1"}) {
+    ExpectOneSentence(Typed({"--gcm", bad, "serve"}), program::kUsage, "expected 0..65535");
+  }
+  ExpectOneSentence(Typed({"--gcm", "::1:10", "ls"}), program::kUsage, "in brackets");
+  ExpectOneSentence(Typed({"--gcm", ":10705", "ls"}), program::kUsage, "expected a host");
+}
+
+TEST_F(UsageTest, AHostAloneMeansTheUsualPort) {
+  ExpectOneSentence(Typed({"--gcm", "192.0.2.1", "ls"}), program::kDenied, "host '192.0.2.1'");
+  ExpectOneSentence(Typed({"--gcm", "[::2]", "ls"}), program::kDenied, "host '::2'");
+}
+
+TEST_F(UsageTest, AnAddressOffThisMachineNeedsInsecure) {
+  for (const char* verb : {"ls", "serve"}) {
+    ExpectOneSentence(Typed({"--gcm", "192.0.2.1:10705", verb}), program::kDenied, "--insecure");
+  }
+}
+
+TEST_F(UsageTest, ACookieThatCannotBeKeptIsASentence) {
+  const Outcome outcome = RunProgram({Binary("gcm"), "--gcm", address, "serve"},
+                                     {{"XDG_RUNTIME_DIR", "/proc/nowhere"}});
+
+  ExpectOneSentence(outcome, program::kDenied, "/proc/nowhere");
+}
+
+TEST_F(UsageTest, OutputThatCannotBeWrittenIsAFailure) {
+  StartGcm();
+
+  for (const char* words : {"ls --json > /dev/full", "tree --json >&-", "--help >/dev/full"}) {
+    ExpectOneSentence(Shell(words), program::kRefused, "cannot write");
+  }
+}
+
+TEST_F(UsageTest, AReaderThatHasEnoughEndsItWithoutANoise) {
+  StartGcm();
+
+  const std::string list = Binary("gcm") + " --gcm " + address + " ls --json";
+  const Outcome outcome = RunProgram({"/bin/sh", "-c",
+                                      "{ code=0; while [ $code = 0 ]; do " + list +
+                                          "; code=$?; done; echo $code >&2; }" + " | true"});
+
+  EXPECT_EQ(outcome.err, "1\n");
+}
+
+TEST_F(UsageTest, StreamsThatWereClosedHarmNobody) {
+  StartGcm();
+
+  const Outcome outcome = Shell("ls --json 2>&- <&-");
+
+  EXPECT_EQ(outcome.exit_code, program::kOk);
+  EXPECT_THAT(outcome.out, HasSubstr("\"schema\": 1"));
+}
+
+}  // namespace

@@ -1,0 +1,138 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <program/exit_code.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "gcm_console/system_fixture.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+/// An LCM that must not start: it says why in one sentence, and nobody has heard of it.
+class LcmStart : public SystemFixture {
+ protected:
+  LcmStart() {
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+  }
+  ~LcmStart() override { fs::remove_all(folder); }
+
+  void ExpectRefused(Program::Words words, int exit_code, const std::string& sentence) {
+    words.insert(words.begin(), {Binary("lcm"), "--gcm", address});
+    const Outcome outcome = RunProgram(words);
+    EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;
+    EXPECT_THAT(outcome.err, testing::StartsWith("lcm: "));
+    EXPECT_THAT(outcome.err, HasSubstr(sentence));
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    if (gcm) {
+      EXPECT_EQ(Gcm({"ls"}).out, "");
+    }
+  }
+  void ExpectFileRefused(const std::string& file, const std::string& sentence,
+                         int exit_code = program::kUsage) {
+    ExpectRefused({"--name", "robot", "--system", file}, exit_code, sentence);
+  }
+  void ExpectTextRefused(const std::string& text, const std::string& sentence) {
+    const std::string file = folder / "system.json";
+    std::ofstream(file, std::ios::binary) << text;
+    ExpectFileRefused(file, file + ": " + sentence);
+  }
+
+  const fs::path folder = fs::path(testing::TempDir()) / ("lcm_start_" + port);
+};
+
+TEST_F(LcmStart, AMistypedCommandLine) {
+  ExpectRefused({}, program::kUsage, "--name is missing; lcm --help tells more");
+  ExpectRefused({"--nam", "robot"}, program::kUsage, "no option '--nam'; did you mean '--name'?");
+  ExpectRefused({"--name", "robot", "--sytem", "x"}, program::kUsage,
+                "no option '--sytem'; did you mean '--system'? lcm --help tells more");
+  ExpectRefused({"--name", "a", "--name", "b"}, program::kUsage, "--name is given 2 times");
+  ExpectRefused({"--name"}, program::kUsage, "--name needs a value");
+  ExpectRefused({"--name", "robot", "arm"}, program::kUsage, "'arm' is one word too many");
+}
+
+TEST_F(LcmStart, ABadName) {
+  StartGcm();
+  ExpectRefused({"--name", "ro bot"}, program::kUsage, "process name 'ro bot' has ' ' at 3");
+  ExpectRefused({"--name", ""}, program::kUsage, "process name is empty");
+  ExpectRefused({"--name", std::string(65, 'x')}, program::kUsage, "has 65 characters");
+  ExpectRefused({"--name", "\x1b[2J"}, program::kUsage, "process name '\\x1b[2J' has '\\x1b' at 1");
+}
+
+TEST_F(LcmStart, AnAddressThatCannotBeListenedAt) {
+  StartGcm();
+  ExpectRefused({"--name", "robot", "--listen", address}, program::kRefused,
+                address + " is in use by pid " + std::to_string(gcm->pid()) +
+                    " (gcm); give --listen another port, or 0 for a free one");
+  ExpectRefused({"--name", "robot", "--listen", "192.0.2.1:0"}, program::kDenied, "--insecure");
+  ExpectRefused({"--name", "robot", "--listen", "127.0.0.1:abc"}, program::kUsage,
+                "port 'abc': expected 0..65535");
+  ExpectRefused({"--name", "robot", "--listen", "nowhere"}, program::kUsage, "expected host:port");
+  ExpectRefused({"--name", "robot", "--advertise", "127.0.0.1:0"}, program::kUsage,
+                "port '0': expected 1..65535");
+}
+
+TEST_F(LcmStart, ABadAddressOfTheGcm) {
+  ExpectRefused({"--name", "robot", "--gcm", "127.0.0.1:1"}, program::kUsage, "given 2 times");
+  for (const char* bad : {"127.0.0.1:abc", "127.0.0.1:0", "127.0.0.1:65536", "127.0.0.1:-1"}) {
+    const Outcome outcome = RunProgram({Binary("lcm"), "--name", "robot", "--gcm", bad});
+    EXPECT_EQ(outcome.exit_code, program::kUsage) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr("expected 1..65535"));
+  }
+  const Outcome away = RunProgram({Binary("lcm"), "--name", "robot", "--gcm", "192.0.2.1"});
+  EXPECT_EQ(away.exit_code, program::kDenied) << away.err;
+}
+
+TEST_F(LcmStart, AFileThatIsNone) {
+  ExpectFileRefused(folder / "none.json", "there is no such file", program::kNotFound);
+  ExpectFileRefused(folder, "is a folder, not a system file");
+  ASSERT_EQ(mkfifo((folder / "fifo").c_str(), 0600), 0);
+  ExpectFileRefused(folder / "fifo", "is no regular file");
+  ExpectFileRefused("/dev/zero", "is no regular file");
+  fs::create_symlink(folder / "b", folder / "a");
+  fs::create_symlink(folder / "a", folder / "b");
+  ExpectFileRefused(folder / "a", "symbolic links");
+}
+
+TEST_F(LcmStart, AFileLargerThanAnySystem) {
+  std::ofstream(folder / "large.json").put('{');
+  fs::resize_file(folder / "large.json", std::uintmax_t{1} << 30U);  // sparse
+  ExpectFileRefused(folder / "large.json", "is larger than 16 MB");
+}
+
+TEST_F(LcmStart, AFileThatIsNoJson) {
+  ExpectTextRefused("", "is empty");
+  ExpectTextRefused("\xef\xbb\xbf{}", "begins with a byte-order mark");
+  ExpectTextRefused("{\"version\": 1,\n  \"name\": ,}", "line 2, column 11: unexpected ','");
+  ExpectTextRefused("{\"version\": 1,\n", "line 2, column");
+  ExpectTextRefused("{\"version\": 1, // one\n}", "line 1, column");
+  ExpectTextRefused(std::string(10'000, '['), "nesting deeper than 64");
+  ExpectTextRefused("{\"name\": \"\xff\"}", "line 1, column");
+  ExpectTextRefused("{\"version\": 1e999}", "line 1, column");
+}
+
+TEST_F(LcmStart, AFileThatSaysSomethingElse) {
+  const auto with = [](const std::string& processes) {
+    return R"({"version": 1, "name": "x", "processes": )" + processes + "}";
+  };
+  ExpectTextRefused(R"({"version": 99})", "file is version 99, this program reads 1");
+  ExpectTextRefused(with("7"), "processes: expected a list, got number");
+  ExpectTextRefused(with(R"([{"name": "a", "name": "b"}])"),
+                    "processes[0]: key 'name' occurs twice");
+  ExpectTextRefused(with(R"([{"nam": "robot"}])"),
+                    "processes[0]: unknown key 'nam'; did you mean 'name'?");
+  ExpectTextRefused(with(R"([{"name": "robot", "components": [{"name": "arm", "class": 7}]}])"),
+                    "processes[0].components[0].class: expected text, got number");
+  ExpectTextRefused(with(R"([{"name": "robot", "components": [
+                      {"name": "arm", "class": "A", "library": "../../x.so"}]}])"),
+                    "processes[0].components[0].library: library '../../x.so' is a path");
+}
+
+}  // namespace

@@ -1,0 +1,61 @@
+#include "support/program.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+
+#include "support/folder.h"
+
+namespace {
+
+Outcome Shell(const std::string& script,
+              const std::map<std::string, std::string>& environment = {}) {
+  return RunProgram({"/bin/sh", "-c", script}, environment);
+}
+
+TEST(Program, StateCacheAndSocketsAreNotTheUsers) {
+  for (const std::string name : {"XDG_STATE_HOME", "XDG_CACHE_HOME", "XDG_RUNTIME_DIR"}) {
+    const Outcome told = Shell("printf %s \"$" + name + "\"; test -d \"$" + name + "\"");
+
+    EXPECT_EQ(told.exit_code, 0) << name;
+    const char* const of_user = std::getenv(name.c_str());
+    EXPECT_NE(told.out, of_user == nullptr ? "" : of_user);
+    EXPECT_THAT(told.out, testing::StartsWith(std::filesystem::temp_directory_path().string()));
+  }
+}
+
+TEST(Program, TheProgramsOfATestMeetInOneFolder) {
+  const std::string print = "printf %s \"$XDG_RUNTIME_DIR\"";
+
+  EXPECT_EQ(Shell(print).out, Shell(print).out);
+}
+
+TEST(Program, TheEnvironmentThatIsGivenDecides) {
+  EXPECT_EQ(Shell("printf %s \"$XDG_STATE_HOME\"", {{"XDG_STATE_HOME", "/here"}}).out, "/here");
+}
+
+TEST(Program, SaysWhichSignalEndedIt) { EXPECT_EQ(Shell("kill -9 $$").exit_code, 128 + 9); }
+
+TEST(FreePort, IsNotGivenTwice) {
+  std::vector<int> ports(200);
+  for (int& port : ports) port = FreePort();
+
+  for (const int port : ports) EXPECT_EQ(std::count(ports.begin(), ports.end(), port), 1) << port;
+}
+
+TEST(Folder, IsGoneInTheEndWithAllThatIsInIt) {
+  std::filesystem::path path;
+  {
+    const tendon::test::Folder folder;
+    path = folder.path();
+    folder.Write("file", "text");
+    ASSERT_EQ(folder.Read("file"), "text");
+  }
+
+  EXPECT_FALSE(std::filesystem::exists(path));
+}
+
+}  // namespace
