@@ -51,6 +51,12 @@ int Fail(const tendon::Error& error) {
   return program::ExitCodeOf(error.code);
 }
 
+/// Without one Qt would abort. QT_QPA_PLATFORM may name a platform that needs none.
+bool HasDisplay() {
+  return qEnvironmentVariableIsSet("DISPLAY") || qEnvironmentVariableIsSet("WAYLAND_DISPLAY") ||
+         qEnvironmentVariableIsSet("QT_QPA_PLATFORM");
+}
+
 /// As it was left the last time, and from now on remembered.
 void KeepLayout(tendon::gui::MainWindow& window) {
   QSettings settings;
@@ -96,9 +102,6 @@ int Run(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  tendon::gui::WatchedApplication application(argc, argv);
-  QApplication::setApplicationName("gcm-gui");
-  QApplication::setOrganizationName("tendon");
   Options options;
   CLI::App app("Shows and steers a running system.", "gcm-gui");
   AddOptions(app, options);
@@ -107,6 +110,14 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? program::kOk : program::kUsage;
   }
+  if (!HasDisplay()) {
+    return Fail({tendon::ErrorCode::kFailed,
+                 "there is no display (neither DISPLAY nor WAYLAND_DISPLAY is set); in a terminal "
+                 "use gcm, and host a GCM with: gcm serve"});
+  }
+  tendon::gui::WatchedApplication application(argc, argv);
+  QApplication::setApplicationName("gcm-gui");
+  QApplication::setOrganizationName("tendon");
   tendon::gui::Theme::instance().choose(ThemeChoice(options.theme));
   return Run(options);
 }
