@@ -156,10 +156,10 @@ Result<void> Serve(const Options& options) {
   tendon::ComponentLoader loader;
   auto components = MakeComponents(*share, loader);  // before anybody hears of this process
   if (!components) return components.error();
+  tendon::SetLogLevel(tendon::LogLevel::kWarning);  // why it has not joined yet is said in the end
   auto process = MakeProcess(options, *middleware);
   if (!process) return process.error();
   for (Made& one : *components) (*process)->Add(std::move(one.component), std::move(one.origin));
-  tendon::SetLogLevel(tendon::LogLevel::kWarning);  // why it has not joined yet is said in the end
   const auto joined = Join(**process, options);
   if (!joined) return joined.error();
   if (*joined == Told::kEnd) return {};
