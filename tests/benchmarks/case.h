@@ -11,7 +11,7 @@ namespace tendon::benchmark {
 
 /// How much is measured: what a verdict needs, or so little that it only shows that a case runs.
 struct Effort {
-  int repetitions = 15;
+  int repetitions = 31;
   bool is_tiny = false;
 
   [[nodiscard]] std::uint64_t Times(std::uint64_t times) const {
@@ -19,7 +19,8 @@ struct Effort {
   }
 };
 
-/// What one repetition found, ours and the floor measured side by side; smaller is better.
+/// What one repetition found, ours and the floor measured one right after the other, some
+/// milliseconds each; smaller is better.
 struct Pair {
   double ours = 0;
   std::optional<double> floor;  ///< nothing where the goal is a number of its own
@@ -31,7 +32,7 @@ enum class Ratio {
   kOfThroughputs,  ///< the other way round; at least the gate
 };
 
-/// One line of PERFORMANCE.md.
+/// One line of the report.
 struct Case {
   std::string id;
   std::string what;
@@ -43,7 +44,8 @@ struct Case {
   bool runs_once = false;
 };
 
-/// The medians of the repetitions; the ratio is that of the paired ratios.
+/// The medians of the repetitions; the ratio is that of the paired ratios, so that what changes
+/// slowly, such as how far the processors are from each other, cancels out.
 struct Outcome {
   double ours = 0;
   std::optional<double> floor;

@@ -57,7 +57,7 @@ bool Report(const std::vector<Case>& cases, const Options& options) {
 int Main(int argc, char** argv) {
   Options options;
   CLI::App app(
-      "Measures what PERFORMANCE.md promises, each against a floor in this program. Use the preset "
+      "Measures what is promised of speed, each against a floor in this program. Use the preset "
       "release. A gate that is missed is printed, and no failure: machines are shared.");
   app.add_option("--json", options.json, "also writes the table to this file");
   app.add_option("--only", options.only, "the cases to measure: Q1,S3")->delimiter(',');

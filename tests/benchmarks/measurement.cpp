@@ -1,7 +1,9 @@
 #include <benchmarks/measurement.h>
+#include <benchmarks/seat.h>
 
 #include <algorithm>
 #include <ctime>
+#include <thread>
 #include <utility>
 
 namespace tendon::benchmark {
@@ -61,6 +63,7 @@ double Median(std::vector<double> values) {
 std::function<std::optional<Pair>()> SideBySide(Subject ours, Subject floor) {
   return [ours = std::move(ours), floor = std::move(floor), ours_is_first = false,
           is_warm = false]() mutable {
+    const Seat seat(Processor::kFirst);
     if (!std::exchange(is_warm, true)) {  // caches and pages
       ours.run();
       floor.run();
@@ -78,6 +81,7 @@ std::function<std::optional<Pair>()> SideBySide(Subject ours, Subject floor) {
 
 std::optional<Outcome> Measure(const Case& one, const Effort& effort) {
   constexpr std::chrono::seconds kPatience(10);
+  constexpr std::chrono::milliseconds kPause(2);  // others' turn, and the kernel's limit kept
   const int wanted = one.runs_once ? 1 : effort.repetitions;
   const auto start = Clock::now();
   std::vector<Pair> pairs;
@@ -88,6 +92,7 @@ std::optional<Outcome> Measure(const Case& one, const Effort& effort) {
     if (!pair->is_disturbed) ++undisturbed;
     const bool has_enough = std::ssize(pairs) >= wanted;
     if (has_enough && (effort.is_tiny || Clock::now() - start > kPatience)) break;
+    std::this_thread::sleep_for(kPause);
   }
   return Summary(one, pairs, wanted);
 }

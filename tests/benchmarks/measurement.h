@@ -42,11 +42,11 @@ struct Subject {
   double processors = 1;
 };
 
-/// Runs one after the other, each first in turns.
+/// Runs one after the other, each first in turns, in a Seat on the first processor.
 std::function<std::optional<Pair>()> SideBySide(Subject ours, Subject floor);
 
-/// Repeats the case until there are enough undisturbed pairs, or until ten seconds have passed.
-/// Nothing where this machine cannot tell.
+/// Repeats the case until there are enough undisturbed pairs, which alone count then, or until ten
+/// seconds have passed: then all of them count. Nothing where this machine cannot tell.
 std::optional<Outcome> Measure(const Case& one, const Effort& effort);
 
 double Median(std::vector<double> values);

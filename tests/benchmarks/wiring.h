@@ -65,7 +65,7 @@ class Wiring {
   ProvidedInterface control_{"Control", &inbox_};
   RequiredInterface server_{"Server", &client_inbox_};
   std::unique_ptr<Connection> connection_;
-  Argument last_{};
+  alignas(kSeparation) Argument last_{};  // of the server's thread; client and server lie apart
   std::uint64_t taken_ = 0;
 };
 

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <mutex>
+#include <utility>
 #include <vector>
 
 namespace tendon {
@@ -36,21 +37,38 @@ struct Sinks {
 };
 
 Sinks& TheSinks() {
-  static Sinks sinks;
+  static Sinks& sinks = *new Sinks;  // for ever: what ends last logs, too
   return sinks;
 }
+
+thread_local LogDeferral* the_deferral = nullptr;
 
 }  // namespace
 
 void Log(LogLevel level, std::string_view source, std::string_view message) {
+  if (!IsLogged(level)) return;
+  const LogTime now = std::chrono::system_clock::now();
+  if (the_deferral != nullptr) return the_deferral->PutAside(now, level, source, message);
+  LogDeferred(now, level, source, message);
+}
+
+void LogDeferred(LogTime time, LogLevel level, std::string_view source, std::string_view message) {
   Sinks& sinks = TheSinks();
-  if (!sinks.console->should_log(ToSpdlog(level))) return;
-  sinks.console->log(ToSpdlog(level), "{}: {}", source, message);
+  std::string line(source);
+  line.append(": ").append(message);
+  sinks.console->log(time, {}, ToSpdlog(level), line);
   const std::scoped_lock lock(sinks.mutex);
   for (const LogSink& sink : sinks.others) sink(level, source, message);
 }
 
+DeferLogging::DeferLogging(LogDeferral& deferral) noexcept
+    : before_(std::exchange(the_deferral, &deferral)) {}
+
+DeferLogging::~DeferLogging() { the_deferral = before_; }
+
 void SetLogLevel(LogLevel level) { TheSinks().console->set_level(ToSpdlog(level)); }
+
+bool IsLogged(LogLevel level) { return TheSinks().console->should_log(ToSpdlog(level)); }
 
 void AddLogSink(LogSink sink) {
   Sinks& sinks = TheSinks();

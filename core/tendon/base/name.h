@@ -1,10 +1,13 @@
 #pragma once
 
 #include <tendon/base/result.h>
+#include <tendon/base/source_place.h>
 
+#include <concepts>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace tendon {
 
@@ -15,6 +18,18 @@ Result<void> CheckName(std::string_view what, std::string_view name);
 
 /// The same for the author of a component: throws ConfigurationError.
 void RequireName(std::string_view what, std::string_view name);
+
+/// A name that must be given once, and where it was: made from text in a call, it knows the
+/// caller's line.
+struct PlacedName {
+  template <std::convertible_to<std::string> Text>
+  PlacedName(Text&& name,  // NOLINT(google-explicit-constructor)
+             SourcePlace given_at = SourcePlace::current())
+      : text(std::forward<Text>(name)), place(given_at) {}
+
+  std::string text;
+  SourcePlace place;
+};
 
 /// The candidate most like `name`, or empty when none is near (edit distance over a third of its
 /// length, or over 3).

@@ -21,7 +21,7 @@ class [[nodiscard]] Status {
     kWouldDeadlock,   ///< a wait for one's own thread
     kDenied,          ///< the caller's role does not allow it
     kDisabled,        ///< the peer has switched this command off for now
-    kUnsupported,     ///< not to be had this way, as waiting for a command of another process
+    kUnsupported,     ///< not to be had this way, as calling what returns something without waiting
     kInvalid,         ///< the argument does not decode
     kFailed,          ///< the server's code threw
   };

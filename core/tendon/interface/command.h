@@ -2,6 +2,7 @@
 
 #include <tendon/base/status.h>
 #include <tendon/interface/execution/scratch.h>
+#include <tendon/lockfree/wakeup.h>
 #include <tendon/payload/codec.h>
 #include <tendon/payload/layout.h>
 
@@ -33,6 +34,22 @@ class CommandBase {
     return Status::kUnsupported;
   }
 
+  /// WaitEncoded() in two halves, for who must not block. kQueued: `call` is its number until
+  /// EndEncoded(), and `ended`, which outlives the command, is notified once the server has done
+  /// with it, though not when the server stops. Any other status is its end.
+  virtual Status BeginEncoded(std::span<const std::byte> /*in*/, std::vector<std::byte>& /*out*/,
+                              Wakeup<>& /*ended*/, std::size_t& /*call*/) {
+    return Status::kUnsupported;
+  }
+  [[nodiscard]] virtual bool HasEnded(std::size_t /*call*/) { return true; }
+  /// How a call has ended that was begun. One that has not is given up, as at the deadline.
+  virtual Status EndEncoded(std::size_t /*call*/, std::vector<std::byte>& /*out*/) {
+    return Status::kUnsupported;
+  }
+
+  /// For handlers of events: their source has faulted, or is about to start anew.
+  virtual void SetSourceFaulted(bool /*faulted*/) {}
+
   /// Whether it may be cast to Command<In, Out>, the fingerprints being equal.
   template <Payload In, Payload Out>
   [[nodiscard]] bool Is() const {
@@ -56,6 +73,11 @@ class Command : public CommandBase {
   virtual Status Wait(const In& in, Out& out, std::chrono::nanoseconds /*timeout*/) {
     return Execute(in, out);
   }
+  /// See BeginEncoded().
+  virtual Status Begin(const In& in, Out& out, Wakeup<>& /*ended*/, std::size_t& /*call*/) {
+    return Execute(in, out);
+  }
+  virtual Status End(std::size_t /*call*/, Out& /*out*/) { return Status::kUnsupported; }
 
   Status ExecuteEncoded(std::span<const std::byte> in, std::vector<std::byte>& out) final {
     return Convert(in, out,
@@ -66,6 +88,17 @@ class Command : public CommandBase {
     return Convert(in, out, [this, timeout](const In& typed, Out& answer) {
       return Wait(typed, answer, timeout);
     });
+  }
+  Status BeginEncoded(std::span<const std::byte> in, std::vector<std::byte>& out, Wakeup<>& ended,
+                      std::size_t& call) final {
+    return Convert(in, out,
+                   [&](const In& typed, Out& answer) { return Begin(typed, answer, ended, call); });
+  }
+  Status EndEncoded(std::size_t call, std::vector<std::byte>& out) final {
+    typename Scratch<Values>::Use values(values_);
+    const Status status = End(call, values->out);
+    if (status) Encode(values->out, out);
+    return status;
   }
 
  private:

@@ -8,6 +8,9 @@
 namespace tendon {
 namespace {
 
+/// How long a handler that runs may take to return.
+constexpr std::chrono::milliseconds kGrace(100);
+
 /// Waits until the mailbox is empty, its component has stopped executing, or time is up.
 void LetDrain(const Mailbox* mailbox, std::chrono::steady_clock::time_point deadline) {
   using namespace std::chrono_literals;
@@ -56,7 +59,7 @@ Result<std::unique_ptr<Connection>> Connection::Make(RequiredInterface& required
 }
 
 Connection::Connection(RequiredInterface& required, ProvidedInterface& provided)
-    : required_(required), provided_(provided) {}
+    : required_(required), provided_(provided), lost_before_(required.lost_events()) {}
 
 Connection::~Connection() { Close(std::chrono::milliseconds(0)); }
 
@@ -94,7 +97,8 @@ void Connection::OpenMailboxes() {
     commands_ = &provided_.inbox()->Open(capacity, command_shape, required_.callers());
   }
   if (required_.inbox() != nullptr && !required_.handlers_.empty()) {
-    events_ = &required_.inbox()->Open(capacity, event_shape, provided_.raisers());
+    events_ = &required_.inbox()->Open(capacity, event_shape, provided_.raisers(),
+                                       &required_.event_time_);
   }
 }
 
@@ -102,29 +106,34 @@ void Connection::BindHandlers() {
   for (const auto& handler : required_.handlers_) {
     EventBase* event = provided_.FindEvent(handler->description().name);
     if (event == nullptr) continue;  // an optional one
-    owned_.push_back(handler->Bind(events_));
-    subscriptions_.push_back({event, owned_.back().get()});
-    event->Subscribe(*owned_.back());
+    Commands& kept = handler->uses_mailbox() ? queued_handlers_ : direct_handlers_;
+    kept.push_back(handler->Bind(events_));
+    CommandBase& bound = *kept.back();
+    subscriptions_.push_back({event, &bound});
+    event->Subscribe(bound, &required_.lost_events_);
+    if (provided_.host() != nullptr && provided_.host()->is_faulted()) bound.SetSourceFaulted(true);
   }
 }
 
 void Connection::BindFunctions() {
+  members_.reserve(required_.callers_.size() + 1);
   for (const auto& one : required_.callers_) {
     const Offer* offer = provided_.FindCommand(one.description.name);
     if (offer == nullptr) {  // an optional one
-      binding_.members.emplace_back();
+      members_.emplace_back();
       continue;
     }
-    owned_.push_back(offer->Bind(commands_));
-    CommandBase* command = owned_.back().get();
+    functions_.push_back(offer->Bind(commands_));
+    CommandBase* command = functions_.back().get();
     if (auto adapter = one.caller->Adapt(*command)) {
-      owned_.push_back(std::move(adapter));
-      command = owned_.back().get();
+      functions_.push_back(std::move(adapter));
+      command = functions_.back().get();
       converted_.push_back(one.description.name);
     }
-    binding_.members.push_back({command, &offer->enabled()});
+    members_.push_back({command, &offer->enabled(), provided_.host()});
   }
-  required_.binding_.Exchange(&binding_);
+  members_.emplace_back();
+  required_.binding_.Exchange(members_.data());
 }
 
 std::size_t Connection::Close(std::chrono::milliseconds patience) {
@@ -141,12 +150,19 @@ std::size_t Connection::Close(std::chrono::milliseconds patience) {
   for (const Subscription& one : subscriptions_) one.event->Unsubscribe(*one.handler);
   LetDrain(commands_, deadline);  // what has slipped in meanwhile
   LetDrain(events_, deadline);
+  const auto last = std::max(deadline, std::chrono::steady_clock::now() + kGrace);
   std::size_t dropped = 0;
-  if (commands_ != nullptr) dropped += provided_.inbox()->Remove(*commands_);
-  if (events_ != nullptr) dropped += required_.inbox()->Remove(*events_);
+  if (commands_ != nullptr) {
+    dropped += provided_.inbox()->Remove(*commands_, std::move(functions_), last);
+  }
+  if (events_ != nullptr) {
+    dropped += required_.inbox()->Remove(*events_, std::move(queued_handlers_), last);
+  }
   commands_ = nullptr;
   events_ = nullptr;
-  owned_.clear();
+  functions_.clear();
+  queued_handlers_.clear();
+  direct_handlers_.clear();
   return dropped;
 }
 
@@ -160,8 +176,6 @@ std::uint64_t Connection::replaced() const {
   return commands_ != nullptr ? commands_->replaced() : 0;
 }
 
-std::uint64_t Connection::lost_events() const {
-  return events_ != nullptr ? events_->refused() : 0;
-}
+std::uint64_t Connection::lost_events() const { return required_.lost_events() - lost_before_; }
 
 }  // namespace tendon

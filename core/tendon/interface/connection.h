@@ -35,9 +35,9 @@ class Connection {
   ~Connection();
 
   /// No call and no event enters any more; lets both ends execute what they accepted for at most
-  /// `patience`. Then whoever still waits for a call gets kNotConnected, and everything is freed.
-  /// Returns how many accepted calls and events were dropped. Never from a thread that executes
-  /// either end's mailboxes.
+  /// `patience`. Then whoever still waits for a call gets kNotConnected, and everything is freed;
+  /// what a handler uses that does not return is freed once it has. Returns how many accepted calls
+  /// and events were dropped. Never from a thread that executes either end's mailboxes.
   std::size_t Close(std::chrono::milliseconds patience);
 
   /// Calls waiting at the server now.
@@ -46,7 +46,7 @@ class Connection {
   [[nodiscard]] std::uint64_t refused() const;
   /// Calls replaced by newer ones, of commands that keep the latest only.
   [[nodiscard]] std::uint64_t replaced() const;
-  /// Events refused because the client's mailbox was full.
+  /// Events that have not reached the client: RequiredInterface::lost_events().
   [[nodiscard]] std::uint64_t lost_events() const;
   /// The functions whose values pass through the codec, since the two ends have other layouts of
   /// one type, or one end has only bytes. Slower, and no longer free of allocations.
@@ -65,14 +65,18 @@ class Connection {
   ProvidedInterface& provided_;
   Mailbox* commands_ = nullptr;  // at the server
   Mailbox* events_ = nullptr;    // at the client
-  std::vector<std::unique_ptr<CommandBase>> owned_;
-  Binding binding_;
+  using Commands = std::vector<std::unique_ptr<CommandBase>>;
+  Commands functions_;        // bound to commands_
+  Commands queued_handlers_;  // bound to events_
+  Commands direct_handlers_;
+  std::vector<BoundMember> members_;  // by function; one more, so that there is a first
   struct Subscription {
     EventBase* event;
     CommandBase* handler;
   };
   std::vector<Subscription> subscriptions_;
   std::vector<std::string> converted_;
+  std::uint64_t lost_before_ = 0;
   bool open_ = false;
 };
 

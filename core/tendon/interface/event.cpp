@@ -6,10 +6,10 @@ namespace tendon {
 
 EventBase::~EventBase() { current_.Exchange(nullptr); }
 
-void EventBase::Subscribe(CommandBase& handler) {
+void EventBase::Subscribe(CommandBase& handler, SharedCounter<>* lost) {
   const std::scoped_lock lock(mutex_);
   auto next = list_ ? std::make_unique<List>(*list_) : std::make_unique<List>();
-  next->push_back({&handler, Adapt(handler)});
+  next->push_back({&handler, Adapt(handler), lost});
   Replace(std::move(next));
 }
 
@@ -19,6 +19,13 @@ void EventBase::Unsubscribe(CommandBase& handler) {
   auto next = std::make_unique<List>(*list_);
   std::erase_if(*next, [&handler](const Subscriber& one) { return one.handler == &handler; });
   Replace(std::move(next));
+}
+
+void EventBase::SetSourceFaulted(bool faulted) {
+  current_.Enter([faulted](const List* list) {
+    if (list == nullptr) return;
+    for (const Subscriber& subscriber : *list) subscriber.handler->SetSourceFaulted(faulted);
+  });
 }
 
 void EventBase::Replace(std::unique_ptr<List> next) {

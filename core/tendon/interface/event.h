@@ -15,13 +15,18 @@ class EventBase : public Caller {
  public:
   ~EventBase() override;
 
-  /// From now on `handler` is called, through a converting command where it needs one. It must
-  /// outlive its Unsubscribe().
-  void Subscribe(CommandBase& handler);
+  /// From now on `handler` is called, through a converting command where it needs one; what does
+  /// not reach it is counted in `lost` as well. Both must outlive its Unsubscribe().
+  void Subscribe(CommandBase& handler, SharedCounter<>* lost = nullptr);
   /// After it returns the handler is not called any more, nor being called.
   void Unsubscribe(CommandBase& handler);
 
-  /// How often a handler's mailbox was full, over all handlers.
+  /// Tells the handlers that nobody will raise it until further notice, or no longer. By whom may
+  /// raise it.
+  void SetSourceFaulted(bool faulted);
+
+  /// How often it has not reached a handler, over all of them: its mailbox was full, its component
+  /// not active, or it threw.
   [[nodiscard]] std::uint64_t lost() const noexcept { return lost_.value(); }
 
   /// While it is off, raising it does nothing. Any thread.
@@ -33,9 +38,11 @@ class EventBase : public Caller {
   void SetRaisers(Callers raisers, const Inbox* home) { current_.SetCallers(raisers, home); }
 
  protected:
+  /// A connected handler; `adapter` converts for one whose type has another layout.
   struct Subscriber {
     CommandBase* handler = nullptr;
     std::shared_ptr<CommandBase> adapter;
+    SharedCounter<>* lost = nullptr;  // of the component that handles it
     [[nodiscard]] CommandBase& target() const { return adapter ? *adapter : *handler; }
   };
   using List = std::vector<Subscriber>;
@@ -47,7 +54,9 @@ class EventBase : public Caller {
     current_.Enter([&](const List* list) {
       if (list == nullptr) return;
       for (const Subscriber& subscriber : *list) {
-        if (!call(subscriber.target())) lost_.Add();
+        if (call(subscriber.target())) continue;
+        lost_.Add();
+        if (subscriber.lost != nullptr) subscriber.lost->Add();
       }
     });
   }
@@ -64,7 +73,8 @@ class EventBase : public Caller {
 
 /// Something that happens in a component, told to every handler that is connected. Raise it by
 /// calling it, from the component's thread: it never waits, locks or allocates; a handler whose
-/// mailbox is full misses it, which is counted. Handlers that run directly run in this thread.
+/// mailbox is full misses it, which is counted at both ends. Handlers that run directly run in this
+/// thread.
 template <Payload T>
 class Event final : public EventBase {
  public:

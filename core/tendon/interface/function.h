@@ -8,8 +8,9 @@
 namespace tendon {
 
 /// The caller's end of a command, a member of the component that calls it. Filled when its required
-/// interface is connected; until then a call returns kNotConnected, and kDisabled while the server
-/// has switched the command off.
+/// interface is connected; until then a call returns kNotConnected, kDisabled while the server has
+/// switched the command off, and kNotActive while it does not run; a read is answered by one that
+/// rests, though not by one that is faulted.
 ///
 /// A call of a void or write function never waits, locks or allocates; a read runs the server's
 /// code, or asks another process and waits for at most the interface's deadline. To wait until the
@@ -53,8 +54,8 @@ class Function final : public Caller {
 
   /// Whether a call would reach a server now.
   [[nodiscard]] bool is_connected() {
-    return binding_ != nullptr && binding_->Enter([this](const Binding* binding) {
-      return binding != nullptr && binding->members[index_].command != nullptr;
+    return binding_ != nullptr && binding_->Enter([this](const BoundMember* members) {
+      return members != nullptr && members[index_].is_reached();
     });
   }
 

@@ -1,3 +1,4 @@
+#include <tendon/interface/command.h>
 #include <tendon/interface/inbox.h>
 
 #include <algorithm>
@@ -10,14 +11,21 @@ Inbox::Inbox(Wakeup<>* wakeup) { server_.wakeup = wakeup; }
 
 Inbox::~Inbox() { current_.Exchange(nullptr); }
 
-Mailbox& Inbox::Open(std::size_t capacity, Mailbox::SlotShape argument, Callers callers) {
-  auto mailbox = std::make_unique<Mailbox>(capacity, argument, callers, server_);
-  Mailbox& opened = *mailbox;
+Mailbox& Inbox::Open(std::size_t capacity, Mailbox::SlotShape argument, Callers callers,
+                     SteadyTime* event_time) {
   const std::scoped_lock lock(mutex_);
-  auto next = list_ ? std::make_unique<List>(*list_) : std::make_unique<List>();
-  next->push_back(&opened);
+  auto next = Copy();
+  const std::size_t place = FreePlace(*next);
+  auto mailbox = std::make_unique<Mailbox>(capacity, argument, callers, server_,
+                                           next->FlagOf(place), event_time);
+  Mailbox& opened = *mailbox;
+  next->mailboxes[place] = &opened;
   mailboxes_.push_back(std::move(mailbox));
-  Replace(std::move(next));
+  list_.swap(next);
+  const SteadyTime deadline = StdAtomics::Now() + std::chrono::milliseconds(1);
+  if (!current_.TryExchange(list_.get(), deadline)) {
+    retired_.push_back({std::move(next), nullptr, {}});  // somebody still walks it
+  }
   return opened;
 }
 
@@ -28,20 +36,49 @@ void Inbox::SetAccepting(bool accepting) {
   for (const auto& mailbox : mailboxes_) mailbox->completions().Interrupt();
 }
 
-std::size_t Inbox::Remove(Mailbox& mailbox) {
+std::size_t Inbox::Remove(Mailbox& mailbox, std::vector<std::unique_ptr<CommandBase>> commands,
+                          SteadyTime deadline) {
   mailbox.Close();
   const std::scoped_lock lock(mutex_);
-  auto next = std::make_unique<List>(*list_);
-  std::erase(*next, &mailbox);
-  Replace(std::move(next));
+  auto next = Copy();
+  const auto listed = std::find(next->mailboxes.begin(), next->mailboxes.end(), &mailbox);
+  assert(listed != next->mailboxes.end());
+  *listed = nullptr;
   const auto found =
       std::find_if(mailboxes_.begin(), mailboxes_.end(),
                    [&mailbox](const auto& candidate) { return candidate.get() == &mailbox; });
   assert(found != mailboxes_.end());
   std::size_t dropped = 0;
-  while (mailbox.DropOne()) ++dropped;
+  list_.swap(next);
+  const bool is_free = current_.TryExchange(list_.get(), deadline);
+  if (is_free) {
+    while (mailbox.DropOne()) ++dropped;
+    retired_.clear();
+  } else {
+    mailbox.Abandon();
+    dropped = mailbox.size();
+    retired_.push_back({std::move(next), std::move(*found), std::move(commands)});
+  }
   mailboxes_.erase(found);
   return dropped;
+}
+
+template <typename Action>
+void Inbox::List::ForEachReady(ReadyFlag<>::IfEmpty if_empty, Action action) const {
+  Mailbox* const* mailbox = mailboxes.data();
+  Mailbox* const* const end = mailbox + mailboxes.size();
+  for (FlagRow* const row : rows) {
+    for (auto flag = row->flags.begin(); flag != row->flags.end() && mailbox != end;
+         ++flag, ++mailbox) {
+      if (*mailbox == nullptr) continue;  // a newer list may have one here, whose flag it is
+      std::size_t waiting = 0;
+      const auto has_calls = [&] {
+        waiting = (*mailbox)->size();
+        return waiting > 0;
+      };
+      if (flag->IsReady(has_calls, if_empty) && !action(**mailbox, waiting)) return;
+    }
+  }
 }
 
 std::size_t Inbox::ExecuteQueued(std::size_t limit) {
@@ -54,19 +91,31 @@ std::size_t Inbox::ExecuteQueued(std::size_t limit) {
 
   std::size_t executed = 0;
   const GuardedPointer<List>::Call call(current_);
-  if (call.get() == nullptr) return 0;
-  for (Mailbox* mailbox : *call.get()) {
-    const std::size_t waiting = std::min(mailbox->size(), limit - executed);
-    for (std::size_t i = 0; i < waiting && mailbox->ExecuteOne(); ++i) ++executed;
-  }
+  const List* const list = call.get();
+  if (list == nullptr) return 0;
+  constexpr unsigned kPasses = 64;  // after which an idle mailbox costs no more than its byte
+  const bool lowers = ++passes_ % kPasses == 0;
+  const auto if_empty = lowers ? ReadyFlag<>::IfEmpty::kLower : ReadyFlag<>::IfEmpty::kLeaveUp;
+  list->ForEachReady(if_empty, [&](Mailbox& mailbox, std::size_t waiting) {
+    waiting = std::min(waiting, limit - executed);
+    for (std::size_t i = 0; i < waiting && !mailbox.is_abandoned() && mailbox.ExecuteOne(); ++i) {
+      ++executed;
+    }
+    return true;
+  });
   return executed;
 }
 
 bool Inbox::has_queued() noexcept {
   const GuardedPointer<List>::Call call(current_);
-  return call.get() != nullptr &&
-         std::any_of(call.get()->begin(), call.get()->end(),
-                     [](const Mailbox* mailbox) { return mailbox->size() > 0; });
+  const List* const list = call.get();
+  bool is_queued = false;
+  if (list == nullptr) return false;
+  list->ForEachReady(ReadyFlag<>::IfEmpty::kLeaveUp, [&](const Mailbox&, std::size_t) {
+    is_queued = true;
+    return false;
+  });
+  return is_queued;
 }
 
 std::size_t Inbox::DiscardQueued() {
@@ -85,9 +134,28 @@ std::size_t Inbox::size() const {
   return sum;
 }
 
-void Inbox::Replace(std::unique_ptr<List> next) {
-  current_.Exchange(next.get());  // waits until nobody walks the old list
-  list_ = std::move(next);
+std::unique_ptr<Inbox::List> Inbox::Copy() const {
+  return list_ ? std::make_unique<List>(*list_) : std::make_unique<List>();
+}
+
+std::size_t Inbox::FreePlace(List& list) {
+  const auto is_free = [&](std::size_t place) {
+    // Who still walks an old list may lower the flag of what stands there.
+    const auto is_of_old = [place](const Retired& one) {
+      const Mailboxes& old = one.list->mailboxes;
+      return one.mailbox != nullptr && place < old.size() && old[place] == one.mailbox.get();
+    };
+    return list.mailboxes[place] == nullptr &&
+           std::none_of(retired_.begin(), retired_.end(), is_of_old);
+  };
+  std::size_t place = 0;
+  while (place < list.mailboxes.size() && !is_free(place)) ++place;
+  if (place == list.mailboxes.size()) list.mailboxes.push_back(nullptr);
+  if (place / kRow == list.rows.size()) {
+    rows_.push_back(std::make_unique<FlagRow>());
+    list.rows.push_back(rows_.back().get());
+  }
+  return place;
 }
 
 }  // namespace tendon

@@ -2,7 +2,10 @@
 
 #include <tendon/interface/mailbox.h>
 #include <tendon/lockfree/guarded_pointer.h>
+#include <tendon/lockfree/ready_flag.h>
 
+#include <array>
+#include <chrono>
 #include <limits>
 #include <memory>
 #include <mutex>
@@ -10,6 +13,8 @@
 #include <vector>
 
 namespace tendon {
+
+class CommandBase;
 
 /// All mailboxes of one component, of commands and of events, and the thread that empties them.
 ///
@@ -23,17 +28,21 @@ class Inbox {
   Inbox& operator=(const Inbox&) = delete;
   ~Inbox();
 
-  /// Adds a mailbox; the inbox owns it until it is removed. Locks and allocates.
+  /// Adds a mailbox; the inbox owns it until it is removed. Where `event_time` is given it holds,
+  /// while a call is executed, the time at which that was posted. Locks and allocates.
   Mailbox& Open(std::size_t capacity, Mailbox::SlotShape argument,
-                Callers callers = Callers::kOneThread);
+                Callers callers = Callers::kOneThread, SteadyTime* event_time = nullptr);
 
-  /// Closes `mailbox`, takes it out and frees it once nobody executes from it. Returns how many
-  /// calls in it were never executed.
-  std::size_t Remove(Mailbox& mailbox);
+  /// Closes `mailbox`, takes it out and frees it, and the commands to which its slots refer, once
+  /// nobody executes from it. A handler that does not return by `deadline` is left alone with them:
+  /// they are freed later. Returns how many calls were never executed.
+  std::size_t Remove(Mailbox& mailbox, std::vector<std::unique_ptr<CommandBase>> commands = {},
+                     SteadyTime deadline = SteadyTime::max());
 
   /// Executes what waited at the time of the call, mailbox by mailbox, so that a fast client cannot
   /// starve the others; at most `limit` calls. A nested call does nothing. Returns how many calls
-  /// were executed. No lock, no allocation of its own.
+  /// were executed. No lock, no allocation of its own; a mailbox in which nothing waits costs one
+  /// look at a byte that lies beside those of the others.
   std::size_t ExecuteQueued(std::size_t limit = std::numeric_limits<std::size_t>::max());
 
   /// Whether a call waits. In the executing thread; no lock.
@@ -64,15 +73,41 @@ class Inbox {
   [[nodiscard]] std::size_t size() const;
 
  private:
-  using List = std::vector<Mailbox*>;
+  static constexpr std::size_t kRow = 64;
+  struct alignas(kCacheLine) FlagRow {
+    std::array<ReadyFlag<>, kRow> flags;
+  };
+  /// By place; null where there is none.
+  using Mailboxes = std::vector<Mailbox*>;
+  struct List {
+    std::vector<FlagRow*> rows;
+    Mailboxes mailboxes;
 
-  void Replace(std::unique_ptr<List> next);
+    [[nodiscard]] ReadyFlag<>& FlagOf(std::size_t place) const {
+      return rows[place / kRow]->flags[place % kRow];
+    }
+    /// `action(Mailbox&, waiting) -> bool` for each in which calls wait, until one returns false.
+    template <typename Action>
+    void ForEachReady(ReadyFlag<>::IfEmpty if_empty, Action action) const;
+  };
+  /// What a handler that has not returned may still use.
+  struct Retired {
+    std::unique_ptr<List> list;
+    std::unique_ptr<Mailbox> mailbox;
+    std::vector<std::unique_ptr<CommandBase>> commands;
+  };
+
+  std::unique_ptr<List> Copy() const;
+  std::size_t FreePlace(List& list);
 
   Mailbox::Server server_;    // looked at by callers
   mutable std::mutex mutex_;  // of managers; never taken while calls are executed
+  std::vector<std::unique_ptr<FlagRow>> rows_;
   std::vector<std::unique_ptr<Mailbox>> mailboxes_;
   std::unique_ptr<List> list_;
-  alignas(kSeparation) bool executing_ = false;  // of the executing thread, as the next
+  std::vector<Retired> retired_;
+  alignas(kSeparation) bool executing_ = false;  // of the executing thread, as the next two
+  unsigned passes_ = 0;
   GuardedPointer<List> current_;
 };
 

@@ -11,10 +11,14 @@ void Mailbox::SlotShape::Cover(const SlotShape& other) {
   reserve += other.reserve;
 }
 
-Mailbox::Mailbox(std::size_t capacity, SlotShape argument, Callers callers, const Server& server)
+Mailbox::Mailbox(std::size_t capacity, SlotShape argument, Callers callers, const Server& server,
+                 ReadyFlag<>& ready, SteadyTime* event_time)
     : capacity_(capacity),
-      argument_offset_(std::max(sizeof(Entry*), argument.alignment)),
+      argument_offset_(std::max(sizeof(Entry*) + (event_time == nullptr ? 0 : sizeof(SteadyTime)),
+                                argument.alignment)),
       server_(server),
+      ready_(ready),
+      event_time_(event_time),
       completions_(std::bit_ceil(std::max<std::size_t>(capacity + argument.reserve, 1))) {
   const std::size_t size = argument_offset_ + argument.size;
   const std::size_t alignment = std::max(alignof(Entry*), argument.alignment);

@@ -3,6 +3,7 @@
 #include <tendon/interface/execution/completion_pool.h>
 #include <tendon/lockfree/counter.h>
 #include <tendon/lockfree/flag.h>
+#include <tendon/lockfree/ready_flag.h>
 #include <tendon/lockfree/shared_slot_ring.h>
 #include <tendon/lockfree/slot_ring.h>
 #include <tendon/lockfree/wakeup.h>
@@ -56,8 +57,10 @@ class Mailbox {
     Wakeup<>* wakeup = nullptr;         ///< told of every post
   };
 
-  /// `server` outlives it.
-  Mailbox(std::size_t capacity, SlotShape argument, Callers callers, const Server& server);
+  /// `server` and `ready`, which is raised after every post, outlive it. Where there is an
+  /// `event_time`, each slot has the time of its post, which stands there when it is executed.
+  Mailbox(std::size_t capacity, SlotShape argument, Callers callers, const Server& server,
+          ReadyFlag<>& ready, SteadyTime* event_time = nullptr);
 
   /// Room for the next call's argument, which must be published if there are many callers. Null
   /// when the mailbox is full, which is counted, or not open; nothing has happened.
@@ -79,6 +82,9 @@ class Mailbox {
   /// From now on Claim() refuses.
   void Close() noexcept { closed_.Set(true); }
   [[nodiscard]] bool is_open() const noexcept { return !closed_.Get() && accepting(); }
+  /// What waits will not be executed any more.
+  void Abandon() noexcept { abandoned_.Set(true); }
+  [[nodiscard]] bool is_abandoned() const noexcept { return abandoned_.Get(); }
   /// Whether the component it belongs to executes calls.
   [[nodiscard]] bool accepting() const noexcept { return server_.accepting.Get(); }
   /// Whether this very thread would have to execute what it posts.
@@ -108,16 +114,21 @@ class Mailbox {
   static Entry& EntryIn(std::byte* slot) noexcept {
     return **std::launder(reinterpret_cast<Entry**>(slot));
   }
+  static std::byte* TimeIn(std::byte* slot) noexcept { return slot + sizeof(Entry*); }
 
   std::optional<SlotRing<>> one_;  // one of the two
   std::optional<SharedSlotRing<>> many_;
   std::size_t capacity_;
   std::size_t argument_offset_;
   const Server& server_;
+  ReadyFlag<>& ready_;
+  SteadyTime* event_time_;
   Flag closed_;
-  SharedCounter<> refused_;
-  SharedCounter<> replaced_;
+  Flag abandoned_;
   CompletionPool completions_;
+  // Of callers, some of whom try again and again: apart from what the server reads.
+  alignas(kSeparation) SharedCounter<> refused_;
+  SharedCounter<> replaced_;
 };
 
 inline std::byte* Mailbox::Claim() noexcept {
@@ -142,8 +153,9 @@ inline void Mailbox::Publish(std::byte* argument, Entry& entry) noexcept {
   assert(argument != nullptr);
   std::byte* const slot = argument - argument_offset_;
   new (slot) Entry*(&entry);
+  if (event_time_ != nullptr) new (TimeIn(slot)) SteadyTime(StdAtomics::Now());
   many_ ? many_->Publish(slot) : one_->Publish();
-  if (server_.wakeup != nullptr) server_.wakeup->Notify();
+  ready_.Raise(server_.wakeup);
 }
 
 inline bool Mailbox::ExecuteOne() { return many_ ? ExecuteIn(*many_) : ExecuteIn(*one_); }
@@ -156,6 +168,9 @@ bool Mailbox::ExecuteIn(Ring& ring) {
     Ring& ring;
     ~Released() { ring.Release(); }
   } const released{ring};
+  if (event_time_ != nullptr) {
+    *event_time_ = *std::launder(reinterpret_cast<SteadyTime*>(TimeIn(slot)));
+  }
   EntryIn(slot).ExecuteSlot(slot + argument_offset_, ring.IndexOf(slot));
   return true;
 }

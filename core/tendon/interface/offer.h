@@ -57,16 +57,25 @@ class Offer {
   void Disable() noexcept { enabled_.Set(false); }
   [[nodiscard]] const Flag& enabled() const noexcept { return enabled_; }
 
+  /// The component it belongs to, told by its interface; it outlives all commands.
+  void SetHost(const Host* host) { host_ = host; }
+
+  /// Whether the mailbox refers to what Bind() makes, so that the two are freed together.
+  [[nodiscard]] virtual bool uses_mailbox() const { return true; }
   /// The room its argument needs in a mailbox' slot.
   [[nodiscard]] virtual Mailbox::SlotShape shape() const { return {}; }
   /// A command for one connection. `mailbox` is null where calls run in the caller's thread; it
   /// outlives the command.
   [[nodiscard]] virtual std::unique_ptr<CommandBase> Bind(Mailbox* mailbox) const = 0;
 
+ protected:
+  [[nodiscard]] const Host* host() const { return host_; }
+
  private:
   MemberDescription description_;
   Overflow overflow_ = Overflow::kRefuse;
   Flag enabled_{true};
+  const Host* host_ = nullptr;
 };
 
 /// Whatever runs in the server's thread: `handler(in, out)`.
@@ -93,7 +102,7 @@ class QueuedOffer : public Offer {
         return std::make_unique<LatestCommand<In, Handler>>(handler_, *mailbox);
       }
     }
-    return std::make_unique<QueuedCommand<In, Out, Handler>>(handler_, mailbox);
+    return std::make_unique<QueuedCommand<In, Out, Handler>>(handler_, mailbox, this->host());
   }
 
  private:
@@ -119,20 +128,29 @@ class FilteredOffer final : public QueuedOffer<Filtered, None, Handler> {
   Filter filter_;
 };
 
+/// Who hears of an exception in what runs in the caller's thread.
+enum class Blame {
+  kCaller,     ///< it gets kFailed: its question may be to blame
+  kComponent,  ///< it is faulted as well
+};
+
 /// Whatever runs in the caller's thread. Every connection gets a copy of `body`, so it may have
 /// Scratch space of its own.
 template <Payload In, Payload Out, typename Body>
 class DirectOffer final : public Offer {
  public:
-  DirectOffer(MemberDescription description, Body body)
-      : Offer(std::move(description)), body_(std::move(body)) {}
+  DirectOffer(MemberDescription description, Body body, Blame blame)
+      : Offer(std::move(description)), body_(std::move(body)), blame_(blame) {}
 
+  [[nodiscard]] bool uses_mailbox() const override { return false; }
   [[nodiscard]] std::unique_ptr<CommandBase> Bind(Mailbox* /*mailbox*/) const override {
-    return std::make_unique<DirectCommand<In, Out, Body>>(body_);
+    return std::make_unique<DirectCommand<In, Out, Body>>(
+        body_, blame_ == Blame::kComponent ? host() : nullptr);
   }
 
  private:
   Body body_;
+  Blame blame_;
 };
 
 }  // namespace tendon

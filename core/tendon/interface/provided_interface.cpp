@@ -1,18 +1,19 @@
-#include <tendon/base/name.h>
 #include <tendon/interface/provided_interface.h>
 
 #include <algorithm>
 
 namespace tendon {
 
-Offer& ProvidedInterface::AddOffer(std::unique_ptr<Offer> offer) {
-  CheckNew("command", offer->description().name);
+Offer& ProvidedInterface::AddOffer(std::unique_ptr<Offer> offer, SourcePlace place) {
+  names_.Add("command", offer->description().name, name_, place);
+  offer->SetHost(host_);
   commands_.push_back(std::move(offer));
   return *commands_.back();
 }
 
-void ProvidedInterface::AddEvent(EventBase& event, MemberDescription description) {
-  CheckNew("event", description.name);
+void ProvidedInterface::AddEvent(EventBase& event, MemberDescription description,
+                                 SourcePlace place) {
+  names_.Add("event", description.name, name_, place);
   event.SetRaisers(raisers(), inbox_);
   events_.push_back({std::move(description), &event});
 }
@@ -31,22 +32,15 @@ EventBase* ProvidedInterface::FindEvent(const std::string& name) const {
   return found == events_.end() ? nullptr : found->event;
 }
 
+void ProvidedInterface::SetSourceFaulted(bool faulted) {
+  for (const NamedEvent& one : events_) one.event->SetSourceFaulted(faulted);
+}
+
 ProvidedDescription ProvidedInterface::description() const {
   ProvidedDescription description{.name = name_, .commands = {}, .events = {}};
   for (const auto& offer : commands_) description.commands.push_back(offer->description());
   for (const NamedEvent& one : events_) description.events.push_back(one.description);
   return description;
-}
-
-void ProvidedInterface::CheckNew(const std::string& what, const std::string& name) const {
-  RequireName(what, name);
-  if (sealed_) {
-    throw ConfigurationError("cannot add " + what + " '" + name + "' to interface '" + name_ +
-                             "': its component was started; add it in the constructor");
-  }
-  if (FindCommand(name) != nullptr || FindEvent(name) != nullptr) {
-    throw ConfigurationError(what + " '" + name + "' already exists in interface '" + name_ + "'");
-  }
 }
 
 }  // namespace tendon

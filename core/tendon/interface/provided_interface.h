@@ -1,6 +1,9 @@
 #pragma once
 
+#include <tendon/base/name.h>
+#include <tendon/base/source_place.h>
 #include <tendon/interface/event.h>
+#include <tendon/interface/execution/member_names.h>
 #include <tendon/interface/execution/scratch.h>
 #include <tendon/interface/execution/thread_safe.h>
 #include <tendon/interface/inbox.h>
@@ -8,6 +11,7 @@
 #include <tendon/state/state_table.h>
 
 #include <concepts>
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
@@ -22,12 +26,15 @@ namespace tendon {
 class ProvidedInterface {
  public:
   /// `inbox` is where calls wait for the component's thread; null when they run in the caller's.
-  ProvidedInterface(std::string name, Inbox* inbox) : name_(std::move(name)), inbox_(inbox) {}
+  /// `host` is their component; without one calls are always taken.
+  ProvidedInterface(std::string name, Inbox* inbox, const Host* host = nullptr)
+      : name_(std::move(name)), inbox_(inbox), host_(host) {}
   ProvidedInterface(const ProvidedInterface&) = delete;
   ProvidedInterface& operator=(const ProvidedInterface&) = delete;
 
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] Inbox* inbox() const { return inbox_; }
+  [[nodiscard]] const Host* host() const { return host_; }
   /// Who raises its events: any thread where the component has none of its own.
   [[nodiscard]] Callers raisers() const {
     return inbox_ == nullptr ? Callers::kManyThreads : Callers::kOneThread;
@@ -36,12 +43,12 @@ class ProvidedInterface {
   // Queued to the component's thread; runs in its ProcessQueuedCommands().
 
   template <typename Owner, std::derived_from<Owner> Object>
-  Offer& AddCommandVoid(void (Owner::*method)(), Object* object, std::string name) {
+  Offer& AddCommandVoid(void (Owner::*method)(), Object* object, PlacedName name) {
     return AddQueued<None, None>(CommandKind::kVoid, std::move(name),
                                  [method, object](const None&, None&) { (object->*method)(); });
   }
   template <typename Owner, typename Argument, std::derived_from<Owner> Object>
-  Offer& AddCommandWrite(void (Owner::*method)(Argument), Object* object, std::string name) {
+  Offer& AddCommandWrite(void (Owner::*method)(Argument), Object* object, PlacedName name) {
     using In = std::remove_cvref_t<Argument>;
     return AddQueued<In, None>(CommandKind::kWrite, std::move(name),
                                [method, object](const In& in, None&) { (object->*method)(in); });
@@ -49,14 +56,14 @@ class ProvidedInterface {
   /// The caller waits for the answer, with a deadline. For what takes a moment: a caller that has
   /// given up does not hear the answer.
   template <typename Owner, Payload Out, std::derived_from<Owner> Object>
-  Offer& AddCommandVoidReturn(void (Owner::*method)(Out&), Object* object, std::string name) {
+  Offer& AddCommandVoidReturn(void (Owner::*method)(Out&), Object* object, PlacedName name) {
     return AddQueued<None, Out>(
         CommandKind::kVoidReturn, std::move(name),
         [method, object](const None&, Out& out) { (object->*method)(out); });
   }
   template <typename Owner, typename Argument, Payload Out, std::derived_from<Owner> Object>
   Offer& AddCommandWriteReturn(void (Owner::*method)(Argument, Out&), Object* object,
-                               std::string name) {
+                               PlacedName name) {
     using In = std::remove_cvref_t<Argument>;
     return AddQueued<In, Out>(
         CommandKind::kWriteReturn, std::move(name),
@@ -67,12 +74,12 @@ class ProvidedInterface {
   template <Payload In, Payload Filtered, typename Owner, typename Argument,
             std::derived_from<Owner> Object>
   Offer& AddCommandFilteredWrite(void (*filter)(const In&, Filtered&),
-                                 void (Owner::*method)(Argument), Object* object,
-                                 std::string name) {
+                                 void (Owner::*method)(Argument), Object* object, PlacedName name) {
     const auto handler = [method, object](const Filtered& in, None&) { (object->*method)(in); };
     return AddOffer(
         std::make_unique<FilteredOffer<In, Filtered, decltype(filter), decltype(handler)>>(
-            DescribeMember<In, None>(std::move(name), CommandKind::kWrite), filter, handler));
+            DescribeMember<In, None>(std::move(name.text), CommandKind::kWrite), filter, handler),
+        name.place);
   }
 
   // Runs in the caller's thread: what touches only rows of a state table.
@@ -80,15 +87,25 @@ class ProvidedInterface {
   /// Newest value of a column of `table`; kNoSample before the first row. Allocates nothing for
   /// fixed payloads.
   template <Payload T>
-  Offer& AddCommandReadState(const StateTable& table, const T& variable, std::string name) {
+  Offer& AddCommandReadState(const StateTable& table, const T& variable, PlacedName name) {
     const Column<T>& column = table.Find(variable);
     return AddDirect<None, T>(CommandKind::kRead, std::move(name),
                               [&column](const None&, T& out) { return column.ReadNewest(out); });
   }
+  /// The value `delay` rows before the newest; kNoSample until there is one, and where the table is
+  /// too short to keep it.
+  template <Payload T>
+  Offer& AddCommandReadState(const StateTable& table, const T& variable, PlacedName name,
+                             std::size_t delay) {
+    const Column<T>& column = table.Find(variable);
+    return AddDirect<None, T>(
+        CommandKind::kRead, std::move(name),
+        [&column, delay](const None&, T& out) { return ToStatus(column.ReadDelayed(delay, out)); });
+  }
   /// `function(row, question, answer)` on the newest value of a column.
   template <Payload T, Payload In, Payload Out>
   Offer& AddCommandQualifiedRead(const StateTable& table, const T& variable,
-                                 void (*function)(const T&, const In&, Out&), std::string name) {
+                                 void (*function)(const T&, const In&, Out&), PlacedName name) {
     const Column<T>& column = table.Find(variable);
     return AddDirect<In, Out>(
         CommandKind::kQualifiedRead, std::move(name),
@@ -103,19 +120,19 @@ class ProvidedInterface {
   // Runs in the caller's thread, whenever: hence the tag.
 
   template <typename Owner, std::derived_from<Owner> Object>
-  Offer& AddCommandVoid(void (Owner::*method)(), Object* object, std::string name, ThreadSafe) {
+  Offer& AddCommandVoid(void (Owner::*method)(), Object* object, PlacedName name, ThreadSafe) {
     return AddDirect<None, None>(CommandKind::kVoid, std::move(name),
                                  CallMethod<None>(method, object));
   }
   template <typename Owner, typename Argument, std::derived_from<Owner> Object>
-  Offer& AddCommandWrite(void (Owner::*method)(Argument), Object* object, std::string name,
+  Offer& AddCommandWrite(void (Owner::*method)(Argument), Object* object, PlacedName name,
                          ThreadSafe) {
     using In = std::remove_cvref_t<Argument>;
     return AddDirect<In, None>(CommandKind::kWrite, std::move(name),
                                CallMethod<In>(method, object));
   }
   template <typename Owner, Payload Out, std::derived_from<Owner> Object>
-  Offer& AddCommandRead(void (Owner::*method)(Out&) const, const Object* object, std::string name,
+  Offer& AddCommandRead(void (Owner::*method)(Out&) const, const Object* object, PlacedName name,
                         ThreadSafe) {
     return AddDirect<None, Out>(CommandKind::kRead, std::move(name),
                                 [method, object](const None&, Out& out) -> Status {
@@ -125,7 +142,7 @@ class ProvidedInterface {
   }
   template <typename Owner, typename Argument, Payload Out, std::derived_from<Owner> Object>
   Offer& AddCommandQualifiedRead(void (Owner::*method)(Argument, Out&) const, const Object* object,
-                                 std::string name, ThreadSafe) {
+                                 PlacedName name, ThreadSafe) {
     using In = std::remove_cvref_t<Argument>;
     return AddDirect<In, Out>(CommandKind::kQualifiedRead, std::move(name),
                               [method, object](const In& in, Out& out) -> Status {
@@ -136,23 +153,27 @@ class ProvidedInterface {
 
   /// Lets clients handle `event`, which the component raises by calling it.
   template <Payload T>
-  void AddEvent(Event<T>& event, std::string name) {
+  void AddEvent(Event<T>& event, PlacedName name) {
     constexpr CommandKind kKind = std::same_as<T, None> ? CommandKind::kVoid : CommandKind::kWrite;
-    AddEvent(event, DescribeMember<T, None>(std::move(name), kKind));
+    AddEvent(event, DescribeMember<T, None>(std::move(name.text), kKind), name.place);
   }
 
   /// For members that are made at run time: proxies, columns of a table.
-  Offer& AddOffer(std::unique_ptr<Offer> offer);
-  void AddEvent(EventBase& event, MemberDescription description);
+  Offer& AddOffer(std::unique_ptr<Offer> offer, SourcePlace place = SourcePlace::current());
+  void AddEvent(EventBase& event, MemberDescription description,
+                SourcePlace place = SourcePlace::current());
 
   /// Null where there is none.
   [[nodiscard]] const Offer* FindCommand(const std::string& name) const;
   [[nodiscard]] EventBase* FindEvent(const std::string& name) const;
 
+  /// See EventBase: of all its events.
+  void SetSourceFaulted(bool faulted);
+
   [[nodiscard]] ProvidedDescription description() const;
 
   /// No member can be added from now on.
-  void Seal() { sealed_ = true; }
+  void Seal() { names_.Seal(); }
 
  private:
   struct NamedEvent {
@@ -161,20 +182,24 @@ class ProvidedInterface {
   };
 
   template <Payload In, Payload Out, typename Handler>
-  Offer& AddQueued(CommandKind kind, std::string name, Handler handler) {
+  Offer& AddQueued(CommandKind kind, PlacedName name, Handler handler) {
     return AddOffer(std::make_unique<QueuedOffer<In, Out, Handler>>(
-        DescribeMember<In, Out>(std::move(name), kind), std::move(handler)));
+                        DescribeMember<In, Out>(std::move(name.text), kind), std::move(handler)),
+                    name.place);
   }
   template <Payload In, Payload Out, typename Body>
-  Offer& AddDirect(CommandKind kind, std::string name, Body body) {
+  Offer& AddDirect(CommandKind kind, PlacedName name, Body body) {
+    const bool asks = kind == CommandKind::kRead || kind == CommandKind::kQualifiedRead;
     return AddOffer(std::make_unique<DirectOffer<In, Out, Body>>(
-        DescribeMember<In, Out>(std::move(name), kind), std::move(body)));
+                        DescribeMember<In, Out>(std::move(name.text), kind), std::move(body),
+                        asks ? Blame::kCaller : Blame::kComponent),
+                    name.place);
   }
-  void CheckNew(const std::string& what, const std::string& name) const;
 
   std::string name_;
   Inbox* inbox_;
-  bool sealed_ = false;
+  const Host* host_;
+  MemberNames names_;
   std::vector<std::unique_ptr<Offer>> commands_;
   std::vector<NamedEvent> events_;
 };

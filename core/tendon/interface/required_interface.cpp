@@ -1,18 +1,17 @@
-#include <tendon/base/name.h>
 #include <tendon/interface/required_interface.h>
-
-#include <algorithm>
 
 namespace tendon {
 
-std::size_t RequiredInterface::AddCaller(Caller& caller, MemberDescription description) {
-  CheckNew("function", description.name);
+std::size_t RequiredInterface::AddCaller(Caller& caller, MemberDescription description,
+                                         SourcePlace place) {
+  names_.Add("function", description.name, name_, place);
   callers_.push_back({std::move(description), &caller});
   return callers_.size() - 1;
 }
 
-Offer& RequiredInterface::AddOffer(std::unique_ptr<Offer> handler) {
-  CheckNew("event handler", handler->description().name);
+Offer& RequiredInterface::AddOffer(std::unique_ptr<Offer> handler, SourcePlace place) {
+  names_.Add("event handler", handler->description().name, name_, place);
+  handler->SetHost(host_);
   handlers_.push_back(std::move(handler));
   return *handlers_.back();
 }
@@ -42,22 +41,6 @@ RequiredDescription RequiredInterface::description() const {
     description.event_handlers.push_back(handler->description());
   }
   return description;
-}
-
-void RequiredInterface::CheckNew(const std::string& what, const std::string& name) const {
-  RequireName(what, name);
-  if (sealed_) {
-    throw ConfigurationError("cannot add " + what + " '" + name + "' to interface '" + name_ +
-                             "': its component was started; add it in the constructor");
-  }
-  const bool taken =
-      std::any_of(callers_.begin(), callers_.end(),
-                  [&](const NamedCaller& one) { return one.description.name == name; }) ||
-      std::any_of(handlers_.begin(), handlers_.end(),
-                  [&](const auto& handler) { return handler->description().name == name; });
-  if (taken) {
-    throw ConfigurationError(what + " '" + name + "' already exists in interface '" + name_ + "'");
-  }
 }
 
 }  // namespace tendon

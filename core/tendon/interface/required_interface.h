@@ -1,13 +1,18 @@
 #pragma once
 
+#include <tendon/base/name.h>
+#include <tendon/base/source_place.h>
 #include <tendon/interface/events/event_waiter.h>
+#include <tendon/interface/execution/member_names.h>
 #include <tendon/interface/execution/thread_safe.h>
 #include <tendon/interface/function.h>
 #include <tendon/interface/inbox.h>
 #include <tendon/interface/offer.h>
+#include <tendon/lockfree/counter.h>
 
 #include <chrono>
 #include <concepts>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -21,9 +26,11 @@ enum class Need { kRequired, kOptional };
 class RequiredInterface {
  public:
   /// `inbox` is where events wait; null when the component has no thread: handlers then run in the
-  /// thread that raises them, and any thread may call its functions.
-  RequiredInterface(std::string name, Inbox* inbox, Need need = Need::kRequired)
-      : name_(std::move(name)), inbox_(inbox), need_(need) {
+  /// thread that raises them, and any thread may call its functions. `host` is their component;
+  /// without one handlers always run.
+  RequiredInterface(std::string name, Inbox* inbox, Need need = Need::kRequired,
+                    const Host* host = nullptr)
+      : name_(std::move(name)), inbox_(inbox), host_(host), need_(need) {
     SetCallers(inbox == nullptr ? Callers::kManyThreads : Callers::kOneThread);
   }
   RequiredInterface(const RequiredInterface&) = delete;
@@ -34,24 +41,24 @@ class RequiredInterface {
 
   /// `function` is a member of the component; it calls the command of this name.
   template <CommandKind kKind, Payload In, Payload Out>
-  void AddFunction(Function<kKind, In, Out>& function, std::string name,
+  void AddFunction(Function<kKind, In, Out>& function, PlacedName name,
                    Need need = Need::kRequired) {
-    MemberDescription description = DescribeMember<In, Out>(std::move(name), kKind);
+    MemberDescription description = DescribeMember<In, Out>(std::move(name.text), kKind);
     description.optional = need == Need::kOptional;
-    function.index_ = AddCaller(function, std::move(description));
+    function.index_ = AddCaller(function, std::move(description), name.place);
     function.binding_ = &binding_;
   }
 
   // Queued to the component's thread; runs in its ProcessQueuedCommands().
 
   template <typename Owner, std::derived_from<Owner> Object>
-  Offer& AddEventHandlerVoid(void (Owner::*method)(), Object* object, std::string name,
+  Offer& AddEventHandlerVoid(void (Owner::*method)(), Object* object, PlacedName name,
                              Need need = Need::kRequired) {
     return AddQueued<None>(CommandKind::kVoid, std::move(name), need,
                            [method, object](const None&, None&) { (object->*method)(); });
   }
   template <typename Owner, typename Argument, std::derived_from<Owner> Object>
-  Offer& AddEventHandlerWrite(void (Owner::*method)(Argument), Object* object, std::string name,
+  Offer& AddEventHandlerWrite(void (Owner::*method)(Argument), Object* object, PlacedName name,
                               Need need = Need::kRequired) {
     using In = std::remove_cvref_t<Argument>;
     return AddQueued<In>(CommandKind::kWrite, std::move(name), need,
@@ -61,12 +68,12 @@ class RequiredInterface {
   // Runs in the thread that raises the event: hence the tag.
 
   template <typename Owner, std::derived_from<Owner> Object>
-  void AddEventHandlerVoid(void (Owner::*method)(), Object* object, std::string name, ThreadSafe,
+  void AddEventHandlerVoid(void (Owner::*method)(), Object* object, PlacedName name, ThreadSafe,
                            Need need = Need::kRequired) {
     AddDirect<None>(CommandKind::kVoid, std::move(name), need, CallMethod<None>(method, object));
   }
   template <typename Owner, typename Argument, std::derived_from<Owner> Object>
-  void AddEventHandlerWrite(void (Owner::*method)(Argument), Object* object, std::string name,
+  void AddEventHandlerWrite(void (Owner::*method)(Argument), Object* object, PlacedName name,
                             ThreadSafe, Need need = Need::kRequired) {
     using In = std::remove_cvref_t<Argument>;
     AddDirect<In>(CommandKind::kWrite, std::move(name), need, CallMethod<In>(method, object));
@@ -74,16 +81,17 @@ class RequiredInterface {
 
   /// `waiter` is a member of the component, a thread of which waits for the event of this name.
   template <Payload T>
-  void AddEventWaiter(EventWaiter<T>& waiter, std::string name, Need need = Need::kRequired) {
+  void AddEventWaiter(EventWaiter<T>& waiter, PlacedName name, Need need = Need::kRequired) {
+    constexpr CommandKind kKind = std::same_as<T, None> ? CommandKind::kVoid : CommandKind::kWrite;
     AddOffer(std::make_unique<typename EventWaiter<T>::HandlerOffer>(
-        DescribeHandler<T>(std::is_same_v<T, None> ? CommandKind::kVoid : CommandKind::kWrite,
-                           std::move(name), need),
-        waiter));
+                 DescribeHandler<T>(kKind, std::move(name.text), need), waiter),
+             name.place);
   }
 
   /// For members that are made at run time. The caller's place in the binding is returned.
-  std::size_t AddCaller(Caller& caller, MemberDescription description);
-  Offer& AddOffer(std::unique_ptr<Offer> handler);
+  std::size_t AddCaller(Caller& caller, MemberDescription description,
+                        SourcePlace place = SourcePlace::current());
+  Offer& AddOffer(std::unique_ptr<Offer> handler, SourcePlace place = SourcePlace::current());
   [[nodiscard]] BindingGate& binding() { return binding_; }
 
   /// Who calls its functions. A task's thread alone does, unless it says here, in its constructor,
@@ -101,10 +109,18 @@ class RequiredInterface {
   void SetReadDeadline(std::chrono::milliseconds deadline);
   [[nodiscard]] std::chrono::milliseconds read_deadline() const { return read_deadline_; }
 
+  /// When the event was raised that the component's thread handles now, or has handled last, by
+  /// the steady clock; for one of another process, when it arrived. Handlers that run directly run
+  /// when it is raised.
+  [[nodiscard]] SteadyTime event_time() const { return event_time_; }
+  /// How many events have not reached their handlers here: the mailbox was full, the component not
+  /// active, or a handler threw. Those of a handler that keeps the latest only are not lost.
+  [[nodiscard]] std::uint64_t lost_events() const noexcept { return lost_events_.value(); }
+
   [[nodiscard]] RequiredDescription description() const;
   [[nodiscard]] bool is_connected() const { return binding_.Get() != nullptr; }
 
-  void Seal() { sealed_ = true; }
+  void Seal() { names_.Seal(); }
 
  private:
   friend class Connection;
@@ -121,29 +137,34 @@ class RequiredInterface {
     return description;
   }
   template <Payload In, typename Handler>
-  Offer& AddQueued(CommandKind kind, std::string name, Need need, Handler handler) {
+  Offer& AddQueued(CommandKind kind, PlacedName name, Need need, Handler handler) {
     return AddOffer(std::make_unique<QueuedOffer<In, None, Handler>>(
-        DescribeHandler<In>(kind, std::move(name), need), std::move(handler)));
+                        DescribeHandler<In>(kind, std::move(name.text), need), std::move(handler)),
+                    name.place);
   }
   template <Payload In, typename Body>
-  void AddDirect(CommandKind kind, std::string name, Need need, Body body) {
+  void AddDirect(CommandKind kind, PlacedName name, Need need, Body body) {
     AddOffer(std::make_unique<DirectOffer<In, None, Body>>(
-        DescribeHandler<In>(kind, std::move(name), need), std::move(body)));
+                 DescribeHandler<In>(kind, std::move(name.text), need), std::move(body),
+                 Blame::kComponent),
+             name.place);
   }
-  void CheckNew(const std::string& what, const std::string& name) const;
 
   static constexpr std::size_t kDefaultCapacity = 64;
   static constexpr std::chrono::milliseconds kDefaultReadDeadline{100};
 
   std::string name_;
   Inbox* inbox_;
+  const Host* host_;
   Need need_;
-  bool sealed_ = false;
+  MemberNames names_;
   std::size_t mailbox_capacity_ = kDefaultCapacity;
   std::chrono::milliseconds read_deadline_ = kDefaultReadDeadline;
   std::vector<NamedCaller> callers_;
   std::vector<std::unique_ptr<Offer>> handlers_;
   BindingGate binding_;
+  SteadyTime event_time_{};  // of the component's thread
+  SharedCounter<> lost_events_;
 };
 
 }  // namespace tendon

@@ -27,8 +27,18 @@ class Completion {
   /// From free to pending; false when it is not free.
   bool TryTake() noexcept {
     State expected = kFree;
-    return state_.compare_exchange_strong(expected, kPending,
-                                          std::memory_order_acquire);  // pairs with (A)
+    if (!state_.compare_exchange_strong(expected, kPending,
+                                        std::memory_order_acquire)) {  // pairs with (A)
+      return false;
+    }
+    listener_ = nullptr;
+    return true;
+  }
+  /// Before it is posted, by a caller that does not sleep in Await(): `listener` is notified once
+  /// is_done() holds. It outlives the record.
+  void SetListener(Wakeup<Atomics>& listener) noexcept { listener_ = &listener; }
+  [[nodiscard]] bool is_done() const noexcept {
+    return state_.load(std::memory_order_acquire) == kDone;  // pairs with (B)
   }
   /// Done with it: what the server has written for this call was read, or it was never posted.
   void Free() noexcept { state_.store(kFree, std::memory_order_release); }  // (A)
@@ -56,9 +66,11 @@ class Completion {
   }
   /// After it. What was written before is seen by the caller that finds it done.
   void Finish(Status status) noexcept {
+    Wakeup<Atomics>* const listener = listener_;  // the next caller's, once this one is done
     status_ = status;
     if (state_.exchange(kDone, std::memory_order_acq_rel) == kAbandoned) return Free();  // (B), (C)
     wakeup_.Notify();
+    if (listener != nullptr) listener->Notify();
   }
 
   /// Any thread: lets the caller look at `interrupted()`.
@@ -72,6 +84,7 @@ class Completion {
   // (C) what a caller that has gone was doing with it is over
   typename Atomics::template Atomic<State> state_{kFree};
   Wakeup<Atomics> wakeup_;
+  Wakeup<Atomics>* listener_ = nullptr;
   Status status_ = Status::kDone;
 };
 

@@ -32,16 +32,15 @@ class GuardedPointer {
   /// While it lives, what get() gives is not freed.
   class [[nodiscard]] Call {
    public:
-    explicit Call(GuardedPointer& guarded) noexcept : guarded_(guarded) {
-      if (guarded_.depth_++ == 0) {
-        guarded_.in_call_.store(++guarded_.calls_, std::memory_order_release);  // (B)
-      }
+    explicit Call(GuardedPointer& guarded) noexcept
+        : guarded_(guarded), before_(guarded.in_call_.load(std::memory_order_relaxed)) {  // its own
+      guarded_.in_call_.store(before_ | 1U, std::memory_order_release);                   // (B)
       Atomics::CompilerFence();  // with (C) a full fence: odd before the pointer is loaded
       object_ = guarded_.pointer_.load(std::memory_order_acquire);  // pairs with (A)
     }
     ~Call() {
-      if (--guarded_.depth_ > 0) return;
-      guarded_.in_call_.store(++guarded_.calls_, std::memory_order_release);  // (B) done with it
+      // Where it was even, the next even one; a nested call leaves it odd. Without a branch.
+      guarded_.in_call_.store(before_ + 2 * (~before_ & 1U), std::memory_order_release);  // (B)
     }
     Call(const Call&) = delete;
     Call& operator=(const Call&) = delete;
@@ -51,21 +50,30 @@ class GuardedPointer {
 
    private:
     GuardedPointer& guarded_;
+    std::uint64_t before_;  // the in-call word
     T* object_;
   };
 
   /// Makes `next` the object of all further calls, waits until no call uses the old one, and
   /// returns that: the caller may free it. Takes microseconds, and as long as the current call.
   T* Exchange(T* next) noexcept {
-    T* const old = pointer_.load(std::memory_order_relaxed);
+    T* const old = Get();
+    TryExchange(next, SteadyTime::max());
+    return old;
+  }
+
+  /// The same, and waits no longer than until `deadline`. False when a call still uses the old
+  /// object; it may, as may all objects before it, until an exchange has succeeded.
+  bool TryExchange(T* next, SteadyTime deadline) noexcept {
     pointer_.store(next, std::memory_order_release);  // (A) publishes the object
     Atomics::ProcessBarrier();                        // (C)
     const std::uint64_t seen = in_call_.load(std::memory_order_acquire);  // pairs with (B)
-    if (seen % 2 == 0) return old;
+    if (seen % 2 == 0) return true;
     for (unsigned looks = 0; in_call_.load(std::memory_order_acquire) == seen; ++looks) {  // (B)
+      if (deadline != SteadyTime::max() && Atomics::Now() >= deadline) return false;
       Atomics::Pause(looks);
     }
-    return old;
+    return true;
   }
 
   /// For the side that replaces.
@@ -73,9 +81,7 @@ class GuardedPointer {
 
  private:
   typename Atomics::template Atomic<T*> pointer_;
-  typename Atomics::template Atomic<std::uint64_t> in_call_{0};
-  std::uint64_t calls_ = 0;  // of the calling thread: what in_call_ holds
-  unsigned depth_ = 0;       // of the calling thread
+  typename Atomics::template Atomic<std::uint64_t> in_call_{0};  // stored by the calling thread
 };
 
 }  // namespace tendon

@@ -89,7 +89,7 @@ class SharedSlotRing {
 
   std::size_t capacity_;
   std::size_t reserve_;
-  SlotArray slots_;
+  SlotArray<> slots_;
   unsigned turn_shift_;
   std::unique_ptr<Index[]> published_;
   alignas(kSeparation) Index write_{0};

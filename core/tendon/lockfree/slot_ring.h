@@ -17,7 +17,7 @@ namespace tendon {
 /// wait-free. They work on indices that are never reset: slots [read, write) are the consumer's,
 /// the others the producer's. Each side remembers the other's index and looks again only when it
 /// seems full or empty, which spares most of the traffic between the two cores.
-template <typename Atomics = StdAtomics>
+template <typename Atomics = StdAtomics, std::size_t kStride = kAnyStride>
 class SlotRing {
  public:
   /// `slot_size` in bytes; `alignment` is a power of two. `reserve` slots beyond the capacity are
@@ -93,7 +93,7 @@ class SlotRing {
 
   std::size_t capacity_;
   std::size_t reserve_;
-  SlotArray slots_;
+  SlotArray<kStride> slots_;
   Producer producer_;
   Consumer consumer_;
 };

@@ -56,7 +56,7 @@ class SpscQueue {
  private:
   static T* Value(std::byte* slot) noexcept { return std::launder(reinterpret_cast<T*>(slot)); }
 
-  SlotRing<Atomics> ring_;
+  SlotRing<Atomics, StrideOf(sizeof(T), alignof(T))> ring_;
 };
 
 }  // namespace tendon

@@ -21,6 +21,10 @@ class Wakeup {
   /// After publishing what the sleeper waits for. Wait-free but for the system call.
   void Notify() noexcept {
     Atomics::Fence(std::memory_order_seq_cst);  // (A) the work is out before the flag is read
+    NotifyAfterFence();
+  }
+  /// The same for a poster that has put such a fence after the work itself.
+  void NotifyAfterFence() noexcept {
     if (asleep_.load(std::memory_order_relaxed) == kAwake) return;
     if (asleep_.exchange(kAwake, std::memory_order_relaxed) == kAsleep) Atomics::Wake(asleep_);
   }

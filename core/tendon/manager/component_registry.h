@@ -36,7 +36,7 @@ class ComponentRegistry {
   template <std::derived_from<Component> T>
   void Add(std::string class_name) {
     ComponentClass added{std::move(class_name), {}, ToJson(None{})};
-    if constexpr (Configurable<T>) {
+    if constexpr (kConfigurable<T>) {
       added.configuration = SchemaOf<typename T::Configuration>();
       added.defaults = ToJson(typename T::Configuration{});
     }
@@ -60,13 +60,13 @@ class ComponentRegistry {
     Factory factory;
   };
   template <typename T>
-  static constexpr bool Configurable = requires {
+  static constexpr bool kConfigurable = requires {
     typename T::Configuration;
   };
 
   template <typename T>
   static Result<std::unique_ptr<Component>> Make(const std::string& name, const std::string& json) {
-    if constexpr (Configurable<T>) {
+    if constexpr (kConfigurable<T>) {
       using Configuration = typename T::Configuration;
       auto merged = MergeConfiguration(ToJson(Configuration{}), json);
       if (!merged) return merged.error();

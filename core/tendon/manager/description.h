@@ -46,7 +46,7 @@ struct ComponentDescription {
 };
 
 enum class ConnectionState : std::int32_t {
-  kPending,  ///< wanted; the peer is not there yet, or gone
+  kPending,  ///< wanted; the peer is not there yet, gone, or faulted
   kActive,
   kFailed,  ///< the peer is there and refused
 };
@@ -69,6 +69,9 @@ struct ConnectionDescription {
   InterfaceName provided;
   ConnectionState state = ConnectionState::kPending;
   std::string reason;  ///< why it is pending or failed
+  /// Functions whose values pass through the codec, since the ends have other layouts of a type:
+  /// slower, and not free of allocations.
+  std::vector<std::string> converted{};
 
   bool operator==(const ConnectionDescription&) const = default;
 };
@@ -112,4 +115,5 @@ inline constexpr auto tendon::kPayload<tendon::ConnectionDescription> = tendon::
     tendon::Field{"required", &tendon::ConnectionDescription::required},
     tendon::Field{"provided", &tendon::ConnectionDescription::provided},
     tendon::Field{"state", &tendon::ConnectionDescription::state},
-    tendon::Field{"reason", &tendon::ConnectionDescription::reason});
+    tendon::Field{"reason", &tendon::ConnectionDescription::reason},
+    tendon::Field{"converted", &tendon::ConnectionDescription::converted});

@@ -2,6 +2,7 @@
 #include <tendon/task/thread/threaded_task.h>
 
 #include <algorithm>
+#include <thread>
 
 namespace tendon {
 namespace {
@@ -27,6 +28,14 @@ Error OtherSide(const InterfaceName& name, const std::string& is, const std::str
                                          wanted + " one there"};
 }
 
+ConfigurationError ExistsAlready(const std::string& name, const ComponentOrigin& first) {
+  std::string origin;
+  if (!first.class_name.empty()) origin = " (of class " + first.class_name + ")";
+  if (!first.added_at.empty()) origin = " (added at " + first.added_at + ")";
+  return ConfigurationError("component '" + name + "' already exists in this process" + origin +
+                            "; choose another name");
+}
+
 }  // namespace
 
 LocalManager::~LocalManager() { Clear(); }
@@ -47,9 +56,8 @@ Component& LocalManager::Add(std::unique_ptr<Component> component, ComponentOrig
   Component& added = *component;
   {
     const auto lock = Lock();
-    if (Find(added.name()) != nullptr) {
-      throw ConfigurationError("component '" + added.name() +
-                               "' already exists in this process; choose another name");
+    for (const Entry& entry : entries_) {
+      if (entry.component->name() == added.name()) throw ExistsAlready(added.name(), entry.origin);
     }
     added.Seal();
     added.SetStateObserver([this] { NotifyChanged(); });
@@ -71,22 +79,59 @@ Result<void> LocalManager::Remove(const std::string& component, Patience patienc
     DisconnectAll(component);
     (void)removed->Stop(kNoWait);
   }
+  const SteadyTime deadline = SteadyClock().Now() + patience;
   Result<void> stopped;
   if (!removed->is_at_rest()) stopped = removed->WaitFor(ComponentState::kFinished, patience);
+  if (!removed->is_at_rest()) {
+    return Error{ErrorCode::kTimeout,
+                 "component '" + component + "' is not removed, for it runs" +
+                     (stopped ? std::string(" again") : ": " + stopped.error().message)};
+  }
+  const auto taken = Retry(std::max(kNoWait, deadline - SteadyClock().Now()),
+                           [&](SteadyTime last) { return TryTakeOut(removed, last); });
+  if (!taken) return taken;
   {
     const auto lock = Lock();
-    if (!removed->is_at_rest()) {
-      return Error{ErrorCode::kTimeout,
-                   "component '" + component + "' is not removed, for it runs" +
-                       (stopped ? std::string(" again") : ": " + stopped.error().message)};
-    }
-    removed->SetStateObserver(nullptr);
-    watchdog_.Forget(*removed);
-    std::erase_if(entries_, [&](const Entry& one) { return one.component == removed; });
-    removed.reset();
+    removed.reset();  // those that run after it hear of it
   }
   NotifyChanged();
   return {};
+}
+
+Result<void> LocalManager::TryTakeOut(const std::shared_ptr<Component>& component,
+                                      SteadyTime deadline) {
+  if (!component->is_at_rest()) {
+    return Error{ErrorCode::kFailed,
+                 "component '" + component->name() + "' is not removed, for it runs again"};
+  }
+  if (auto* task = dynamic_cast<Task*>(component.get())) {
+    if (const auto left = task->LeaveLeader(deadline); !left) {
+      return Error{left.error().code,
+                   "component '" + component->name() + "' is not removed: " + left.error().message};
+    }
+  }
+  OnRemoving(*component);  // once more: others could connect to it while it was stopping
+  DisconnectAll(component->name());
+  component->SetStateObserver(nullptr);
+  watchdog_.Forget(*component);
+  std::erase_if(entries_, [&](const Entry& one) { return one.component == component; });
+  return {};
+}
+
+Result<void> LocalManager::Retry(Patience patience,
+                                 const std::function<Result<void>(SteadyTime)>& attempt) {
+  constexpr std::chrono::milliseconds kAtOnce(20);
+  const SteadyTime deadline = SteadyClock().Now() + patience;
+  while (true) {
+    const SteadyTime now = SteadyClock().Now();
+    Result<void> done;
+    {
+      const auto lock = Lock();
+      done = attempt(std::min<SteadyTime>(deadline, now + kAtOnce));
+    }
+    if (done || done.error().code != ErrorCode::kTimeout || now >= deadline) return done;
+    std::this_thread::yield();
+  }
 }
 
 Result<ConnectionId> LocalManager::Connect(const InterfaceName& required,
@@ -105,7 +150,8 @@ Result<ConnectionId> LocalManager::Connect(const InterfaceName& required,
                                         .required = required,
                                         .provided = provided,
                                         .state = ConnectionState::kActive,
-                                        .reason = {}},
+                                        .reason = {},
+                                        .converted = (*connection)->converted()},
                         .connection = std::move(*connection)};
   }
   NotifyChanged();
@@ -131,25 +177,29 @@ Result<void> LocalManager::Disconnect(const InterfaceName& required) {
   return {};
 }
 
-Result<void> LocalManager::RunAfter(const std::string& component, const std::string& leader) {
-  {
-    const auto lock = Lock();
-    const auto follower = Require(component);
-    if (!follower) return follower.error();
-    const auto first = Require(leader);
-    if (!first) return first.error();
-    auto* task = dynamic_cast<ThreadedTask*>(follower->get());
-    auto* leading = dynamic_cast<Task*>(first->get());
-    if (task == nullptr || leading == nullptr) {
-      return Error{ErrorCode::kFailed,
-                   "component '" + component + "' cannot run after '" + leader + "': '" +
-                       (task == nullptr ? component + "' has no thread to give up"
-                                        : leader + "' makes no cycles")};
-    }
-    if (const auto done = task->RunAfter(*leading); !done) return done;
+Result<void> LocalManager::RunAfter(const std::string& component, const std::string& leader,
+                                    Patience patience) {
+  const auto done = Retry(
+      patience, [&](SteadyTime deadline) { return TryRunAfter(component, leader, deadline); });
+  if (done) NotifyChanged();
+  return done;
+}
+
+Result<void> LocalManager::TryRunAfter(const std::string& component, const std::string& leader,
+                                       SteadyTime deadline) {
+  const auto follower = Require(component);
+  if (!follower) return follower.error();
+  const auto first = Require(leader);
+  if (!first) return first.error();
+  auto* task = dynamic_cast<ThreadedTask*>(follower->get());
+  auto* leading = dynamic_cast<Task*>(first->get());
+  if (task == nullptr || leading == nullptr) {
+    return Error{ErrorCode::kFailed, "component '" + component + "' cannot run after '" + leader +
+                                         "': '" +
+                                         (task == nullptr ? component + "' has no thread to give up"
+                                                          : leader + "' makes no cycles")};
   }
-  NotifyChanged();
-  return {};
+  return task->RunAfter(*leading, deadline);
 }
 
 Result<void> LocalManager::Start(const std::string& component, Patience patience) {
@@ -215,7 +265,11 @@ Result<void> LocalManager::AskAll(const Components& components, Request request,
     Result<void> done;
     {
       const auto lock = Lock();
-      done = (*one.*request)(kNoWait);
+      if (Find(one->name()) == one.get()) {
+        done = (*one.*request)(kNoWait);
+      } else {
+        done = Error{ErrorCode::kNotFound, "component '" + one->name() + "' was removed meanwhile"};
+      }
     }
     if (done && patience > kNoWait) {
       done = one->WaitFor(wanted, std::max(kNoWait, deadline - SteadyClock().Now()));
@@ -243,7 +297,16 @@ std::vector<ComponentDescription> LocalManager::components() const {
 std::vector<ConnectionDescription> LocalManager::connections() const {
   const auto lock = Lock();
   std::vector<ConnectionDescription> all;
-  for (const auto& [id, connection] : connections_) all.push_back(connection.description);
+  for (const auto& [id, connection] : connections_) {
+    all.push_back(connection.description);
+    for (const InterfaceName& end : {all.back().required, all.back().provided}) {
+      const Component* const component = Find(end.component);
+      if (component == nullptr || component->state() != ComponentState::kFaulted) continue;
+      all.back().state = ConnectionState::kPending;
+      all.back().reason = "component '" + end.component + "' is faulted: " + component->fault() +
+                          "; it is connected again once that was started";
+    }
+  }
   return all;
 }
 

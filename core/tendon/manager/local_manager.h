@@ -24,6 +24,7 @@ using ConnectionId = std::uint64_t;
 struct ComponentOrigin {
   std::string class_name;
   std::string library;
+  std::string added_at{};  ///< "robot.cpp:23", where its author's code has added it
 };
 
 /// The local component manager: owns the components of one process and the connections between
@@ -42,10 +43,11 @@ class LocalManager {
   /// Makes a component T(name, arguments...) and takes it in. ConfigurationError when the name is
   /// taken.
   template <std::derived_from<Component> T, typename... Arguments>
-  T& Add(std::string name, Arguments&&... arguments) {
-    auto component = std::make_unique<T>(std::move(name), std::forward<Arguments>(arguments)...);
+  T& Add(PlacedName name, Arguments&&... arguments) {
+    auto component =
+        std::make_unique<T>(std::move(name.text), std::forward<Arguments>(arguments)...);
     T& reference = *component;
-    Add(std::move(component), {});
+    Add(std::move(component), {.class_name = {}, .library = {}, .added_at = ToString(name.place)});
     return reference;
   }
   Component& Add(std::unique_ptr<Component> component, ComponentOrigin origin);
@@ -62,8 +64,10 @@ class LocalManager {
 
   /// From its next start on, `component` makes a cycle after each one of `leader`, in that one's
   /// thread: ThreadedTask::RunAfter(). kFailed where it is not at rest, has no thread to give up,
-  /// or where the two would wait for each other.
-  Result<void> RunAfter(const std::string& component, const std::string& leader);
+  /// or where the two would wait for each other; kTimeout where a cycle of the leader, or of the
+  /// one before, does not end within `patience`.
+  Result<void> RunAfter(const std::string& component, const std::string& leader,
+                        Patience patience = kPatience);
 
   /// What the table of transitions says (component_state.h); waits for the state it leads to, and
   /// kTimeout says that it has not come within `patience`.
@@ -85,6 +89,7 @@ class LocalManager {
   /// Null where there is none; valid until it is removed.
   [[nodiscard]] Component* Find(const std::string& component) const;
   [[nodiscard]] std::vector<ComponentDescription> components() const;
+  /// One of which an end is faulted is pending, with the reason, until that was started anew.
   [[nodiscard]] virtual std::vector<ConnectionDescription> connections() const;
 
   /// How long a disconnect lets servers execute what they have accepted.
@@ -133,6 +138,11 @@ class LocalManager {
                       Patience patience);
   [[nodiscard]] std::vector<std::string> component_names() const;
   void DisconnectAll(const std::string& component);
+  /// Tries with the lock held, again and again until it is no kTimeout; others get it in between.
+  Result<void> Retry(Patience patience, const std::function<Result<void>(SteadyTime)>& attempt);
+  Result<void> TryRunAfter(const std::string& component, const std::string& leader,
+                           SteadyTime deadline);
+  Result<void> TryTakeOut(const std::shared_ptr<Component>& component, SteadyTime deadline);
 
   mutable std::recursive_mutex mutex_;
   std::vector<Entry> entries_;

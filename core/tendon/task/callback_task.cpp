@@ -1,4 +1,5 @@
 #include <tendon/task/callback_task.h>
+#include <tendon/task/cycle/task_life.h>
 
 namespace tendon {
 
@@ -18,13 +19,15 @@ void CallbackTask::SkipCycles(std::uint64_t cycles) {
 
 Result<void> CallbackTask::Launch() {
   PrepareStart();
-  Order(LifeRequest::kStart);
+  GiveOrder(LifeRequest::kStart);
   return {};
 }
 
 void CallbackTask::ServeWaiting() {
   const std::unique_lock lock(driving_, std::try_to_lock);
-  if (lock && has_orders()) ObeyOrders();
+  if (!lock || !has_orders()) return;
+  ObeyOrders();
+  TaskLife::Unbind(*this);  // this thread waits for a state; the cycles are made by the driver's
 }
 
 }  // namespace tendon

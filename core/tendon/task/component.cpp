@@ -21,10 +21,39 @@ bool IsReserved(const std::string& name) { return name == "state" || name.starts
 
 std::string Quoted(const std::string& name) { return "'" + name + "'"; }
 
-/// "arm.cpp:23"
-std::string ToString(const std::source_location& where) {
-  const std::string_view path = where.file_name();
-  return std::string(path.substr(path.rfind('/') + 1)) + ":" + std::to_string(where.line());
+/// What the request does now, or why it is refused.
+Result<const Transition*> Lookup(const Component& component, LifeRequest request) {
+  if (component.is_starting()) {
+    return Error{ErrorCode::kFailed, "component " + Quoted(component.name()) +
+                                         " is still starting; wait until it is active"};
+  }
+  const Transition& transition = TransitionOf(component.state(), request);
+  if (transition.refusal.empty()) return &transition;
+  return Error{ErrorCode::kFailed, "component " + Quoted(component.name()) + " is " +
+                                       std::string(ToString(transition.from)) +
+                                       std::string(transition.refusal)};
+}
+
+/// Whether it has something to do that a fault or an end could interrupt.
+bool IsRunning(ComponentState state) {
+  return state == ComponentState::kActive || state == ComponentState::kSuspended;
+}
+
+void RequireNew(const std::string& what, const PlacedName& name, const Component& component,
+                bool is_sealed, std::map<std::string, SourcePlace>& added_at) {
+  RequireName(what, name.text);
+  if (is_sealed) {
+    throw ConfigurationError("cannot add " + what + " " + Quoted(name.text) + " to component " +
+                             Quoted(component.name()) + " (state " +
+                             std::string(ToString(component.state())) +
+                             "): add it in the constructor");
+  }
+  const auto [first, is_new] = added_at.emplace(name.text, name.place);
+  if (!is_new) {
+    throw ConfigurationError("interface " + Quoted(name.text) + " already exists in " +
+                             Quoted(component.name()) + " (added at " + ToString(first->second) +
+                             ")");
+  }
 }
 
 }  // namespace
@@ -69,21 +98,11 @@ void Component::Seal() {
   for (const auto& one : required_) one->Seal();
 }
 
-Result<const Transition*> Component::Check(LifeRequest request) const {
-  const std::scoped_lock lock(mutex_);
-  if (is_starting()) {
-    return Error{ErrorCode::kFailed,
-                 "component " + Quoted(name_) + " is still starting; wait until it is active"};
-  }
-  const Transition& transition = TransitionOf(state(), request);
-  if (transition.refusal.empty()) return &transition;
-  return Error{ErrorCode::kFailed, "component " + Quoted(name_) + " is " +
-                                       std::string(ToString(transition.from)) +
-                                       std::string(transition.refusal)};
-}
-
 Result<void> Component::Start(Patience patience) {
-  const auto transition = Check(LifeRequest::kStart);
+  const auto transition = [this] {
+    const std::scoped_lock lock(mutex_);  // the state and the flag change together
+    return Lookup(*this, LifeRequest::kStart);
+  }();
   if (!transition) return transition.error();
   if ((*transition)->from == ComponentState::kSuspended) {
     const auto resumed = Resume();
@@ -108,14 +127,20 @@ Result<void> Component::Start(Patience patience) {
 }
 
 Result<void> Component::Suspend(Patience patience) {
-  const auto transition = Check(LifeRequest::kSuspend);
+  const auto transition = [this] {
+    const std::scoped_lock lock(mutex_);  // the state and the flag change together
+    return Lookup(*this, LifeRequest::kSuspend);
+  }();
   if (!transition) return transition.error();
   Pause();
   return patience > kNoWait ? WaitFor(ComponentState::kSuspended, patience) : Result<void>();
 }
 
 Result<void> Component::Stop(Patience patience) {
-  const auto transition = Check(LifeRequest::kStop);
+  const auto transition = [this] {
+    const std::scoped_lock lock(mutex_);  // the state and the flag change together
+    return Lookup(*this, LifeRequest::kStop);
+  }();
   if (!transition) return transition.error();
   Halt();
   return patience > kNoWait ? WaitFor(ComponentState::kFinished, patience) : Result<void>();
@@ -169,24 +194,27 @@ void Component::SetStateObserver(std::function<void()> observer) {
   observer_ = std::move(observer);
 }
 
-ProvidedInterface& Component::AddProvidedInterface(std::string name, std::source_location where) {
-  if (IsReserved(name)) {
-    throw ConfigurationError("interface " + Quoted(name) + " of " + Quoted(name_) +
+ProvidedInterface& Component::AddProvidedInterface(PlacedName name) {
+  if (IsReserved(name.text)) {
+    throw ConfigurationError("interface " + Quoted(name.text) + " of " + Quoted(name_) +
                              ": the names state and state-... belong to state tables");
   }
-  return AddReservedInterface(std::move(name), where);
+  return AddReservedInterface(std::move(name));
 }
 
-ProvidedInterface& Component::AddReservedInterface(std::string name, std::source_location where) {
-  CheckNew("provided interface", name, where);
-  provided_.push_back(std::make_unique<ProvidedInterface>(std::move(name), inbox_.get()));
+ProvidedInterface& Component::AddReservedInterface(PlacedName name) {
+  RequireNew("provided interface", name, *this, sealed_, added_at_);
+  // What a table has recorded is worth reading after a fault most of all.
+  const Host* const host = IsReserved(name.text) ? nullptr : &host_;
+  provided_.push_back(
+      std::make_unique<ProvidedInterface>(std::move(name.text), inbox_.get(), host));
   return *provided_.back();
 }
 
-RequiredInterface& Component::AddRequiredInterface(std::string name, Need need,
-                                                   std::source_location where) {
-  CheckNew("required interface", name, where);
-  required_.push_back(std::make_unique<RequiredInterface>(std::move(name), inbox_.get(), need));
+RequiredInterface& Component::AddRequiredInterface(PlacedName name, Need need) {
+  RequireNew("required interface", name, *this, sealed_, added_at_);
+  required_.push_back(
+      std::make_unique<RequiredInterface>(std::move(name.text), inbox_.get(), need, &host_));
   return *required_.back();
 }
 
@@ -215,36 +243,34 @@ void Component::EnterFault(const char* where, const std::string& reason) {
   SetState(ComponentState::kFaulted);
 }
 
+void Component::FaultFromOutside(const std::string& reason) {
+  constexpr const char* kWhere = "a command or event handler";
+  if (IsRunning(state())) return EnterFault(kWhere, reason);
+  Log(LogLevel::kError, name_, std::string(kWhere) + " has failed: " + reason);
+}
+
 void Component::SetState(ComponentState state) {
+  const bool is_faulted = state == ComponentState::kFaulted;
   if (inbox_) {
     inbox_->SetAccepting(state == ComponentState::kActive);
-    const bool has_thread = state == ComponentState::kActive || state == ComponentState::kSuspended;
-    if (!has_thread) inbox_->Unbind();
+    if (!IsRunning(state)) inbox_->Unbind();
+  }
+  if (is_faulted != host_.is_faulted() && (is_faulted || state == ComponentState::kReady)) {
+    host_.SetFaulted(is_faulted);
+    for (const auto& one : provided_) one->SetSourceFaulted(is_faulted);
   }
   std::function<void()> observer;
   {
     const std::scoped_lock lock(mutex_);
     is_starting_.Set(false);
+    // A fault that another thread has brought about ends with a start, not with what goes on here.
+    if (host_.is_faulted()) state = ComponentState::kFaulted;
+    host_.SetAccepting(state == ComponentState::kActive);
     state_.Set(state);
     observer = observer_;
   }
   changed_.notify_all();
   if (observer) observer();
-}
-
-void Component::CheckNew(const std::string& what, const std::string& name,
-                         std::source_location where) {
-  RequireName(what, name);
-  if (sealed_) {
-    throw ConfigurationError("cannot add " + what + " " + Quoted(name) + " to component " +
-                             Quoted(name_) + " (state " + std::string(ToString(state())) +
-                             "): add it in the constructor");
-  }
-  if (const auto first = added_at_.find(name); first != added_at_.end()) {
-    throw ConfigurationError("interface " + Quoted(name) + " already exists in " + Quoted(name_) +
-                             " (added at " + ToString(first->second) + ")");
-  }
-  added_at_[name] = where;
 }
 
 }  // namespace tendon

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <tendon/base/name.h>
 #include <tendon/base/result.h>
+#include <tendon/base/source_place.h>
+#include <tendon/interface/execution/host.h>
 #include <tendon/interface/inbox.h>
 #include <tendon/interface/provided_interface.h>
 #include <tendon/interface/required_interface.h>
@@ -14,7 +17,6 @@
 #include <map>
 #include <memory>
 #include <mutex>
-#include <source_location>
 #include <string>
 #include <vector>
 
@@ -27,7 +29,12 @@ inline constexpr Patience kPatience = std::chrono::seconds(10);
 inline constexpr Patience kNoWait{0};
 
 /// A named object with interfaces and a life cycle, and no thread of its own: its commands and
-/// event handlers run in the threads that call them. A Task adds a thread.
+/// event handlers run in the threads that call them, as long as it is active. A Task adds a thread.
+///
+/// An exception in one of the author's functions faults the component and nothing else. Its peers'
+/// calls, reads too, return kNotActive from then on, their waits end, and nobody misses its events
+/// for ever: waiters are told. Its connections stay, and work again once it was started anew; what
+/// waited is dropped. Its tables stay readable through its `state` interfaces.
 ///
 /// The constructor of a derived class adds the interfaces; a manager owns the component and drives
 /// its life. Functions below "for managers" are called by one thread at a time.
@@ -83,11 +90,8 @@ class Component {
 
   /// A second interface of one name, a bad name, or a sealed component: ConfigurationError. The
   /// names `state` and `state-...` are reserved for state tables.
-  ProvidedInterface& AddProvidedInterface(
-      std::string name, std::source_location where = std::source_location::current());
-  RequiredInterface& AddRequiredInterface(
-      std::string name, Need need = Need::kRequired,
-      std::source_location where = std::source_location::current());
+  ProvidedInterface& AddProvidedInterface(PlacedName name);
+  RequiredInterface& AddRequiredInterface(PlacedName name, Need need = Need::kRequired);
 
   /// Before the first start, and again before a restart after a fault. May throw.
   virtual void Configure() {}
@@ -121,22 +125,23 @@ class Component {
     return false;
   }
   void EnterFault(const char* where, const std::string& reason);
+  /// One of its handlers has thrown in a thread of somebody else: this one.
+  virtual void FaultFromOutside(const std::string& reason);
   void SetState(ComponentState state);
 
-  ProvidedInterface& AddReservedInterface(
-      std::string name, std::source_location where = std::source_location::current());
+  ProvidedInterface& AddReservedInterface(PlacedName name);
   [[nodiscard]] Inbox* inbox() const { return inbox_.get(); }
 
  private:
-  Result<const Transition*> Check(LifeRequest request) const;
-  void CheckNew(const std::string& what, const std::string& name, std::source_location where);
+  // Beside the functions above a base class has no names that an author's own could mean.
 
   std::string name_;
+  Host host_{[this](const char* reason) { FaultFromOutside(reason); }};
   std::unique_ptr<Inbox> inbox_;
   bool sealed_ = false;
   std::vector<std::unique_ptr<ProvidedInterface>> provided_;
   std::vector<std::unique_ptr<RequiredInterface>> required_;
-  std::map<std::string, std::source_location> added_at_;
+  std::map<std::string, SourcePlace> added_at_;
   Published<ComponentState> state_{ComponentState::kConstructed};
   Flag is_starting_;
   mutable std::mutex mutex_;  // of fault_ and observer_, and of changes of the state

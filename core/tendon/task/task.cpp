@@ -1,31 +1,26 @@
 #include <tendon/base/log.h>
 #include <tendon/base/name.h>
+#include <tendon/task/cycle/task_life.h>
 #include <tendon/task/state_interface.h>
 #include <tendon/task/task.h>
+#include <tendon/task/thread/cycle_log.h>
 
 #include <algorithm>
 #include <utility>
 
 namespace tendon {
-namespace {
-
-bool IsRunning(ComponentState state) {
-  return state == ComponentState::kActive || state == ComponentState::kSuspended;
-}
-
-}  // namespace
-
 Task::Task(std::string name, Posts posts)
     : Component(std::move(name),
-                std::make_unique<Inbox>(posts == Posts::kWake ? &wakeup_ : nullptr)) {
+                std::make_unique<Inbox>(posts == Posts::kWake ? &wakeup_ : nullptr)),
+      log_(CycleLog::OfThisProcess()) {
   tables_.push_back(std::make_unique<StateTable>("state"));
   state_table().Add(meter_.cycle(), "Cycle");
   state_table().Add(meter_.summary(), "CycleSummary");
 }
 
 Task::~Task() {
-  Unfollow();
-  ForEachFollower([](Task& follower) { follower.leader_ = nullptr; });
+  (void)LeaveLeader(SteadyTime::max());
+  TaskLife::ForEachFollower(*this, [](Task& follower) { follower.leader_ = nullptr; });
 }
 
 std::vector<const StateTable*> Task::tables() const {
@@ -41,6 +36,11 @@ StateTable& Task::AddStateTable(const std::string& name) {
       throw ConfigurationError("state table '" + name + "' already exists in '" + this->name() +
                                "'");
     }
+  }
+  if (FindProvided(state_table().name()) != nullptr) {  // it is sealed
+    throw ConfigurationError("cannot add state table '" + name + "' to component '" + this->name() +
+                             "' (state " + std::string(ToString(state())) +
+                             "): add it in the constructor");
   }
   tables_.push_back(std::make_unique<StateTable>("state-" + name));
   tables_.back()->SetShortestInterval(shortest_interval_);
@@ -76,11 +76,16 @@ std::size_t Task::ProcessQueuedCommands() {
 }
 
 bool Task::DoCycle(SteadyTime begin, SteadyTime due) {
+  cycle_end_ = begin;
+  if (has_failed_outside_.Get()) return !TaskLife::EnterFaultFromOutside(*this);
   inbox()->BindToThisThread();
   last_begin_.Set(begin);
   meter_.Begin(begin, due);
   doing_ = "Run";
-  const bool is_good = RunGuarded(doing_, [this] { Run(); });
+  const bool is_good = RunGuarded(doing_, [this] {
+    const DeferLogging put_aside(*log_);
+    Run();
+  });
   if (is_good) {
     for (const auto& table : tables_) table->AdvanceAfterCycle(begin);
   }
@@ -91,7 +96,7 @@ bool Task::DoCycle(SteadyTime begin, SteadyTime due) {
     inbox()->Unbind();
     return false;
   }
-  ForEachFollower([this, due](Task& follower) {
+  TaskLife::ForEachFollower(*this, [this, due](Task& follower) {
     if (follower.state() != ComponentState::kActive) return;
     follower.DoCycle(cycle_end_, due);
     cycle_end_ = follower.cycle_end_;
@@ -102,107 +107,22 @@ bool Task::DoCycle(SteadyTime begin, SteadyTime due) {
 void Task::AddOverruns(std::uint64_t cycles) {
   if (cycles == 0) return;
   meter_.AddOverruns(cycles);
-  ForEachFollower([cycles](Task& follower) {
+  TaskLife::ForEachFollower(*this, [cycles](Task& follower) {
     if (follower.state() == ComponentState::kActive) follower.AddOverruns(cycles);
   });
 }
 
 void Task::ObeyOrders() {
   orders_seen_ = orders_.Get();
-  Obey();
-}
-
-void Task::Obey() {
-  const NumberedOrder order = order_.Get();
-  if (order.number != std::exchange(obeyed_, order.number)) {
-    const ComponentState now = state();
-    switch (order.request) {
-      case LifeRequest::kStart:
-        if (now == ComponentState::kSuspended) {
-          GoOn();
-        } else if (now != ComponentState::kActive) {
-          Begin();
-        }
-        break;
-      case LifeRequest::kSuspend:
-        if (now == ComponentState::kActive) Rest();
-        break;
-      case LifeRequest::kStop:
-        if (IsRunning(now)) Finish();
-        break;
-    }
-  }
-  ForEachFollower([](Task& follower) { follower.Obey(); });
-}
-
-void Task::Begin() {
-  inbox()->BindToThisThread();
-  started_period_.Set(std::chrono::duration<double>(period()));
-  meter_.Start(started_period_.Get());
-  if (!RunGuarded("Startup", [this] { Startup(); })) {
-    EndFollowers();
-    inbox()->Unbind();
-    return;
-  }
-  BecomeActive();
-  if (leader_ != nullptr && leader_->state() == ComponentState::kSuspended) {
-    rests_with_leader_ = true;
-    Rest();
-  }
-}
-
-void Task::BecomeActive() {
-  rests_with_leader_ = false;
-  meter_.Interrupt();
-  last_begin_.Set(SteadyClock().Now());
-  OnActive();
-  SetState(ComponentState::kActive);
-}
-
-void Task::Rest() {
-  ForEachFollower([](Task& follower) {
-    if (follower.state() != ComponentState::kActive) return;
-    follower.rests_with_leader_ = true;
-    follower.Rest();
-  });
-  SetState(ComponentState::kSuspended);
-}
-
-void Task::GoOn() {
-  if (leader_ != nullptr && leader_->state() != ComponentState::kActive) {
-    rests_with_leader_ = true;
-    return;
-  }
-  BecomeActive();
-  ForEachFollower([](Task& follower) {
-    if (follower.rests_with_leader_ && follower.state() == ComponentState::kSuspended) {
-      follower.GoOn();
-    }
-  });
-}
-
-void Task::Finish() {
-  inbox()->BindToThisThread();
-  EndFollowers();
-  if (RunGuarded("Cleanup", [this] { Cleanup(); })) SetState(ComponentState::kFinished);
-  EndFollowers();  // one may have been asked to start meanwhile
-  inbox()->Unbind();
+  TaskLife::Obey(*this);
 }
 
 void Task::EndFollowers() {
-  ForEachFollower([](Task& follower) { follower.EndWithLeader(); });
-}
-
-void Task::EndWithLeader() {
-  obeyed_ = order_.Get().number;
-  if (IsRunning(state())) {
-    Finish();
-  } else if (is_starting()) {
-    EnterFault("Startup", "'" + leader_->name() + "', after which it runs, has ended");
-  }
+  TaskLife::ForEachFollower(*this, [](Task& follower) { TaskLife::EndWithLeader(follower); });
 }
 
 void Task::PrepareStart() {
+  has_failed_outside_.Set(false);
   // What waited when the task ended was meant for the world as it was then.
   if (const std::size_t stale = inbox()->DiscardQueued(); stale > 0) {
     Log(LogLevel::kWarning, name(),
@@ -210,9 +130,9 @@ void Task::PrepareStart() {
   }
 }
 
-void Task::Order(LifeRequest request) {
+void Task::GiveOrder(LifeRequest request) {
   order_.Set({.number = order_.Get().number + 1, .request = request});
-  Task& first = root();
+  Task& first = TaskLife::RootOf(*this);
   first.orders_.Set(first.orders_.Get() + 1);
   first.wakeup_.Notify();
   first.ServeWaiting();
@@ -224,29 +144,39 @@ Result<void> Task::Resume() {
                                          "', which is suspended; start '" + leader_->name() +
                                          "' first"};
   }
-  Order(LifeRequest::kStart);
+  GiveOrder(LifeRequest::kStart);
   return {};
 }
 
-void Task::Follow(Task& leader) {
-  Unfollow();
-  auto next = leader.follower_list_ ? std::make_unique<Followers>(*leader.follower_list_)
-                                    : std::make_unique<Followers>();
+Result<void> Task::JoinLeader(Task& leader, SteadyTime deadline) {
+  if (const auto left = LeaveLeader(deadline); !left) return left;
+  auto next = leader.follower_list_ ? std::make_unique<TaskFollowers>(*leader.follower_list_)
+                                    : std::make_unique<TaskFollowers>();
   next->push_back(this);
-  leader_ = &leader;
-  leader.ReplaceFollowers(std::move(next));
+  const auto done = TaskLife::ReplaceFollowers(leader, std::move(next), deadline);
+  if (done) leader_ = &leader;
+  return done;
 }
 
-void Task::Unfollow() {
-  if (leader_ == nullptr) return;
-  auto next = std::make_unique<Followers>(*leader_->follower_list_);
+Result<void> Task::LeaveLeader(SteadyTime deadline) {
+  if (leader_ == nullptr) return {};
+  auto next = std::make_unique<TaskFollowers>(*leader_->follower_list_);
   std::erase(*next, this);
-  std::exchange(leader_, nullptr)->ReplaceFollowers(std::move(next));
+  const auto done = TaskLife::ReplaceFollowers(*leader_, std::move(next), deadline);
+  if (done) leader_ = nullptr;
+  return done;
 }
 
-void Task::ReplaceFollowers(std::unique_ptr<Followers> next) {
-  followers_.Exchange(next.get());  // waits until no cycle uses the old list
-  follower_list_ = std::move(next);
+void Task::FaultFromOutside(const std::string& reason) {
+  if (state() != ComponentState::kActive && state() != ComponentState::kSuspended) {
+    return Log(LogLevel::kError, name(), "a command or event handler has failed: " + reason);
+  }
+  {
+    const std::scoped_lock lock(outside_mutex_);
+    outside_reason_ = reason;
+  }
+  has_failed_outside_.Set(true);
+  wakeup_.Notify();
 }
 
 }  // namespace tendon

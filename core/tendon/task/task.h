@@ -9,10 +9,29 @@
 #include <chrono>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
 namespace tendon {
+
+class CycleLog;
+class Task;
+class TaskLife;
+
+/// What a post does to the thread that makes the cycles.
+enum class Posts {
+  kWait,  ///< the post waits until a cycle executes it
+  kWake,  ///< it wakes a thread that sleeps on Task::wakeup()
+};
+
+using TaskFollowers = std::vector<Task*>;
+
+/// What managers ask of a task.
+struct TaskOrder {
+  std::uint32_t number = 0;
+  LifeRequest request = LifeRequest::kStop;
+};
 
 /// A component with cycles, a state table and mailboxes: commands and events that others send wait
 /// until its Run() calls ProcessQueuedCommands().
@@ -29,6 +48,9 @@ class Task : public Component {
 
   /// The task after which it runs, or null. For managers.
   [[nodiscard]] const Task* leader() const { return leader_; }
+  /// For managers: it runs after nobody any more. kTimeout where the leader's cycle has not ended
+  /// by `deadline`; nothing has changed then. It must be at rest.
+  Result<void> LeaveLeader(SteadyTime deadline);
   /// How long ago its last cycle began; 0 while it is not active. Any thread.
   [[nodiscard]] std::chrono::nanoseconds SinceLastCycle(SteadyTime now) const noexcept;
   /// What period() was at the last start. Any thread.
@@ -37,10 +59,6 @@ class Task : public Component {
   }
 
  protected:
-  enum class Posts {
-    kWait,  ///< until a cycle executes them
-    kWake,  ///< the thread that sleeps on wakeup()
-  };
   explicit Task(std::string name, Posts posts = Posts::kWait);
   ~Task() override;
 
@@ -52,7 +70,8 @@ class Task : public Component {
   /// All its tables get a row no sooner after the last; for constructors, before others are added.
   void SetShortestInterval(std::chrono::nanoseconds interval);
 
-  /// One cycle of the author's work, in the task's thread. An exception faults the task.
+  /// One cycle of the author's work, in the task's thread. An exception faults the task. What is
+  /// logged here is put aside (CycleLog).
   virtual void Run() = 0;
 
   /// Executes the commands and events that have arrived, in the calling thread, which is the
@@ -64,7 +83,9 @@ class Task : public Component {
   /// Obeys what has been asked of this task and of those that run after it.
   void ObeyOrders();
   /// Whether there is something to obey.
-  [[nodiscard]] bool has_orders() const noexcept { return orders_.Get() != orders_seen_; }
+  [[nodiscard]] bool has_orders() const noexcept {
+    return orders_.Get() != orders_seen_ || has_failed_outside_.Get();
+  }
   /// Run(), a row of every table, and the cycles of the tasks that run after this one. False once
   /// this one is faulted.
   bool DoCycle(SteadyTime begin, SteadyTime due);
@@ -88,38 +109,20 @@ class Task : public Component {
   /// What a start needs before its order: drops what waited when the task ended.
   void PrepareStart();
   /// Has the thread that makes the cycles obey; where there is none now, this one.
-  void Order(LifeRequest request);
-  void Pause() override { Order(LifeRequest::kSuspend); }
+  void GiveOrder(LifeRequest request);
+  void Pause() override { GiveOrder(LifeRequest::kSuspend); }
   Result<void> Resume() override;
-  void Halt() override { Order(LifeRequest::kStop); }
-  /// From now on it runs after `leader`. Both must live, and this one must be at rest.
-  void Follow(Task& leader);
+  void Halt() override { GiveOrder(LifeRequest::kStop); }
+  /// From now on it runs after `leader`. Both must live, and this one must be at rest. kTimeout as
+  /// for LeaveLeader(); it may have left its former leader then.
+  Result<void> JoinLeader(Task& leader, SteadyTime deadline);
+
+  void FaultFromOutside(const std::string& reason) override;
 
  private:
-  using Followers = std::vector<Task*>;
-  struct NumberedOrder {
-    std::uint32_t number = 0;
-    LifeRequest request = LifeRequest::kStop;
-  };
+  friend TaskLife;  // the rest of its work, under names that are not in an author's way
 
-  template <typename Action>
-  void ForEachFollower(Action action) {
-    const GuardedPointer<Followers>::Call call(followers_);
-    if (call.get() == nullptr) return;
-    for (Task* follower : *call.get()) action(*follower);
-  }
-  void ReplaceFollowers(std::unique_ptr<Followers> next);
-  void Unfollow();
-  Task& root() { return leader_ == nullptr ? *this : leader_->root(); }
-
-  void Obey();
-  void BecomeActive();
-  void Begin();
-  void Rest();
-  void GoOn();
-  void Finish();
-  void EndWithLeader();
-
+  std::shared_ptr<CycleLog> log_;
   std::vector<std::unique_ptr<StateTable>> tables_;
   std::chrono::nanoseconds shortest_interval_{0};
   CycleMeter meter_;
@@ -130,14 +133,19 @@ class Task : public Component {
   Published<SteadyTime> last_begin_;
   Published<std::chrono::duration<double>> started_period_;
 
-  Published<NumberedOrder> order_;
+  Published<TaskOrder> order_;
   std::uint32_t obeyed_ = 0;
   Published<std::uint64_t> orders_;  // of all tasks in this thread; counted in the first of them
   std::uint64_t orders_seen_ = 0;
 
+  Flag has_failed_outside_;
+  std::mutex outside_mutex_;  // of the next
+  std::string outside_reason_;
+
   Task* leader_ = nullptr;
-  std::unique_ptr<Followers> follower_list_;
-  GuardedPointer<Followers> followers_;
+  std::unique_ptr<TaskFollowers> follower_list_;
+  std::vector<std::unique_ptr<TaskFollowers>> retired_lists_;  // a cycle may still use them
+  GuardedPointer<TaskFollowers> followers_;
 };
 
 }  // namespace tendon

@@ -1,9 +1,8 @@
 #include <gtest/gtest.h>
+#include <support/folder.h>
 #include <tendon/base/os/file.h>
-#include <tendon/base/os/process.h>
 
-#include <fstream>
-#include <sstream>
+#include <filesystem>
 #include <string>
 
 namespace tendon {
@@ -11,18 +10,10 @@ namespace {
 
 class FileTest : public testing::Test {
  protected:
-  FileTest() { std::filesystem::create_directories(folder_); }
-  ~FileTest() override { std::filesystem::remove_all(folder_); }
+  [[nodiscard]] std::string Content() const { return folder_.Read("file"); }
 
-  [[nodiscard]] std::string Content() const {
-    std::stringstream text;
-    text << std::ifstream(file_, std::ios::binary).rdbuf();
-    return text.str();
-  }
-
-  const std::filesystem::path folder_ = std::filesystem::temp_directory_path() /
-                                        ("tendon-file-" + std::to_string(os::RandomNumber()));
-  const std::filesystem::path file_ = folder_ / "file";
+  const test::Folder folder_;
+  const std::filesystem::path file_ = folder_.path() / "file";
 };
 
 TEST_F(FileTest, AppendingMakesTheFileAndAddsToIt) {
@@ -37,12 +28,12 @@ TEST_F(FileTest, ReplacingLeavesTheNewContentAlone) {
   ASSERT_TRUE(os::ReplaceDurably(file_, "new"));
 
   EXPECT_EQ(Content(), "new");
-  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 1);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_.path()), {}), 1);
 }
 
 TEST_F(FileTest, AReplacementThatFailsLeavesTheOldContent) {
   ASSERT_TRUE(os::ReplaceDurably(file_, "old"));
-  std::filesystem::create_directory(folder_ / "file.new");
+  std::filesystem::create_directory(folder_.path() / "file.new");
 
   EXPECT_FALSE(os::ReplaceDurably(file_, "new"));
 

@@ -1,3 +1,4 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <tendon/interface/compatibility.h>
 
@@ -6,6 +7,7 @@
 
 #include "core/interface/arm_fixture.h"
 #include "support/allocation_guard.h"
+#include "support/refusal.h"
 
 namespace tendon_test {
 namespace {
@@ -13,6 +15,9 @@ namespace {
 using tendon::Connection;
 using tendon::ErrorCode;
 using tendon::Status;
+using tendon::test::Refusal;
+using testing::HasSubstr;
+using testing::MatchesRegex;
 using namespace std::chrono_literals;
 
 /// Both ends, connected.
@@ -305,11 +310,34 @@ TEST(Inbox, AnExceptionOfACommandPassesAndTheNextCallRuns) {
   EXPECT_EQ(server.calls, 2);
 }
 
-TEST(ProvidedInterface, ASecondMemberOfOneNameIsRefused) {
+TEST(ProvidedInterface, ASecondMemberOfOneNameIsRefusedAndTheFirstIsFound) {
   Arm arm;
+  const std::string found =
+      " already exists in interface 'Control' \\(added at "
+      "arm_fixture\\.h:[0-9]+\\)";
 
-  EXPECT_THROW(arm.control.AddCommandVoid(&Arm::Stop, &arm, "Stop"), tendon::ConfigurationError);
-  EXPECT_THROW(arm.control.AddCommandVoid(&Arm::Stop, &arm, "Stop it"), tendon::ConfigurationError);
+  EXPECT_THAT(Refusal([&] { arm.control.AddCommandVoid(&Arm::Stop, &arm, "Stop"); }),
+              MatchesRegex("command 'Stop'" + found));
+  EXPECT_THAT(Refusal([&] { arm.control.AddEvent(arm.stopped, "Stopped"); }),
+              MatchesRegex("event 'Stopped'" + found));
+  EXPECT_THAT(Refusal([&] { arm.control.AddEvent(arm.stopped, "Stop"); }),
+              MatchesRegex("event 'Stop'" + found));
+  EXPECT_THAT(Refusal([&] { arm.control.AddCommandVoid(&Arm::Stop, &arm, "Stop it"); }),
+              HasSubstr("command name 'Stop it' has ' ' at 5"));
+}
+
+TEST(RequiredInterface, ASecondMemberOfOneNameIsRefusedAndTheFirstIsFound) {
+  Teleoperation client;
+  const std::string found =
+      " already exists in interface 'Robot' \\(added at "
+      "arm_fixture\\.h:[0-9]+\\)";
+
+  EXPECT_THAT(Refusal([&] { client.robot.AddFunction(client.stop, "Stop"); }),
+              MatchesRegex("function 'Stop'" + found));
+  EXPECT_THAT(Refusal([&] {
+                client.robot.AddEventHandlerVoid(&Teleoperation::OnStopped, &client, "Stopped");
+              }),
+              MatchesRegex("event handler 'Stopped'" + found));
 }
 
 TEST(ProvidedInterface, ASealedOneIsRefused) {

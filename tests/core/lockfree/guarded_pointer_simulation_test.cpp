@@ -1,5 +1,5 @@
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <support/simulation/report_matchers.h>
 #include <support/simulation/simulated_atomics.h>
 #include <support/simulation/weakened_atomics.h>
 #include <tendon/lockfree/guarded_pointer.h>
@@ -8,15 +8,8 @@
 #include <array>
 #include <memory>
 
-namespace tendon {
+namespace tendon::simulation {
 namespace {
-
-using simulation::Check;
-using simulation::Explore;
-using simulation::Report;
-using simulation::Scenario;
-using testing::HasSubstr;
-using testing::IsEmpty;
 
 /// Two objects of ordinary memory; the one replaced is overwritten at once.
 template <typename Guarded>
@@ -71,42 +64,37 @@ Report ExploreTwoCallers() {
 }
 
 TEST(GuardedPointerSimulation, NeverFreesAnObjectInUse) {
-  const Report report = ExploreReplacement<Guarded<SimulatedAtomics>>();
-  EXPECT_THAT(report.failure, IsEmpty());
-  EXPECT_TRUE(report.is_complete);
-  EXPECT_GT(report.executions, 1000U);
+  EXPECT_THAT(ExploreReplacement<Guarded<SimulatedAtomics>>(), Passes(1000));
 }
 
 TEST(GuardedPointerSimulation, NeedsTheProcessBarrier) {
-  EXPECT_THAT(ExploreReplacement<Guarded<WithoutProcessBarrier>>().failure, HasSubstr("races"));
+  EXPECT_THAT(ExploreReplacement<Guarded<WithoutProcessBarrier>>(), FailsWith("races"));
 }
 
 TEST(GuardedPointerSimulation, NeedsItsReleases) {
-  EXPECT_THAT(ExploreReplacement<Guarded<WithoutRelease>>().failure, HasSubstr("races"));
+  EXPECT_THAT(ExploreReplacement<Guarded<WithoutRelease>>(), FailsWith("races"));
 }
 
 TEST(GuardedPointerSimulation, NeedsItsAcquires) {
-  EXPECT_THAT(ExploreReplacement<Guarded<WithoutAcquire>>().failure, HasSubstr("races"));
+  EXPECT_THAT(ExploreReplacement<Guarded<WithoutAcquire>>(), FailsWith("races"));
 }
 
 TEST(SharedGuardedPointerSimulation, NeverFreesAnObjectInUse) {
-  const Report report = ExploreTwoCallers<SharedGuarded<SimulatedAtomics>>();
-  EXPECT_THAT(report.failure, IsEmpty());
-  EXPECT_TRUE(report.is_complete);
+  EXPECT_THAT(ExploreTwoCallers<SharedGuarded<SimulatedAtomics>>(), Passes());
 }
 
 TEST(SharedGuardedPointerSimulation, NeedsItsFences) {
   using NoFullFence = WithoutFence<std::memory_order_seq_cst>;
-  EXPECT_THAT(ExploreTwoCallers<SharedGuarded<NoFullFence>>().failure, HasSubstr("races"));
+  EXPECT_THAT(ExploreTwoCallers<SharedGuarded<NoFullFence>>(), FailsWith("races"));
 }
 
 TEST(SharedGuardedPointerSimulation, NeedsItsReleases) {
-  EXPECT_THAT(ExploreTwoCallers<SharedGuarded<WithoutRelease>>().failure, HasSubstr("races"));
+  EXPECT_THAT(ExploreTwoCallers<SharedGuarded<WithoutRelease>>(), FailsWith("races"));
 }
 
 TEST(SharedGuardedPointerSimulation, NeedsItsAcquires) {
-  EXPECT_THAT(ExploreTwoCallers<SharedGuarded<WithoutAcquire>>().failure, HasSubstr("races"));
+  EXPECT_THAT(ExploreTwoCallers<SharedGuarded<WithoutAcquire>>(), FailsWith("races"));
 }
 
 }  // namespace
-}  // namespace tendon
+}  // namespace tendon::simulation

@@ -37,6 +37,21 @@ TYPED_TEST(AnyGuardedPointer, GivesTheOldObjectForTheNew) {
   EXPECT_EQ(call.get(), &second);
 }
 
+TEST(GuardedPointer, AnExchangeWithADeadlineGivesUpWhileACallUsesTheOldObject) {
+  int first = 1;
+  int second = 2;
+  GuardedPointer<int> guarded(&first);
+  {
+    const GuardedPointer<int>::Call call(guarded);
+    std::thread manager([&] { EXPECT_FALSE(guarded.TryExchange(&second, SteadyTime::min())); });
+    manager.join();
+    EXPECT_EQ(call.get(), &first);
+  }
+
+  EXPECT_EQ(guarded.Get(), &second);
+  EXPECT_TRUE(guarded.TryExchange(nullptr, SteadyTime::min()));
+}
+
 TYPED_TEST(AnyGuardedPointer, AnExchangeWaitsForTheCallThatUsesTheOldObject) {
   int object = 1;
   TypeParam guarded(&object);

@@ -1,8 +1,5 @@
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <support/allocation_guard.h>
-#include <support/simulation/simulated_atomics.h>
-#include <support/simulation/weakened_atomics.h>
 #include <tendon/lockfree/shared_slot_ring.h>
 
 #include <array>
@@ -13,13 +10,6 @@
 
 namespace tendon {
 namespace {
-
-using simulation::Check;
-using simulation::Explore;
-using simulation::Report;
-using simulation::Scenario;
-using testing::HasSubstr;
-using testing::IsEmpty;
 
 bool Push(SharedSlotRing<>& ring, std::uint64_t value) {
   std::byte* slot = ring.Claim();
@@ -141,55 +131,6 @@ TEST(SharedSlotRing, FromManyThreadsEverySlotArrivesOnceWholeAndInItsThreadsOrde
 
   EXPECT_EQ(wrong, 0U);
   EXPECT_EQ(ring.Front(), nullptr);
-}
-
-/// Two producers of a message each, twice through a ring of one slot.
-template <typename Atomics>
-struct Transfer {
-  SharedSlotRing<Atomics> ring{1, 8, 8};
-  Plain<int> slot;
-
-  void Produce(int message) {
-    std::byte* claimed = nullptr;
-    for (unsigned looks = 0; (claimed = ring.Claim()) == nullptr; ++looks) Atomics::Pause(looks);
-    slot.Write(message);
-    ring.Publish(claimed);
-  }
-  void Consume() {
-    int sum = 0;
-    for (int message = 0; message < 2; ++message) {
-      for (unsigned looks = 0; ring.Front() == nullptr; ++looks) Atomics::Pause(looks);
-      sum += slot.Read();
-      ring.Release();
-    }
-    Check(sum == 3, "a message is lost or comes twice");
-  }
-};
-
-template <typename Atomics>
-Report ExploreTransfer() {
-  return Explore([](Scenario& scenario) {
-    const auto transfer = std::make_shared<Transfer<Atomics>>();
-    scenario.Thread([=] { transfer->Produce(1); });
-    scenario.Thread([=] { transfer->Produce(2); });
-    scenario.Thread([=] { transfer->Consume(); });
-    scenario.Finally([=] { Check(transfer->ring.size() == 0, "something is left"); });
-  });
-}
-
-TEST(SharedSlotRingSimulation, PassesEverySlotInEveryInterleaving) {
-  const Report report = ExploreTransfer<SimulatedAtomics>();
-  EXPECT_THAT(report.failure, IsEmpty());
-  EXPECT_TRUE(report.is_complete);
-  EXPECT_GT(report.executions, 1000U);
-}
-
-TEST(SharedSlotRingSimulation, NeedsItsReleases) {
-  EXPECT_THAT(ExploreTransfer<WithoutRelease>().failure, HasSubstr("races"));
-}
-
-TEST(SharedSlotRingSimulation, NeedsItsAcquires) {
-  EXPECT_THAT(ExploreTransfer<WithoutAcquire>().failure, HasSubstr("races"));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <support/simulation/report_matchers.h>
 #include <support/simulation/simulated_atomics.h>
 #include <support/simulation/weakened_atomics.h>
 #include <tendon/lockfree/slot_ring.h>
@@ -8,15 +8,8 @@
 #include <array>
 #include <memory>
 
-namespace tendon {
+namespace tendon::simulation {
 namespace {
-
-using simulation::Check;
-using simulation::Explore;
-using simulation::Report;
-using simulation::Scenario;
-using testing::HasSubstr;
-using testing::IsEmpty;
 
 /// Three messages through a ring of two slots; what a slot holds is ordinary memory.
 template <typename Atomics>
@@ -55,18 +48,15 @@ Report ExploreTransfer() {
 }
 
 TEST(SlotRingSimulation, PassesEverySlotInEveryInterleaving) {
-  const Report report = ExploreTransfer<SimulatedAtomics>();
-  EXPECT_THAT(report.failure, IsEmpty());
-  EXPECT_TRUE(report.is_complete);
-  EXPECT_GT(report.executions, 1000U);
+  EXPECT_THAT(ExploreTransfer<SimulatedAtomics>(), Passes(1000));
 }
 
 TEST(SlotRingSimulation, NeedsItsReleases) {
-  EXPECT_THAT(ExploreTransfer<WithoutRelease>().failure, HasSubstr("races"));
+  EXPECT_THAT(ExploreTransfer<WithoutRelease>(), FailsWith("races"));
 }
 
 TEST(SlotRingSimulation, NeedsItsAcquires) {
-  EXPECT_THAT(ExploreTransfer<WithoutAcquire>().failure, HasSubstr("races"));
+  EXPECT_THAT(ExploreTransfer<WithoutAcquire>(), FailsWith("races"));
 }
 
 /// The fault of the reference system: indices without any order.
@@ -77,7 +67,7 @@ TEST(SlotRingSimulation, ASizeReadByAThirdThreadNeverExceedsTheCapacity) {
     scenario.Thread([=] { transfer->Consume(); });
     scenario.Thread([=] { Check(transfer->ring.size() <= 2, "more than fits"); });
   });
-  EXPECT_THAT(report.failure, IsEmpty());
+  EXPECT_EQ(report.failure, "");
 }
 
 TEST(SpscQueueSimulation, PassesEveryValueInEveryInterleaving) {
@@ -96,9 +86,8 @@ TEST(SpscQueueSimulation, PassesEveryValueInEveryInterleaving) {
       }
     });
   });
-  EXPECT_THAT(report.failure, IsEmpty());
-  EXPECT_TRUE(report.is_complete);
+  EXPECT_THAT(report, Passes());
 }
 
 }  // namespace
-}  // namespace tendon
+}  // namespace tendon::simulation

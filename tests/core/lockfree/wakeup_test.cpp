@@ -1,8 +1,5 @@
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <support/allocation_guard.h>
-#include <support/simulation/simulated_atomics.h>
-#include <support/simulation/weakened_atomics.h>
 #include <tendon/lockfree/wakeup.h>
 
 #include <array>
@@ -15,12 +12,6 @@ namespace tendon {
 namespace {
 
 using namespace std::chrono_literals;
-using simulation::Check;
-using simulation::Explore;
-using simulation::Report;
-using simulation::Scenario;
-using testing::HasSubstr;
-using testing::IsEmpty;
 
 SteadyTime In(std::chrono::nanoseconds time) { return StdAtomics::Now() + time; }
 
@@ -115,47 +106,6 @@ TEST(Wakeup, ManyPostersWakeOneSleeper) {
         wakeup.WaitUntil([&] { return posted.load(std::memory_order_acquire) > seen; }, In(60s)));
     seen = posted;
   }
-}
-
-/// A sleeper that wants both of two posts; the posters may be one thread or two.
-template <typename Atomics>
-struct Posting {
-  Wakeup<Atomics> wakeup;
-  typename Atomics::template Atomic<int> posted{0};
-
-  void Post() {
-    posted.fetch_add(1, std::memory_order_release);
-    wakeup.Notify();
-  }
-  void Receive(int wanted) {
-    const auto ready = [&] { return posted.load(std::memory_order_acquire) >= wanted; };
-    Check(wakeup.WaitUntil(ready, SteadyTime::max()), "gave up");
-  }
-};
-
-template <typename Atomics>
-Report ExplorePosting() {
-  return Explore([](Scenario& scenario) {
-    const auto posting = std::make_shared<Posting<Atomics>>();
-    scenario.Thread([=] {
-      posting->Receive(1);
-      posting->Receive(2);
-    });
-    scenario.Thread([=] { posting->Post(); });
-    scenario.Thread([=] { posting->Post(); });
-  });
-}
-
-TEST(WakeupSimulation, LosesNoWakeUpInAnyInterleaving) {
-  const Report report = ExplorePosting<SimulatedAtomics>();
-  EXPECT_THAT(report.failure, IsEmpty());
-  EXPECT_TRUE(report.is_complete);
-  EXPECT_GT(report.executions, 1000U);
-}
-
-TEST(WakeupSimulation, NeedsItsFences) {
-  using NoFullFence = WithoutFence<std::memory_order_seq_cst>;
-  EXPECT_THAT(ExplorePosting<NoFullFence>().failure, HasSubstr("every thread waits"));
 }
 
 }  // namespace

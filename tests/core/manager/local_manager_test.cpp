@@ -3,13 +3,16 @@
 #include <tendon/manager/local_manager.h>
 
 #include "core/interface/arm_fixture.h"
+#include "support/refusal.h"
 
 namespace {
 
 using tendon::ConnectionState;
 using tendon::ErrorCode;
 using tendon::Status;
+using tendon::test::Refusal;
 using testing::HasSubstr;
+using testing::MatchesRegex;
 using testing::SizeIs;
 
 /// Components without threads: commands run in the caller's.
@@ -60,18 +63,55 @@ TEST_F(LocalManagerTest, ComponentsWithoutThreadsRunInTheCallersThread) {
   EXPECT_EQ(person.seen, 1);
 }
 
-TEST_F(LocalManagerTest, ASecondComponentOfOneNameIsRefused) {
-  EXPECT_THROW(manager.Add<Arm>("arm"), tendon::ConfigurationError);
-  EXPECT_THAT(manager.components(), SizeIs(2));
+TEST_F(LocalManagerTest, ASecondComponentOfOneNameIsRefusedAndTheFirstIsFound) {
+  const auto refusal = [this](const std::string& name) {
+    return Refusal([&] { manager.Add<Arm>(name); });
+  };
+  manager.Add(std::make_unique<Arm>("loaded"), {"SimulatedArm", "simulated_arm"});
+
+  EXPECT_THAT(refusal("arm"),
+              MatchesRegex("component 'arm' already exists in this process \\(added at "
+                           "local_manager_test\\.cpp:[0-9]+\\); choose another name"));
+  EXPECT_EQ(refusal("loaded"),
+            "component 'loaded' already exists in this process (of class SimulatedArm); choose "
+            "another name");
+  EXPECT_THAT(manager.components(), SizeIs(3));
+}
+
+TEST(LocalManager, SaysWhichFunctionsOfAConnectionAreConverted) {
+  class Client final : public tendon::Component {
+   public:
+    explicit Client(std::string name) : Component(std::move(name)) {
+      auto& robot = AddRequiredInterface("Robot");
+      robot.AddFunction(move_to_, "MoveTo");
+      robot.AddFunction(look_at_, "LookAt");
+    }
+
+   private:
+    tendon::WriteFunction<tendon_test::PaddedJointGoal> move_to_;
+    tendon::WriteFunction<tendon_test::JointGoal> look_at_;
+  };
+  class Server final : public tendon::Component {
+   public:
+    explicit Server(std::string name) : Component(std::move(name)) {
+      auto& control = AddProvidedInterface("Control");
+      control.AddCommandWrite(&Server::Take, this, "MoveTo");
+      control.AddCommandWrite(&Server::Take, this, "LookAt");
+    }
+
+   private:
+    void Take(const tendon_test::JointGoal& /*goal*/) {}
+  };
+  tendon::LocalManager manager;
+  manager.Add<Client>("client");
+  manager.Add<Server>("server");
+  ASSERT_TRUE(manager.Connect({"client", "Robot"}, {"server", "Control"}).ok());
+
+  EXPECT_THAT(manager.connections()[0].converted, testing::ElementsAre("MoveTo"));
 }
 
 TEST_F(LocalManagerTest, NoComponentIsNone) {
-  try {
-    manager.Add(nullptr, {});
-    FAIL() << "nothing was thrown";
-  } catch (const tendon::ConfigurationError& error) {
-    EXPECT_STREQ(error.what(), "LocalManager::Add: null component");
-  }
+  EXPECT_EQ(Refusal([&] { manager.Add(nullptr, {}); }), "LocalManager::Add: null component");
 }
 
 TEST_F(LocalManagerTest, RequestsNameTheMissingComponentAndTheNearest) {

@@ -37,6 +37,17 @@ inline Fault WithoutFence(std::string name, std::memory_order order,
           {}};
 }
 
+/// The same for one fence alone: the `number`th of the thread, from 0 on.
+inline Fault WithoutOneFence(std::string name, std::size_t thread, std::size_t number) {
+  return {std::move(name),
+          [=](Access& access) {
+            if (access.step == Step::kFence && access.fences == number && IsBy(access, thread)) {
+              access.is_left_out = true;
+            }
+          },
+          {}};
+}
+
 inline Fault WithoutBarrier(std::string name) {
   return {std::move(name),
           [](Access& access) {

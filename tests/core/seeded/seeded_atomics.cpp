@@ -8,6 +8,7 @@ constexpr std::size_t kNoFenceYet = 1'000'000;
 // Of the exploration; a simulation runs in one thread.
 const Fault* active = nullptr;
 std::array<std::size_t, MemoryModel::kMaxThreads> loads_since_fence;
+std::array<std::size_t, MemoryModel::kMaxThreads> fences;
 
 }  // namespace
 
@@ -16,6 +17,7 @@ simulation::Report Explore(const Fault& fault,
   active = &fault;
   const auto report = simulation::Explore([&](simulation::Scenario& scenario) {
     loads_since_fence.fill(kNoFenceYet);
+    fences.fill(0);
     build(scenario);
   });
   active = nullptr;
@@ -25,9 +27,12 @@ simulation::Report Explore(const Fault& fault,
 Access Begin(Step step, std::memory_order order, MemoryModel::Location location) {
   const std::size_t thread = simulation::RunningThread();
   std::size_t& loads = loads_since_fence[thread];
-  Access access{step, thread, location, loads, order};
+  Access access{step, thread, location, loads, fences[thread], order};
   if (step == Step::kLoad) ++loads;
-  if (step == Step::kFence) loads = 0;
+  if (step == Step::kFence) {
+    loads = 0;
+    ++fences[thread];
+  }
   if (active->weaken && thread != simulation::kSetUp) active->weaken(access);
   return access;
 }

@@ -24,6 +24,7 @@ struct Access {
   std::size_t thread = 0;              ///< of the scenario, from 1 on
   MemoryModel::Location location = 0;  ///< atomics count from 0, as they are made
   std::size_t loads_since_fence = 0;   ///< of this thread
+  std::size_t fences = 0;              ///< of this thread, before this step
   std::memory_order order = std::memory_order_seq_cst;
   bool is_left_out = false;  ///< of a fence or a barrier
 };

@@ -1,9 +1,8 @@
 #include <core/seeded/faults.h>
+#include <core/state/tick_rows.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <tendon/state/row_ring.h>
 
-#include <array>
 #include <memory>
 
 namespace tendon::seeded {
@@ -16,28 +15,7 @@ using testing::IsEmpty;
 constexpr std::size_t kReader = 2;
 constexpr MemoryModel::Location kNext = 0;  // the index of the next row is made first
 
-/// A ring of two rows of two words, both of which hold the row's tick.
-struct Table {
-  using Words = std::array<std::uint64_t, 2>;
-
-  RowRing<SeededAtomics> ring;
-
-  Table() { ring.Allocate(1, 2); }
-
-  void Write(std::uint64_t tick) {
-    ring.Begin(static_cast<std::int64_t>(tick));
-    const Words words{tick, tick};
-    ring.Store(0, words);
-    ring.Publish();
-  }
-  static auto Into(Words& words) {
-    return [&words](const auto* row) {
-      for (std::size_t i = 0; i < words.size(); ++i) {
-        words[i] = row[i].load(std::memory_order_relaxed);
-      }
-    };
-  }
-};
+using Table = tendon_test::TickRows<SeededAtomics>;
 
 /// A reader of the newest row beside the writer.
 simulation::Report ExploreNewest(const Fault& fault) {

@@ -2,16 +2,17 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <support/allocation_guard.h>
+#include <support/refusal.h>
 #include <tendon/state/state_table.h>
 
 #include <chrono>
-#include <functional>
 #include <string>
 
 namespace tendon {
 namespace {
 
 using namespace std::chrono_literals;
+using test::Refusal;
 using test::Report;
 using test::Sample;
 using test::TimeOf;
@@ -19,16 +20,6 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-
-/// What the ConfigurationError says that `action` throws.
-std::string ErrorOf(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const ConfigurationError& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 class StateTableTest : public testing::Test {
  protected:
@@ -47,7 +38,7 @@ class StateTableTest : public testing::Test {
 TEST_F(StateTableTest, IsNamedStateUnlessNamedOtherwise) {
   EXPECT_EQ(table_.name(), "state");
   EXPECT_EQ(StateTable("slow").name(), "slow");
-  EXPECT_THAT(ErrorOf([] { StateTable("not a name"); }), HasSubstr("not a name"));
+  EXPECT_THAT(Refusal([] { StateTable("not a name"); }), HasSubstr("not a name"));
 }
 
 TEST_F(StateTableTest, DiffersInEpochFromEveryOther) {
@@ -81,22 +72,22 @@ TEST_F(StateTableTest, FindsAColumnByVariableAndByName) {
 TEST_F(StateTableTest, AVariableThatIsNoColumnIsAWiringMistake) {
   AddBoth();
   const double other = 0;
-  EXPECT_THAT(ErrorOf([&] { (void)table_.Find(other); }),
+  EXPECT_THAT(Refusal([&] { (void)table_.Find(other); }),
               HasSubstr("no column of state table 'state'"));
 }
 
 TEST_F(StateTableTest, TheFirstMemberOfAColumnIsNotThatColumn) {
   AddBoth();
-  EXPECT_THAT(ErrorOf([&] { (void)table_.Find(sample_.position); }), HasSubstr("no column"));
+  EXPECT_THAT(Refusal([&] { (void)table_.Find(sample_.position); }), HasSubstr("no column"));
 }
 
 TEST_F(StateTableTest, RefusesASecondColumnOfANameOrAVariable) {
   AddBoth();
   const double other = 0;
-  EXPECT_THAT(ErrorOf([&] { table_.Add(other, "Number"); }), HasSubstr("'Number' already"));
-  EXPECT_THAT(ErrorOf([&] { table_.Add(number_, "Other"); }),
+  EXPECT_THAT(Refusal([&] { table_.Add(other, "Number"); }), HasSubstr("'Number' already"));
+  EXPECT_THAT(Refusal([&] { table_.Add(number_, "Other"); }),
               AllOf(HasSubstr("'Other'"), HasSubstr("'Number'")));
-  EXPECT_THAT(ErrorOf([&] { table_.Add(other, "two words"); }), HasSubstr("two words"));
+  EXPECT_THAT(Refusal([&] { table_.Add(other, "two words"); }), HasSubstr("two words"));
   EXPECT_EQ(table_.columns().size(), 2U);
 }
 
@@ -105,9 +96,9 @@ TEST_F(StateTableTest, CannotGrowOnceRowsAreWritten) {
   AddBoth();
   Advance();
 
-  EXPECT_THAT(ErrorOf([&] { table_.Add(report_, "Report", 100); }),
+  EXPECT_THAT(Refusal([&] { table_.Add(report_, "Report", 100); }),
               AllOf(HasSubstr("'Report'"), HasSubstr("holds rows already")));
-  EXPECT_THAT(ErrorOf([&] { table_.SetLength(1000); }), HasSubstr("holds rows already"));
+  EXPECT_THAT(Refusal([&] { table_.SetLength(1000); }), HasSubstr("holds rows already"));
 
   EXPECT_EQ(table_.columns().size(), 2U);
   EXPECT_EQ(table_.row_words(), 5U);
@@ -128,18 +119,18 @@ TEST_F(StateTableTest, CanGrowAfterItIsPrepared) {
 }
 
 TEST_F(StateTableTest, RefusesALengthThatItCannotHave) {
-  EXPECT_THAT(ErrorOf([&] { table_.SetLength(0); }), HasSubstr("cannot keep 0 rows"));
-  EXPECT_THAT(ErrorOf([&] { table_.SetLength(~std::size_t{0}); }), HasSubstr("give 1 to 16777216"));
+  EXPECT_THAT(Refusal([&] { table_.SetLength(0); }), HasSubstr("cannot keep 0 rows"));
+  EXPECT_THAT(Refusal([&] { table_.SetLength(~std::size_t{0}); }), HasSubstr("give 1 to 16777216"));
 }
 
 TEST_F(StateTableTest, RefusesAColumnThatMakesItsRowTooLarge) {
   constexpr std::size_t kMost = StateTable::kMaximumRowBytes;
-  EXPECT_THAT(ErrorOf([&] { table_.Add(report_, "Report", kMost + 1); }),
+  EXPECT_THAT(Refusal([&] { table_.Add(report_, "Report", kMost + 1); }),
               AllOf(HasSubstr("'Report'"), HasSubstr("smaller capacity")));
-  EXPECT_THAT(ErrorOf([&] { table_.Add(report_, "Report", ~std::size_t{0}); }),
+  EXPECT_THAT(Refusal([&] { table_.Add(report_, "Report", ~std::size_t{0}); }),
               HasSubstr("smaller capacity"));
   table_.Add(report_, "Report", kMost);
-  EXPECT_THAT(ErrorOf([&] { table_.Add(number_, "Number"); }), HasSubstr("'Number'"));
+  EXPECT_THAT(Refusal([&] { table_.Add(number_, "Number"); }), HasSubstr("'Number'"));
   EXPECT_EQ(table_.columns().size(), 1U);
 }
 

@@ -2,26 +2,17 @@
 #include <gtest/gtest.h>
 
 #include "core/task/scripted.h"
+#include "support/refusal.h"
 #include "support/wait.h"
 
 namespace {
 
 using tendon::Status;
+using tendon::test::Refusal;
 using tendon_test::Periodic;
 using testing::HasSubstr;
 using testing::MatchesRegex;
 using namespace std::chrono_literals;
-
-/// The sentence of the ConfigurationError that `action` throws.
-template <typename Action>
-std::string Refusal(Action action) {
-  try {
-    action();
-  } catch (const tendon::ConfigurationError& error) {
-    return error.what();
-  }
-  return "nothing was thrown";
-}
 
 class Named final : public tendon::Component {
  public:

@@ -210,6 +210,25 @@ TEST(LifeCycle, AComponentThatDoesNotStopIsNotRemoved) {
   EXPECT_EQ(manager.Find("arm"), nullptr);
 }
 
+TEST(LifeCycle, AComponentWhoseHandlerHangsLosesItsConnectionsButIsNotRemoved) {
+  tendon::LocalManager manager;
+  auto& arm = manager.Add<Periodic>("arm", 1ms);
+  auto& client = manager.Add<tendon_test::Client>("client");
+  ASSERT_TRUE(manager.Connect({"client", "Server"}, {"arm", "Control"}).ok());
+  ASSERT_TRUE(manager.StartAll().ok());
+  arm.blocks = Script::kHandler;
+  EXPECT_EQ(client.poke(), tendon::Status::kQueued);
+  ASSERT_TRUE(EventuallyTrue([&] { return arm.is_blocked.load(); }));
+
+  const auto removed = manager.Remove("arm", 20ms);
+
+  ASSERT_FALSE(removed.ok());
+  EXPECT_EQ(removed.error().code, ErrorCode::kTimeout);
+  EXPECT_EQ(client.poke(), tendon::Status::kNotConnected);
+  arm.blocks = Script::kNone;
+  EXPECT_TRUE(manager.Remove("arm").ok());
+}
+
 TEST(LifeCycle, AWaitForAStateEndsWithAFault) {
   tendon::LocalManager manager;
   auto& arm = manager.Add<Periodic>("arm", 1ms);

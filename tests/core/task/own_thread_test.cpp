@@ -1,11 +1,14 @@
 #include <gtest/gtest.h>
 #include <tendon/manager/local_manager.h>
+#include <tendon/task/callback_task.h>
 #include <tendon/task/periodic_task.h>
 
 #include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <stop_token>
 #include <string>
+#include <thread>
 #include <utility>
 
 #include "support/wait.h"
@@ -76,6 +79,40 @@ TEST_F(TaskThatWaits, IsRefusedWhereItRunsInTheThreadItWaitsFor) {
   EXPECT_TRUE(EventuallyTrue([&] { return pilgrim.outcome == Status::kWouldDeadlock; }));
 
   EXPECT_EQ(pilgrim.answers, 0);
+}
+
+TEST(ACallbackTask, DoesNotBelongToTheThreadThatHasStartedIt) {
+  class Driven final : public tendon::CallbackTask {
+   public:
+    explicit Driven(std::string name) : CallbackTask(std::move(name)) {
+      AddProvidedInterface("Answers").AddCommandVoidReturn(&Driven::Answer, this, "Answer");
+    }
+
+   private:
+    void Run() override { ProcessQueuedCommands(); }
+    void Answer(std::int32_t& answer) { answer = 42; }
+  };
+  class Asker final : public tendon::Component {
+   public:
+    explicit Asker(std::string name) : Component(std::move(name)) {
+      AddRequiredInterface("Oracle").AddFunction(ask, "Answer");
+    }
+    tendon::VoidReturnFunction<std::int32_t> ask;
+  };
+  tendon::LocalManager manager;
+  auto& driven = manager.Add<Driven>("driven");
+  auto& asker = manager.Add<Asker>("asker");
+  ASSERT_TRUE(manager.Connect({"asker", "Oracle"}, {"driven", "Answers"}).ok());
+  ASSERT_TRUE(manager.StartAll().ok());
+  std::int32_t answer = 0;
+  EXPECT_EQ(asker.ask.Wait(answer, 1ms), Status::kTimeout);  // it has not made a cycle yet
+
+  std::jthread driver([&](const std::stop_token& stop) {
+    while (!stop.stop_requested()) driven.Cycle();
+  });
+
+  EXPECT_EQ(asker.ask.Wait(answer, 20s), Status::kDone);
+  EXPECT_EQ(answer, 42);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "core/task/scripted.h"
+#include "support/refusal.h"
 #include "support/wait.h"
 
 namespace {
@@ -108,13 +109,8 @@ TEST(PeriodicTask, BeginsANewGridWhenItGoesOnAfterARest) {
 }
 
 TEST(PeriodicTask, APeriodOutOfRangeIsRefused) {
-  const auto refusal = [](std::chrono::nanoseconds period) -> std::string {
-    try {
-      const Periodic task("arm", period);
-    } catch (const tendon::ConfigurationError& error) {
-      return error.what();
-    }
-    return "";
+  const auto refusal = [](std::chrono::nanoseconds period) {
+    return tendon::test::Refusal([&] { const Periodic task("arm", period); });
   };
   const std::string sentence = "period of 'arm' must be 10 us..3600 s, got ";
 

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 #include <sys/syscall.h>
+#include <tendon/base/log.h>
 #include <tendon/manager/local_manager.h>
 #include <tendon/task/continuous_task.h>
 #include <tendon/task/periodic_task.h>
@@ -156,6 +157,25 @@ TEST_F(ACycle, OfAPeriodicTaskAllocatesLocksAndCallsNothing) {
 
   ExpectNothing(counts);
   EXPECT_GT(counts.sleeps, 0U);
+}
+
+TEST_F(ACycle, MayLog) {
+  std::atomic<int> heard = 0;
+  static std::atomic<int>* hearer = nullptr;
+  hearer = &heard;
+  tendon::AddLogSink([](tendon::LogLevel, std::string_view source, std::string_view) {
+    if (hearer != nullptr && source == "guarded") ++*hearer;
+  });
+  const auto log = [] {
+    for (int i = 0; i < 10; ++i) {
+      tendon::Log(tendon::LogLevel::kWarning, "guarded", "the third joint is near its limit");
+    }
+  };
+
+  ExpectNothing(Watch<tendon::PeriodicTask>(100, log, 1ms));
+
+  EXPECT_TRUE(EventuallyTrue([&] { return heard == 10; }));
+  hearer = nullptr;
 }
 
 TEST_F(ACycle, ThatAllocatesIsCaught) {

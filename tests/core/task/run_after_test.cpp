@@ -235,6 +235,59 @@ TEST_F(RunAfter, OnlyOneAtRestChangesItsThread) {
   EXPECT_TRUE(manager.Start("follower").ok());
 }
 
+/// Another follower's cycle does not end.
+struct RunAfterWithAHungOne : RunAfter {
+  Periodic& third = manager.Add<Periodic>("third", 1ms);
+
+  void SetUp() override {
+    RunAfter::SetUp();
+    ASSERT_TRUE(manager.RunAfter("third", "leader").ok());
+    ASSERT_TRUE(manager.StartAll().ok());
+    ASSERT_TRUE(manager.Stop("third").ok());
+    follower.blocks = Script::kRun;
+    ASSERT_TRUE(EventuallyTrue([this] { return follower.is_blocked.load(); }));
+  }
+  void TearDown() override { follower.blocks = Script::kNone; }
+};
+
+TEST_F(RunAfterWithAHungOne, ANewOneIsRefusedWithASentence) {
+  manager.Add<Periodic>("new", 1ms);
+
+  const auto refused = manager.RunAfter("new", "leader", 50ms);
+
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().code, tendon::ErrorCode::kTimeout);
+  EXPECT_EQ(refused.error().message,
+            "component 'new' cannot run after 'leader': the cycle of 'leader' does not end; it, or "
+            "a task that runs after it, is busy in Run()");
+  follower.blocks = Script::kNone;
+  EXPECT_TRUE(manager.RunAfter("new", "leader").ok());
+  EXPECT_TRUE(manager.Start("new").ok());
+}
+
+TEST_F(RunAfterWithAHungOne, AnotherOneIsNotRemovedButToldWhy) {
+  const auto refused = manager.Remove("third", 50ms);
+
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().code, tendon::ErrorCode::kTimeout);
+  EXPECT_EQ(refused.error().message,
+            "component 'third' is not removed: the cycle of 'leader' does not end; it, or a task "
+            "that runs after it, is busy in Run()");
+  EXPECT_EQ(manager.Find("third"), &third);
+  follower.blocks = Script::kNone;
+  EXPECT_TRUE(manager.Remove("third").ok());
+  EXPECT_TRUE(MakesCycles(follower));
+}
+
+TEST_F(RunAfterWithAHungOne, TheHungOneItselfIsNotRemovedButToldWhy) {
+  const auto refused = manager.Remove("follower", 50ms);
+
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().code, tendon::ErrorCode::kTimeout);
+  EXPECT_THAT(refused.error().message,
+              testing::HasSubstr("component 'follower' is not removed, for it runs: "));
+}
+
 TEST_F(RunAfter, EitherCanBeRemoved) {
   auto& third = manager.Add<Periodic>("third", 1ms);
   ASSERT_TRUE(manager.RunAfter("third", "follower").ok());

@@ -12,6 +12,7 @@ namespace tendon::os {
 /// Waits for any of many sockets. All functions but Wait() may be called from any thread.
 class Poller {
  public:
+  /// A socket that is ready, by the key it was added with.
   struct Event {
     std::uint64_t key = 0;
     bool readable = false;  ///< or ended: a read will tell

@@ -34,8 +34,9 @@ class EventWaiter {
   EventWaiter(const EventWaiter&) = delete;
   EventWaiter& operator=(const EventWaiter&) = delete;
 
-  /// kDone with the newest value, at once where one has come since the last time; kTimeout, or
-  /// kNotConnected when nobody can raise the event (any more).
+  /// kDone with the newest value, at once where one has come since the last time; kTimeout;
+  /// kNotConnected when nobody can raise the event (any more), kNotActive while who could is
+  /// faulted.
   Status Wait(T& value, std::chrono::nanoseconds timeout) requires(!std::is_same_v<T, None>) {
     return Await(value, timeout);
   }
@@ -55,11 +56,8 @@ class EventWaiter {
   /// Tells of one connection: it is there as long as the connection.
   class Handler final : public Command<T, None> {
    public:
-    explicit Handler(EventWaiter& waiter) : waiter_(waiter) { waiter_.connected_.Set(true); }
-    ~Handler() override {
-      waiter_.connected_.Set(false);
-      waiter_.wakeup_.Notify();
-    }
+    explicit Handler(EventWaiter& waiter) : waiter_(waiter) { Tell(Status::kTimeout); }
+    ~Handler() override { Tell(Status::kNotConnected); }
     Handler(const Handler&) = delete;
     Handler& operator=(const Handler&) = delete;
 
@@ -67,14 +65,23 @@ class EventWaiter {
       waiter_.Raised(value);
       return Status::kDone;
     }
+    void SetSourceFaulted(bool faulted) override {
+      Tell(faulted ? Status::kNotActive : Status::kTimeout);
+    }
 
    private:
+    void Tell(Status::Code ending) {
+      waiter_.ending_.Set(ending);
+      waiter_.wakeup_.Notify();
+    }
+
     EventWaiter& waiter_;
   };
   class HandlerOffer final : public Offer {
    public:
     HandlerOffer(MemberDescription description, EventWaiter& waiter)
         : Offer(std::move(description)), waiter_(waiter) {}
+    [[nodiscard]] bool uses_mailbox() const override { return false; }
     [[nodiscard]] std::unique_ptr<CommandBase> Bind(Mailbox* /*mailbox*/) const override {
       return std::make_unique<Handler>(waiter_);
     }
@@ -94,14 +101,15 @@ class EventWaiter {
   Status Await(T& value, std::chrono::nanoseconds timeout) {
     constexpr std::chrono::nanoseconds kLongest = std::chrono::hours(24 * 365);
     const SteadyTime deadline = StdAtomics::Now() + std::min(timeout, kLongest);
-    wakeup_.WaitUntil([this] { return newest_.is_fresh() || !connected_.Get(); }, deadline);
+    const auto is_over = [this] { return ending_.Get() != Status::kTimeout; };
+    wakeup_.WaitUntil([&] { return newest_.is_fresh() || is_over(); }, deadline);
     const T* newest = newest_.Take();
-    if (newest == nullptr) return connected_.Get() ? Status::kTimeout : Status::kNotConnected;
+    if (newest == nullptr) return ending_.Get();
     value = *newest;
     return Status::kDone;
   }
 
-  Flag connected_;
+  Published<Status::Code> ending_{Status::kNotConnected};  // of a wait in which nothing comes
   Lease<> raising_;
   Snapshot<T> newest_;
   SharedCounter<> missed_;

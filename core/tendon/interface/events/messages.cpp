@@ -11,7 +11,9 @@ Messages::Messages(ProvidedInterface& interface, std::string source) : source_(s
 }
 
 void Messages::Send(LogLevel level, WriteEvent<std::string>& event, std::string_view text) {
-  event(std::string(text));
+  Scratch<std::string>::Use copy(text_);
+  copy->assign(text);
+  event(*copy);
   Log(level, source_, text);
 }
 

@@ -3,33 +3,43 @@
 #include <tendon/interface/description.h>
 #include <tendon/interface/execution/converting_command.h>
 #include <tendon/interface/execution/gate.h>
+#include <tendon/interface/execution/host.h>
 
 #include <cstddef>
 #include <memory>
-#include <vector>
 
 namespace tendon {
 
-/// The commands that the functions of a required interface call, in the functions' order. Replaced
-/// as a whole, so that all functions connect at once.
-struct Binding {
-  struct Member {
-    CommandBase* command = nullptr;  ///< null for an optional one without a partner
-    const Flag* enabled = nullptr;
-  };
-  std::vector<Member> members;
+/// What one function of a required interface calls.
+struct BoundMember {
+  CommandBase* command = nullptr;  ///< null for an optional one without a partner
+  const Flag* enabled = nullptr;
+  const Host* server = nullptr;  ///< null where it is not known, as in another process
+
+  /// Whether a call would reach a server now.
+  [[nodiscard]] bool is_reached() const noexcept {
+    return command != nullptr && !is_server_faulted();
+  }
+  [[nodiscard]] bool is_server_faulted() const noexcept {
+    return server != nullptr && server->is_faulted();
+  }
 };
-using BindingGate = Gate<Binding>;
+
+/// Leads to the members of a connected interface, in the functions' order: to the first of them, so
+/// that a call follows no pointer more. All are replaced at once; null where it is not connected.
+using BindingGate = Gate<const BoundMember>;
 
 /// `call(CommandBase&) -> Status` where the member is bound and enabled, else why not.
 template <typename Call>
 Status CallMember(BindingGate& gate, std::size_t index, Call call) {
-  return gate.Enter([&](const Binding* binding) -> Status {
-    if (binding == nullptr) return Status::kNotConnected;
-    const Binding::Member& member = binding->members[index];
-    if (member.command == nullptr) return Status::kNotConnected;
+  return gate.Enter([&](const BoundMember* members) -> Status {
+    if (members == nullptr) return Status::kNotConnected;
+    const BoundMember& member = members[index];
+    CommandBase* const command = member.command;
+    if (command == nullptr) return Status::kNotConnected;
+    if (member.is_server_faulted()) return Status::kNotActive;
     if (!member.enabled->Get()) return Status::kDisabled;
-    return call(*member.command);
+    return call(*command);
   });
 }
 

@@ -1,27 +1,27 @@
 #pragma once
 
 #include <tendon/interface/command.h>
+#include <tendon/interface/execution/host.h>
 
 #include <utility>
 
 namespace tendon {
 
 /// Runs `body(in, out) -> Status` in the caller's thread: reads, and what is safe in any thread.
+/// What the body throws is kFailed; `host`, if any, hears of it.
 template <Payload In, Payload Out, typename Body>
 class DirectCommand final : public Command<In, Out> {
  public:
-  explicit DirectCommand(Body body) : body_(std::move(body)) {}
+  explicit DirectCommand(Body body, const Host* host = nullptr)
+      : body_(std::move(body)), host_(host) {}
 
   Status Execute(const In& in, Out& out) override {
-    try {
-      return body_(in, out);
-    } catch (...) {
-      return Status::kFailed;
-    }
+    return Host::Contain(host_, [&]() -> Status { return body_(in, out); });
   }
 
  private:
   Body body_;
+  const Host* host_;
 };
 
 }  // namespace tendon

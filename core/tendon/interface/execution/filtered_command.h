@@ -22,6 +22,12 @@ class FilteredCommand final : public Command<In, None> {
     return Convert(in,
                    [&](const Filtered& filtered) { return target_->Wait(filtered, out, timeout); });
   }
+  Status Begin(const In& in, None& out, Wakeup<>& ended, std::size_t& call) override {
+    return Convert(
+        in, [&](const Filtered& filtered) { return target_->Begin(filtered, out, ended, call); });
+  }
+  [[nodiscard]] bool HasEnded(std::size_t call) override { return target_->HasEnded(call); }
+  Status End(std::size_t call, None& out) override { return target_->End(call, out); }
 
  private:
   template <typename Call>

@@ -44,6 +44,11 @@ class LatestCommand final : public Command<In, None>, private Mailbox::Entry {
   Status Wait(const In& in, None& out, std::chrono::nanoseconds timeout) override {
     return queued_.Wait(in, out, timeout);
   }
+  Status Begin(const In& in, None& out, Wakeup<>& ended, std::size_t& call) override {
+    return queued_.Begin(in, out, ended, call);
+  }
+  [[nodiscard]] bool HasEnded(std::size_t call) override { return queued_.HasEnded(call); }
+  Status End(std::size_t call, None& out) override { return queued_.End(call, out); }
 
  private:
   void ExecuteSlot(std::byte* /*argument*/, std::size_t /*slot*/) override {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <tendon/interface/command.h>
+#include <tendon/interface/execution/host.h>
 #include <tendon/interface/mailbox.h>
 
 #include <algorithm>
@@ -19,15 +20,16 @@ template <typename T>
 inline constexpr bool kLiesInSlot = std::is_trivially_copyable_v<T>;
 
 /// Hands the call over to the thread that empties the mailbox, which runs `handler(in, out)`.
-/// Without a mailbox (a component without a thread) it runs in the caller's thread. Who wants the
-/// answer must wait: the answer lies in a pool, since its caller may give up first.
+/// Without a mailbox (a component without a thread) it runs in the caller's thread, while `host`
+/// takes calls. Who wants the answer must wait: the answer lies in a pool, since its caller may
+/// give up first.
 template <Payload In, Payload Out, typename Handler>
 class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
  public:
   static_assert(alignof(In) <= 64, "an argument of a queued command is aligned to at most 64");
 
-  QueuedCommand(Handler handler, Mailbox* mailbox)
-      : handler_(std::move(handler)), mailbox_(mailbox) {
+  QueuedCommand(Handler handler, Mailbox* mailbox, const Host* host = nullptr)
+      : handler_(std::move(handler)), mailbox_(mailbox), host_(host) {
     if (mailbox_ == nullptr) return;
     if constexpr (!kLiesInSlot<In>) arguments_ = std::make_unique<In[]>(mailbox_->storage());
     if constexpr (kAnswers) answers_ = std::make_unique<Out[]>(mailbox_->completions().size());
@@ -50,21 +52,19 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
     if (mailbox_ == nullptr) return ExecuteNow(in, out);
     if (mailbox_->is_executed_here()) return Status::kWouldDeadlock;
     const SteadyTime deadline = StdAtomics::Now() + std::min(timeout, kLongestWait);
-    CompletionPool& completions = mailbox_->completions();
-    const auto record = completions.Take();
-    if (!record) {
-      mailbox_->CountRefused();
-      return Status::kQueueFull;
-    }
-    std::byte* const argument = Claim(in);
-    if (argument == nullptr) {
-      completions[*record].Free();
-      return mailbox_->refusal();
-    }
-    completions.Assign(mailbox_->SlotOf(argument), *record);
-    mailbox_->Publish(argument, awaited_);
-    return Await(*record, out, deadline);
+    std::size_t record = 0;
+    const Status posted = Post(in, nullptr, record);
+    return posted == Status::kQueued ? Await(record, out, deadline) : posted;
   }
+
+  Status Begin(const In& in, Out& out, Wakeup<>& ended, std::size_t& call) override {
+    return mailbox_ == nullptr ? ExecuteNow(in, out) : Post(in, &ended, call);
+  }
+  [[nodiscard]] bool HasEnded(std::size_t call) override {
+    CompletionPool& completions = mailbox_->completions();
+    return completions[call].is_done() || completions.cancelled() || !mailbox_->accepting();
+  }
+  Status End(std::size_t call, Out& out) override { return Await(call, out, SteadyTime{}); }
 
  private:
   static constexpr bool kAnswers = !std::is_same_v<Out, None>;
@@ -98,12 +98,11 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
   };
 
   Status ExecuteNow(const In& in, Out& out) {
-    try {
+    if (host_ != nullptr && !host_->accepting()) return Status::kNotActive;
+    return Host::Contain(host_, [&]() -> Status {
       handler_(in, out);
       return Status::kDone;
-    } catch (...) {
-      return Status::kFailed;
-    }
+    });
   }
 
   std::byte* Claim(const In& in) {
@@ -115,6 +114,26 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
       arguments_[mailbox_->SlotOf(argument)] = in;
     }
     return argument;
+  }
+
+  /// Puts the call into the mailbox, with a completion record.
+  Status Post(const In& in, Wakeup<>* ended, std::size_t& taken) {
+    CompletionPool& completions = mailbox_->completions();
+    const auto record = completions.Take();
+    if (!record) {
+      mailbox_->CountRefused();
+      return Status::kQueueFull;
+    }
+    if (ended != nullptr) completions[*record].SetListener(*ended);
+    std::byte* const argument = Claim(in);
+    if (argument == nullptr) {
+      completions[*record].Free();
+      return mailbox_->refusal();
+    }
+    completions.Assign(mailbox_->SlotOf(argument), *record);
+    mailbox_->Publish(argument, awaited_);
+    taken = *record;
+    return Status::kQueued;
   }
 
   Status Await(std::size_t record, Out& out, SteadyTime deadline) {
@@ -155,6 +174,7 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
 
   Handler handler_;
   Mailbox* mailbox_;
+  const Host* host_;
   Awaited awaited_{*this};
   std::unique_ptr<In[]> arguments_;  // by slot
   std::unique_ptr<Out[]> answers_;   // by completion record

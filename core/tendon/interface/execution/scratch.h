@@ -15,6 +15,7 @@ class Scratch {
   Scratch(const Scratch& /*other*/) {}
   Scratch& operator=(const Scratch&) = delete;
 
+  /// Borrows the object for one call; has one of its own where another call borrows it.
   class Use {
    public:
     explicit Use(Scratch& scratch) : scratch_(scratch), is_leased_(scratch.lease_.TryTake()) {

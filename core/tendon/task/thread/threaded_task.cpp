@@ -16,7 +16,7 @@ double ThreadedTask::period() const {
   return leader() != nullptr ? leader()->period() : own_period();
 }
 
-Result<void> ThreadedTask::RunAfter(Task& other) {
+Result<void> ThreadedTask::RunAfter(Task& other, SteadyTime deadline) {
   const auto refused = [this, &other](const std::string& why) {
     return Error{ErrorCode::kFailed,
                  "component '" + name() + "' cannot run after '" + other.name() + "': " + why};
@@ -31,18 +31,24 @@ Result<void> ThreadedTask::RunAfter(Task& other) {
                    "; stop it first");
   }
   Join();
-  Follow(other);
-  return {};
+  const auto joined = JoinLeader(other, deadline);
+  return joined ? joined : Error{joined.error().code, refused(joined.error().message).message};
 }
 
 Result<void> ThreadedTask::Launch() {
-  if (leader() != nullptr) return LaunchInLeader();
+  const Task* const first = leader();
+  if (first != nullptr && (first->is_at_rest() || first->state() == ComponentState::kSuspended)) {
+    return Error{ErrorCode::kFailed, "component '" + name() + "' runs after '" + first->name() +
+                                         "', which is " + std::string(ToString(first->state())) +
+                                         "; start '" + first->name() + "' first"};
+  }
   Join();  // the thread of the last time, which has ended or is about to
   options_in_use_ = options_;
   PrepareStart();
-  Order(LifeRequest::kStart);
+  GiveOrder(LifeRequest::kStart);
+  if (first != nullptr) return {};
   try {
-    thread_ = std::thread([this] { ThreadMain(); });
+    thread_ = std::thread([this] { MakeCycles(); });
   } catch (const std::system_error& error) {
     return Error{ErrorCode::kFailed,
                  "component '" + name() + "' got no thread: " + std::string(error.what())};
@@ -50,24 +56,13 @@ Result<void> ThreadedTask::Launch() {
   return {};
 }
 
-Result<void> ThreadedTask::LaunchInLeader() {
-  if (leader()->is_at_rest() || leader()->state() == ComponentState::kSuspended) {
-    return Error{ErrorCode::kFailed, "component '" + name() + "' runs after '" + leader()->name() +
-                                         "', which is " + std::string(ToString(leader()->state())) +
-                                         "; start '" + leader()->name() + "' first"};
-  }
-  PrepareStart();
-  Order(LifeRequest::kStart);
-  return {};
-}
-
 void ThreadedTask::Join() {
   if (!thread_.joinable()) return;
-  Order(LifeRequest::kStop);
+  GiveOrder(LifeRequest::kStop);
   thread_.join();
 }
 
-void ThreadedTask::ThreadMain() {
+void ThreadedTask::MakeCycles() {
   SetUpThisThread(options_in_use_, name());
   ObeyOrders();
   while (state() == ComponentState::kActive || state() == ComponentState::kSuspended) {

@@ -19,8 +19,9 @@ class ThreadedTask : public Task {
   /// For managers: from the next start on it has no thread, but makes a cycle after each one of
   /// `leader`, in that one's thread. It keeps its state, its tables and its statistics, and starts
   /// and stops by itself while the leader runs; the leader's rest and end are its own. kFailed
-  /// where it is not at rest, or where the two would wait for each other.
-  Result<void> RunAfter(Task& leader);
+  /// where it is not at rest, or where the two would wait for each other; kTimeout where a cycle of
+  /// the leader, or of the one before, has not ended by `deadline`.
+  Result<void> RunAfter(Task& leader, SteadyTime deadline = SteadyTime::max());
 
   /// That of the leader if it has one.
   [[nodiscard]] double period() const final;
@@ -42,10 +43,10 @@ class ThreadedTask : public Task {
   /// thread must not outlive what it runs.
   void Join();
 
- private:
-  Result<void> LaunchInLeader();
-  void ThreadMain();
+  /// What its thread runs.
+  void MakeCycles();
 
+ private:
   ThreadOptions options_;
   ThreadOptions options_in_use_;
   std::thread thread_;

@@ -1,11 +1,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <support/folder.h>
 #include <tendon/manager/component_loader.h>
 #include <tendon/manager/plugin.h>
 
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+
+#include "support/folder.h"
 
 /// Every way in which a plug-in can be broken gives one sentence, and leaves nothing behind.
 namespace tendon {
@@ -30,12 +33,6 @@ bool IsMapped(const fs::path& file) {
 
 /// A file is written, to be looked at by the loader; its name is `library`.
 struct PluginTest : testing::Test {
-  PluginTest() {
-    fs::remove_all(folder);
-    fs::create_directories(folder);
-  }
-  ~PluginTest() override { fs::remove_all(folder); }
-
   fs::path Write(const std::string& name, const std::string& content) const {
     const fs::path file = folder / (name + ".so");
     std::ofstream(file, std::ios::binary) << content;
@@ -62,8 +59,8 @@ struct PluginTest : testing::Test {
     return Refusal("patched", folder);
   }
 
-  fs::path folder =
-      fs::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const test::Folder temporary;
+  const fs::path folder = temporary.path();
 };
 
 TEST_F(PluginTest, ThatIsGoodRegistersItsClassesAndTheirConfigurations) {

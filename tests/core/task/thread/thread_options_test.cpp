@@ -15,6 +15,7 @@
 #include <string>
 
 #include "core/task/scripted.h"
+#include "support/refusal.h"
 #include "support/wait.h"
 
 namespace {
@@ -172,13 +173,8 @@ TEST(ThreadOptionsDeathTest, TheMemoryOfTheProcessIsLockedWhereThatIsAllowed) {
 }
 
 TEST(ThreadOptions, WhatMakesNoSenseIsRefused) {
-  const auto refusal = [](const ThreadOptions& options) -> std::string {
-    try {
-      tendon::CheckThreadOptions(options, "arm");
-    } catch (const tendon::ConfigurationError& error) {
-      return error.what();
-    }
-    return "";
+  const auto refusal = [](const ThreadOptions& options) {
+    return tendon::test::Refusal([&] { tendon::CheckThreadOptions(options, "arm"); });
   };
   const int processors = tendon::os::ProcessorCount();
 

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace tendon {
+
+/// A line of source code: as a default argument, that of the caller. Used like
+/// std::source_location, which clang has from version 15 on only.
+class SourcePlace {
+ public:
+  [[nodiscard]] static constexpr SourcePlace current(const char* file = __builtin_FILE(),
+                                                     unsigned line = __builtin_LINE()) noexcept {
+    return {file, line};
+  }
+
+  [[nodiscard]] constexpr std::string_view file_name() const noexcept { return file_; }
+  [[nodiscard]] constexpr unsigned line() const noexcept { return line_; }
+
+ private:
+  constexpr SourcePlace(const char* file, unsigned line) noexcept : file_(file), line_(line) {}
+
+  const char* file_;
+  unsigned line_;
+};
+
+/// "arm.cpp:23"
+[[nodiscard]] std::string ToString(const SourcePlace& place);
+
+}  // namespace tendon

@@ -1,0 +1,21 @@
+#include <tendon/base/name.h>
+#include <tendon/interface/execution/member_names.h>
+
+namespace tendon {
+
+void MemberNames::Add(const std::string& what, const std::string& name,
+                      const std::string& interface, SourcePlace place) {
+  RequireName(what, name);
+  const std::string member = what + " '" + name + "'";
+  if (sealed_) {
+    throw ConfigurationError("cannot add " + member + " to interface '" + interface +
+                             "': its component was started; add it in the constructor");
+  }
+  const auto [first, is_new] = added_at_.emplace(name, place);
+  if (!is_new) {
+    throw ConfigurationError(member + " already exists in interface '" + interface +
+                             "' (added at " + ToString(first->second) + ")");
+  }
+}
+
+}  // namespace tendon

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <tendon/lockfree/wakeup.h>
+
+#include <atomic>
+
+namespace tendon {
+
+/// Says that items may wait in a queue, so that its consumer need not look into the queues in which
+/// none does: the flags of many lie side by side, one byte each.
+///
+/// Thread safety: any thread raises it after an item it has published; one thread consumes.
+///
+/// As with a sleeper: the producer publishes, then looks at the flag; the consumer lowers the flag,
+/// then looks for items. With a full fence between the two steps on both sides, at least one of
+/// them sees the other. So a producer finds the flag up, as a rule, and writes nothing that the
+/// consumer reads besides the queue.
+template <typename Atomics = StdAtomics>
+class ReadyFlag {
+ public:
+  /// Also wakes the consumer where it sleeps on `wakeup`, which may be null.
+  void Raise(Wakeup<Atomics>* wakeup) noexcept {
+    Atomics::Fence(std::memory_order_seq_cst);  // (A) the item is out before the flags are read
+    if (!up_.load(std::memory_order_relaxed)) {
+      up_.store(true, std::memory_order_relaxed);
+      Atomics::Fence(std::memory_order_seq_cst);  // the flag is up before the sleeper's is read
+    }
+    if (wakeup != nullptr) wakeup->NotifyAfterFence();
+  }
+
+  enum class IfEmpty { kLeaveUp, kLower };
+
+  /// Consumer: `has_items()`, which is asked only where the flag is up. Who lowers it each time
+  /// keeps fast producers busy with raising it.
+  template <typename Predicate>
+  bool IsReady(Predicate has_items, IfEmpty if_empty) noexcept {
+    if (!up_.load(std::memory_order_relaxed)) return false;  // orders nothing
+    if (has_items()) return true;
+    if (if_empty == IfEmpty::kLeaveUp) return false;
+    up_.store(false, std::memory_order_relaxed);
+    Atomics::Fence(std::memory_order_seq_cst);  // pairs with (A): down before items are looked for
+    if (!has_items()) return false;
+    up_.store(true, std::memory_order_relaxed);
+    return true;
+  }
+
+ private:
+  typename Atomics::template Atomic<bool> up_{false};
+};
+
+}  // namespace tendon

@@ -1,0 +1,137 @@
+#include <tendon/task/cycle/task_life.h>
+
+#include <utility>
+
+namespace tendon {
+namespace {
+
+bool IsRunning(const Task& task) {
+  return task.state() == ComponentState::kActive || task.state() == ComponentState::kSuspended;
+}
+
+}  // namespace
+
+void TaskLife::Obey(Task& task) {
+  if (task.has_failed_outside_.Get()) EnterFaultFromOutside(task);
+  const TaskOrder order = task.order_.Get();
+  if (order.number != std::exchange(task.obeyed_, order.number)) {
+    const ComponentState now = task.state();
+    switch (order.request) {
+      case LifeRequest::kStart:
+        if (now == ComponentState::kSuspended) {
+          GoOn(task);
+        } else if (task.is_starting()) {  // and has not faulted meanwhile
+          Begin(task);
+        }
+        break;
+      case LifeRequest::kSuspend:
+        if (now == ComponentState::kActive) Rest(task);
+        break;
+      case LifeRequest::kStop:
+        if (IsRunning(task)) Finish(task);
+        break;
+    }
+  }
+  ForEachFollower(task, [](Task& follower) { Obey(follower); });
+}
+
+void TaskLife::Unbind(Task& task) {
+  task.inbox()->Unbind();
+  ForEachFollower(task, [](Task& follower) { Unbind(follower); });
+}
+
+bool TaskLife::EnterFaultFromOutside(Task& task) {
+  task.has_failed_outside_.Set(false);
+  if (!IsRunning(task)) return false;
+  std::string reason;
+  {
+    const std::scoped_lock lock(task.outside_mutex_);
+    reason = task.outside_reason_;
+  }
+  task.EnterFault("a command or event handler", reason);
+  task.EndFollowers();
+  return true;
+}
+
+void TaskLife::Begin(Task& task) {
+  task.inbox()->BindToThisThread();
+  task.started_period_.Set(std::chrono::duration<double>(task.period()));
+  task.meter_.Start(task.started_period_.Get());
+  if (!task.RunGuarded("Startup", [&task] { task.Startup(); })) {
+    task.EndFollowers();
+    task.inbox()->Unbind();
+    return;
+  }
+  BecomeActive(task);
+  if (task.leader_ != nullptr && task.leader_->state() == ComponentState::kSuspended) {
+    task.rests_with_leader_ = true;
+    Rest(task);
+  }
+}
+
+void TaskLife::BecomeActive(Task& task) {
+  task.rests_with_leader_ = false;
+  task.meter_.Interrupt();
+  task.last_begin_.Set(SteadyClock().Now());
+  task.OnActive();
+  task.SetState(ComponentState::kActive);
+}
+
+void TaskLife::Rest(Task& task) {
+  ForEachFollower(task, [](Task& follower) {
+    if (follower.state() != ComponentState::kActive) return;
+    follower.rests_with_leader_ = true;
+    Rest(follower);
+  });
+  task.SetState(ComponentState::kSuspended);
+}
+
+void TaskLife::GoOn(Task& task) {
+  if (task.leader_ != nullptr && task.leader_->state() != ComponentState::kActive) {
+    task.rests_with_leader_ = true;
+    return;
+  }
+  BecomeActive(task);
+  ForEachFollower(task, [](Task& follower) {
+    if (follower.rests_with_leader_ && follower.state() == ComponentState::kSuspended) {
+      GoOn(follower);
+    }
+  });
+}
+
+void TaskLife::Finish(Task& task) {
+  task.inbox()->BindToThisThread();
+  task.EndFollowers();
+  if (task.RunGuarded("Cleanup", [&task] { task.Cleanup(); })) {
+    task.SetState(ComponentState::kFinished);
+  }
+  task.EndFollowers();  // one may have been asked to start meanwhile
+  task.inbox()->Unbind();
+}
+
+void TaskLife::EndWithLeader(Task& task) {
+  task.obeyed_ = task.order_.Get().number;
+  if (IsRunning(task)) {
+    Finish(task);
+  } else if (task.is_starting()) {
+    task.EnterFault("Startup", "'" + task.leader_->name() + "', after which it runs, has ended");
+  }
+}
+
+Result<void> TaskLife::ReplaceFollowers(Task& leader, std::unique_ptr<TaskFollowers> next,
+                                        SteadyTime deadline) {
+  leader.follower_list_.swap(next);
+  if (leader.followers_.TryExchange(leader.follower_list_.get(), deadline)) {
+    leader.retired_lists_.clear();
+    return {};
+  }
+  // Back to the old one; a cycle that has begun meanwhile may use the other.
+  leader.follower_list_.swap(next);
+  leader.followers_.TryExchange(leader.follower_list_.get(), SteadyTime::min());
+  leader.retired_lists_.push_back(std::move(next));
+  return Error{ErrorCode::kTimeout,
+               "the cycle of '" + leader.name() +
+                   "' does not end; it, or a task that runs after it, is busy in Run()"};
+}
+
+}  // namespace tendon

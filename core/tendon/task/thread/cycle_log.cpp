@@ -1,0 +1,104 @@
+#include <tendon/base/os/thread.h>
+#include <tendon/task/thread/cycle_log.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <exception>
+#include <new>
+#include <string>
+
+namespace tendon {
+namespace {
+
+/// A text in fixed memory.
+template <std::size_t kSize>
+struct FixedText {
+  std::size_t size = 0;
+  std::array<char, kSize> bytes;  // not initialised: only `size` of them are looked at
+
+  void Set(std::string_view text) noexcept {
+    constexpr std::string_view kMore = "...";
+    size = std::min(text.size(), kSize);
+    std::memcpy(bytes.data(), text.data(), size);
+    if (text.size() <= kSize) return;
+    std::memcpy(bytes.data() + kSize - kMore.size(), kMore.data(), kMore.size());
+  }
+  [[nodiscard]] std::string_view text() const { return {bytes.data(), size}; }
+};
+
+}  // namespace
+
+struct CycleLog::Record {
+  LogTime time;
+  LogLevel level;
+  FixedText<64> source;
+  FixedText<kLongest> message;
+};
+
+std::shared_ptr<CycleLog> CycleLog::OfThisProcess() {
+  static std::mutex mutex;
+  static auto& of_this_process = *new std::weak_ptr<CycleLog>;  // for ever, as the log
+  const std::scoped_lock lock(mutex);
+  auto log = of_this_process.lock();
+  if (!log) of_this_process = log = std::make_shared<CycleLog>();
+  return log;
+}
+
+CycleLog::CycleLog() : ring_(kCapacity, sizeof(Record), alignof(Record)) {
+  (void)IsLogged(LogLevel::kError);  // from now on the log is there, and no cycle has to make it
+  thread_ = std::thread([this] { Run(); });
+}
+
+CycleLog::~CycleLog() {
+  {
+    const std::scoped_lock lock(mutex_);
+    stopping_ = true;
+  }
+  stopped_.notify_all();
+  thread_.join();
+}
+
+void CycleLog::PutAside(LogTime time, LogLevel level, std::string_view source,
+                        std::string_view message) noexcept {
+  std::byte* const slot = ring_.Claim();
+  if (slot == nullptr) return lost_.Add();
+  auto* const record = new (slot) Record;
+  record->time = time;
+  record->level = level;
+  record->source.Set(source);
+  record->message.Set(message);
+  ring_.Publish(slot);
+}
+
+void CycleLog::Run() {
+  os::NameThisThread("log");
+  std::unique_lock lock(mutex_);
+  while (!stopping_) {
+    stopped_.wait_for(lock, kBetweenLooks);
+    lock.unlock();
+    Drain();
+    lock.lock();
+  }
+  Drain();
+}
+
+void CycleLog::Drain() {
+  while (const std::byte* const slot = ring_.Front()) {
+    const Record& record = *std::launder(reinterpret_cast<const Record*>(slot));
+    try {
+      LogDeferred(record.time, record.level, record.source.text(), record.message.text());
+    } catch (const std::exception&) {
+      // A sink's own fault: the other records go their way.
+    }
+    ring_.Release();
+  }
+  const std::uint64_t lost = lost_.value();
+  if (lost == lost_told_) return;
+  Log(LogLevel::kWarning, "log",
+      std::to_string(lost - lost_told_) + " records of cycles are lost: more than " +
+          std::to_string(kCapacity) + " came before they could be written");
+  lost_told_ = lost;
+}
+
+}  // namespace tendon
