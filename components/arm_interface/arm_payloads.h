@@ -1,6 +1,7 @@
 #pragma once
 
 #include <tendon/payload/payload.h>
+#include <tendon/payload/robot/geometry.h>
 
 #include <array>
 #include <cstddef>
@@ -47,10 +48,7 @@ enum class LinkId : std::int32_t {
 };
 
 /// Where a frame is, as seen from the base.
-struct Pose {
-  std::array<double, 3> position{};                       ///< m
-  std::array<double, 4> orientation{0.0, 0.0, 0.0, 1.0};  ///< unit quaternion x, y, z, w
-};
+using tendon::robot::Pose;
 
 }  // namespace arm
 
@@ -80,8 +78,3 @@ inline constexpr auto tendon::kPayload<arm::LinkId> =
                          tendon::Enumerator{"link_6", arm::LinkId::kLink6},
                          tendon::Enumerator{"link_7", arm::LinkId::kLink7},
                          tendon::Enumerator{"flange", arm::LinkId::kFlange});
-
-template <>
-inline constexpr auto tendon::kPayload<arm::Pose> =
-    tendon::Describe("arm.Pose", tendon::Field{"position", &arm::Pose::position, "m"},
-                     tendon::Field{"orientation", &arm::Pose::orientation});

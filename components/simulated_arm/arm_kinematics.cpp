@@ -1,14 +1,15 @@
 #include <components/simulated_arm/arm_kinematics.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
 namespace arm {
 namespace {
 
-using Vector = std::array<double, 3>;      // m
-using Quaternion = std::array<double, 4>;  // x, y, z, w
+using tendon::robot::Quaternion;
+using tendon::robot::Vector3;
 
 /// From one frame to the next: turn by `twist` about x, go `length` along it, turn by the joint's
 /// angle about z, go `offset` along it.
@@ -31,21 +32,19 @@ constexpr std::array<DenavitHartenberg, kJoints + 1> kChain{{
 }};
 
 Quaternion Product(const Quaternion& a, const Quaternion& b) {
-  return {a[3] * b[0] + a[0] * b[3] + a[1] * b[2] - a[2] * b[1],
-          a[3] * b[1] - a[0] * b[2] + a[1] * b[3] + a[2] * b[0],
-          a[3] * b[2] + a[0] * b[1] - a[1] * b[0] + a[2] * b[3],
-          a[3] * b[3] - a[0] * b[0] - a[1] * b[1] - a[2] * b[2]};
+  return {
+      a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y, a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x,
+      a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w, a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z};
 }
 
-Vector Rotated(const Quaternion& q, const Vector& v) {
-  const Quaternion conjugate{-q[0], -q[1], -q[2], q[3]};
-  const Quaternion turned = Product(Product(q, {v[0], v[1], v[2], 0.0}), conjugate);
-  return {turned[0], turned[1], turned[2]};
-}
-
-void Shift(Pose& pose, const Vector& by) {
-  const Vector turned = Rotated(pose.orientation, by);
-  for (std::size_t i = 0; i < turned.size(); ++i) pose.position[i] += turned[i];
+/// `by`, in m, is in the frame's own coordinates.
+void Shift(Pose& pose, const Vector3& by) {
+  const Quaternion& q = pose.orientation;
+  const Quaternion conjugate{-q.x, -q.y, -q.z, q.w};
+  const Quaternion turned = Product(Product(q, {by.x, by.y, by.z, 0.0}), conjugate);
+  pose.position.x += turned.x;
+  pose.position.y += turned.y;
+  pose.position.z += turned.z;
 }
 
 void GoOn(Pose& pose, const DenavitHartenberg& to, double angle) {

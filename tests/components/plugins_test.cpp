@@ -34,13 +34,13 @@ TEST_P(PluginTest, RefusesAConfigurationThatItDoesNotKnow) {
       << component.error().message;
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, PluginTest,
-                         testing::Values(Plugin{"arm_supervisor", "ArmSupervisor"},
-                                         Plugin{"host_monitor", "HostMonitor"},
-                                         Plugin{"legacy_arm", "LegacyArm"},
-                                         Plugin{"simulated_arm", "SimulatedArm"},
-                                         Plugin{"teleoperation", "Teleoperation"}),
-                         [](const auto& test) { return test.param.library; });
+INSTANTIATE_TEST_SUITE_P(
+    Each, PluginTest,
+    testing::Values(Plugin{"arm_supervisor", "ArmSupervisor"}, Plugin{"counter", "Counter"},
+                    Plugin{"counter", "CounterClient"}, Plugin{"host_monitor", "HostMonitor"},
+                    Plugin{"legacy_arm", "LegacyArm"}, Plugin{"simulated_arm", "SimulatedArm"},
+                    Plugin{"teleoperation", "Teleoperation"}),
+    [](const auto& test) { return test.param.library + test.param.class_name; });
 
 TEST(SimulatedArmPlugin, TakesAConfigurationThatNamesWhatDiffersFromTheDefaults) {
   ComponentLoader loader({TENDON_PLUGINS});

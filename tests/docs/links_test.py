@@ -10,7 +10,8 @@ def main(root):
     root = pathlib.Path(root)
     docs = root / "docs"
     wrong = []
-    pages = [root / "README.md", *docs.rglob("*.md"), *(root / "components").rglob("*.md")]
+    folders = ("docs", "components", "core", "resources")
+    pages = [root / "README.md", *(page for folder in folders for page in (root / folder).rglob("*.md"))]
     for page in pages:
         for target in re.findall(r"\]\(([^)#\s]+)", page.read_text(encoding="utf-8")):
             if "://" not in target and not (page.parent / target).exists():

@@ -13,20 +13,16 @@ import pathlib
 import re
 import shlex
 import signal
-import socket
 import subprocess
 import sys
 import tempfile
 import time
 
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
+from free_port import free_port
+
 PATIENCE = 60  # s, for a machine that is busy
 STEP = re.compile(r"^```sh\n(?P<block>.*?)^```|^<!-- eventually: (?P<command>.*?) => (?P<pattern>.*?) -->", re.M | re.S)
-
-
-def free_port():
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return probe.getsockname()[1]
 
 
 class Place:

@@ -1,10 +1,13 @@
 #!/usr/bin/env python3
-"""snippets_test.py ROOT: every C++ and JSON block of the README and of docs/ stands, line for line, in a file that the
-build compiles or reads; every CMake block stands, with other lines in between, in the plug-in that is built outside of
-the tree."""
+"""snippets_test.py ROOT: every C++ and JSON block of the README, of docs/ and of the pages beside the code stands, line
+for line, in a file that the build compiles or reads; every CMake block stands, with other lines in between, in the
+plug-in that is built outside of the tree."""
 import pathlib
 import re
 import sys
+
+
+FOLDERS = ("docs/tutorials", "components", "resources/systems", "tests/core/payload/robot")
 
 
 def lines_of(text):
@@ -22,11 +25,12 @@ def stands_in_order(block, source):
 
 def main(root):
     sources = [lines_of(path.read_text(encoding="utf-8"))
-               for path in sorted((root / "docs/tutorials").rglob("*")) if path.suffix in {".h", ".cpp", ".json"}]
+               for folder in FOLDERS for path in (root / folder).rglob("*") if path.suffix in {".h", ".cpp", ".json"}]
     plugin = lines_of((root / "tests/install/lamp/CMakeLists.txt").read_text(encoding="utf-8"))
     plugin = [line.replace("${COMPONENTS}", "core") for line in plugin]
     missing = blocks = 0
-    for page in [root / "README.md", *sorted((root / "docs").glob("*.md"))]:
+    pages = [page for folder in ("docs", "components", "core") for page in sorted((root / folder).rglob("*.md"))]
+    for page in [root / "README.md", *pages]:
         for language, text in re.findall(r"^```(cpp|json|cmake)\n(.*?)^```", page.read_text(encoding="utf-8"),
                                          re.M | re.S):
             blocks += 1
@@ -37,7 +41,7 @@ def main(root):
                 found = any(stands_in(block, source) for source in sources)
             if not found:
                 missing += 1
-                print(f"{page.name}: this {language} block is in no file that is built:\n{text}")
+                print(f"{page.relative_to(root)}: this {language} block is in no file that is built:\n{text}")
     print(f"{blocks} blocks, {missing} of them stray")
     return 1 if missing or not blocks else 0
 

@@ -1,9 +1,14 @@
 #include "typed_decode.h"
 
+#include <support/encoded.h>
 #include <tendon/middleware/body.h>
 #include <tendon/middleware/handshake/handshake.h>
 #include <tendon/payload/eigen.h>
 #include <tendon/payload/json.h>
+#include <tendon/payload/robot/image.h>
+#include <tendon/payload/robot/joints.h>
+#include <tendon/payload/robot/joystick.h>
+#include <tendon/payload/robot/transforms.h>
 #include <tests/core/payload/sample_types.h>
 
 #include <array>
@@ -13,14 +18,8 @@
 namespace fuzz {
 namespace {
 
+using tendon::test::Encoded;
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3>;
-
-template <typename T>
-std::vector<std::byte> Encoded(const T& value) {
-  std::vector<std::byte> body(tendon::EncodedSize(value));
-  tendon::Encode(value, body);
-  return body;
-}
 
 template <typename T>
 void Decode(Bytes bytes) {
@@ -63,15 +62,19 @@ void DecodeTyped(Bytes bytes) {
                                  Decode<Eigen::VectorXf>,
                                  Decode<tendon::message::Challenge>,
                                  Decode<tendon::Error>,
-                                 Decode<std::vector<sample::JointState>>};
+                                 Decode<std::vector<sample::JointState>>,
+                                 Decode<tendon::robot::Image>,
+                                 Decode<tendon::robot::NamedJointState>,
+                                 Decode<tendon::robot::Transforms>};
   const std::size_t choice = TakeChoice(bytes, kDecoders.size());
   kDecoders.at(choice)(bytes);
 }
 
 void ReadJson(Bytes bytes) {
   constexpr std::array kReaders{
-      Read<sample::Dynamic>, Read<sample::Fixed>, Read<sample::Numbers>,
-      Read<tendon::None>,    Read<Rows>,          Read<tendon::message::Greeting>};
+      Read<sample::Dynamic>,        Read<sample::Fixed>, Read<sample::Numbers>,
+      Read<tendon::None>,           Read<Rows>,          Read<tendon::message::Greeting>,
+      Read<tendon::robot::Joystick>};
   const std::size_t choice = TakeChoice(bytes, kReaders.size());
   kReaders.at(choice)(bytes);
 }

@@ -9,12 +9,14 @@ import argparse
 import contextlib
 import os
 import re
-import socket
 import subprocess
 import sys
 import tempfile
 import time
 from pathlib import Path
+
+sys.path.append(str(Path(__file__).resolve().parents[2] / "tools"))
+from free_port import free_port
 
 LAMP = Path(__file__).resolve().parent / "lamp"
 PATIENCE = 60  # s, for a machine that is busy
@@ -68,12 +70,6 @@ def wait_for(what, succeeds, *processes):
         if ended or time.monotonic() > deadline:
             sys.exit(f"waited in vain for {what}; ended meanwhile: {ended}")
         time.sleep(0.1)
-
-
-def free_port():
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return probe.getsockname()[1]
 
 
 def run_lamp(prefix, plugins, folder):

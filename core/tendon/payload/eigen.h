@@ -1,6 +1,7 @@
 #pragma once
 
 #include <tendon/payload/codec.h>
+#include <tendon/payload/robot/eigen.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -20,7 +21,7 @@
 ///     Matrix of fixed size     float64[cols][rows]: rows one after the other, as one writes it
 ///     Vector of dynamic size   float64[]
 ///     Matrix of dynamic size   struct tendon.MatrixFloat64: rows, cols, data row after row
-///     Quaterniond, Isometry3d  geometry_msgs.Quaternion (x y z w), geometry_msgs.Transform
+///     Quaternion, Isometry     robot::Quaternion (x y z w), robot::Transform, both of float64
 namespace tendon {
 
 namespace payload {
@@ -135,51 +136,32 @@ struct SubstituteFor<Eigen::Matrix<Scalar, kRows, kCols, kOptions>> {
   }
 };
 
-struct Vector3OnWire {
-  double x = 0;
-  double y = 0;
-  double z = 0;
-};
+template <std::floating_point Scalar, int kOptions>
+struct SubstituteFor<Eigen::Quaternion<Scalar, kOptions>> {
+  using Quaternion = Eigen::Quaternion<Scalar, kOptions>;
+  using Type = robot::Quaternion;
 
-struct QuaternionOnWire {
-  double x = 0;
-  double y = 0;
-  double z = 0;
-  double w = 1;
-};
-
-struct TransformOnWire {
-  Vector3OnWire translation;
-  QuaternionOnWire rotation;
-};
-
-template <>
-struct SubstituteFor<Eigen::Quaterniond> {
-  using Type = QuaternionOnWire;
-
-  static Type From(const Eigen::Quaterniond& q) { return {q.x(), q.y(), q.z(), q.w()}; }
-  static bool Into(const Type& wire, Eigen::Quaterniond& quaternion) {
-    quaternion = Eigen::Quaterniond(wire.w, wire.x, wire.y, wire.z);
+  static Type From(const Quaternion& quaternion) {
+    return robot::ToQuaternion(quaternion.template cast<double>());
+  }
+  static bool Into(const Type& wire, Quaternion& quaternion) {
+    quaternion = robot::ToEigen(wire).template cast<Scalar>();
     return true;
   }
 };
 
-template <>
-struct SubstituteFor<Eigen::Isometry3d> {
-  using Type = TransformOnWire;
+template <std::floating_point Scalar, int kOptions>
+struct SubstituteFor<Eigen::Transform<Scalar, 3, Eigen::Isometry, kOptions>> {
+  using Isometry = Eigen::Transform<Scalar, 3, Eigen::Isometry, kOptions>;
+  using Type = robot::Transform;
 
-  static Type From(const Eigen::Isometry3d& isometry) {
-    const auto place = isometry.translation();
-    return {{place.x(), place.y(), place.z()},
-            SubstituteFor<Eigen::Quaterniond>::From(Eigen::Quaterniond(isometry.linear()))};
+  static Type From(const Isometry& isometry) {
+    return robot::ToTransform(isometry.template cast<double>());
   }
   /// Normalises the rotation; refuses the quaternion of zeros, which is none.
-  static bool Into(const Type& wire, Eigen::Isometry3d& isometry) {
-    Eigen::Quaterniond rotation;
-    SubstituteFor<Eigen::Quaterniond>::Into(wire.rotation, rotation);
-    if (rotation.squaredNorm() == 0) return false;
-    isometry = Eigen::Translation3d(wire.translation.x, wire.translation.y, wire.translation.z) *
-               rotation.normalized();
+  static bool Into(const Type& wire, Isometry& isometry) {
+    if (robot::ToEigen(wire.rotation).squaredNorm() == 0) return false;
+    isometry = robot::ToEigen(wire).template cast<Scalar>();
     return true;
   }
 };
@@ -191,18 +173,5 @@ inline constexpr auto kPayload<payload::MatrixOnWire<Scalar>> =
     Describe(payload::MatrixName<Scalar>(), Field{"rows", &payload::MatrixOnWire<Scalar>::rows},
              Field{"cols", &payload::MatrixOnWire<Scalar>::cols},
              Field{"data", &payload::MatrixOnWire<Scalar>::data});
-template <>
-inline constexpr auto kPayload<payload::Vector3OnWire> =
-    Describe("geometry_msgs.Vector3", Field{"x", &payload::Vector3OnWire::x},
-             Field{"y", &payload::Vector3OnWire::y}, Field{"z", &payload::Vector3OnWire::z});
-template <>
-inline constexpr auto kPayload<payload::QuaternionOnWire> =
-    Describe("geometry_msgs.Quaternion", Field{"x", &payload::QuaternionOnWire::x},
-             Field{"y", &payload::QuaternionOnWire::y}, Field{"z", &payload::QuaternionOnWire::z},
-             Field{"w", &payload::QuaternionOnWire::w});
-template <>
-inline constexpr auto kPayload<payload::TransformOnWire> = Describe(
-    "geometry_msgs.Transform", Field{"translation", &payload::TransformOnWire::translation},
-    Field{"rotation", &payload::TransformOnWire::rotation});
 
 }  // namespace tendon

@@ -40,7 +40,8 @@ template <Payload T>
   return fingerprint;
 }
 
-/// The schema of any type whose FingerprintOf() this process has computed. Thread-safe.
+/// The schema of any type whose FingerprintOf() this process has computed, or that it was told of
+/// by another process. Thread-safe.
 [[nodiscard]] std::optional<Schema> FindSchema(Fingerprint fingerprint);
 
 }  // namespace tendon

@@ -57,12 +57,12 @@ Layout Of(Layout hash) {
 /// Computed once a type; allocates one T.
 template <Payload T>
 Layout LayoutOf() {
-  static const Layout kLayout = [] {
+  static const Layout value = [] {
     constexpr std::uint64_t kSeed = 0xcbf29ce484222325;  // of FNV-1a
     const Layout seed = layout::Mix(layout::Mix(kSeed, __GXX_ABI_VERSION), _GLIBCXX_USE_CXX11_ABI);
     return layout::Of<T>(seed) | 1U;  // never kNone
   }();
-  return kLayout;
+  return value;
 }
 
 }  // namespace tendon

@@ -41,6 +41,7 @@ class Schema {
     kStructure,
   };
   struct Field;
+  /// One named value of an enum.
   struct Enumerator {
     std::string name;
     std::int32_t value = 0;

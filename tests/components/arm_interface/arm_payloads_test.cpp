@@ -19,7 +19,6 @@ TEST(ArmPayloads, CarryTheirUnits) {
   EXPECT_EQ(UnitOf<JointGoal>(".position[3]"), "rad");
   EXPECT_EQ(UnitOf<JointGoal>(".duration"), "s");
   EXPECT_EQ(UnitOf<LimitFault>(".position"), "rad");
-  EXPECT_EQ(UnitOf<Pose>(".position[2]"), "m");
 }
 
 TEST(ArmPayloads, ALinkIsWrittenByItsName) {
@@ -35,13 +34,6 @@ TEST(ArmPayloads, ALinkThatNoArmHasDoesNotDecode) {
   LinkId link = LinkId::kBase;
 
   EXPECT_FALSE(tendon::Decode(body, link));
-}
-
-TEST(ArmPayloads, APoseIsTheBaseUnlessSaidOtherwise) {
-  const Pose pose;
-
-  EXPECT_EQ(pose.position, (std::array{0.0, 0.0, 0.0}));
-  EXPECT_EQ(pose.orientation, (std::array{0.0, 0.0, 0.0, 1.0}));
 }
 
 }  // namespace

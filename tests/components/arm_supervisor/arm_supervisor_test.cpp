@@ -61,7 +61,7 @@ TEST(ArmSupervisor, SeesWhereTheFlangeIs) {
 
   watched.Run(1);
 
-  EXPECT_NEAR(watched.supervisor.Read<Pose>("Flange").position[0], 0.306891, 1e-6);
+  EXPECT_NEAR(watched.supervisor.Read<Pose>("Flange").position.x, 0.306891, 1e-6);
 }
 
 TEST(ArmSupervisor, CountsGoalsAndLimits) {

@@ -14,9 +14,9 @@ Pose PoseOf(const JointVector& position, LinkId link) {
 }
 
 void ExpectPosition(const Pose& pose, double x, double y, double z) {
-  EXPECT_NEAR(pose.position[0], x, 1e-6);
-  EXPECT_NEAR(pose.position[1], y, 1e-6);
-  EXPECT_NEAR(pose.position[2], z, 1e-6);
+  EXPECT_NEAR(pose.position.x, x, 1e-6);
+  EXPECT_NEAR(pose.position.y, y, 1e-6);
+  EXPECT_NEAR(pose.position.z, z, 1e-6);
 }
 
 /// Where the frame's x axis points to.
@@ -33,7 +33,7 @@ TEST(ArmKinematics, AtZeroTheHandPointsDownFromTheOutstretchedArm) {
   const Pose flange = PoseOf({}, LinkId::kFlange);
 
   ExpectPosition(flange, 0.088, 0.0, 0.333 + 0.316 + 0.384 - 0.107);
-  EXPECT_NEAR(std::abs(flange.orientation[0]), 1.0, 1e-9);  // half a turn about x
+  EXPECT_NEAR(std::abs(flange.orientation.x), 1.0, 1e-9);  // half a turn about x
 }
 
 TEST(ArmKinematics, TheReadyPostureIsThatOfAPanda) {
@@ -67,9 +67,8 @@ TEST(ArmKinematics, AJointMovesOnlyTheLinksBehindIt) {
 TEST(ArmKinematics, OrientationsAreUnitQuaternions) {
   for (std::int32_t link = 0; link <= static_cast<std::int32_t>(LinkId::kFlange); ++link) {
     const Pose pose = PoseOf({0.3, -0.5, 0.2, -1.8, 0.4, 1.7, -0.6}, static_cast<LinkId>(link));
-    double square = 0.0;
-    for (const double part : pose.orientation) square += part * part;
-    EXPECT_NEAR(square, 1.0, 1e-12) << link;
+    const auto& [x, y, z, w] = pose.orientation;
+    EXPECT_NEAR(x * x + y * y + z * z + w * w, 1.0, 1e-12) << link;
   }
 }
 

@@ -1,6 +1,7 @@
 #include <components/simulated_arm/simulated_arm.h>
 #include <gtest/gtest.h>
 #include <support/allocation_guard.h>
+#include <support/refusal.h>
 #include <support/wait.h>
 #include <tendon/manager/local_manager.h>
 
@@ -14,7 +15,6 @@ namespace arm {
 namespace {
 
 using tendon::AllocationGuard;
-using tendon::ConfigurationError;
 using tendon::Status;
 using tendon_test::ArmClient;
 using tendon_test::Stepped;
@@ -110,8 +110,8 @@ TEST_F(SimulatedArmTest, TellsWhereItsLinksAre) {
 
   EXPECT_EQ(client_.get_link_pose(LinkId::kFlange, pose), Status::kDone);
 
-  EXPECT_NEAR(pose.position[0], 0.306891, 1e-6);
-  EXPECT_NEAR(pose.position[2], 0.590282, 1e-6);
+  EXPECT_NEAR(pose.position.x, 0.306891, 1e-6);
+  EXPECT_NEAR(pose.position.z, 0.590282, 1e-6);
 }
 
 TEST_F(SimulatedArmTest, ACycleAllocatesNothing) {
@@ -164,15 +164,10 @@ TEST_F(NoisyArm, MeasuresItsPositionWithNoiseButStandsStill) {
 }
 
 std::string RefusalOf(const ArmConfiguration& configuration) {
-  try {
-    SimulatedArm arm("arm", configuration);
-  } catch (const ConfigurationError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return tendon::test::Refusal([&] { SimulatedArm arm("arm", configuration); });
 }
 
-TEST(SimulatedArmConfiguration, TheDefaultsAreAccepted) { EXPECT_EQ(RefusalOf({}), "accepted"); }
+TEST(SimulatedArmConfiguration, TheDefaultsAreAccepted) { EXPECT_EQ(RefusalOf({}), ""); }
 
 TEST(SimulatedArmConfiguration, NumbersThatMakeNoSenseAreNamed) {
   ArmConfiguration crossed;

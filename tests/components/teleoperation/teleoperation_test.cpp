@@ -2,8 +2,8 @@
 #include <components/teleoperation/teleoperation.h>
 #include <gtest/gtest.h>
 #include <support/allocation_guard.h>
+#include <support/refusal.h>
 #include <support/wait.h>
-#include <tendon/base/error.h>
 #include <tendon/manager/local_manager.h>
 
 #include <algorithm>
@@ -227,13 +227,10 @@ TEST(Teleoperation, RefusesAConfigurationThatMakesNoSense) {
                ConfigurationError);
   EXPECT_THROW(Teleoperation("teleoperation", {.period = 12.0, .amplitude = std::nan("")}),
                ConfigurationError);
-  try {
-    Teleoperation teleoperation("teleoperation", {.period = 12.0, .amplitude = 4.0});
-    ADD_FAILURE() << "accepted";
-  } catch (const ConfigurationError& error) {
-    EXPECT_STREQ(error.what(),
-                 "configuration of 'teleoperation': amplitude is 4.000000, expected 0 to 3");
-  }
+  EXPECT_EQ(tendon::test::Refusal([] {
+              Teleoperation teleoperation("teleoperation", {.period = 12.0, .amplitude = 4.0});
+            }),
+            "configuration of 'teleoperation': amplitude is 4.000000, expected 0 to 3");
 }
 
 TEST(TeleoperationThread, DrivesAnArmAndStopsItWhenItIsStopped) {

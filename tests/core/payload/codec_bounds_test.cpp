@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <support/encoded.h>
 #include <tendon/payload/codec.h>
 #include <tests/core/payload/random_value.h>
 #include <tests/core/payload/sample_types.h>
@@ -9,12 +10,7 @@
 namespace tendon {
 namespace {
 
-template <typename T>
-std::vector<std::byte> Encoded(const T& value) {
-  std::vector<std::byte> body;
-  Encode(value, body);
-  return body;
-}
+using test::Encoded;
 
 /// Decodes from memory that ends where the body ends, so that a sanitizer sees one byte too many.
 template <typename T>

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <support/encoded.h>
 #include <tendon/payload/codec.h>
 #include <tests/core/payload/random_value.h>
 #include <tests/core/payload/sample_types.h>
@@ -20,12 +21,7 @@ std::vector<std::byte> Bytes(std::initializer_list<int> values) {
   return bytes;
 }
 
-template <typename T>
-std::vector<std::byte> Encoded(const T& value) {
-  std::vector<std::byte> body;
-  Encode(value, body);
-  return body;
-}
+using test::Encoded;
 
 TEST(Codec, ANumberIsAlignedToItsSizeFromTheStartOfTheBody) {
   const sample::Ragged ragged{true, 0, 2, 3, true, 0, 9};

@@ -1,11 +1,9 @@
-#include <fastcdr/Cdr.h>
-#include <fastcdr/FastBuffer.h>
 #include <gtest/gtest.h>
 #include <tendon/payload/eigen.h>
 #include <tendon/payload/schema.h>
 #include <tendon/payload/time_point.h>
 
-#include <functional>
+#include "core/payload/fast_cdr.h"
 
 /// Types that travel as another one, against Fast CDR: a byte before each makes their alignment
 /// show.
@@ -20,14 +18,12 @@ struct AfterAByte {
   T value;
 };
 
-std::vector<std::byte> WrittenByFastCdr(const std::function<void(Cdr&)>& write) {
-  std::vector<char> memory(4096);  // zero, since Fast CDR leaves padding as it finds it
-  eprosima::fastcdr::FastBuffer buffer(memory.data(), memory.size());
-  Cdr cdr(buffer, Cdr::LITTLE_ENDIANNESS, Cdr::DDS_CDR);
-  cdr << std::uint8_t{7};
-  write(cdr);
-  const auto* first = reinterpret_cast<const std::byte*>(memory.data());
-  return {first, first + cdr.getSerializedDataLength()};
+template <typename Writer>
+std::vector<std::byte> WrittenByFastCdr(Writer write) {
+  return test::WrittenByFastCdr([&](Cdr& cdr) {
+    cdr << std::uint8_t{7};
+    write(cdr);
+  });
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <support/encoded.h>
 #include <tendon/payload/eigen.h>
 #include <tendon/payload/json.h>
 #include <tendon/payload/schema.h>
@@ -23,12 +24,7 @@ inline constexpr auto tendon::kPayload<arm::Model> = tendon::Describe(
 namespace tendon {
 namespace {
 
-template <typename T>
-std::vector<std::byte> Encoded(const T& value) {
-  std::vector<std::byte> body;
-  Encode(value, body);
-  return body;
-}
+using test::Encoded;
 
 TEST(Eigen, SaysWhichTypesHaveOneSize) {
   static_assert(FixedPayload<Eigen::Vector3d> && FixedPayload<Eigen::Matrix<float, 6, 7>>);
@@ -110,6 +106,24 @@ TEST(Eigen, AMatrixCutAtAnyByteIsRefused) {
     Eigen::MatrixXd matrix;
     EXPECT_FALSE(Decode(std::span(body).first(size), matrix)) << size;
   }
+}
+
+TEST(Eigen, RotationsInFloatConnectToThoseInDouble) {
+  const Eigen::Quaternionf rotation(0.5F, -0.5F, 0.5F, -0.5F);
+  const Eigen::Isometry3f place = Eigen::Translation3f(1, -2, 3) * rotation;
+  Eigen::Quaterniond rotation_in_double;
+  Eigen::Isometry3d place_in_double;
+  Eigen::Isometry3f place_again;
+
+  ASSERT_TRUE(Decode(Encoded(rotation), rotation_in_double));
+  ASSERT_TRUE(Decode(Encoded(place), place_in_double));
+  ASSERT_TRUE(Decode(Encoded(place_in_double), place_again));
+
+  EXPECT_EQ(SchemaOf<Eigen::Quaternionf>(), SchemaOf<Eigen::Quaterniond>());
+  EXPECT_EQ(SchemaOf<Eigen::Isometry3f>(), SchemaOf<Eigen::Isometry3d>());
+  EXPECT_EQ(rotation_in_double.coeffs(), rotation.cast<double>().coeffs());
+  EXPECT_TRUE(place_in_double.isApprox(place.cast<double>(), 1e-6));
+  EXPECT_TRUE(place_again.isApprox(place, 1e-6F));
 }
 
 TEST(Eigen, ARotationOfZerosIsRefused) {

@@ -1,11 +1,11 @@
-#include <fastcdr/Cdr.h>
-#include <fastcdr/FastBuffer.h>
 #include <gtest/gtest.h>
 #include <tendon/payload/codec.h>
 #include <tests/core/payload/random_value.h>
 #include <tests/core/payload/sample_types.h>
 
 #include <utility>
+
+#include "core/payload/fast_cdr.h"
 
 namespace tendon {
 namespace {
@@ -45,12 +45,7 @@ void Serialize(Cdr& cdr, const T& value) {
 
 template <typename T>
 std::vector<std::byte> EncodedByFastCdr(const T& value) {
-  std::vector<char> memory(65536);  // zero, since Fast CDR leaves padding as it finds it
-  eprosima::fastcdr::FastBuffer buffer(memory.data(), memory.size());
-  Cdr cdr(buffer, Cdr::LITTLE_ENDIANNESS, Cdr::DDS_CDR);
-  Serialize(cdr, value);
-  const auto* first = reinterpret_cast<const std::byte*>(memory.data());
-  return {first, first + cdr.getSerializedDataLength()};
+  return test::WrittenByFastCdr([&](Cdr& cdr) { Serialize(cdr, value); });
 }
 
 template <typename T>

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <support/encoded.h>
 #include <tendon/payload/codec.h>
 #include <tendon/payload/plot_channel.h>
 #include <tests/core/payload/random_value.h>
@@ -10,12 +11,7 @@ namespace {
 
 using testing::ElementsAre;
 
-template <typename T>
-std::vector<std::byte> Encoded(const T& value) {
-  std::vector<std::byte> body;
-  Encode(value, body);
-  return body;
-}
+using test::Encoded;
 
 std::vector<std::string> Paths(const std::vector<PlotChannel>& channels) {
   std::vector<std::string> paths;

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <support/encoded.h>
 #include <tendon/payload/json.h>
 #include <tendon/payload/time_point.h>
 
@@ -10,11 +11,7 @@ using std::chrono::nanoseconds;
 using std::chrono::seconds;
 using std::chrono::sys_time;
 
-std::vector<std::byte> Encoded(const auto& value) {
-  std::vector<std::byte> body;
-  Encode(value, body);
-  return body;
-}
+using test::Encoded;
 
 TEST(TimePoint, IsTheTimeOfRos) {
   static_assert(FixedPayload<std::chrono::system_clock::time_point>);

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <tendon/payload/payload.h>
+#include <tendon/payload/time_point.h>
+
+#include <chrono>
+#include <string>
+
+namespace tendon::robot {
+
+/// When something was measured, and in which frame its coordinates are. A row of a state table and
+/// an event have a time of their own; a header is for what was measured at another one.
+struct Header {
+  std::chrono::sys_time<std::chrono::nanoseconds> stamp;
+  std::string frame_id;
+
+  bool operator==(const Header&) const = default;
+};
+
+}  // namespace tendon::robot
+
+namespace tendon {
+
+template <>
+inline constexpr auto kPayload<robot::Header> =
+    Describe("std_msgs.Header", Field{"stamp", &robot::Header::stamp}.Help("When it was measured."),
+             Field{"frame_id", &robot::Header::frame_id}.Help("The frame of all coordinates."));
+
+}  // namespace tendon

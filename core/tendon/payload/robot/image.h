@@ -1,0 +1,41 @@
+#pragma once
+
+#include <tendon/payload/robot/header.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace tendon::robot {
+
+/// One uncompressed picture, row after row from the top, each from the left. What comes from
+/// outside is whole only where `data` has `height` times `step` bytes.
+struct Image {
+  Header header;  ///< its frame: z out of the camera, x to the right, y down
+  std::uint32_t height = 0;
+  std::uint32_t width = 0;
+  std::string encoding;           ///< "rgb8", "bgr8", "mono8", "mono16", "16UC1", "32FC1", ...
+  std::uint8_t is_bigendian = 0;  ///< 1: pixels of several bytes begin with the highest
+  std::uint32_t step = 0;         ///< bytes of a row, with what fills it up
+  std::vector<std::uint8_t> data;
+
+  bool operator==(const Image&) const = default;
+};
+
+}  // namespace tendon::robot
+
+namespace tendon {
+
+template <>
+inline constexpr auto kPayload<robot::Image> =
+    Describe("sensor_msgs.Image", Field{"header", &robot::Image::header},
+             Field{"height", &robot::Image::height}.Help("Rows."),
+             Field{"width", &robot::Image::width}.Help("Pixels of a row."),
+             Field{"encoding", &robot::Image::encoding}.Help(
+                 "Of a pixel, as in ROS: rgb8, bgr8, mono8, mono16, 16UC1, 32FC1, ..."),
+             Field{"is_bigendian", &robot::Image::is_bigendian}.Within(0, 1).Help(
+                 "1 where pixels of several bytes begin with the highest."),
+             Field{"step", &robot::Image::step}.Help("Bytes of a row."),
+             Field{"data", &robot::Image::data}.Help("Height times step bytes, row after row."));
+
+}  // namespace tendon

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <tendon/payload/robot/header.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace tendon::robot {
+
+/// The joints of an arm, all of which turn: where they are (measured_js) or shall be (setpoint_js).
+/// For control loops: it has one size, and needs no allocation.
+template <std::size_t kJoints>
+struct JointState {
+  std::array<double, kJoints> position{};  ///< rad
+  std::array<double, kJoints> velocity{};  ///< rad/s
+  std::array<double, kJoints> effort{};    ///< N m
+
+  bool operator==(const JointState&) const = default;
+};
+
+/// What the drives of joints are to hold: servo_jp, servo_jv and servo_jf.
+enum class JointControl : std::int32_t { kPosition, kVelocity, kEffort };
+
+/// Moves joints that turn, once a cycle. What comes after the controlled quantity is fed forward:
+/// velocity and effort to a position, effort to a velocity; what comes before it is ignored.
+template <std::size_t kJoints>
+struct JointCommand {
+  JointControl control = JointControl::kPosition;
+  std::array<double, kJoints> position{};  ///< rad
+  std::array<double, kJoints> velocity{};  ///< rad/s
+  std::array<double, kJoints> effort{};    ///< N m
+
+  bool operator==(const JointCommand&) const = default;
+};
+
+/// Joints of any kind and number, by name. Each list has as many items as `name`, or none where
+/// nothing is known. A joint that slides has m, m/s and N where one that turns has rad, rad/s and
+/// N m.
+struct NamedJointState {
+  Header header;
+  std::vector<std::string> name;
+  std::vector<double> position;
+  std::vector<double> velocity;
+  std::vector<double> effort;
+
+  bool operator==(const NamedJointState&) const = default;
+};
+
+}  // namespace tendon::robot
+
+namespace tendon {
+
+template <std::size_t kJoints>
+inline constexpr auto kPayload<robot::JointState<kJoints>> =
+    Describe("robot.JointState", Field{"position", &robot::JointState<kJoints>::position, "rad"},
+             Field{"velocity", &robot::JointState<kJoints>::velocity, "rad/s"},
+             Field{"effort", &robot::JointState<kJoints>::effort, "N m"});
+
+template <>
+inline constexpr auto kPayload<robot::JointControl> =
+    DescribeEnum("robot.JointControl", Enumerator{"position", robot::JointControl::kPosition},
+                 Enumerator{"velocity", robot::JointControl::kVelocity},
+                 Enumerator{"effort", robot::JointControl::kEffort});
+
+template <std::size_t kJoints>
+inline constexpr auto kPayload<robot::JointCommand<kJoints>> =
+    Describe("robot.JointCommand",
+             Field{"control", &robot::JointCommand<kJoints>::control}.Help(
+                 "What is held; quantities after it are fed forward, those before it are ignored."),
+             Field{"position", &robot::JointCommand<kJoints>::position, "rad"},
+             Field{"velocity", &robot::JointCommand<kJoints>::velocity, "rad/s"},
+             Field{"effort", &robot::JointCommand<kJoints>::effort, "N m"});
+
+template <>
+inline constexpr auto kPayload<robot::NamedJointState> =
+    Describe("sensor_msgs.JointState", Field{"header", &robot::NamedJointState::header},
+             Field{"name", &robot::NamedJointState::name}.Help("Of each joint."),
+             Field{"position", &robot::NamedJointState::position, "rad or m"},
+             Field{"velocity", &robot::NamedJointState::velocity, "rad/s or m/s"},
+             Field{"effort", &robot::NamedJointState::effort, "N m or N"});
+
+}  // namespace tendon
