@@ -132,7 +132,7 @@ int RunCommandLine(const std::vector<std::string>& typed, std::ostream& out, std
   settings.gcm = program::GcmAddress(settings.gcm);
   settings.timeout = std::chrono::milliseconds(timeout_ms);
   try {
-    Context context(settings, chosen, out, columns);
+    Context context(settings, chosen, out, err, columns);
     return Finish(run(context), out, err);
   } catch (const std::exception& failure) {  // no memory, no files left
     err << "gcm: " << Plain(failure.what()) << '\n';

@@ -8,8 +8,13 @@
 
 namespace console {
 
-Context::Context(Settings settings, std::string verb, std::ostream& out, int columns)
-    : settings_(std::move(settings)), verb_(std::move(verb)), out_(out), columns_(columns) {}
+Context::Context(Settings settings, std::string verb, std::ostream& out, std::ostream& err,
+                 int columns)
+    : settings_(std::move(settings)),
+      verb_(std::move(verb)),
+      out_(out),
+      err_(err),
+      columns_(columns) {}
 
 tendon::Result<std::shared_ptr<tendon::Middleware>> Context::middleware() const {
   const auto exposure =

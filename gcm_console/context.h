@@ -24,10 +24,12 @@ struct Settings {
 /// Where a verb's output goes, and what it asks the GCM through.
 class Context {
  public:
-  Context(Settings settings, std::string verb, std::ostream& out, int columns);
+  Context(Settings settings, std::string verb, std::ostream& out, std::ostream& err, int columns);
 
   [[nodiscard]] const Settings& settings() const { return settings_; }
   [[nodiscard]] std::ostream& out() const { return out_; }
+  /// For remarks that are no result.
+  [[nodiscard]] std::ostream& err() const { return err_; }
   /// The width of the terminal that out() is, 0 where it is none.
   [[nodiscard]] int columns() const { return columns_; }
 
@@ -42,6 +44,7 @@ class Context {
   Settings settings_;
   std::string verb_;
   std::ostream& out_;
+  std::ostream& err_;
   int columns_;
   std::unique_ptr<tendon::GcmClient> client_;
 };

@@ -22,7 +22,7 @@ struct Place {
 /// names what is near; kInvalid where the path goes on into a value.
 tendon::Result<Place> FindPlace(const tendon::Catalog& catalog, const std::string& path);
 
-/// "arm.LinkId -> arm.Pose", "double[7]", or nothing where neither goes in or out.
+/// "arm.LinkId -> geometry_msgs.Pose", "double[7]", or nothing where neither goes in or out.
 std::string TypesOf(const tendon::MemberDescription& member);
 bool TakesArgument(const tendon::MemberDescription& member);
 bool GivesAnswer(const tendon::MemberDescription& member);

@@ -8,9 +8,9 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
-#include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <ostream>
 
 namespace console {
 namespace {
@@ -134,13 +134,13 @@ class RowWriter {
   std::uint64_t printed_ = 0;
 };
 
-void Summarize(const RowWriter& writer, const RowPrinter::Losses& losses) {
-  std::cerr << "gcm: " << writer.printed() << " rows, " << losses.all() << " lost";
+void Summarize(const RowWriter& writer, const RowPrinter::Losses& losses, std::ostream& err) {
+  err << "gcm: " << writer.printed() << " rows, " << losses.all() << " lost";
   if (losses.all() > 0) {
-    std::cerr << " (" << losses.table << " in the table, " << losses.network << " on the network, "
-              << losses.viewer << " here)";
+    err << " (" << losses.table << " in the table, " << losses.network << " on the network, "
+        << losses.viewer << " here)";
   }
-  std::cerr << '\n';
+  err << '\n';
 }
 
 Result<ExitCode> Watch(Context& context, const WatchOptions& options) {
@@ -169,13 +169,13 @@ Result<ExitCode> Watch(Context& context, const WatchOptions& options) {
       return *mistake;
     }
     if (const std::string complaint = printer->TakeComplaint(); !complaint.empty()) {
-      std::cerr << "gcm: " << Plain(complaint) << '\n';
+      context.err() << "gcm: " << Plain(complaint) << '\n';
     }
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
     if (options.seconds > 0.0 && passed.count() >= options.seconds) wants_more = false;
   }
   (*client)->telemetry().Unsubscribe(id);
-  Summarize(writer, printer->losses());
+  Summarize(writer, printer->losses(), context.err());
   return interrupted ? program::kInterrupted : program::kOk;
 }
 

@@ -36,11 +36,18 @@ ordered_json ToJson(const Candidate& candidate) {
           {"connected", candidate.is_connected},        {"mismatches", std::move(mismatches)}};
 }
 
+/// So that what does not fit says in what: best effort.
+void LearnTypes(Context& context, tendon::GcmClient& client) {
+  static_cast<void>(tendon::Wait<void>(context.settings().timeout,
+                                       [&](auto handler) { client.LearnDisputedTypes(handler); }));
+}
+
 Result<ExitCode> Candidates(Context& context, const std::string& text) {
   const auto required = tendon::ParseInterfaceName(text);
   if (!required) return required.error();
   const auto client = context.Client();
   if (!client) return client.error();
+  LearnTypes(context, **client);
   const auto candidates = RankCandidates((*client)->catalog(), *required);
   if (!candidates) return candidates.error();
   if (context.settings().json) {
@@ -126,6 +133,7 @@ Result<ExitCode> Explain(Context& context, const Ends& ends) {
   if (!required) return required.error();
   const auto client = context.Client();
   if (!client) return client.error();
+  LearnTypes(context, **client);
   const Catalog catalog = (*client)->catalog();
   const auto provided = ends.provided.empty() ? LikelyProvider(catalog, *required)
                                               : tendon::ParseInterfaceName(ends.provided);

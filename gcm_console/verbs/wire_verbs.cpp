@@ -15,6 +15,7 @@ using tendon::Result;
 struct Ends {
   std::string required;
   std::string provided;
+  bool replace = false;
 };
 
 Result<ExitCode> Connect(Context& context, const Ends& ends) {
@@ -24,9 +25,14 @@ Result<ExitCode> Connect(Context& context, const Ends& ends) {
   if (!provided) return provided.error();
   const auto client = context.Client();
   if (!client) return client.error();
-  const auto made = tendon::Wait<tendon::ConnectionDescription>(
-      context.settings().timeout,
-      [&](auto handler) { (*client)->Connect(*required, *provided, handler); });
+  const auto made =
+      tendon::Wait<tendon::ConnectionDescription>(context.settings().timeout, [&](auto handler) {
+        if (ends.replace) {
+          (*client)->Replace(*required, *provided, handler);
+        } else {
+          (*client)->Connect(*required, *provided, handler);
+        }
+      });
   if (!made) return made.error();
   const std::string state(tendon::ToString(made->state));
   if (context.settings().json) {
@@ -66,10 +72,16 @@ Result<ExitCode> Undo(Context& context) {
   if (!undone) return undone.error();
   const std::string required = ToString(undone->wire.required);
   const std::string provided = ToString(undone->wire.provided);
+  const bool was_replaced = undone->verb == "replace";
   if (context.settings().json) {
-    context.PrintJson({{"undone", undone->verb}, {"required", required}, {"provided", provided}});
+    nlohmann::ordered_json content = {
+        {"undone", undone->verb}, {"required", required}, {"provided", provided}};
+    if (was_replaced) content["former"] = ToString(undone->former);
+    context.PrintJson(content);
   } else {
-    context.out() << "undone: " << undone->verb << ' ' << required << ' ' << provided << '\n';
+    context.out() << "undone: " << undone->verb << ' ' << required << ' ' << provided
+                  << (was_replaced ? "; it is connected to " + ToString(undone->former) : "")
+                  << '\n';
   }
   return program::kOk;
 }
@@ -83,6 +95,8 @@ std::vector<Verb> WireVerbs() {
          auto ends = std::make_shared<Ends>();
          app.add_option("required", ends->required, "process/component/interface")->required();
          app.add_option("provided", ends->provided, "process/component/interface")->required();
+         app.add_flag("--replace", ends->replace,
+                      "end what the required interface is connected to, in one step");
          return [ends](Context& context) { return Connect(context, *ends); };
        }},
       {"disconnect", "end the connection of a required interface",

@@ -56,7 +56,7 @@ TEST_P(ChannelContract, ManyRequestsAtOnceAreEachAnsweredOnce) {
                                 });
   }
 
-  EXPECT_TRUE(Eventually([&] {
+  EXPECT_TRUE(EventuallyTrue([&] {
     const std::scoped_lock lock(mutex);
     return answers == std::vector<int>(kCount, 1);
   }));
@@ -129,7 +129,7 @@ TEST_P(ChannelContract, ACallThatIsNotAnsweredInTimeEndsAndTheLateAnswerIsCounte
   EXPECT_EQ(answer.error().message, "no answer from robot within 30 ms; outcome unknown");
   ASSERT_TRUE(server->Wait([](const Oracle& oracle) { return oracle.kept_.size() == 1; }));
   server->kept_.front().Answer(Result<void>());
-  EXPECT_TRUE(Eventually([&] { return channel_->late_replies() == 1; }));
+  EXPECT_TRUE(EventuallyTrue([&] { return channel_->late_replies() == 1; }));
 }
 
 TEST_P(ChannelContract, ExpireEndsTheRequestsThatAreDueAndNoOthers) {
@@ -150,7 +150,7 @@ TEST_P(ChannelContract, ExpireEndsTheRequestsThatAreDueAndNoOthers) {
   EXPECT_EQ(expired.error().code, ErrorCode::kTimeout);
   for (auto& responder : server->kept_) responder.Answer(Result<void>());
   EXPECT_TRUE(second.get_future().get());
-  EXPECT_TRUE(Eventually([&] { return channel_->late_replies() == 1; }));
+  EXPECT_TRUE(EventuallyTrue([&] { return channel_->late_replies() == 1; }));
 }
 
 TEST_P(ChannelContract, AnAnswerMayComeFromAnotherThreadMuchLater) {
@@ -193,7 +193,7 @@ TEST_P(ChannelContract, AHandlerIsForgottenAfterTheEnd) {
 
   channel_->Close();
 
-  EXPECT_TRUE(Eventually([&] { return client.use_count() == 1; }));
+  EXPECT_TRUE(EventuallyTrue([&] { return client.use_count() == 1; }));
   EXPECT_TRUE(client->Wait([](const Oracle& oracle) { return oracle.closed_.size() == 1; }));
 }
 

@@ -17,7 +17,7 @@ TEST_P(LifetimeContract, AThousandLinksLeaveNothingBehind) {
     ASSERT_EQ((*link)->Send(FrameOf(1)), Status::kQueued);
     (*link)->Close();
     ASSERT_TRUE(recorder->WaitForClosed());
-    ASSERT_TRUE(Eventually([&] { return recorder.use_count() == 1; })) << "still held";
+    ASSERT_TRUE(EventuallyTrue([&] { return recorder.use_count() == 1; })) << "still held";
   };
   for (int i = 0; i < 10; ++i) ASSERT_NO_FATAL_FAILURE(once());
   const std::size_t descriptors = OpenDescriptors();
@@ -25,11 +25,11 @@ TEST_P(LifetimeContract, AThousandLinksLeaveNothingBehind) {
 
   for (std::size_t i = 0; i < kCount; ++i) ASSERT_NO_FATAL_FAILURE(once());
 
-  EXPECT_TRUE(Eventually([&] { return OpenDescriptors() <= descriptors; }))
+  EXPECT_TRUE(EventuallyTrue([&] { return OpenDescriptors() <= descriptors; }))
       << OpenDescriptors() << " descriptors, " << descriptors << " before";
-  EXPECT_TRUE(Eventually([&] { return Threads() <= threads + 4; }))
+  EXPECT_TRUE(EventuallyTrue([&] { return Threads() <= threads + 4; }))
       << Threads() << " threads, " << threads << " before";
-  EXPECT_TRUE(Eventually([&] { return host.count() == kCount + 10; })) << host.count();
+  EXPECT_TRUE(EventuallyTrue([&] { return host.count() == kCount + 10; })) << host.count();
 }
 
 TEST_P(LifetimeContract, AMiddlewareLeavesNothingBehind) {
@@ -47,7 +47,8 @@ TEST_P(LifetimeContract, AMiddlewareLeavesNothingBehind) {
   }
 
   EXPECT_EQ(OpenDescriptors(), descriptors);
-  EXPECT_TRUE(Eventually([&] { return Threads() <= threads; })) << Threads() << " > " << threads;
+  EXPECT_TRUE(EventuallyTrue([&] { return Threads() <= threads; }))
+      << Threads() << " > " << threads;
 }
 
 TEST_P(LifetimeContract, AListenerClosesItsLinksAndTheyAreSilentAfterwards) {
@@ -64,7 +65,7 @@ TEST_P(LifetimeContract, AListenerClosesItsLinksAndTheyAreSilentAfterwards) {
   ASSERT_TRUE(link);
   ASSERT_NE(host.guest().link, nullptr);
   std::thread sender(
-      [&] { Eventually([&] { return (*link)->Send(FrameOf(1)) == Status::kNotConnected; }); });
+      [&] { EventuallyTrue([&] { return (*link)->Send(FrameOf(1)) == Status::kNotConnected; }); });
   ASSERT_TRUE(host.guest().recorder->WaitForFrames(1));
 
   listener_.reset();

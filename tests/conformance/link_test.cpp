@@ -16,7 +16,7 @@ std::vector<std::uint32_t> UpTo(std::uint32_t count) {
 /// Sends, again where the window is full.
 Status SendPatiently(Link& link, const Bytes& frame) {
   Status status = Status::kQueueFull;
-  Eventually([&] { return (status = link.Send(frame)) != Status::kQueueFull; });
+  EventuallyTrue([&] { return (status = link.Send(frame)) != Status::kQueueFull; });
   return status;
 }
 
@@ -121,7 +121,7 @@ TEST_P(LinkContract, AStoppedReceiverMakesTheSenderRefuseAndNotGrow) {
   constexpr int kMoreAttempts = 2000;
 
   std::uint32_t sent = 0;
-  const bool was_refused = Eventually([&] {
+  const bool was_refused = EventuallyTrue([&] {
     const Status status = client_->Send(FrameOf(sent, kSize));
     if (status) ++sent;
     return status == Status::kQueueFull;

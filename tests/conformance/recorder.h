@@ -1,5 +1,6 @@
 #pragma once
 
+#include <support/wait.h>
 #include <tendon/middleware/middleware.h>
 
 #include <chrono>
@@ -7,24 +8,12 @@
 #include <functional>
 #include <mutex>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace tendon::conformance {
 
 /// Longer than anything here takes on a machine that stalls.
 inline constexpr std::chrono::seconds kPatience{20};
-
-/// Asks until it is so, or patience ends.
-template <typename Condition>
-bool Eventually(const Condition& condition) {
-  const auto deadline = std::chrono::steady_clock::now() + kPatience;
-  while (!condition()) {
-    if (std::chrono::steady_clock::now() > deadline) return false;
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
-  return true;
-}
 
 /// A frame whose handle says which it is.
 inline Bytes FrameOf(std::uint32_t number, std::size_t body_size = 8) {

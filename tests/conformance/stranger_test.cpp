@@ -47,7 +47,7 @@ class Stranger {
   /// Whether the other end hangs up.
   bool IsTurnedAway() {
     Bytes buffer(4096);
-    return Eventually([&] { return !os::ReceiveSome(socket_, buffer); });
+    return EventuallyTrue([&] { return !os::ReceiveSome(socket_, buffer); });
   }
 
  private:

@@ -1,3 +1,4 @@
+#include <gcm_console/console.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <program/exit_code.h>
@@ -5,7 +6,10 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
+#include <thread>
 
 #include "gcm_console/system_fixture.h"
 
@@ -71,6 +75,80 @@ TEST_F(ConsoleTest, UndoTakesAConnectBack) {
   EXPECT_THAT(Gcm({"tree"}).out, HasSubstr("Robot  required  not connected"));
 }
 
+/// Beside the demo system's, a second arm: spare/arm/Control.
+class ReplaceTest : public ConsoleTest {
+ protected:
+  void SetUp() override {
+    ConsoleTest::SetUp();
+    const std::string file = (home.path() / "spare.json").string();
+    std::ofstream(file) << R"({"version": 1, "name": "spare", "processes": [{"name": "spare",
+        "components": [{"name": "arm", "class": "SimulatedArm", "library": "simulated_arm"}]}]})";
+    spare = StartLcm("spare", file);
+    ASSERT_TRUE(EventuallySays({"ls", "spare"}, "arm\tactive")) << spare->err();
+    ASSERT_EQ(Gcm({"connect", teleoperation, "spare/arm/Control"}).exit_code, program::kOk);
+  }
+  const std::string teleoperation = "desk/teleoperation/Robot";
+  std::unique_ptr<Program> spare;
+};
+
+TEST_F(ReplaceTest, ReplacesAConnectionInOneStepThatOneUndoTakesBack) {
+  const Outcome replaced = Gcm({"connect", teleoperation, "robot/arm/Control", "--replace"});
+  EXPECT_EQ(replaced.exit_code, program::kOk) << replaced.err;
+  EXPECT_TRUE(EventuallySays({"ls", "desk/teleoperation"}, "-> robot/arm/Control\n"));
+
+  const Outcome undone = Gcm({"undo"});
+
+  EXPECT_EQ(undone.out,
+            "undone: replace desk/teleoperation/Robot robot/arm/Control; it is "
+            "connected to spare/arm/Control\n")
+      << undone.err;
+  EXPECT_TRUE(EventuallySays({"ls", "desk/teleoperation"}, "-> spare/arm/Control\n"));
+}
+
+TEST_F(ReplaceTest, AMistypedProcessReplacesNothing) {
+  const Outcome replaced = Gcm({"connect", teleoperation, "robbot/arm/Control", "--replace"});
+
+  EXPECT_EQ(replaced.exit_code, program::kNotFound) << replaced.out;
+  EXPECT_THAT(replaced.err, HasSubstr("desk/teleoperation/Robot stays connected to "
+                                      "spare/arm/Control"));
+  EXPECT_THAT(replaced.err, HasSubstr("no process 'robbot'; did you mean 'robot'?"));
+  EXPECT_THAT(Gcm({"ls", "desk/teleoperation"}).out, HasSubstr("-> spare/arm/Control\n"));
+}
+
+TEST_F(ReplaceTest, AnUndoKeepsAConnectionThatWorksFromAProcessThatIsGone) {
+  ASSERT_EQ(Gcm({"connect", teleoperation, "robot/arm/Control", "--replace"}).exit_code,
+            program::kOk);
+  spare->Signal(SIGKILL);
+  ASSERT_TRUE(EventuallySays({"ls"}, "spare\tlost"));
+
+  const Outcome undone = Gcm({"undo"});
+
+  EXPECT_EQ(undone.exit_code, program::kRefused) << undone.out;
+  EXPECT_THAT(undone.err, HasSubstr("start it again first"));
+  EXPECT_THAT(Gcm({"ls", "desk/teleoperation"}).out, HasSubstr("-> robot/arm/Control\n"));
+}
+
+TEST_F(ConsoleTest, AConnectToAProcessThatIsNotThereWaitsForIt) {
+  const Outcome connected = Gcm({"connect", "desk/teleoperation/Robot", "robbot/arm/Control"});
+
+  EXPECT_EQ(connected.exit_code, program::kOk) << connected.err;
+  EXPECT_EQ(connected.out,
+            "desk/teleoperation/Robot -> robbot/arm/Control  pending: process 'robbot' is not "
+            "there; the connection is made when it comes; did you mean 'robot'?\n");
+  const Outcome explained = Gcm({"explain", "desk/teleoperation/Robot"});
+  EXPECT_EQ(explained.exit_code, program::kNotFound) << explained.out;
+  EXPECT_THAT(explained.out, HasSubstr("  1 BAD no process 'robbot'; did you mean 'robot'?\n"));
+}
+
+TEST_F(ConsoleTest, SaysEverywhereInWhatTwoTypesOfOneNameDiffer) {
+  const Program::Words ends = {"desk/teleoperation/Robot", "desk/old_arm/Control"};
+  const std::string difference = " needed, ";
+
+  EXPECT_THAT(Gcm({"candidates", ends[0]}).out, HasSubstr(difference));
+  EXPECT_THAT(Gcm({"explain", ends[0], ends[1]}).out, HasSubstr(difference));
+  EXPECT_THAT(Gcm({"connect", ends[0], ends[1]}).err, HasSubstr(difference));
+}
+
 TEST_F(ConsoleTest, CallsCommandsOfEveryKind) {
   const Outcome stop = Gcm({"call", "robot/arm/Control.Stop"});
   EXPECT_EQ(stop.exit_code, program::kOk) << stop.err;
@@ -110,6 +188,23 @@ TEST_F(ConsoleTest, WatchPrintsEveryRowInOrder) {
   }
   EXPECT_EQ(rows, 500);
   EXPECT_LE(missing, lost);  // a machine that stands still loses rows, but never in silence
+}
+
+TEST_F(ConsoleTest, WatchMakesItsRemarksWhereItIsTold) {
+  const Outcome folder = RunProgram({"/bin/sh", "-c", "printf %s \"$XDG_RUNTIME_DIR\""});
+  setenv("XDG_RUNTIME_DIR", folder.out.c_str(), 1);  // of the programs, where the cookie is
+  std::ostringstream out;
+  std::ostringstream err;
+  int exit_code = -1;
+  std::thread([&] {  // which alone holds its signals
+    exit_code = console::RunCommandLine({"--gcm", address, "--timeout", kPatience, "watch",
+                                         "robot/arm/state.Joints.position[0]", "--count", "3"},
+                                        out, err, 0);
+  })
+      .join();
+
+  EXPECT_EQ(exit_code, program::kOk);
+  EXPECT_THAT(err.str(), testing::StartsWith("gcm: 3 rows, "));
 }
 
 TEST_F(ConsoleTest, WatchPrintsWhateverAPathNames) {

@@ -17,12 +17,6 @@ using testing::HasSubstr;
 /// An LCM that must not start: it says why in one sentence, and nobody has heard of it.
 class LcmStart : public SystemFixture {
  protected:
-  LcmStart() {
-    fs::remove_all(folder);
-    fs::create_directories(folder);
-  }
-  ~LcmStart() override { fs::remove_all(folder); }
-
   void ExpectRefused(Program::Words words, int exit_code, const std::string& sentence) {
     words.insert(words.begin(), {Binary("lcm"), "--gcm", address});
     const Outcome outcome = RunProgram(words);
@@ -45,7 +39,7 @@ class LcmStart : public SystemFixture {
     ExpectFileRefused(file, file + ": " + sentence);
   }
 
-  const fs::path folder = fs::path(testing::TempDir()) / ("lcm_start_" + port);
+  const fs::path folder = home.path();
 };
 
 TEST_F(LcmStart, AMistypedCommandLine) {

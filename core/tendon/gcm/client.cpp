@@ -5,6 +5,7 @@
 #include <tendon/gcm/client/gcm_link.h>
 #include <tendon/gcm/client/once.h>
 #include <tendon/gcm/client/process_links.h>
+#include <tendon/gcm/disputed_types.h>
 #include <tendon/gcm/lookup.h>
 
 #include <mutex>
@@ -143,6 +144,13 @@ void GcmClient::Connect(const InterfaceName& required, const InterfaceName& prov
       implementation_->Guarded(std::move(handler)));
 }
 
+void GcmClient::Replace(const InterfaceName& required, const InterfaceName& provided,
+                        ConnectHandler handler) {
+  implementation_->link().Request<ConnectionDescription>(
+      message::kReplace, message::Wire{required, provided},
+      implementation_->Guarded(std::move(handler)));
+}
+
 void GcmClient::Disconnect(const InterfaceName& required, DoneHandler handler) {
   implementation_->link().Request<None>(message::kDisconnect, message::Wire{required, {}},
                                         [done = implementation_->Guarded(std::move(handler))](
@@ -189,6 +197,13 @@ void GcmClient::GetSchema(const std::string& process, Fingerprint fingerprint,
       [this, process, fingerprint, done = implementation_->Guarded(std::move(handler))] {
         implementation_->caller().GetSchema(process, fingerprint, done);
       });
+}
+
+void GcmClient::LearnDisputedTypes(DoneHandler handler) {
+  implementation_->timer().Post([this, done = implementation_->Guarded(std::move(handler))] {
+    const auto types = implementation_->link().WithCatalog(&DisputedTypes);
+    implementation_->caller().Learn(types, done);
+  });
 }
 
 TelemetryClient& GcmClient::telemetry() { return implementation_->telemetry(); }

@@ -33,6 +33,7 @@ class GcmListener {
 /// not be called from a handler.
 class GcmClient {
  public:
+  /// Who asks, and whom.
   struct Options {
     std::string name = "viewer";  ///< for the GCM's history and log: "gcm connect", "gcm-gui"
     std::string address;          ///< of the GCM
@@ -59,6 +60,10 @@ class GcmClient {
 
   void Connect(const InterfaceName& required, const InterfaceName& provided,
                ConnectHandler handler);
+  /// What the required interface is connected to is disconnected first, and connected again if the
+  /// new connection is refused, or works less than it. One step of the history.
+  void Replace(const InterfaceName& required, const InterfaceName& provided,
+               ConnectHandler handler);
   void Disconnect(const InterfaceName& required, DoneHandler handler);
   void Undo(std::function<void(Result<message::HistoryEntry>)> handler);
   void GetHistory(std::function<void(Result<message::History>)> handler);
@@ -72,6 +77,10 @@ class GcmClient {
   /// The schema of a payload type as a process knows it, by fingerprint; cached.
   void GetSchema(const std::string& process, Fingerprint fingerprint,
                  std::function<void(Result<Schema>)> handler);
+
+  /// Asks for what Compare() must know to say in what two types of one name differ, anywhere in the
+  /// catalogue; FindSchema() knows it afterwards, as far as the processes answer.
+  void LearnDisputedTypes(DoneHandler handler);
 
   /// State-table rows of any process: see TelemetryClient.
   [[nodiscard]] TelemetryClient& telemetry();

@@ -42,6 +42,20 @@ class Examination {
   Diagnosis diagnosis_;
 };
 
+/// A connection to what is not in the catalogue waits for it.
+void CheckAbsent(const Catalog& catalog, const message::Wire& wire, const Error& missing,
+                 Examination& examination) {
+  const ProcessEntry* provider = catalog.FindProcess(wire.provided.process);
+  if (provider != nullptr && IsPresent(provider->process)) {
+    examination.Good("process " + wire.provided.process + " is there");
+  }
+  examination.SetConnected();
+  examination.Bad(
+      missing.code, missing.message,
+      "start it: the connection is made when it comes; or take it back: gcm disconnect " +
+          ToString(wire.required));
+}
+
 void CheckProcesses(const ProcessDescription& required, const ProcessDescription& provided,
                     Examination& examination) {
   for (const ProcessDescription* process : {&required, &provided}) {
@@ -139,8 +153,13 @@ Result<Diagnosis> Diagnose(const Catalog& catalog, const message::Wire& wire) {
   const auto required = LookUpRequired(catalog, wire.required);
   if (!required) return required.error();
   const auto provided = LookUpProvided(catalog, wire.provided);
-  if (!provided) return provided.error();
   Examination examination(wire);
+  if (!provided) {
+    const auto* connection = catalog.FindConnection(wire.required);
+    if (connection == nullptr || connection->provided != wire.provided) return provided.error();
+    CheckAbsent(catalog, wire, provided.error(), examination);
+    return std::move(examination).Take();
+  }
   CheckProcesses(catalog.FindProcess(wire.required.process)->process,
                  catalog.FindProcess(wire.provided.process)->process, examination);
   if (examination.goes_on()) {

@@ -32,7 +32,7 @@ struct Diagnosis {
 
 /// Checks what the catalogue knows: processes, components, that the required interface is free,
 /// signatures, and how the connection is doing where it is wanted already. Errors: kInvalid and
-/// kNotFound where an end is not in the catalogue at all.
+/// kNotFound where an end is not in the catalogue at all, unless a connection waits for it.
 Result<Diagnosis> Diagnose(const Catalog& catalog, const message::Wire& wire);
 
 /// The last step, which a catalogue cannot know: how long the provider's process took to answer, or

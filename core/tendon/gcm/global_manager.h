@@ -25,6 +25,7 @@ class Server;
 /// Thread safety: all functions at any time. One thread of its own, and the middleware's.
 class GlobalManager {
  public:
+  /// Where it listens, and what it keeps.
   struct Options {
     std::string address = "127.0.0.1:10705";
     std::filesystem::path state_folder;             ///< of the history; empty: os::StateFolder()

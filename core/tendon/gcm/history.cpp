@@ -20,6 +20,7 @@ std::string LineOf(const message::HistoryEntry& step) {
   line["verb"] = step.verb;
   line["required"] = ToString(step.wire.required);
   line["provided"] = ToString(step.wire.provided);
+  if (step.verb == "replace") line["former"] = ToString(step.former);
   line["who"] = step.who;
   line["when"] = step.when;
   if (step.undone) line["undone"] = true;
@@ -35,6 +36,11 @@ std::optional<message::HistoryEntry> StepOf(const Json& line) {
   const auto provided = ParseInterfaceName(line.at("provided").get<std::string>());
   if (!required || !provided) return std::nullopt;
   step.wire = {*required, *provided};
+  if (step.verb == "replace") {
+    const auto former = ParseInterfaceName(line.at("former").get<std::string>());
+    if (!former) return std::nullopt;
+    step.former = *former;
+  }
   step.who = line.at("who").get<std::string>();
   step.when = line.at("when").get<std::int64_t>();
   step.undone = line.value("undone", false);

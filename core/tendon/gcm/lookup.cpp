@@ -60,6 +60,19 @@ std::string Connected(const ConnectionDescription& connection) {
          "; disconnect it first: gcm disconnect " + required;
 }
 
+/// A connection that works makes no room for one that would wait for its provider.
+Result<void> CheckReplacement(const Catalog& catalog, const ConnectionDescription& connection,
+                              const std::string& provider) {
+  if (connection.state != ConnectionState::kActive) return {};
+  const auto entry = LookUpProcess(catalog, provider);
+  const auto present = entry ? RequirePresent((*entry)->process) : entry.error();
+  if (present) return {};
+  return Error{present.error().code,
+               ToString(connection.required) + " stays connected to " +
+                   ToString(connection.provided) +
+                   ", for what replaces it must be there: " + present.error().message};
+}
+
 /// The commands of an interface, the columns of a table among them.
 std::vector<MemberDescription> CommandsOf(const ComponentDescription& component,
                                           const std::string& interface) {
@@ -141,26 +154,41 @@ Result<MemberDescription> LookUpCommand(const Catalog& catalog, const Path& path
                   NamesOf(commands));
 }
 
-Result<message::Wiring> PlanConnect(const Catalog& catalog, const message::Wire& wire) {
+Result<message::Wiring> PlanConnect(const Catalog& catalog, const message::Wire& wire,
+                                    Occupied occupied) {
   for (const InterfaceName& name : {wire.required, wire.provided}) {
     if (auto checked = CheckFullName(name); !checked) return checked.error();
   }
   const auto required = LookUpRequired(catalog, wire.required);
   if (!required) return required.error();
-  const auto provided = LookUpProvided(catalog, wire.provided);
-  if (!provided) return provided.error();
   const ProcessDescription& owner = catalog.FindProcess(wire.required.process)->process;
   if (auto present = RequirePresent(owner); !present) return present.error();
-  if (const auto* connection = catalog.FindConnection(wire.required)) {
+  const ProcessEntry* provider = catalog.FindProcess(wire.provided.process);
+  const bool is_there = provider != nullptr && IsPresent(provider->process);
+  const auto provided = LookUpProvided(catalog, wire.provided);
+  if (!provided && is_there) return provided.error();
+  const auto* connection = catalog.FindConnection(wire.required);
+  if (connection != nullptr && occupied == Occupied::kRefused) {
     return Error{ErrorCode::kExists, Connected(*connection)};
   }
-  if (const auto compatibility = Compare(**required, **provided); !compatibility.fits()) {
-    return Error{ErrorCode::kIncompatible,
-                 Refusal(ToString(wire.required), ToString(wire.provided), compatibility)};
+  if (connection != nullptr) {
+    const auto checked = CheckReplacement(catalog, *connection, wire.provided.process);
+    if (!checked) return checked.error();
   }
-  const ProcessDescription& provider = catalog.FindProcess(wire.provided.process)->process;
-  if (!IsPresent(provider)) return message::Wiring{.wire = wire};
-  return message::Wiring{.wire = wire, .address = provider.address, .instance = provider.instance};
+  if (provided) {
+    if (const auto compatibility = Compare(**required, **provided); !compatibility.fits()) {
+      return Error{ErrorCode::kIncompatible,
+                   Refusal(ToString(wire.required), ToString(wire.provided), compatibility)};
+    }
+  }
+  return WiringOf(catalog, wire);
+}
+
+message::Wiring WiringOf(const Catalog& catalog, const message::Wire& wire) {
+  const ProcessEntry* provider = catalog.FindProcess(wire.provided.process);
+  if (provider == nullptr || !IsPresent(provider->process)) return {.wire = wire};
+  return {
+      .wire = wire, .address = provider->process.address, .instance = provider->process.instance};
 }
 
 Result<ConnectionDescription> PlanDisconnect(const Catalog& catalog,

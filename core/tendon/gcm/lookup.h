@@ -24,11 +24,20 @@ Result<const RequiredDescription*> LookUpRequired(const Catalog& catalog,
 /// A command, or a column of a state table as the read command that it is.
 Result<MemberDescription> LookUpCommand(const Catalog& catalog, const Path& path);
 
+/// What a connect makes of a required interface that is connected.
+enum class Occupied { kRefused, kReplaced };
+
 /// The order to be given for a connect, checked as far as the catalogue knows. Errors: kInvalid,
 /// kNotFound; kIncompatible, as Refusal() words it; kExists where the required interface is
-/// connected; kFailed where its process is not there. A provider's process that is not there any
-/// more is all right: the connection will be pending.
-Result<message::Wiring> PlanConnect(const Catalog& catalog, const message::Wire& wire);
+/// connected; kFailed where its process is not there. A provider's process that is not there, or
+/// that nobody has seen yet, is all right: the connection will be pending; but it replaces none
+/// that is active (kFailed, kNotFound). What a process that is there does not have is not all
+/// right.
+Result<message::Wiring> PlanConnect(const Catalog& catalog, const message::Wire& wire,
+                                    Occupied occupied = Occupied::kRefused);
+
+/// The same order, unchecked.
+[[nodiscard]] message::Wiring WiringOf(const Catalog& catalog, const message::Wire& wire);
 
 /// The connection that a disconnect would end. Errors: kInvalid, kNotFound; kFailed where it is not
 /// connected or its process is not there.

@@ -19,6 +19,7 @@ inline constexpr auto kDisconnect = static_cast<MessageType>(0x312);  // Wire ->
 inline constexpr auto kUndo = static_cast<MessageType>(0x313);        // None -> HistoryEntry
 inline constexpr auto kHistory = static_cast<MessageType>(0x314);     // None -> History
 inline constexpr auto kForget = static_cast<MessageType>(0x315);      // Forget -> None
+inline constexpr auto kReplace = static_cast<MessageType>(0x316);  // Wire -> ConnectionDescription
 // From the GCM.
 inline constexpr auto kChanges = static_cast<MessageType>(0x320);  // notice to a viewer: Changes
 
@@ -43,8 +44,9 @@ struct Forget {
 /// One step that was made, and can be unmade.
 struct HistoryEntry {
   std::uint64_t id = 0;
-  std::string verb;  ///< "connect" or "disconnect"
+  std::string verb;  ///< "connect", "disconnect" or "replace"
   Wire wire;
+  InterfaceName former;   ///< "replace": what the required interface was connected to
   std::string who;        ///< the program that asked: "gcm connect", "gcm-gui"
   std::int64_t when = 0;  ///< ns since 1970
   bool undone = false;
@@ -52,6 +54,7 @@ struct HistoryEntry {
   bool operator==(const HistoryEntry&) const = default;
 };
 
+/// What people and programs have asked for.
 struct History {
   std::vector<HistoryEntry> entries;  ///< oldest first
 };
@@ -77,6 +80,7 @@ inline constexpr auto tendon::kPayload<tendon::message::HistoryEntry> =
     tendon::Describe("tendon.HistoryEntry", tendon::Field{"id", &tendon::message::HistoryEntry::id},
                      tendon::Field{"verb", &tendon::message::HistoryEntry::verb},
                      tendon::Field{"wire", &tendon::message::HistoryEntry::wire},
+                     tendon::Field{"former", &tendon::message::HistoryEntry::former},
                      tendon::Field{"who", &tendon::message::HistoryEntry::who},
                      tendon::Field{"when", &tendon::message::HistoryEntry::when, "ns"},
                      tendon::Field{"undone", &tendon::message::HistoryEntry::undone});

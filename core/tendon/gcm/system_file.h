@@ -28,6 +28,7 @@ namespace tendon {
 /// "library" (of a plug-in, without path), "configuration" (of a component) and "connections" may
 /// be missing.
 struct SystemFile {
+  /// One to make, and how.
   struct Component {
     std::string name;
     std::string class_name;
@@ -36,12 +37,14 @@ struct SystemFile {
 
     bool operator==(const Component&) const = default;
   };
+  /// What one process runs.
   struct Process {
     std::string name;
     std::vector<Component> components;
 
     bool operator==(const Process&) const = default;
   };
+  /// Two ends, each `process/component/interface`.
   struct Connection {
     InterfaceName required;
     InterfaceName provided;

@@ -288,9 +288,20 @@ void Channel::Request(MessageType type, std::uint32_t handle, std::span<const st
   Start(type, handle, body, timeout, std::move(handler));
 }
 
+Status Channel::TryRequest(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
+                           std::chrono::milliseconds timeout, ReplyHandler handler) {
+  const std::uint64_t request = is_open() ? requests_.Add(timeout, handler) : 0;
+  if (request == 0) return Status::kNotConnected;
+  const Status sent = Send(type, request, handle, body);
+  if (!sent) requests_.Withdraw(request);
+  return sent;
+}
+
+bool Channel::IsThreadOfMiddleware() noexcept { return calls_from_middleware > 0; }
+
 Result<Bytes> Channel::Call(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
                             std::chrono::milliseconds timeout) {
-  if (calls_from_middleware > 0) {
+  if (IsThreadOfMiddleware()) {
     return Error{ErrorCode::kFailed, "a call to " + PeerName() + " would wait for its own thread"};
   }
   const auto answer = std::make_shared<Handover<Result<Bytes>>>();

@@ -80,9 +80,16 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   /// (outcome unknown) or kUnreachable (closed before an answer).
   void Request(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
                std::chrono::milliseconds timeout, ReplyHandler handler);
+  /// The same, but of what cannot be sent now the handler is not called. Refusals as of
+  /// Link::Send().
+  Status TryRequest(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
+                    std::chrono::milliseconds timeout, ReplyHandler handler);
   template <Payload Answer, Message T>
   void Request(MessageType type, std::uint32_t handle, const T& value,
                std::chrono::milliseconds timeout, std::function<void(Result<Answer>)> handler);
+
+  /// Whether this thread is inside a call from a middleware: it must not wait for an answer.
+  [[nodiscard]] static bool IsThreadOfMiddleware() noexcept;
 
   /// Asks and waits. Refused in a thread of the middleware, which would wait for itself.
   Result<Bytes> Call(MessageType type, std::uint32_t handle, std::span<const std::byte> body,

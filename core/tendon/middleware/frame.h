@@ -37,7 +37,7 @@ struct FrameHeader {
   static constexpr std::size_t kSize = 24;
 };
 
-/// A frame may have at most this many bytes, header included; larger payloads will be split.
+/// A frame may have at most this many bytes, header included; larger ones are refused.
 inline constexpr std::size_t kMaxFrameSize = std::size_t{64} << 20U;
 /// The same of a peer that is not known yet.
 inline constexpr std::size_t kMaxStrangersFrameSize = std::size_t{64} << 10U;

@@ -118,6 +118,7 @@ class Middleware {
 /// Whether addresses off this machine may be used although nothing is encrypted yet.
 enum class Exposure { kLoopbackOnly, kInsecure };
 
+/// An address, taken apart.
 struct HostPort {
   std::string host;
   std::uint16_t port = 0;

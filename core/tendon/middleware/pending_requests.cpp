@@ -14,6 +14,11 @@ std::uint64_t PendingRequests::Add(std::chrono::milliseconds timeout, Handler& h
   return last_;
 }
 
+void PendingRequests::Withdraw(std::uint64_t request) {
+  const std::scoped_lock lock(mutex_);
+  pending_.erase(request);
+}
+
 bool PendingRequests::Finish(std::uint64_t request, Result<Bytes> outcome) {
   std::unique_lock lock(mutex_);
   auto pending = pending_.extract(request);

@@ -22,6 +22,9 @@ class PendingRequests {
   /// Numbers a request; 0, and the handler is left alone, after FinishAll().
   std::uint64_t Add(std::chrono::milliseconds timeout, Handler& handler);
 
+  /// It was never sent; its handler is not called.
+  void Withdraw(std::uint64_t request);
+
   /// Calls the handler of `request`; false where it was called before.
   bool Finish(std::uint64_t request, Result<Bytes> outcome);
 

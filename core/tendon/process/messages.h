@@ -3,6 +3,7 @@
 #include <tendon/middleware/frame.h>
 #include <tendon/payload/fingerprint.h>
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -44,8 +45,10 @@ struct CallMember {
   std::string interface;
   std::string member;
   std::vector<std::byte> argument;  ///< the argument's body; empty where the command takes none
+  std::chrono::nanoseconds timeout{2'000'000'000};  ///< of a command that its caller waits for
 };
 
+/// How a call has ended.
 struct Called {
   std::uint8_t status = 0;        ///< Status::Code
   std::vector<std::byte> answer;  ///< the result's body; empty where there is none
@@ -58,6 +61,7 @@ struct Subscribe {
   std::vector<std::string> columns;
 };
 
+/// The answer to Subscribe.
 struct Subscribed {
   std::uint32_t handle = 0;          ///< of the frames of this subscription
   std::uint64_t epoch = 0;           ///< new at each subscription and each start of the process
@@ -70,9 +74,8 @@ struct Subscribed {
 ///     u32 x columns    bytes of a cell of that column, or 0 where they differ from row to row
 ///     padding to 8
 ///     row x rows       u64 tick, i64 time (ns on the source's steady clock), then per column, at
-///     the
-///                      next multiple of 8: the cell's body; or, where its size is 0, u32 offset
-///                      (from the start of the frame's body, a multiple of 8) and u32 size of it
+///                      the next multiple of 8: the cell's body; or, where its size is 0, u32
+///                      offset (from the start of the frame's body, a multiple of 8), u32 size
 ///     the cells whose sizes differ, each at a multiple of 8
 ///
 /// A row is a multiple of 8 bytes long; all rows of a batch are equally long.
@@ -99,7 +102,8 @@ inline constexpr auto tendon::kPayload<tendon::message::CallMember> = tendon::De
     "tendon.CallMember", tendon::Field{"component", &tendon::message::CallMember::component},
     tendon::Field{"interface", &tendon::message::CallMember::interface},
     tendon::Field{"member", &tendon::message::CallMember::member},
-    tendon::Field{"argument", &tendon::message::CallMember::argument});
+    tendon::Field{"argument", &tendon::message::CallMember::argument},
+    tendon::Field{"timeout", &tendon::message::CallMember::timeout});
 
 template <>
 inline constexpr auto tendon::kPayload<tendon::message::Called> =

@@ -1,3 +1,5 @@
+#include <tendon/base/log.h>
+#include <tendon/process/ask.h>
 #include <tendon/process/schema_exchange.h>
 
 #include <algorithm>
@@ -5,6 +7,14 @@
 #include <utility>
 
 namespace tendon {
+namespace {
+
+LearnedSchemas& Learned() {
+  static LearnedSchemas learned(LearnedSchemas::Limits{});
+  return learned;
+}
+
+}  // namespace
 
 void AnswerSchemas(std::span<const std::byte> body, Responder& responder) {
   constexpr std::size_t kMost = 1024;
@@ -36,6 +46,38 @@ std::map<Fingerprint, Schema> ReadSchemas(const message::GetSchemas& asked,
     }
   }
   return schemas;
+}
+
+bool LearnedSchemas::Learn(const Schema& schema) {
+  const std::scoped_lock lock(mutex_);
+  if (FindSchema(schema.fingerprint())) return true;
+  const std::size_t size = schema.TextWithHelp().size();
+  if (types_ < limits_.types && size <= limits_.text - text_) {
+    payload::Remember(schema);
+    ++types_;
+    text_ += size;
+    return true;
+  }
+  if (!std::exchange(has_warned_, true)) {
+    Log(LogLevel::kWarning, "types",
+        "other processes tell of more types than are remembered: " + std::to_string(types_) +
+            ", of " + std::to_string(text_) + " bytes; of others only fingerprints are known here");
+  }
+  return false;
+}
+
+void LearnSchemas(Worker& timer, const std::shared_ptr<Channel>& channel,
+                  const message::GetSchemas& wanted, std::chrono::milliseconds timeout,
+                  std::function<void()> done) {
+  Ask<message::Schemas>(timer, channel, message::kGetSchemas, wanted, timeout,
+                        [wanted, done = std::move(done)](const Result<message::Schemas>& answer) {
+                          if (answer) {
+                            for (const auto& [fingerprint, schema] : ReadSchemas(wanted, *answer)) {
+                              (void)Learned().Learn(schema);
+                            }
+                          }
+                          done();
+                        });
 }
 
 }  // namespace tendon

@@ -29,6 +29,16 @@ class FunctionProxy final : public Caller {
                       [&](CommandBase& command) { return command.ExecuteEncoded(in, out); });
   }
 
+  /// As BeginEncoded(); `command` is whose call it is, until the interface is disconnected.
+  Status Begin(std::span<const std::byte> in, std::vector<std::byte>& out, Wakeup<>& ended,
+               CommandBase*& command, std::size_t& call) {
+    out.clear();
+    return CallMember(binding_, index_, [&](CommandBase& bound) {
+      command = &bound;
+      return bound.BeginEncoded(in, out, ended, call);
+    });
+  }
+
   /// Commands are called by their encoded face.
   [[nodiscard]] std::unique_ptr<CommandBase> Adapt(CommandBase& /*command*/) const override {
     return nullptr;
@@ -40,9 +50,14 @@ class FunctionProxy final : public Caller {
   BindingGate& binding_;
 };
 
-/// Whether a call of it waits in a mailbox.
+/// Whether a call of it waits in a mailbox, and its caller need not.
 [[nodiscard]] constexpr bool IsQueued(CommandKind kind) {
   return kind == CommandKind::kVoid || kind == CommandKind::kWrite;
+}
+
+/// Whether its caller may wait until it was executed, or must.
+[[nodiscard]] constexpr bool CanBeAwaited(CommandKind kind) {
+  return IsQueued(kind) || WaitsForServer(kind);
 }
 
 }  // namespace tendon

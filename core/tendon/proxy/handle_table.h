@@ -40,6 +40,7 @@ class HandleTable {
     entries_.erase(found);
   }
 
+  /// What a number stands for.
   struct Found {
     std::shared_ptr<T> object;  ///< null where the number is nobody's
     std::size_t offset = 0;     ///< 0 is the object's own number, i + 1 that of its member i

@@ -20,6 +20,9 @@ inline constexpr auto kCommands = static_cast<MessageType>(0x102);
 // request, a function's handle: the argument -> the result, and behind it one byte of Status::Code
 inline constexpr auto kRead = static_cast<MessageType>(0x103);
 inline constexpr auto kPing = static_cast<MessageType>(0x104);  // request: None -> None
+// request, a function's handle: the argument, and behind it u64, for how many ns the caller waits
+// -> as kRead, once the component has executed it, or will not
+inline constexpr auto kWait = static_cast<MessageType>(0x105);
 // From the other.
 // notice: calls of event handlers, as CallBatch puts them
 inline constexpr auto kEvents = static_cast<MessageType>(0x110);

@@ -5,15 +5,18 @@
 #include <tendon/lockfree/flag.h>
 #include <tendon/middleware/channel.h>
 #include <tendon/proxy/call_batch.h>
+#include <tendon/proxy/waiting/awaited_calls.h>
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 namespace tendon {
 
 /// Calls that wait to be sent on a channel: posted in the thread of a component, sent in order by
-/// the network thread, as many in one frame as wait. What finds the link full is kept, so that no
-/// call is lost; then the mailbox fills up, and its callers are told.
+/// the network thread, as many in one frame as wait, and those whose callers want an answer as
+/// requests between them. What finds the link full is kept, so that no call is lost; then the
+/// mailbox fills up, and its callers are told.
 class Outbox {
  public:
   Outbox(std::shared_ptr<Channel> channel, MessageType type, Wakeup<>& wakeup);
@@ -21,33 +24,46 @@ class Outbox {
   /// Where the calls wait; it has one mailbox.
   [[nodiscard]] Inbox& inbox() { return inbox_; }
 
-  /// Any thread: what is posted from now on is refused with kNotConnected.
-  void Close() noexcept { is_open_.Set(false); }
+  /// Any thread: what is posted from now on is refused with kNotConnected, and nobody waits here.
+  void Close();
   [[nodiscard]] bool is_open() const noexcept { return is_open_.Get(); }
 
   /// Network thread: sends what waits, at most `limit` calls; returns how many it sent.
   std::size_t Send(std::size_t limit);
   /// Network thread: whether the link was full; try again soon.
-  [[nodiscard]] bool is_held_up() const { return !batch_.empty(); }
+  [[nodiscard]] bool is_held_up() const { return !batch_.empty() || question_; }
 
-  /// Network thread, out of Send(): the next call.
+  /// A call whose caller waits.
+  struct Question {
+    std::uint32_t handle = 0;
+    Bytes argument;
+    std::shared_ptr<AwaitedCalls<>> callers;
+    std::uint64_t call = 0;  ///< its number there
+  };
+
+  // Network thread, out of Send(): the next call.
+
   void Take(std::uint32_t handle, std::span<const std::byte> argument) {
     batch_.Add(handle, argument);
   }
+  void Take(Question question) { question_ = std::move(question); }
 
  private:
   void Collect(std::size_t limit);
+  [[nodiscard]] Status Ask(Question& question);
 
   const std::shared_ptr<Channel> channel_;
   const MessageType type_;
   Flag is_open_{true};
   Inbox inbox_;
-  CallBatch batch_;  // of the network thread: taken, but not sent
+  // Of the network thread: taken, but not sent.
+  CallBatch batch_;
+  std::optional<Question> question_;  // comes behind the batch
 };
 
-/// A void or write command of another process, or a handler of its events: what is called here is
-/// sent there. It takes encoded values alone; they are copied into buffers that keep their
-/// capacity.
+/// A command of another process that its component's thread executes, or a handler of its events:
+/// what is called here is sent there. It takes encoded values alone; they are copied into buffers
+/// that keep their capacity.
 class QueuedOfferProxy final : public Offer {
  public:
   QueuedOfferProxy(MemberDescription description, Outbox& outbox, std::uint32_t handle)

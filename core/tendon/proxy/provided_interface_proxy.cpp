@@ -40,7 +40,7 @@ void ProvidedInterfaceProxy::AddCommands(const Remote& remote, const RequiredDes
     const MemberDescription* command =
         FindMember(remote.opened.description.commands, function.name);
     if (command == nullptr) continue;
-    if (IsQueued(command->signature.kind)) {
+    if (CanBeAwaited(command->signature.kind)) {
       interface_.AddOffer(std::make_unique<QueuedOfferProxy>(*command, outbox_, handle));
     } else {
       interface_.AddOffer(std::make_unique<ReadOfferProxy>(

@@ -15,9 +15,11 @@ namespace tendon {
 
 /// Stands in for a provided interface of another process, for one connection: a required interface
 /// here is connected to it as to any other. Void and write commands wait here until the network
-/// thread sends them, as many as the other end has room for; reads ask in the caller's thread.
+/// thread sends them, as many as the other end has room for, and so do those that are waited for;
+/// reads ask in the caller's thread.
 class ProvidedInterfaceProxy final : public NetworkJob {
  public:
+  /// The interface at the other end, opened for this proxy.
   struct Remote {
     std::shared_ptr<Channel> channel;
     message::InterfaceOpened opened;
@@ -39,7 +41,7 @@ class ProvidedInterfaceProxy final : public NetworkJob {
   void OnCredit(const message::Credit& credit);
 
   /// Any thread: the peer is gone; calls are refused with kNotConnected from now on.
-  void Sever() noexcept { outbox_.Close(); }
+  void Sever() { outbox_.Close(); }
 
   bool Work(SteadyTime now, SteadyTime& next) override;
 

@@ -52,7 +52,7 @@ Status TakeStatus(Bytes& answer) {
   }
   const auto code = static_cast<Status::Code>(answer.back());
   answer.pop_back();
-  return code;
+  return code == Status::kQueued ? Status::kInvalid : code;
 }
 
 }  // namespace tendon

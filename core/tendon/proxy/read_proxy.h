@@ -14,6 +14,7 @@ namespace tendon {
 /// kNotConnected when the peer is gone.
 class ReadOfferProxy final : public Offer {
  public:
+  /// The command at the other end.
   struct Remote {
     std::shared_ptr<Channel> channel;
     std::uint32_t handle = 0;
@@ -28,9 +29,9 @@ class ReadOfferProxy final : public Offer {
   Remote remote_;
 };
 
-/// The body of the answer to kRead.
+/// The body of the answer to kRead and kWait.
 void AppendStatus(Status status, Bytes& answer);
-/// Takes it off again; kInvalid where there is none.
+/// Takes it off again; kInvalid where there is none, or one that says no end: kQueued.
 Status TakeStatus(Bytes& answer);
 
 }  // namespace tendon

@@ -5,6 +5,17 @@
 #include <utility>
 
 namespace tendon {
+namespace {
+
+/// As kRead and kWait are answered.
+void Answer(Status status, const Bytes& result, Responder& responder) {
+  Bytes answer;
+  if (status) answer = result;
+  AppendStatus(status, answer);
+  responder.Reply(answer);
+}
+
+}  // namespace
 
 RequiredInterfaceProxy::RequiredInterfaceProxy(std::shared_ptr<NetworkThread> thread,
                                                std::shared_ptr<Channel> channel,
@@ -16,12 +27,6 @@ RequiredInterfaceProxy::RequiredInterfaceProxy(std::shared_ptr<NetworkThread> th
       outbox_(channel_, message::kEvents, thread_->wakeup()),
       interface_(open.description.name, &outbox_.inbox()) {
   for (const MemberDescription& function : open.description.functions) {
-    const CommandKind kind = function.signature.kind;
-    if (WaitsForServer(kind)) {
-      throw ConfigurationError(ToString(open.required) + " needs " + std::string(ToString(kind)) +
-                               " command '" + function.name + "' of " + ToString(open.provided) +
-                               "; those are called within their process only");
-    }
     functions_.push_back(std::make_unique<FunctionProxy>(interface_, function));
   }
   std::uint32_t handle = handle_;
@@ -42,6 +47,7 @@ bool RequiredInterfaceProxy::BeginCredit(const Connection& connection, const Inb
 
 void RequiredInterfaceProxy::EndCredit() {
   const std::scoped_lock lock(mutex_);
+  begun_.GiveUp();
   connection_ = nullptr;
   server_ = nullptr;
 }
@@ -49,6 +55,10 @@ void RequiredInterfaceProxy::EndCredit() {
 void RequiredInterfaceProxy::OnCommand(std::size_t function, std::span<const std::byte> argument) {
   if (function >= functions_.size() || !IsQueued(functions_[function]->kind())) return;
   (void)(*functions_[function])(argument, answer_);  // a refused one counts as executed
+  CountReceived();
+}
+
+void RequiredInterfaceProxy::CountReceived() {
   std::unique_lock lock(mutex_);
   ++received_;
   const bool is_watched = std::exchange(is_watched_, true);
@@ -58,12 +68,38 @@ void RequiredInterfaceProxy::OnCommand(std::size_t function, std::span<const std
 
 void RequiredInterfaceProxy::OnRead(std::size_t function, std::span<const std::byte> argument,
                                     Responder responder) {
-  if (function >= functions_.size() || IsQueued(functions_[function]->kind())) {
+  if (function >= functions_.size() || CanBeAwaited(functions_[function]->kind())) {
     return responder.Refuse({ErrorCode::kInvalid, "no such read in " + interface_.name()});
   }
   const Status status = (*functions_[function])(argument, answer_);
   AppendStatus(status, answer_);
   responder.Reply(answer_);
+}
+
+void RequiredInterfaceProxy::OnWait(std::size_t function, std::span<const std::byte> question,
+                                    Responder responder) {
+  const auto timeout = TakeTimeout(question);
+  if (!timeout || function >= functions_.size() || !CanBeAwaited(functions_[function]->kind())) {
+    return responder.Refuse({ErrorCode::kInvalid, "no such command in " + interface_.name()});
+  }
+  const SteadyTime deadline = SteadyClock().Now() + *timeout;
+  const BegunCalls::Done done = [shared = std::make_shared<Responder>(std::move(responder))](
+                                    Status status, const Bytes& result) {
+    Answer(status, result, *shared);
+  };
+  CommandBase* command = nullptr;
+  std::size_t call = 0;
+  const Status status =
+      functions_[function]->Begin(question, answer_, thread_->wakeup(), command, call);
+  CountReceived();
+  if (status != Status(Status::kQueued)) return done(status, answer_);
+  {
+    const std::scoped_lock lock(mutex_);
+    // Closed meanwhile: it is executed, or it is dropped.
+    if (connection_ == nullptr) return done(Status::kOutcomeUnknown, {});
+    begun_.Add(*command, call, deadline, done);
+  }
+  thread_->Notify();
 }
 
 bool RequiredInterfaceProxy::Work(SteadyTime now, SteadyTime& next) {
@@ -79,6 +115,7 @@ void RequiredInterfaceProxy::SendCredit(SteadyTime now, SteadyTime& next) {
   constexpr std::chrono::milliseconds kUntilNextLook(1);
   const std::scoped_lock lock(mutex_);
   if (connection_ == nullptr) return;
+  begun_.Answer(now, next);
   // In this order: what is posted meanwhile makes it too small, never too large.
   const std::uint64_t received = received_;
   const std::uint64_t executed =

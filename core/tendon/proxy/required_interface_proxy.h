@@ -6,6 +6,7 @@
 #include <tendon/proxy/messages.h>
 #include <tendon/proxy/network_thread.h>
 #include <tendon/proxy/outbox.h>
+#include <tendon/proxy/waiting/begun_calls.h>
 
 #include <memory>
 #include <mutex>
@@ -34,16 +35,19 @@ class RequiredInterfaceProxy final : public NetworkJob {
   bool BeginCredit(const Connection& connection, const Inbox* server);
   void EndCredit();
   /// Any thread: the peer is gone; what is raised from now on is not sent.
-  void Sever() noexcept { outbox_.Close(); }
+  void Sever() { outbox_.Close(); }
 
   // In threads of the middleware, one at a time. `function` is its place in the interface.
 
   void OnCommand(std::size_t function, std::span<const std::byte> argument);
   void OnRead(std::size_t function, std::span<const std::byte> argument, Responder responder);
+  /// Answers when the call was executed, or will not be.
+  void OnWait(std::size_t function, std::span<const std::byte> question, Responder responder);
 
   bool Work(SteadyTime now, SteadyTime& next) override;
 
  private:
+  void CountReceived();
   void SendCredit(SteadyTime now, SteadyTime& next);
 
   const std::shared_ptr<NetworkThread> thread_;
@@ -61,6 +65,7 @@ class RequiredInterfaceProxy final : public NetworkJob {
   std::uint64_t received_ = 0;
   bool is_watched_ = false;  // the network thread looks for progress
   message::Credit told_;
+  BegunCalls begun_;
 };
 
 }  // namespace tendon

@@ -7,9 +7,11 @@
 #include <tendon/middleware/tcp.h>
 #include <tests/core/gcm/fake_process.h>
 #include <tests/support/folder.h>
+#include <tests/support/program.h>
 
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -73,7 +75,7 @@ class Bench : public testing::TestWithParam<std::string> {
  protected:
   static constexpr std::chrono::milliseconds kLong{20'000};
 
-  Bench() { StartGcm("127.0.0.1:0"); }
+  Bench() { StartGcm("127.0.0.1:" + std::to_string(FreePort())); }
 
   [[nodiscard]] std::shared_ptr<Middleware> NewMiddleware() const {
     if (GetParam() == "tcp") return MakeTcpMiddleware(Exposure::kLoopbackOnly);
@@ -152,6 +154,37 @@ class Bench : public testing::TestWithParam<std::string> {
   std::chrono::milliseconds order_timeout_ = kLong;
   std::unique_ptr<GlobalManager> gcm_;
   std::string address_;
+};
+
+/// A robot with an arm, and a desk that wants one.
+class DeskAndRobot : public Bench {
+ protected:
+  void SetUp() override {
+    robot_ = Join("robot", {Arm(), FakeArm()});
+    desk_ = Join("desk", {Teleoperation()});
+    client_ = Watch(nullptr, "gcm connect");
+  }
+
+  /// All but the GCM have run on.
+  void RestartGcm() {
+    client_.reset();
+    gcm_.reset();
+    StartGcm(address_);
+    ASSERT_TRUE(robot_->Join(address_));
+    ASSERT_TRUE(desk_->Join(address_));
+    client_ = Watch();
+  }
+
+  /// Of the desk's only required interface.
+  [[nodiscard]] std::optional<ConnectionDescription> Connection() const {
+    const Catalog catalog = gcm_->catalog();
+    const auto* connection = catalog.FindConnection(kRobot);
+    return connection == nullptr ? std::nullopt : std::optional(*connection);
+  }
+
+  std::unique_ptr<FakeProcess> robot_;
+  std::unique_ptr<FakeProcess> desk_;
+  std::unique_ptr<GcmClient> client_;
 };
 
 inline std::string NameOfParameter(const testing::TestParamInfo<std::string>& info) {

@@ -1,4 +1,5 @@
 #include <tendon/gcm/client/process_links.h>
+#include <tendon/interface/compatibility.h>
 #include <tests/core/gcm/bench.h>
 
 #include <future>
@@ -6,7 +7,6 @@
 namespace tendon {
 namespace {
 
-using test::Eventually;
 using test::FakeProcess;
 
 class Client : public test::Bench {
@@ -53,6 +53,32 @@ TEST_P(Client, AnArgumentThatDoesNotFitIsRefusedBeforeAnythingIsSent) {
   EXPECT_FALSE(robot_->goal());
 }
 
+TEST_P(Client, LearnsInWhatTwoTypesOfOneNameDiffer) {
+  const Schema needed = test::GoalIn("rev/" + GetParam());
+  const Schema offered = test::GoalIn("mm/" + GetParam());
+  robot_->Know(offered);
+  robot_->Know(needed);
+  robot_->Add(test::Mover(offered));
+  robot_->Add(test::Leader(needed));
+  const auto words = [this] {
+    const Catalog catalog = client_->catalog();
+    const auto* leader = catalog.FindRequired({"robot", "leader", "Mover"});
+    const auto* mover = catalog.FindProvided({"robot", "mover", "Control"});
+    return leader == nullptr || mover == nullptr ? "" : Compare(*leader, *mover).Text();
+  };
+  ASSERT_TRUE(EventuallyTrue([&] { return !words().empty(); }));
+  EXPECT_NE(words().find("fields, units or shapes differ"), std::string::npos) << words();
+
+  const auto learned =
+      Wait<void>(kLong, [this](auto handler) { client_->LearnDisputedTypes(handler); });
+
+  ASSERT_TRUE(learned) << learned.error().message;
+  EXPECT_NE(words().find("float64 in rev/" + GetParam() + " needed"), std::string::npos) << words();
+  const int asked = robot_->schema_requests();
+  EXPECT_TRUE(Wait<void>(kLong, [this](auto handler) { client_->LearnDisputedTypes(handler); }));
+  EXPECT_EQ(robot_->schema_requests(), asked);  // all is known
+}
+
 TEST_P(Client, AStatusOtherThanGoodIsAnError) {
   const auto stopped = Call("robot/arm/Control.Stop");
   ASSERT_FALSE(stopped);
@@ -75,7 +101,7 @@ TEST_P(Client, NewsOfAProcessEndNoChannelThatLeadsThereAlready) {
   EXPECT_TRUE(channel->is_open());
 
   links->Drop("robot", robot_->description().instance + 1);
-  EXPECT_TRUE(Eventually([&] { return !channel->is_open(); }));
+  EXPECT_TRUE(EventuallyTrue([&] { return !channel->is_open(); }));
   links->Stop();
 }
 
@@ -109,7 +135,7 @@ TEST_P(Client, ASchemaIsAskedForOnce) {
 TEST_P(Client, AProcessThatIsGoneIsSaidToBe) {
   ASSERT_TRUE(Call("robot/arm/Control.GetJoints"));
   robot_.reset();
-  ASSERT_TRUE(Eventually([&] {
+  ASSERT_TRUE(EventuallyTrue([&] {
     return client_->catalog().FindProcess("robot")->process.state == ProcessState::kLost;
   }));
 
@@ -120,9 +146,9 @@ TEST_P(Client, AProcessThatWasStartedAgainIsReachedAtItsNewPlace) {
   ASSERT_TRUE(Call("robot/arm/Control.GetJoints"));
   const std::uint64_t before = robot_->description().instance;
   robot_.reset();
-  ASSERT_TRUE(Eventually([&] { return StateOf("robot") == ProcessState::kLost; }));
+  ASSERT_TRUE(EventuallyTrue([&] { return StateOf("robot") == ProcessState::kLost; }));
   robot_ = Join("robot", {test::Arm()});
-  ASSERT_TRUE(Eventually([&] {
+  ASSERT_TRUE(EventuallyTrue([&] {
     const Catalog catalog = client_->catalog();
     return catalog.FindProcess("robot")->process.instance != before &&
            catalog.FindComponent("robot", "arm") != nullptr;
@@ -133,7 +159,7 @@ TEST_P(Client, AProcessThatWasStartedAgainIsReachedAtItsNewPlace) {
 
 TEST_P(Client, EveryHandlerIsCalledOnceEvenWhenTheClientGoes) {
   const auto desk = Join("desk", {test::Teleoperation()});
-  ASSERT_TRUE(Eventually([&] { return client_->catalog().FindProcess("desk") != nullptr; }));
+  ASSERT_TRUE(EventuallyTrue([&] { return client_->catalog().FindProcess("desk") != nullptr; }));
   desk->set_manners(FakeProcess::Manners::kSayNothing);
   constexpr int kCount = 50;
   std::mutex mutex;

@@ -163,6 +163,20 @@ TEST_F(DiagnosisTest, OfSomethingThatIsNotThereIsAnError) {
             ErrorCode::kNotFound);
 }
 
+TEST_F(DiagnosisTest, OfAConnectionThatWaitsForWhatNobodyHasSeenSaysThat) {
+  const message::Wire to_process{kWire.required, {"robbot", "arm", "Control"}};
+  const message::Wire to_component{kWire.required, {"robot", "arn", "Control"}};
+  Connect(ConnectionState::kPending, "is not there", to_process.provided);
+  ExpectBad(Examine(to_process), 1, ErrorCode::kNotFound,
+            "no process 'robbot'; did you mean 'robot'?");
+
+  Connect(ConnectionState::kPending, "is not there", to_component.provided);
+
+  const Diagnosis diagnosis = Examine(to_component);
+  ExpectBad(diagnosis, 2, ErrorCode::kNotFound, "no component 'robot/arn'; did you mean 'arm'?");
+  EXPECT_TRUE(diagnosis.is_connected);
+}
+
 TEST_F(DiagnosisTest, CandidatesAreRankedByHowMuchFits) {
   Enter(desk_, {test::Arm("b_arm"), test::Arm("a_arm")});
   Connect(ConnectionState::kActive);

@@ -2,6 +2,9 @@
 #include <tendon/payload/codec.h>
 #include <tests/core/gcm/fake_process.h>
 
+#include <functional>
+#include <utility>
+
 namespace tendon::test {
 namespace {
 
@@ -48,17 +51,33 @@ class FakeProcess::State final : public ChannelHandler, public std::enable_share
             Responder responder) {
     const std::scoped_lock lock(mutex);
     orders.push_back(wiring);
+    if (manners == Manners::kDelayFromConnect) manners = Manners::kDelay;
+    if (Delays([=, this](Responder late) { MakeNow(channel, wiring, std::move(late)); }, responder))
+      return;
+    MakeNow(channel, wiring, std::move(responder));
+  }
+
+  void MakeNow(const std::shared_ptr<Channel>& channel, const message::Wiring& wiring,
+               Responder responder) {
+    if (manners == Manners::kRefuseConnects || manners == Manners::kRefuseTheNextConnect) {
+      if (manners == Manners::kRefuseTheNextConnect) manners = Manners::kObey;
+      return responder.Refuse({ErrorCode::kFailed, "teleoperation is busy"});
+    }
     if (!Obeys(std::move(responder))) return;
-    const bool is_there = !wiring.address.empty();
+    const bool is_missed = manners == Manners::kMissTheNextProvider;
+    if (is_missed) manners = Manners::kObey;
+    const bool is_there = !wiring.address.empty() && !is_missed;
     const ConnectionDescription made{
         .id = ++last_id,
         .required = wiring.wire.required,
         .provided = wiring.wire.provided,
-        .state = is_there ? ConnectionState::kActive : ConnectionState::kPending};
+        .state = is_there ? ConnectionState::kActive : ConnectionState::kPending,
+        .reason = is_missed ? "nobody answers" : ""};
     connections[made.required] = made;
     static_cast<void>(
         channel->Notify(message::kReport, 0,
                         message::Report{{{.kind = Kind::kConnection, .connections = {made}}}}));
+    if (manners == Manners::kObeyAndDie) return channel->Close();
     kept->Answer(Result(made));
     kept.reset();
   }
@@ -66,14 +85,33 @@ class FakeProcess::State final : public ChannelHandler, public std::enable_share
   void Break(const std::shared_ptr<Channel>& channel, const message::Wire& wire,
              Responder responder) {
     const std::scoped_lock lock(mutex);
+    if (Delays([=, this](Responder late) { BreakNow(channel, wire, std::move(late)); }, responder))
+      return;
+    BreakNow(channel, wire, std::move(responder));
+  }
+
+  void BreakNow(const std::shared_ptr<Channel>& channel, const message::Wire& wire,
+                Responder responder) {
     if (!Obeys(std::move(responder))) return;
     const auto id = connections[wire.required].id;
     connections.erase(wire.required);
     static_cast<void>(
         channel->Notify(message::kReport, 0,
                         message::Report{{{.kind = Kind::kConnectionRemoved, .connection = id}}}));
+    if (manners == Manners::kObeyAndDie) return channel->Close();
     kept->Answer(Result<void>());
     kept.reset();
+  }
+
+  /// Keeps the order, where it does, for CatchUp().
+  bool Delays(std::function<void(Responder)> order, Responder& responder) {
+    if (manners != Manners::kDelay) return false;
+    delayed.emplace_back(std::move(order), std::move(responder));
+    return true;
+  }
+
+  void CatchUp() {
+    for (auto& [order, responder] : std::exchange(delayed, {})) order(std::move(responder));
   }
 
   /// Keeps the responder; false when that is all that is to be done.
@@ -83,7 +121,7 @@ class FakeProcess::State final : public ChannelHandler, public std::enable_share
       return false;
     }
     kept.emplace(std::move(responder));
-    return manners == Manners::kObey;
+    return manners != Manners::kSayNothing;
   }
 
   message::Schemas SchemasOf(const message::GetSchemas& wanted) {
@@ -91,9 +129,8 @@ class FakeProcess::State final : public ChannelHandler, public std::enable_share
     ++schema_requests;
     message::Schemas schemas;
     for (const Fingerprint& fingerprint : wanted.fingerprints) {
-      schemas.texts.push_back(fingerprint == FingerprintOf<Joints>()   ? SchemaOf<Joints>().Text()
-                              : fingerprint == FingerprintOf<double>() ? SchemaOf<double>().Text()
-                                                                       : "");
+      const auto known = texts.find(fingerprint);
+      schemas.texts.push_back(known == texts.end() ? "" : known->second);
     }
     return schemas;
   }
@@ -124,12 +161,15 @@ class FakeProcess::State final : public ChannelHandler, public std::enable_share
   Manners manners = Manners::kObey;
   std::map<std::string, ComponentDescription> components;
   std::map<InterfaceName, ConnectionDescription> connections;
+  std::map<Fingerprint, std::string> texts = {{FingerprintOf<Joints>(), SchemaOf<Joints>().Text()},
+                                              {FingerprintOf<double>(), SchemaOf<double>().Text()}};
   std::uint64_t last_id = 0;
   std::vector<message::Wiring> orders;
   message::Peers peers;
   std::optional<Responder> kept;
   std::optional<Joints> goal;
   int schema_requests = 0;
+  std::vector<std::pair<std::function<void(Responder)>, Responder>> delayed;
 };
 
 FakeProcess::FakeProcess(std::shared_ptr<Middleware> middleware, const std::string& name)
@@ -163,6 +203,11 @@ void FakeProcess::Remove(const std::string& component) {
     state_->components.erase(component);
   }
   Report({{.kind = Kind::kComponentRemoved, .component = component}});
+}
+
+void FakeProcess::Know(const Schema& schema) {
+  const std::scoped_lock lock(state_->mutex);
+  state_->texts[schema.fingerprint()] = schema.Text();
 }
 
 Result<message::Joined> FakeProcess::Join(const std::string& gcm) {
@@ -222,6 +267,7 @@ void FakeProcess::Report(const std::vector<CatalogChange>& changes) {
 void FakeProcess::set_manners(Manners manners) {
   const std::scoped_lock lock(state_->mutex);
   state_->manners = manners;
+  if (manners == Manners::kObey) state_->CatchUp();
 }
 
 const ProcessDescription& FakeProcess::description() const { return state_->description; }

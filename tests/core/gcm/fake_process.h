@@ -21,7 +21,17 @@ namespace tendon::test {
 class FakeProcess {
  public:
   /// What it does with orders to connect and disconnect.
-  enum class Manners { kObey, kRefuse, kSayNothing };
+  enum class Manners {
+    kObey,
+    kRefuse,
+    kRefuseConnects,
+    kRefuseTheNextConnect,
+    kMissTheNextProvider,  ///< it is not reached: the connection is pending
+    kSayNothing,
+    kObeyAndDie,        ///< its link breaks instead of its answer
+    kDelay,             ///< until it obeys again
+    kDelayFromConnect,  ///< the same, beginning with the next one
+  };
 
   /// A new instance of the process `name`. It listens for viewers.
   FakeProcess(std::shared_ptr<Middleware> middleware, const std::string& name);
@@ -33,6 +43,8 @@ class FakeProcess {
   /// Before Join(): what it has. Afterwards it reports.
   void Add(const ComponentDescription& component);
   void Remove(const std::string& component);
+  /// A type of its own, which it tells to who asks.
+  void Know(const Schema& schema);
 
   Result<message::Joined> Join(const std::string& gcm);
   Result<None> Renew();

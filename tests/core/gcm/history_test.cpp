@@ -48,6 +48,20 @@ TEST(History, KnowsItsStepsAfterARestart) {
   EXPECT_EQ(again.last(), steps[58]);
 }
 
+TEST(History, KnowsWhatWasReplacedAfterARestart) {
+  const test::Folder folder;
+  const auto file = folder.path() / "history.jsonl";
+  message::HistoryEntry step = Step(0);
+  step.verb = "replace";
+  step.former = {"robot", "second", "Control"};
+  {
+    History history(file);
+    step = Record(history, step);
+  }
+
+  EXPECT_EQ(History(file).last(), step);
+}
+
 TEST(History, ALastLineCutShortAnywhereIsLeftOut) {
   const test::Folder folder;
   const auto file = folder.path() / "history.jsonl";

@@ -33,8 +33,10 @@ class Lookup : public testing::Test {
     Apply({.kind = Kind::kProcess, .process = process, .processes = {description}});
   }
 
-  void Connect(const InterfaceName& required, const InterfaceName& provided) {
-    const ConnectionDescription connection{.id = 1, .required = required, .provided = provided};
+  void Connect(const InterfaceName& required, const InterfaceName& provided,
+               ConnectionState state = ConnectionState::kActive) {
+    const ConnectionDescription connection{
+        .id = 1, .required = required, .provided = provided, .state = state};
     Apply({.kind = Kind::kConnection, .process = required.process, .connections = {connection}});
   }
 
@@ -65,16 +67,41 @@ TEST_F(Lookup, APlanSaysWhereTheProviderIs) {
 }
 
 TEST_F(Lookup, ANameThatIsNotThereIsSaidWithWhatIsNear) {
-  EXPECT_EQ(PlanError(kRobot, {"robbot", "arm", "Control"}),
-            "not found: no process 'robbot'; did you mean 'robot'?");
   EXPECT_EQ(PlanError(kRobot, {"robot", "arn", "Control"}),
             "not found: no component 'robot/arn'; did you mean 'arm'?");
   EXPECT_EQ(PlanError(kRobot, {"robot", "arm", "Kontrol"}),
             "not found: no provided interface 'robot/arm/Kontrol'; did you mean 'Control'?");
   EXPECT_EQ(PlanError({"desk", "teleoperation", "Robo"}, kControl),
             "not found: no required interface 'desk/teleoperation/Robo'; did you mean 'Robot'?");
-  EXPECT_EQ(PlanError(kRobot, {"elsewhere", "arm", "Control"}),
+  EXPECT_EQ(PlanError({"dsk", "teleoperation", "Robot"}, kControl),
+            "not found: no process 'dsk'; did you mean 'desk'?");
+  EXPECT_EQ(PlanError({"elsewhere", "teleoperation", "Robot"}, kControl),
             "not found: no process 'elsewhere'; there is 'desk', 'robot'");
+}
+
+TEST_F(Lookup, AConnectToAProcessThatNobodyHasSeenIsPending) {
+  const auto plan = PlanConnect(catalog_, {kRobot, {"elsewhere", "arm", "Control"}});
+
+  ASSERT_TRUE(plan) << plan.error().message;
+  EXPECT_EQ(plan->address, "");
+}
+
+TEST_F(Lookup, AReplacementMayFindItConnected) {
+  Connect(kRobot, kControl);
+
+  EXPECT_TRUE(PlanConnect(catalog_, {kRobot, kControl}, Occupied::kReplaced));
+}
+
+TEST_F(Lookup, WhatIsNotThereReplacesOnlyWhatDoesNotWork) {
+  const message::Wire wire{kRobot, {"elsewhere", "arm", "Control"}};
+  Connect(kRobot, kControl);
+  EXPECT_EQ(PlanConnect(catalog_, wire, Occupied::kReplaced).error().message,
+            "desk/teleoperation/Robot stays connected to robot/arm/Control, for what replaces it "
+            "must be there: no process 'elsewhere'; there is 'desk', 'robot'");
+
+  Connect(kRobot, kControl, ConnectionState::kFailed);
+
+  EXPECT_TRUE(PlanConnect(catalog_, wire, Occupied::kReplaced));
 }
 
 TEST_F(Lookup, AnInterfaceOfTheOtherSortIsSaidToBeThat) {

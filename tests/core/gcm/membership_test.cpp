@@ -7,7 +7,6 @@ namespace tendon {
 namespace {
 
 using namespace std::chrono_literals;  // NOLINT(google-build-using-namespace)
-using test::Eventually;
 using test::FakeProcess;
 
 class Membership : public test::Bench {};
@@ -22,7 +21,7 @@ TEST_P(Membership, AProcessThatJoinsAndReportsIsInTheCatalogue) {
   robot->Add(test::Arm("second"));
   robot->Remove("arm");
 
-  EXPECT_TRUE(Eventually([&] {
+  EXPECT_TRUE(EventuallyTrue([&] {
     const Catalog catalog = gcm_->catalog();
     return catalog.FindComponent("robot", "second") != nullptr &&
            catalog.FindComponent("robot", "arm") == nullptr;
@@ -68,7 +67,7 @@ TEST_P(Membership, AKilledProcessIsLostAtOnceAndItsNameMayBeTaken) {
 
   robot.reset();
 
-  ASSERT_TRUE(Eventually([&] { return StateOf("robot") == ProcessState::kLost; }));
+  ASSERT_TRUE(EventuallyTrue([&] { return StateOf("robot") == ProcessState::kLost; }));
   EXPECT_EQ(*gcm_->catalog().FindComponent("robot", "arm"), test::Arm());
   const auto again = Join("robot", {});
   EXPECT_EQ(StateOf("robot"), ProcessState::kAlive);
@@ -81,7 +80,7 @@ TEST_P(Membership, AHungProcessIsLostAndFencedAndCanJoinAgain) {
   EXPECT_EQ(StateOf("robot"), ProcessState::kSuspect);
   Pass(800ms);
   EXPECT_EQ(StateOf("robot"), ProcessState::kLost);
-  EXPECT_TRUE(Eventually([&] { return !robot->is_linked(); }));
+  EXPECT_TRUE(EventuallyTrue([&] { return !robot->is_linked(); }));
 
   // It wakes up, and finds that it is no longer a member.
   EXPECT_FALSE(robot->Renew());
@@ -155,15 +154,15 @@ TEST_P(Membership, EveryProcessIsToldWhereTheOthersAre) {
     for (const auto& peer : desk->peers().processes) names.push_back(peer.name + peer.address);
     return names;
   };
-  EXPECT_TRUE(Eventually([&] { return seen().size() == 1; }));
+  EXPECT_TRUE(EventuallyTrue([&] { return seen().size() == 1; }));
 
   auto robot = Join("robot", {});
   const std::vector<std::string> both = {"desk" + desk->description().address,
                                          "robot" + robot->description().address};
-  EXPECT_TRUE(Eventually([&] { return seen() == both; }));
+  EXPECT_TRUE(EventuallyTrue([&] { return seen() == both; }));
   robot.reset();
 
-  EXPECT_TRUE(Eventually([&] { return seen().size() == 1; }));
+  EXPECT_TRUE(EventuallyTrue([&] { return seen().size() == 1; }));
 }
 
 TEST_P(Membership, ASecondGcmAtTheAddressDoesNotTouchTheHistoryOfTheFirst) {
@@ -217,7 +216,7 @@ TEST_P(Membership, AGcmThatIsKilledAndStartedAnewKnowsTheSameAfterAllHaveJoinedA
   const std::uint64_t instance = gcm_->instance();
 
   gcm_.reset();
-  EXPECT_TRUE(Eventually([&] { return !robot->is_linked() && !desk->is_linked(); }));
+  EXPECT_TRUE(EventuallyTrue([&] { return !robot->is_linked() && !desk->is_linked(); }));
   StartGcm(address_);
   EXPECT_NE(gcm_->catalog().ContentHash(), before);
   ASSERT_TRUE(robot->Join(address_));

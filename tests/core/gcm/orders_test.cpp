@@ -8,30 +8,11 @@ namespace tendon {
 namespace {
 
 using namespace std::chrono_literals;  // NOLINT(google-build-using-namespace)
-using test::Eventually;
 using test::FakeProcess;
 using test::kControl;
 using test::kRobot;
 
-/// A robot with an arm, and a desk that wants one.
-class Orders : public test::Bench {
- protected:
-  void SetUp() override {
-    robot_ = Join("robot", {test::Arm(), test::FakeArm()});
-    desk_ = Join("desk", {test::Teleoperation()});
-    client_ = Watch(nullptr, "gcm connect");
-  }
-
-  [[nodiscard]] std::optional<ConnectionDescription> Connection() const {
-    const Catalog catalog = gcm_->catalog();
-    const auto* connection = catalog.FindConnection(kRobot);
-    return connection == nullptr ? std::nullopt : std::optional(*connection);
-  }
-
-  std::unique_ptr<FakeProcess> robot_;
-  std::unique_ptr<FakeProcess> desk_;
-  std::unique_ptr<GcmClient> client_;
-};
+class Orders : public test::DeskAndRobot {};
 
 INSTANTIATE_TEST_SUITE_P(Over, Orders, testing::Values("loopback", "tcp"), test::NameOfParameter);
 
@@ -95,7 +76,7 @@ TEST_P(Orders, AProcessThatDiesBeforeItAnswersIsAnError) {
   std::promise<Result<ConnectionDescription>> promise;
   auto future = promise.get_future();
   client_->Connect(kRobot, kControl, [&](auto made) { promise.set_value(std::move(made)); });
-  ASSERT_TRUE(Eventually([&] { return desk_->orders().size() == 1; }));
+  ASSERT_TRUE(EventuallyTrue([&] { return desk_->orders().size() == 1; }));
   const auto second = Connect(*client_);
 
   desk_.reset();
@@ -112,12 +93,7 @@ TEST_P(Orders, AProcessThatDiesBeforeItAnswersIsAnError) {
 
 TEST_P(Orders, AProcessThatDoesNotAnswerIsATimeout) {
   order_timeout_ = 100ms;
-  client_.reset();
-  gcm_.reset();
-  StartGcm(address_);
-  ASSERT_TRUE(robot_->Join(address_));
-  ASSERT_TRUE(desk_->Join(address_));
-  client_ = Watch();
+  RestartGcm();
   desk_->set_manners(FakeProcess::Manners::kSayNothing);
 
   const auto made = Connect(*client_);
@@ -131,26 +107,79 @@ TEST_P(Orders, AProcessThatDoesNotAnswerIsATimeout) {
 
 TEST_P(Orders, AConnectToATombstoneIsPending) {
   robot_.reset();
-  ASSERT_TRUE(Eventually([&] { return StateOf("robot") == ProcessState::kLost; }));
+  ASSERT_TRUE(EventuallyTrue([&] { return StateOf("robot") == ProcessState::kLost; }));
 
   const auto made = Connect(*client_);
 
   ASSERT_TRUE(made) << made.error().message;
   EXPECT_EQ(made->state, ConnectionState::kPending);
   EXPECT_EQ(desk_->orders()[0].address, "");
-  EXPECT_FALSE(Connect(*client_, kRobot, {"never", "arm", "Control"}));
+}
+
+TEST_P(Orders, AConnectToAProcessThatNobodyHasSeenIsPending) {
+  const auto made = Connect(*client_, kRobot, {"never", "arm", "Control"});
+
+  ASSERT_TRUE(made) << made.error().message;
+  EXPECT_EQ(made->state, ConnectionState::kPending);
+  EXPECT_EQ(desk_->orders()[0].address, "");
+  EXPECT_EQ(Steps(*client_).size(), 1U);
+  EXPECT_EQ(Connect(*client_).error().code, ErrorCode::kExists);
+}
+
+TEST_P(Orders, ARefusalNamesTheFirstDifferenceOfTwoTypesThatOnlyProcessesKnow) {
+  const std::string unit = "rad/" + GetParam();  // the other network's are known by now
+  robot_->Know(test::GoalIn("deg"));
+  robot_->Add(test::Mover(test::GoalIn("deg")));
+  desk_->Know(test::GoalIn(unit));
+  desk_->Add(test::Leader(test::GoalIn(unit)));
+  const auto aide = Join("aide", {test::Leader(test::GoalIn("gon/" + GetParam()))});
+  const InterfaceName leader("desk", "leader", "Mover");
+  const InterfaceName mover("robot", "mover", "Control");
+  ASSERT_TRUE(EventuallyTrue([&] {
+    const Catalog catalog = gcm_->catalog();
+    return catalog.FindRequired(leader) != nullptr && catalog.FindProvided(mover) != nullptr;
+  }));
+
+  const auto made = Connect(*client_, leader, mover);
+
+  ASSERT_FALSE(made);
+  EXPECT_EQ(made.error().code, ErrorCode::kIncompatible);
+  EXPECT_EQ(made.error().message,
+            "desk/leader/Mover does not fit robot/mover/Control: needs write command 'MoveTo' of "
+            "test.Goal, offered is another test.Goal (position of test.Goal: float64 in " +
+                unit + " needed, float64 in deg offered)");
+  EXPECT_TRUE(desk_->orders().empty());
+  EXPECT_LE(desk_->schema_requests(), 1);  // not again, where the test is repeated
+  EXPECT_EQ(aide->schema_requests(), 0);   // it has nothing to do with this connection
+}
+
+TEST_P(Orders, ARefusalIsSaidWithoutTheTypesOfAnEndThatDoesNotTell) {
+  const std::string unit = "grad/" + GetParam();
+  robot_->Add(test::Mover(test::GoalIn("deg")));
+  desk_->Add(test::Leader(test::GoalIn(unit)));  // which it does not know itself
+  const InterfaceName leader("desk", "leader", "Mover");
+  ASSERT_TRUE(EventuallyTrue([&] {
+    return gcm_->catalog().FindRequired(leader) != nullptr &&
+           gcm_->catalog().FindComponent("robot", "mover") != nullptr;
+  }));
+
+  const auto made = Connect(*client_, leader, {"robot", "mover", "Control"});
+
+  ASSERT_FALSE(made);
+  EXPECT_NE(made.error().message.find("(fields, units or shapes differ)"), std::string::npos)
+      << made.error().message;
 }
 
 TEST_P(Orders, AProcessThatIsStartedAgainGetsItsConnectionsBack) {
   ASSERT_TRUE(Connect(*client_));
   desk_.reset();
-  ASSERT_TRUE(Eventually([&] { return StateOf("desk") == ProcessState::kLost; }));
+  ASSERT_TRUE(EventuallyTrue([&] { return StateOf("desk") == ProcessState::kLost; }));
 
   desk_ = Join("desk", {});
   EXPECT_FALSE(Connection());
   desk_->Add(test::Teleoperation());
 
-  EXPECT_TRUE(Eventually([&] { return Connection().has_value(); }));
+  EXPECT_TRUE(EventuallyTrue([&] { return Connection().has_value(); }));
   EXPECT_EQ(desk_->orders().size(), 1U);
   EXPECT_EQ(Steps(*client_).size(), 1U);
 }
@@ -158,16 +187,16 @@ TEST_P(Orders, AProcessThatIsStartedAgainGetsItsConnectionsBack) {
 TEST_P(Orders, AConnectionThatCannotBeGivenBackNowIsGivenBackLater) {
   ASSERT_TRUE(Connect(*client_));
   desk_.reset();
-  ASSERT_TRUE(Eventually([&] { return StateOf("desk") == ProcessState::kLost; }));
+  ASSERT_TRUE(EventuallyTrue([&] { return StateOf("desk") == ProcessState::kLost; }));
   desk_ = std::make_unique<FakeProcess>(NewMiddleware(), "desk");
   desk_->Add(test::Teleoperation());
   desk_->set_manners(FakeProcess::Manners::kRefuse);
   ASSERT_TRUE(desk_->Join(address_));
-  ASSERT_TRUE(Eventually([&] { return desk_->orders().size() == 1; }));
+  ASSERT_TRUE(EventuallyTrue([&] { return desk_->orders().size() == 1; }));
 
   desk_->set_manners(FakeProcess::Manners::kObey);
 
-  EXPECT_TRUE(Eventually([&] {
+  EXPECT_TRUE(EventuallyTrue([&] {
     EXPECT_TRUE(robot_->Renew());
     EXPECT_TRUE(desk_->Renew());
     Pass(50ms);
@@ -177,15 +206,16 @@ TEST_P(Orders, AConnectionThatCannotBeGivenBackNowIsGivenBackLater) {
 }
 
 TEST_P(Orders, ADiskThatHangsDelaysTheAnswerButNoLease) {
-  const auto file = folder_.path() / "history-127.0.0.1-0.jsonl";
+  const std::string port = address_.substr(address_.find(':') + 1);
+  const auto file = folder_.path() / ("history-127.0.0.1-" + port + ".jsonl");
   ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);  // whoever opens it waits until it is read
   std::promise<Result<ConnectionDescription>> promise;
   auto answer = promise.get_future();
   client_->Connect(kRobot, kControl, [&](auto made) { promise.set_value(std::move(made)); });
-  ASSERT_TRUE(Eventually([&] { return Connection().has_value(); }));
+  ASSERT_TRUE(EventuallyTrue([&] { return Connection().has_value(); }));
 
   // The GCM's own thread ticks; here is only made time.
-  EXPECT_TRUE(Eventually([&] {
+  EXPECT_TRUE(EventuallyTrue([&] {
     clock_.Advance(1ms);
     return StateOf("robot") == ProcessState::kLost;
   }));
@@ -254,7 +284,7 @@ TEST_P(Orders, FiftyConnectsAndFiftyUndosLeaveTheSystemAsItWas) {
 TEST_P(Orders, AnUndoOfWhatHasChangedSinceSaysSoAndRefuses) {
   ComponentDescription second = test::Arm("second");
   robot_->Add(second);
-  ASSERT_TRUE(Eventually([&] { return gcm_->catalog().FindComponent("robot", "second"); }));
+  ASSERT_TRUE(EventuallyTrue([&] { return gcm_->catalog().FindComponent("robot", "second"); }));
   ASSERT_TRUE(Connect(*client_));
   // Behind the GCM's back the process connects it to something else.
   const ConnectionDescription other{.id = Connection()->id,
@@ -262,12 +292,12 @@ TEST_P(Orders, AnUndoOfWhatHasChangedSinceSaysSoAndRefuses) {
                                     .provided = {"robot", "second", "Control"},
                                     .state = ConnectionState::kActive};
   desk_->Report({{.kind = CatalogChange::Kind::kConnection, .connections = {other}}});
-  ASSERT_TRUE(Eventually([&] { return Connection() == other; }));
+  ASSERT_TRUE(EventuallyTrue([&] { return Connection() == other; }));
   EXPECT_EQ(Undo(*client_).error().message,
             "cannot undo: desk/teleoperation/Robot was since connected to robot/second/Control");
 
   desk_->Report({{.kind = CatalogChange::Kind::kConnectionRemoved, .connection = other.id}});
-  ASSERT_TRUE(Eventually([&] { return !Connection(); }));
+  ASSERT_TRUE(EventuallyTrue([&] { return !Connection(); }));
   EXPECT_EQ(Undo(*client_).error().message,
             "cannot undo: desk/teleoperation/Robot is no longer connected to robot/arm/Control");
   EXPECT_FALSE(Steps(*client_)[0].undone);
@@ -275,12 +305,7 @@ TEST_P(Orders, AnUndoOfWhatHasChangedSinceSaysSoAndRefuses) {
 
 TEST_P(Orders, StepsCanBeUndoneAfterTheGcmWasStartedAnew) {
   ASSERT_TRUE(Connect(*client_));
-  client_.reset();
-  gcm_.reset();
-  StartGcm("127.0.0.1:0");
-  ASSERT_TRUE(robot_->Join(address_));
-  ASSERT_TRUE(desk_->Join(address_));
-  client_ = Watch();
+  RestartGcm();
 
   const auto undone = Undo(*client_);
 

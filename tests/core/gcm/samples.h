@@ -1,11 +1,10 @@
 #pragma once
 
+#include <support/wait.h>
 #include <tendon/gcm/catalog.h>
 
 #include <array>
-#include <chrono>
 #include <string>
-#include <thread>
 
 namespace tendon::test {
 
@@ -65,23 +64,31 @@ inline ComponentDescription FakeArm() {
   return fake;
 }
 
+/// A goal in this unit: a type that no program was built with.
+inline Schema GoalIn(const std::string& unit) {
+  return Schema::Structure("test.Goal", {{"position", unit, Schema(Schema::Kind::kFloat64)}});
+}
+
+inline MemberDescription MoveToGoal(const Schema& goal) {
+  return {.name = "MoveTo",
+          .signature = {CommandKind::kWrite, goal.fingerprint(), FingerprintOf<None>()},
+          .in_type = goal.name()};
+}
+
+/// Offers a move to such a goal, or needs one.
+inline ComponentDescription Mover(const Schema& goal) {
+  return {.name = "mover", .provided = {{.name = "Control", .commands = {MoveToGoal(goal)}}}};
+}
+inline ComponentDescription Leader(const Schema& goal) {
+  return {.name = "leader", .required = {{.name = "Mover", .functions = {MoveToGoal(goal)}}}};
+}
+
 inline ProcessDescription ProcessNamed(const std::string& name, std::uint64_t instance) {
   return {.name = name,
           .instance = instance,
           .host = "bench",
           .pid = static_cast<std::int64_t>(1000 + instance),
           .address = "127.0.0.1:" + std::to_string(20000 + instance % 10000)};
-}
-
-/// Waits until `condition()` is true; false when it never was.
-template <typename Condition>
-bool Eventually(Condition&& condition) {
-  const auto limit = std::chrono::steady_clock::now() + std::chrono::seconds(30);
-  while (!condition()) {
-    if (std::chrono::steady_clock::now() > limit) return false;
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
-  return true;
 }
 
 }  // namespace tendon::test

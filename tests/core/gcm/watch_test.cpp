@@ -6,7 +6,6 @@
 namespace tendon {
 namespace {
 
-using test::Eventually;
 using test::FakeProcess;
 using test::Recorder;
 
@@ -18,13 +17,13 @@ TEST_P(Watching, ASnapshotComesFirstThenChanges) {
   const auto robot = Join("robot", {test::Arm()});
   const auto recorder = std::make_shared<Recorder>();
   const auto client = Watch(recorder);
-  ASSERT_TRUE(Eventually([&] { return recorder->snapshots() == 1; }));
+  ASSERT_TRUE(EventuallyTrue([&] { return recorder->snapshots() == 1; }));
   EXPECT_EQ(recorder->catalog(), gcm_->catalog());
 
   const auto desk = Join("desk", {test::Teleoperation()});
 
-  EXPECT_TRUE(Eventually([&] { return client->catalog() == gcm_->catalog(); }));
-  EXPECT_TRUE(Eventually([&] { return recorder->catalog() == gcm_->catalog(); }));
+  EXPECT_TRUE(EventuallyTrue([&] { return client->catalog() == gcm_->catalog(); }));
+  EXPECT_TRUE(EventuallyTrue([&] { return recorder->catalog() == gcm_->catalog(); }));
   EXPECT_EQ(recorder->snapshots(), 1);
 }
 
@@ -47,14 +46,14 @@ TEST_P(Watching, AllWatchersSeeTheSameNumberedSequenceWhileProcessesComeAndGo) {
           ASSERT_TRUE(process.Leave());
         }
         process.BreakLink();
-        ASSERT_TRUE(Eventually([&] { return StateOf(name) >= ProcessState::kLost; }));
+        ASSERT_TRUE(EventuallyTrue([&] { return StateOf(name) >= ProcessState::kLost; }));
       }
     });
   }
   for (std::thread& thread : threads) thread.join();
 
   const Catalog last = gcm_->catalog();
-  ASSERT_TRUE(Eventually([&] { return one->catalog() == last && two->catalog() == last; }));
+  ASSERT_TRUE(EventuallyTrue([&] { return one->catalog() == last && two->catalog() == last; }));
   const auto changes = one->changes();
   EXPECT_EQ(changes, two->changes());
   ASSERT_EQ(changes.size(), last.revision());
@@ -89,7 +88,7 @@ TEST_P(Watching, AWatcherThatDoesNotReadHoldsNobodyUpAndCatchesUpByASnapshot) {
       changes.push_back({.kind = CatalogChange::Kind::kComponent, .components = {arm}});
     }
     robot->Report(changes);
-    ASSERT_TRUE(Eventually([&] {
+    ASSERT_TRUE(EventuallyTrue([&] {
       const Catalog seen = quick->catalog();
       const auto* component = seen.FindComponent("robot", "arm");
       return component != nullptr && component->fault == arm.fault;
@@ -100,7 +99,7 @@ TEST_P(Watching, AWatcherThatDoesNotReadHoldsNobodyUpAndCatchesUpByASnapshot) {
 
   stuck->released.count_down();
 
-  EXPECT_TRUE(Eventually([&] { return stuck->catalog() == gcm_->catalog(); }));
+  EXPECT_TRUE(EventuallyTrue([&] { return stuck->catalog() == gcm_->catalog(); }));
   EXPECT_EQ(stuck->snapshots(), 2);
   EXPECT_EQ(stuck->holes(), 0);
   EXPECT_LT(stuck->changes().size(), quick->changes().size());
@@ -123,7 +122,7 @@ TEST_P(Watching, AClientWithoutAGcmSaysWhereAndWhatToDo) {
   const auto connected = Connect(client);
   ASSERT_FALSE(connected);
   EXPECT_EQ(connected.error().code, ErrorCode::kUnreachable);
-  ASSERT_TRUE(Eventually([&] { return !recorder->losses().empty(); }));
+  ASSERT_TRUE(EventuallyTrue([&] { return !recorder->losses().empty(); }));
   EXPECT_EQ(recorder->losses()[0].message, watching.error().message);
 }
 
@@ -133,13 +132,13 @@ TEST_P(Watching, AClientFindsItsGcmAgain) {
   const auto client = Watch(recorder);
 
   gcm_.reset();
-  ASSERT_TRUE(Eventually([&] { return recorder->losses().size() == 1; }));
+  ASSERT_TRUE(EventuallyTrue([&] { return recorder->losses().size() == 1; }));
   EXPECT_EQ(client->catalog().processes().size(), 1U);  // what was known last
   StartGcm(address_);
   const auto desk = Join("desk", {test::Teleoperation()});
 
   EXPECT_TRUE(client->WaitUntilWatching());
-  EXPECT_TRUE(Eventually([&] { return recorder->catalog() == gcm_->catalog(); }));
+  EXPECT_TRUE(EventuallyTrue([&] { return recorder->catalog() == gcm_->catalog(); }));
   EXPECT_EQ(recorder->snapshots(), 2);
   EXPECT_EQ(recorder->losses().size(), 1U);
 }

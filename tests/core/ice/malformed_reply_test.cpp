@@ -9,7 +9,6 @@
 namespace tendon::ice {
 namespace {
 
-using conformance::Eventually;
 using conformance::Host;
 using conformance::kPatience;
 using conformance::Recorder;
@@ -53,7 +52,7 @@ class LyingServer {
  private:
   void Serve(const Bytes& reply) {
     os::Socket socket;
-    Eventually([&] { return os::Accept(listening_, socket) == os::Accepted::kOne; });
+    EventuallyTrue([&] { return os::Accept(listening_, socket) == os::Accepted::kOne; });
     SendAll(socket, RawMessage(RawMessage::kValidate).Finished());
     (void)ReceiveAll(socket, 40);  // at least most of the ping
     SendAll(socket, reply);

@@ -69,7 +69,7 @@ std::map<std::string, Bytes> Attacks() {
 
 bool IsAnsweredOrEnded(const os::Socket& socket) {
   Bytes buffer(1);
-  return conformance::Eventually([&] {
+  return EventuallyTrue([&] {
     const auto some = os::ReceiveSome(socket, buffer);
     return !some || !some->empty();
   });

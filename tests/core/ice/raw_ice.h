@@ -63,7 +63,7 @@ class RawMessage {
 
 /// Sends all, and receives until there are `wanted` bytes or the other end hangs up.
 inline void SendAll(const os::Socket& socket, std::span<const std::byte> bytes) {
-  conformance::Eventually([&] {
+  EventuallyTrue([&] {
     const auto sent = os::SendSome(socket, bytes);
     bytes = sent ? bytes.subspan(*sent) : std::span<const std::byte>();
     return bytes.empty();
@@ -74,7 +74,7 @@ inline void SendAll(const os::Socket& socket, std::span<const std::byte> bytes) 
 inline Bytes ReceiveAll(const os::Socket& socket, std::size_t wanted) {
   Bytes all;
   Bytes buffer(4096);
-  conformance::Eventually([&] {
+  EventuallyTrue([&] {
     const auto some = os::ReceiveSome(
         socket, std::span(buffer).first(std::min(buffer.size(), wanted - all.size())));
     if (!some) return true;

@@ -9,7 +9,6 @@
 namespace tendon {
 namespace {
 
-using conformance::Eventually;
 using conformance::FrameOf;
 using conformance::Host;
 using conformance::kPatience;
@@ -131,7 +130,7 @@ TEST_F(Slice, AGeneratedClientTalksWithOurServer) {
 
   ASSERT_TRUE(guest.recorder->WaitForFrames(1));
   EXPECT_EQ(guest.recorder->numbers(), std::vector<std::uint32_t>{5});
-  ASSERT_TRUE(Eventually([&] { return endpoint->frames().size() == 1; }));
+  ASSERT_TRUE(EventuallyTrue([&] { return endpoint->frames().size() == 1; }));
   EXPECT_EQ(endpoint->frames()[0], FrameOf(6));
 }
 
@@ -144,7 +143,7 @@ TEST_F(Slice, OurClientTalksWithAGeneratedServer) {
   ASSERT_TRUE(link) << link.error().message;
 
   ASSERT_EQ((*link)->Send(FrameOf(5)), Status::kQueued);
-  ASSERT_TRUE(Eventually([&] { return endpoint->frames().size() == 1; }));
+  ASSERT_TRUE(EventuallyTrue([&] { return endpoint->frames().size() == 1; }));
   const auto back = Ice::uncheckedCast<EndpointPrx>(
       endpoint->connection()->createProxy(Ice::Identity{"tendon", ""}));
   back->ice_oneway()->frame(ForIce(FrameOf(6)));
@@ -164,7 +163,7 @@ TEST_F(Slice, AFrameTooLargeForAMessageComesInParts) {
 
   ASSERT_EQ((*link)->Send(FrameOf(5, 2 * kMessage)), Status::kQueued);
 
-  ASSERT_TRUE(Eventually([&] { return endpoint->frames().size() == 1; }));
+  ASSERT_TRUE(EventuallyTrue([&] { return endpoint->frames().size() == 1; }));
   EXPECT_EQ(endpoint->parts(), (std::vector<std::size_t>{kMessage, kMessage}));
   EXPECT_EQ(endpoint->frames()[0].size(), FrameHeader::kSize);
 }

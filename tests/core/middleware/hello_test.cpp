@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <tendon/base/os/process.h>
+#include <support/folder.h>
 #include <tendon/middleware/body.h>
 #include <tendon/middleware/hello.h>
 
@@ -22,17 +22,12 @@ TEST(ReadRefusal, AReasonThatCannotBeReadIsStillARefusal) {
 /// A runtime folder of its own for each test.
 class LoopbackCookieTest : public testing::Test {
  protected:
-  void SetUp() override {
-    fs::create_directories(base_);
-    setenv("XDG_RUNTIME_DIR", base_.c_str(), 1);
-  }
-  void TearDown() override {
-    unsetenv("XDG_RUNTIME_DIR");
-    fs::remove_all(base_);
-  }
+  void SetUp() override { setenv("XDG_RUNTIME_DIR", base_.c_str(), 1); }
+  void TearDown() override { unsetenv("XDG_RUNTIME_DIR"); }
   [[nodiscard]] fs::path file() const { return base_ / "tendon" / "cookie"; }
 
-  const fs::path base_ = fs::path(testing::TempDir()) / std::to_string(os::RandomNumber());
+  const test::Folder folder_;
+  const fs::path base_ = folder_.path();
 };
 
 TEST_F(LoopbackCookieTest, IsMadeOnceAndReadByAll) {

@@ -100,5 +100,18 @@ TEST(PendingRequests, WhatAHandlerThrowsStaysHere) {
   EXPECT_NO_THROW(requests.OnAnswer(request, Bytes()));
 }
 
+TEST(PendingRequests, AWithdrawnOneIsForgotten) {
+  PendingRequests requests;
+  int called = 0;
+  PendingRequests::Handler handler = [&called](const Result<Bytes>& /*answer*/) { ++called; };
+  const std::uint64_t request = requests.Add(std::chrono::seconds(1), handler);
+
+  requests.Withdraw(request);
+
+  EXPECT_FALSE(requests.Finish(request, Bytes()));
+  requests.FinishAll({ErrorCode::kUnreachable, "closed"});
+  EXPECT_EQ(called, 0);
+}
+
 }  // namespace
 }  // namespace tendon

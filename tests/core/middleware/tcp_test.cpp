@@ -12,7 +12,6 @@
 namespace tendon {
 namespace {
 
-using conformance::Eventually;
 using conformance::FrameOf;
 using conformance::Host;
 using conformance::kPatience;
@@ -115,7 +114,7 @@ TEST(Tcp, AFloodOfGarbageIsLoggedOnceWithoutDrowningTheLog) {
     const os::Socket socket = wire.Connect();
     (void)os::SendSome(socket, Bytes(100, std::byte{'x'}));
     Bytes buffer(100);
-    ASSERT_TRUE(Eventually([&] { return !os::ReceiveSome(socket, buffer); }));
+    ASSERT_TRUE(EventuallyTrue([&] { return !os::ReceiveSome(socket, buffer); }));
   }
 
   EXPECT_EQ(Warnings().size(), before + 1);
@@ -147,7 +146,7 @@ TEST(Tcp, OutOfDescriptorsTheOldLinksLiveAndNewOnesWaitTheirTurn) {
   EXPECT_EQ(wire.host.count(), 1U);
   setrlimit(RLIMIT_NOFILE, &before);
 
-  EXPECT_TRUE(Eventually([&] { return wire.host.count() == 2; }));
+  EXPECT_TRUE(EventuallyTrue([&] { return wire.host.count() == 2; }));
 }
 
 }  // namespace

@@ -3,7 +3,9 @@
 #include <tendon/proxy/provided_interface_proxy.h>
 #include <tendon/proxy/required_interface_proxy.h>
 
+#include <atomic>
 #include <future>
+#include <mutex>
 
 #include "support/wait.h"
 
@@ -47,14 +49,29 @@ struct ServerEnd final : tendon::ChannelHandler {
   void OnNotice(const std::shared_ptr<Channel>& /*channel*/, const FrameHeader& header,
                 std::span<const std::byte> body) override {
     ASSERT_EQ(header.type, tendon::message::kCommands);
+    const std::scoped_lock turn(gate);
     tendon::ForEachCall(body, [this](std::uint32_t handle, std::span<const std::byte> argument) {
       proxy->OnCommand(handle - kServerHandle - 1, argument);
     });
   }
   void OnRequest(const std::shared_ptr<Channel>& /*channel*/, const FrameHeader& header,
                  std::span<const std::byte> body, tendon::Responder responder) override {
-    proxy->OnRead(header.handle - kServerHandle - 1, body, std::move(responder));
+    const std::uint32_t function = header.handle - kServerHandle - 1;
+    if (header.type == tendon::message::kRead) {
+      return proxy->OnRead(function, body, std::move(responder));
+    }
+    ASSERT_EQ(header.type, tendon::message::kWait);
+    if (is_silent) {
+      unanswered.push_back(std::move(responder));
+      ++heard;
+      return;
+    }
+    proxy->OnWait(function, body, std::move(responder));
   }
+  std::mutex gate;  // while it is locked no more frames are taken from the link
+  std::atomic<bool> is_silent{false};
+  std::atomic<int> heard{0};
+  std::vector<tendon::Responder> unanswered;
   std::promise<std::shared_ptr<Channel>> channel;
   std::shared_ptr<tendon::RequiredInterfaceProxy> proxy;
 };
@@ -285,29 +302,123 @@ TEST_F(InterfaceProxies, AreNotMadeFromNonsense) {
                tendon::ConfigurationError);
 }
 
-TEST_F(InterfaceProxies, AWaitForACommandOfAnotherProcessIsUnsupported) {
-  EXPECT_EQ(push.Wait(1, std::chrono::seconds(20)), Status(Status::kUnsupported));
+TEST_F(InterfaceProxies, AWaitEndsWhenTheServerHasExecutedTheCall) {
+  auto status =
+      std::async(std::launch::async, [this] { return push.Wait(7, std::chrono::seconds(20)); });
+  ASSERT_TRUE(EventuallyTrue([this] { return server_inbox.size() == 1; }));
+  EXPECT_EQ(status.wait_for(std::chrono::seconds(0)), std::future_status::timeout);
+
+  EXPECT_EQ(server_inbox.ExecuteQueued(), 1U);
+
+  EXPECT_EQ(status.get(), Status(Status::kDone));
+  EXPECT_EQ(numbers, (std::vector{7}));
 }
 
-TEST_F(InterfaceProxies, ACommandThatReturnsSomethingIsNotServedToAnotherProcess) {
-  const tendon::message::OpenInterface open{
-      .required = {"desk", "client", "Robot"},
-      .provided = {"robot", "server", "Control"},
-      .description = {.name = "Robot",
-                      .functions = {tendon::DescribeMember<tendon::None, int>(
-                          "Calibrate", tendon::CommandKind::kVoidReturn)},
-                      .event_handlers = {}},
-      .handle = 1,
-      .capacity = 4};
+TEST_F(InterfaceProxies, AWaitComesBehindTheCallsBeforeIt) {
+  EXPECT_EQ(push(1), Status(Status::kQueued));
+  EXPECT_EQ(push(2), Status(Status::kQueued));
+  auto status =
+      std::async(std::launch::async, [this] { return push.Wait(3, std::chrono::seconds(20)); });
+  ASSERT_TRUE(EventuallyTrue([this] { return server_inbox.size() == 3; }));
 
-  try {
-    const tendon::RequiredInterfaceProxy proxy(thread, channel, open);
-    FAIL() << "it was made";
-  } catch (const tendon::ConfigurationError& error) {
-    EXPECT_STREQ(error.what(),
-                 "desk/client/Robot needs void-return command 'Calibrate' of robot/server/Control; "
-                 "those are called within their process only");
+  server_inbox.ExecuteQueued();
+
+  EXPECT_EQ(status.get(), Status(Status::kDone));
+  EXPECT_EQ(numbers, (std::vector{1, 2, 3}));
+}
+
+TEST_F(InterfaceProxies, AWaitEndsWithTheLinkWhetherItWasSentOrNot) {
+  std::vector<std::future<Status>> statuses;
+  statuses.push_back(
+      std::async(std::launch::async, [this] { return push.Wait(1, std::chrono::seconds(20)); }));
+  ASSERT_TRUE(EventuallyTrue([this] { return server_inbox.size() == 1; }));
+
+  channel->Close();
+
+  EXPECT_EQ(statuses.front().get(), Status(Status::kOutcomeUnknown));
+  client_end->proxy->Sever();
+  EXPECT_EQ(push.Wait(2, std::chrono::seconds(20)), Status(Status::kNotConnected));
+}
+
+TEST_F(InterfaceProxies, AWaitThatIsNotAnsweredEndsAtItsDeadline) {
+  server_end->is_silent = true;
+
+  Status first = Status::kTimeout;  // and not sent: the machine stood still
+  EXPECT_TRUE(EventuallyTrue([&] {
+    first = push.Wait(1, std::chrono::milliseconds(300));
+    return first != Status(Status::kTimeout);
+  }));
+
+  EXPECT_EQ(first, Status(Status::kOutcomeUnknown));
+  ASSERT_TRUE(EventuallyTrue([this] { return server_end->heard == 1; }));
+  server_end->is_silent = false;
+  server_end->unanswered.clear();  // refusals that nobody waits for any more
+  auto status =
+      std::async(std::launch::async, [this] { return push.Wait(2, std::chrono::seconds(20)); });
+  ASSERT_TRUE(EventuallyTrue([this] { return server_inbox.ExecuteQueued() == 1; }));
+  EXPECT_EQ(status.get(), Status(Status::kDone));
+  EXPECT_EQ(numbers, (std::vector{2}));
+}
+
+TEST_F(InterfaceProxies, AWaitThatThereIsNoCreditForIsNotExecutedAfterItsDeadline) {
+  for (int number = 0; number < 4; ++number) {
+    EXPECT_EQ(push(number), Status(Status::kQueued));
   }
+  ASSERT_TRUE(EventuallyTrue([this] { return server_inbox.size() == 4; }));
+
+  EXPECT_EQ(push.Wait(4, std::chrono::milliseconds(20)), Status(Status::kTimeout));
+
+  EXPECT_TRUE(EventuallyTrue([this] { return server_inbox.ExecuteQueued() == 0; }));
+  EXPECT_TRUE(EventuallyTrue([this] { return push(5) == Status(Status::kQueued); }));
+  EXPECT_TRUE(EventuallyTrue([this] { return server_inbox.ExecuteQueued() == 1; }));
+  EXPECT_EQ(numbers, (std::vector{0, 1, 2, 3, 5}));
+}
+
+TEST_F(InterfaceProxies, AWaitIsNotEndedByAWordThatTheCallIsQueued) {
+  server_end->is_silent = true;
+  auto status =
+      std::async(std::launch::async, [this] { return push.Wait(1, std::chrono::seconds(20)); });
+  ASSERT_TRUE(EventuallyTrue([this] { return server_end->heard == 1; }));
+
+  server_end->unanswered.front().Reply(Bytes{std::byte{Status::kQueued}});
+
+  EXPECT_EQ(status.get(), Status(Status::kInvalid));
+}
+
+TEST_F(InterfaceProxies, AWaitThatALinkHasNoRoomForIsSentWholeOnceThereIs) {
+  tendon::Wakeup<> wakeup;
+  tendon::Outbox outbox(channel, tendon::message::kCommands, wakeup);
+  const tendon::QueuedOfferProxy offer(provided.description().commands[1], outbox,
+                                       kServerHandle + 2);
+  tendon::Mailbox& mailbox = outbox.inbox().Open(4, {}, tendon::Callers::kManyThreads);
+  const auto command = offer.Bind(&mailbox);
+  const Bytes big = EncodeBody(std::vector<double>(700'000));
+  Bytes nothing;
+  std::unique_lock closed(server_end->gate);  // holds up the first; the second fills the link
+  EXPECT_TRUE(command->ExecuteEncoded(big, nothing));
+  EXPECT_TRUE(command->ExecuteEncoded(big, nothing));
+  auto status = std::async(std::launch::async, [&] {
+    Bytes out;
+    return command->WaitEncoded(big, out, std::chrono::seconds(60));
+  });
+  EXPECT_TRUE(EventuallyTrue([&] { return mailbox.size() == 3; }));
+  std::size_t sent = 0;
+  EXPECT_TRUE(EventuallyTrue([&] {
+    sent += outbox.Send(10);
+    return sent == 2;
+  }));
+
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(outbox.Send(10), 0U);
+  EXPECT_TRUE(outbox.is_held_up());
+  closed.unlock();
+
+  EXPECT_TRUE(EventuallyTrue([&] {
+    (void)outbox.Send(10);
+    server_inbox.ExecuteQueued();
+    return loads.size() == 3;
+  }));
+  EXPECT_EQ(status.get(), Status(Status::kDone));
+  EXPECT_EQ(loads, std::vector(3, std::size_t{700'000}));
 }
 
 }  // namespace

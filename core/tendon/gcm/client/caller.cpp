@@ -2,7 +2,9 @@
 #include <tendon/gcm/client/json_field.h>
 #include <tendon/payload/json.h>
 #include <tendon/process/ask.h>
+#include <tendon/process/schema_exchange.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace tendon::client {
@@ -86,6 +88,19 @@ void Caller::GetSchema(const std::string& process, Fingerprint fingerprint,
                });
 }
 
+void Caller::Learn(const std::map<std::string, message::GetSchemas>& types, Handler<void> handler) {
+  const auto timeout = std::min(timeout_, std::chrono::milliseconds(500));
+  // Called by the last who lets go of it.
+  const std::shared_ptr<void> all(nullptr, [handler](void* /*nothing*/) { handler({}); });
+  for (const auto& [process, wanted] : types) {
+    links_->With(
+        process, [self = shared_from_this(), wanted = wanted, timeout, all](const auto& channel) {
+          if (!channel) return;
+          LearnSchemas(*self->timer_, *channel, wanted, timeout, [all] { static_cast<void>(all); });
+        });
+  }
+}
+
 /// Asks the process for those that are not known yet.
 void Caller::FetchSchemas(const std::string& process, std::vector<Fingerprint> fingerprints,
                           Handler<void> handler) {
@@ -133,7 +148,7 @@ std::optional<Schema> Caller::Find(Fingerprint fingerprint) const {
 /// All schemas are here.
 void Caller::Send(const std::shared_ptr<const Order>& order) {
   const Path& path = order->path;
-  message::CallMember call{path.component, path.interface, path.member, {}};
+  message::CallMember call{path.component, path.interface, path.member, {}, timeout_ * 3 / 4};
   if (TakesArgument(order->signature.kind)) {
     auto argument = FromJson(*Find(order->signature.in), order->argument);
     if (!argument) {

@@ -32,6 +32,9 @@ class Caller final : public std::enable_shared_from_this<Caller> {
   void Call(const Path& path, const MemberDescription& command, const std::string& argument,
             Handler<std::string> handler);
   void GetSchema(const std::string& process, Fingerprint fingerprint, Handler<Schema> handler);
+  /// Types by the processes that know them, for FindSchema(). No process is waited for much longer
+  /// than one needs that is well.
+  void Learn(const std::map<std::string, message::GetSchemas>& types, Handler<void> handler);
 
  private:
   struct Order;

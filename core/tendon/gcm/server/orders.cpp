@@ -1,9 +1,12 @@
 #include <tendon/base/log.h>
+#include <tendon/gcm/disputed_types.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/server/orders.h>
 #include <tendon/gcm/text/wall_time.h>
 #include <tendon/process/ask.h>
+#include <tendon/process/schema_exchange.h>
 
+#include <memory>
 #include <utility>
 
 namespace tendon::server {
@@ -21,6 +24,13 @@ void LogHandBack(const message::Wire& wire, const Result<void>& outcome,
           (is_over ? "" : "; trying again"));
 }
 
+/// Whether the process may have obeyed all the same, or may yet.
+bool IsOutcomeUnknown(const Error& error) {
+  return error.code == ErrorCode::kTimeout || error.code == ErrorCode::kUnreachable;
+}
+
+Result<void> OutcomeOf(const auto& result) { return result ? Result<void>() : result.error(); }
+
 }  // namespace
 
 Orders::Orders(Parts parts, Locked locked, std::chrono::milliseconds timeout)
@@ -29,7 +39,21 @@ Orders::Orders(Parts parts, Locked locked, std::chrono::milliseconds timeout)
 void Orders::Connect(const message::Wire& wire, const std::string& who, ConnectDone done) {
   Make(wire, [locked = locked_, wire, who, done = std::move(done)](const auto& made) {
     if (!made) return done(made);
-    locked([&](Orders& orders) { orders.Record("connect", wire, who, *made, done); });
+    locked([&](Orders& orders) {
+      orders.Record({.verb = "connect", .wire = wire, .who = who}, *made, done);
+    });
+  });
+}
+
+void Orders::Replace(const message::Wire& wire, const std::string& who, ConnectDone done) {
+  const auto* now = parts_.registry.catalog().FindConnection(wire.required);
+  if (now == nullptr || now->provided == wire.provided) return Connect(wire, who, std::move(done));
+  Swap(wire, who, [locked = locked_, wire, who, done = std::move(done)](const auto& swapped) {
+    if (!swapped) return done(swapped.error());
+    locked([&](Orders& orders) {
+      orders.Record({.verb = "replace", .wire = wire, .former = swapped->former, .who = who},
+                    swapped->made, done);
+    });
   });
 }
 
@@ -37,11 +61,13 @@ void Orders::Disconnect(const InterfaceName& required, const std::string& who, D
   Break(required, [locked = locked_, who, done = std::move(done)](const auto& broken) {
     if (!broken) return done(broken.error());
     const message::Wire wire{broken->required, broken->provided};
-    locked([&](Orders& orders) { orders.Record("disconnect", wire, who, None{}, done); });
+    locked([&](Orders& orders) {
+      orders.Record({.verb = "disconnect", .wire = wire, .who = who}, None{}, done);
+    });
   });
 }
 
-void Orders::Undo(Done<message::HistoryEntry> done) {
+void Orders::Undo(const std::string& who, Done<message::HistoryEntry> done) {
   const auto step = parts_.history.last();
   if (!step)
     return Answer(std::move(done), Result<message::HistoryEntry>(
@@ -49,20 +75,24 @@ void Orders::Undo(Done<message::HistoryEntry> done) {
   if (const auto checked = CheckUndo(*step); !checked) {
     return Answer(std::move(done), Result<message::HistoryEntry>(checked.error()));
   }
-  const ConnectDone finish = [locked = locked_, step = *step,
-                              done = std::move(done)](const auto& outcome) {
-    locked([&](Orders& orders) { orders.FinishUndo(step, outcome, done); });
+  const auto finish = [locked = locked_, step = *step, done](const auto& outcome) {
+    locked([&](Orders& orders) { orders.FinishUndo(step, OutcomeOf(outcome), done); });
   };
+  const InterfaceName& required = step->wire.required;
   if (step->verb == "connect") {
-    Break(step->wire.required, finish);
-  } else {
+    Break(required, finish);
+  } else if (step->verb == "replace") {
+    Swap({required, step->former}, who, finish);
+  } else if (parts_.registry.catalog().FindConnection(required) == nullptr) {
     Make(step->wire, finish);
+  } else {  // a late process has undone it
+    FinishUndo(*step, {}, done);
   }
 }
 
 void Orders::HandBack(const message::Wire& wire) {
   Make(wire, [locked = locked_, wire](const auto& made) {
-    const Result<void> outcome = made ? Result<void>() : made.error();
+    const Result<void> outcome = OutcomeOf(made);
     auto verdict = HandBacks::Verdict::kStillTrying;
     locked([&](Orders& orders) { verdict = orders.parts_.registry.SettleHandBack(wire, outcome); });
     LogHandBack(wire, outcome, verdict);
@@ -74,7 +104,147 @@ void Orders::Answer(Done<T> done, Result<T> result) {
   parts_.outbox.Add([done = std::move(done), result = std::move(result)] { done(result); });
 }
 
-/// Sends the order to the required side's LCM, one at a time for an interface.
+/// `done`, which also lets the next change of the interface in; null where one is under way.
+template <typename T>
+Orders::Done<T> Orders::Claim(const InterfaceName& required, Done<T> done) {
+  if (!busy_.insert(required).second) {
+    Answer(std::move(done),
+           Result<T>(Error{ErrorCode::kFailed, ToString(required) +
+                                                   " is being changed by another request; "
+                                                   "try again when that is done"}));
+    return nullptr;
+  }
+  return [locked = locked_, required, done = std::move(done)](Result<T> result) {
+    locked([&](Orders& orders) { orders.busy_.erase(required); });
+    done(std::move(result));
+  };
+}
+
+/// Answers once the step is kept.
+template <typename T>
+void Orders::Record(message::HistoryEntry step, std::type_identity_t<Result<T>> answer,
+                    Done<T> done) {
+  step.when = WallTime();
+  parts_.history.Record(std::move(step),
+                        [answer = std::move(answer), done = std::move(done)] { done(answer); });
+}
+
+/// Calls `planned` with the lock held; a refusal names the first difference of two types, for
+/// which the two processes may have to be asked.
+void Orders::Plan(const message::Wire& wire, Occupied occupied, const Planned& planned) {
+  constexpr std::chrono::milliseconds kLongest(400);
+  const Catalog& catalog = parts_.registry.catalog();
+  const auto wiring = PlanConnect(catalog, wire, occupied);
+  if (wiring || wiring.error().code != ErrorCode::kIncompatible) return planned(*this, wiring);
+  const auto missing = std::make_shared<int>(0);  // answers; under the lock
+  const auto answered = [=, locked = locked_] {
+    locked([&](Orders& orders) {
+      if (--*missing > 0) return;
+      planned(orders, PlanConnect(orders.parts_.registry.catalog(), wire, occupied));
+    });
+  };
+  for (const auto& [process, wanted] : DisputedTypesBetween(catalog, wire)) {
+    const auto channel = parts_.registry.ChannelOf(process);
+    if (channel == nullptr) continue;
+    ++*missing;
+    parts_.outbox.Add([&worker = parts_.worker, channel, wanted = wanted, answered] {
+      LearnSchemas(worker, channel, wanted, kLongest, answered);
+    });
+  }
+  if (*missing == 0) planned(*this, wiring);
+}
+
+void Orders::Make(const message::Wire& wire, ConnectDone done) {
+  Plan(wire, Occupied::kRefused, [wire, done](Orders& orders, const auto& wiring) {
+    if (!wiring) return orders.Answer(done, Result<ConnectionDescription>(wiring.error()));
+    if (auto claimed = orders.Claim(wire.required, done)) orders.GiveMake(*wiring, claimed);
+  });
+}
+
+void Orders::Break(const InterfaceName& required, ConnectDone done) {
+  const auto connection = PlanDisconnect(parts_.registry.catalog(), required);
+  if (!connection) return Answer(std::move(done), connection);
+  const auto claimed = Claim(required, std::move(done));
+  if (!claimed) return;
+  GiveBreak(required, [connection = *connection, claimed](const Result<None>& broken) {
+    if (!broken) return claimed(broken.error());
+    claimed(connection);
+  });
+}
+
+/// What the required interface is connected to now makes room for another one that fits.
+void Orders::Swap(const message::Wire& wire, const std::string& who, Done<Swapped> done) {
+  Plan(wire, Occupied::kReplaced, [wire, who, done](Orders& orders, const auto& wiring) {
+    const Catalog& catalog = orders.parts_.registry.catalog();
+    const auto former = wiring ? PlanDisconnect(catalog, wire.required) : wiring.error();
+    if (!former) return orders.Answer(done, Result<Swapped>(former.error()));
+    const auto claimed = orders.Claim(wire.required, done);
+    if (!claimed) return;
+    const Exchange exchange{wire, *former, who, claimed};
+    orders.GiveBreak(wire.required, [locked = orders.locked_, exchange](const auto& broken) {
+      locked([&](Orders& self) { self.MakeInstead(exchange, broken); });
+    });
+  });
+}
+
+void Orders::MakeInstead(const Exchange& exchange, const Result<None>& broken) {
+  if (!broken) {
+    if (IsOutcomeUnknown(broken.error())) return Restore(exchange, broken.error());
+    return Answer(exchange.done, Result<Swapped>(broken.error()));
+  }
+  GiveMake(WiringOf(parts_.registry.catalog(), exchange.wire),
+           [locked = locked_, exchange](const auto& made) {
+             locked([&](Orders& orders) { orders.Judge(exchange, made); });
+           });
+}
+
+/// What worked is given up only for what works.
+void Orders::Judge(const Exchange& exchange, const Result<ConnectionDescription>& made) {
+  if (!made) return Restore(exchange, made.error());
+  constexpr ConnectionState kActive = ConnectionState::kActive;
+  if (made->state == kActive || exchange.former.state != kActive) {
+    return Answer(exchange.done, Result(Swapped{*made, exchange.former.provided}));
+  }
+  Restore(exchange, {ErrorCode::kUnreachable,
+                     ToString(made->provided) + " was not reached: " + made->reason});
+}
+
+/// Ends what there may be of the new connection. A process that is late obeys that too: afterwards
+/// it has the former one.
+void Orders::Restore(const Exchange& exchange, const Error& why) {
+  const message::Wire former{exchange.wire.required, exchange.former.provided};
+  GiveBreak(former.required, [](const auto& /*there may be none*/) {});
+  Give<ConnectionDescription>(
+      message::kMakeConnection, former.required, WiringOf(parts_.registry.catalog(), former),
+      [locked = locked_, exchange, why](const auto& restored) {
+        locked([&](Orders& orders) { orders.Settle(exchange, why, restored); });
+      });
+}
+
+/// A swap that failed and left nothing behind is a step, so that it can be undone.
+void Orders::Settle(const Exchange& exchange, Error why,
+                    const Result<ConnectionDescription>& restored) {
+  const message::Wire former{exchange.wire.required, exchange.former.provided};
+  const std::string required = ToString(former.required);
+  const std::string provided = ToString(former.provided);
+  if (restored) {
+    const bool works = restored->state == ConnectionState::kActive;
+    why.message += "; " + required + " is still connected to " + provided +
+                   (works ? "" : ", but " + std::string(ToString(restored->state)) + ": ") +
+                   restored->reason;
+    return Answer(exchange.done, Result<Swapped>(why));
+  }
+  why.message +=
+      restored.error().code == ErrorCode::kTimeout
+          ? "; whether " + required + " is still connected to " + provided +
+                " is not known yet; see: gcm show " + required
+          : "; " + required + " is not connected to " + provided +
+                " any more, which could not be connected again: " + restored.error().message;
+  const auto* now = parts_.registry.catalog().FindConnection(former.required);
+  if (now != nullptr) return Answer(exchange.done, Result<Swapped>(why));
+  Record({.verb = "disconnect", .wire = former, .who = exchange.who}, why, exchange.done);
+}
+
 template <typename T, Message Body>
 void Orders::Give(MessageType type, const InterfaceName& required, const Body& body, Done<T> done) {
   const auto channel = parts_.registry.ChannelOf(required.process);
@@ -83,61 +253,56 @@ void Orders::Give(MessageType type, const InterfaceName& required, const Body& b
         std::move(done),
         Result<T>(Error{ErrorCode::kFailed, "process '" + required.process + "' is not there"}));
   }
-  if (!busy_.insert(required).second) {
-    return Answer(std::move(done),
-                  Result<T>(Error{ErrorCode::kFailed, ToString(required) +
-                                                          " is being changed by another request; "
-                                                          "try again when that is done"}));
-  }
-  auto finish = [locked = locked_, required, done = std::move(done)](Result<T> result) {
-    locked([&](Orders& orders) { orders.busy_.erase(required); });
-    done(std::move(result));
-  };
   parts_.outbox.Add(
-      [&worker = parts_.worker, channel, type, body, timeout = timeout_,
-       finish = std::move(finish)] { Ask<T>(worker, channel, type, body, timeout, finish); });
+      [&worker = parts_.worker, channel, type, body, timeout = timeout_, done = std::move(done)] {
+        Ask<T>(worker, channel, type, body, timeout, done);
+      });
 }
 
-/// Answers once the step is kept.
-template <typename T>
-void Orders::Record(const std::string& verb, const message::Wire& wire, const std::string& who,
-                    T answer, Done<T> done) {
-  parts_.history.Record({.verb = verb, .wire = wire, .who = who, .when = WallTime()},
-                        [answer = std::move(answer), done = std::move(done)] { done(answer); });
+/// Without an answer, what the process has reported counts.
+void Orders::GiveMake(const message::Wiring& wiring, ConnectDone done) {
+  const auto heard = [locked = locked_, wire = wiring.wire,
+                      done = std::move(done)](Result<ConnectionDescription> made) {
+    if (!made && IsOutcomeUnknown(made.error())) {
+      locked([&](Orders& orders) {
+        const auto* now = orders.parts_.registry.catalog().FindConnection(wire.required);
+        if (now != nullptr && now->provided == wire.provided) made = *now;
+      });
+    }
+    done(std::move(made));
+  };
+  Give<ConnectionDescription>(message::kMakeConnection, wiring.wire.required, wiring, heard);
 }
 
-void Orders::Make(const message::Wire& wire, ConnectDone done) {
-  const auto wiring = PlanConnect(parts_.registry.catalog(), wire);
-  if (!wiring) return Answer(std::move(done), Result<ConnectionDescription>(wiring.error()));
-  Give<ConnectionDescription>(message::kMakeConnection, wire.required, *wiring, std::move(done));
-}
-
-void Orders::Break(const InterfaceName& required, ConnectDone done) {
-  const auto connection = PlanDisconnect(parts_.registry.catalog(), required);
-  if (!connection) return Answer(std::move(done), connection);
-  Give<None>(message::kBreakConnection, required, message::Wire{required, {}},
-             [connection = *connection, done = std::move(done)](const Result<None>& result) {
-               if (!result) return done(result.error());
-               done(connection);
-             });
+void Orders::GiveBreak(const InterfaceName& required, Done<None> done) {
+  const auto heard = [locked = locked_, required, done = std::move(done)](Result<None> broken) {
+    if (!broken && IsOutcomeUnknown(broken.error())) {
+      locked([&](Orders& orders) {
+        const auto& catalog = orders.parts_.registry.catalog();
+        if (catalog.FindConnection(required) == nullptr) broken = None{};
+      });
+    }
+    done(std::move(broken));
+  };
+  Give<None>(message::kBreakConnection, required, message::Wire{required, {}}, heard);
 }
 
 /// Whether the objects are still as the step left them.
 Result<void> Orders::CheckUndo(const message::HistoryEntry& step) const {
   const auto* now = parts_.registry.catalog().FindConnection(step.wire.required);
   const std::string required = ToString(step.wire.required);
-  if (step.verb == "connect" && now == nullptr) {
+  const bool connects = step.verb != "disconnect";
+  if (connects && now == nullptr) {
     return Error{ErrorCode::kFailed, "cannot undo: " + required + " is no longer connected to " +
                                          ToString(step.wire.provided)};
   }
-  const bool changed =
-      step.verb == "connect" ? now->provided != step.wire.provided : now != nullptr;
+  const bool changed = now != nullptr && now->provided != step.wire.provided;
   if (!changed) return {};
   return Error{ErrorCode::kFailed,
                "cannot undo: " + required + " was since connected to " + ToString(now->provided)};
 }
 
-void Orders::FinishUndo(message::HistoryEntry step, const Result<ConnectionDescription>& outcome,
+void Orders::FinishUndo(message::HistoryEntry step, const Result<void>& outcome,
                         Done<message::HistoryEntry> done) {
   if (!outcome) {
     const Error error{outcome.error().code, "cannot undo: " + outcome.error().message};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <tendon/gcm/history.h>
+#include <tendon/gcm/lookup.h>
 #include <tendon/gcm/server/outbox.h>
 #include <tendon/gcm/server/registry.h>
 #include <tendon/middleware/body.h>
@@ -10,12 +11,14 @@
 #include <functional>
 #include <set>
 #include <string>
+#include <type_traits>
 
 namespace tendon::server {
 
 /// Connects and disconnects: checks a request against the catalogue, gives the order to the
 /// required side's LCM, and keeps in the history what was done. Nobody waits in a thread; what
-/// fails changes nothing. All functions are called under the lock of the owner; `done` is called
+/// fails changes nothing, as far as the LCM lets us; otherwise the history has that change. All
+/// functions are called under the lock of the owner; `done` is called
 /// once, without.
 class Orders {
  public:
@@ -36,8 +39,10 @@ class Orders {
 
   /// `who` asked for it.
   void Connect(const message::Wire& wire, const std::string& who, ConnectDone done);
+  /// As Connect() where it is not connected.
+  void Replace(const message::Wire& wire, const std::string& who, ConnectDone done);
   void Disconnect(const InterfaceName& required, const std::string& who, Done<None> done);
-  void Undo(Done<message::HistoryEntry> done);
+  void Undo(const std::string& who, Done<message::HistoryEntry> done);
 
   /// A connection which a returned process had before. Not a step in the history.
   void HandBack(const message::Wire& wire);
@@ -45,24 +50,49 @@ class Orders {
  private:
   template <typename T>
   void Answer(Done<T> done, Result<T> result);
-  template <typename T, Message Body>
-  void Give(MessageType type, const InterfaceName& required, const Body& body, Done<T> done);
   template <typename T>
-  void Record(const std::string& verb, const message::Wire& wire, const std::string& who, T answer,
-              Done<T> done);
+  Done<T> Claim(const InterfaceName& required, Done<T> done);
+  template <typename T>
+  void Record(message::HistoryEntry step, std::type_identity_t<Result<T>> answer, Done<T> done);
 
-  /// Orders without a trace in the history.
+  // Changes of an interface, one at a time, without a trace in the history.
+
+  using Planned = std::function<void(Orders&, const Result<message::Wiring>&)>;
+  void Plan(const message::Wire& wire, Occupied occupied, const Planned& planned);
   void Make(const message::Wire& wire, ConnectDone done);
   void Break(const InterfaceName& required, ConnectDone done);
 
+  struct Swapped {
+    ConnectionDescription made;
+    InterfaceName former;
+  };
+  struct Exchange {
+    message::Wire wire;
+    ConnectionDescription former;
+    std::string who;
+    Done<Swapped> done;
+  };
+  void Swap(const message::Wire& wire, const std::string& who, Done<Swapped> done);
+  void MakeInstead(const Exchange& exchange, const Result<None>& broken);
+  void Judge(const Exchange& exchange, const Result<ConnectionDescription>& made);
+  void Restore(const Exchange& exchange, const Error& why);
+  void Settle(const Exchange& exchange, Error why, const Result<ConnectionDescription>& restored);
+
+  // Single orders to the required side's LCM, which obeys them in this order.
+
+  template <typename T, Message Body>
+  void Give(MessageType type, const InterfaceName& required, const Body& body, Done<T> done);
+  void GiveMake(const message::Wiring& wiring, ConnectDone done);
+  void GiveBreak(const InterfaceName& required, Done<None> done);
+
   [[nodiscard]] Result<void> CheckUndo(const message::HistoryEntry& step) const;
-  void FinishUndo(message::HistoryEntry step, const Result<ConnectionDescription>& outcome,
+  void FinishUndo(message::HistoryEntry step, const Result<void>& outcome,
                   Done<message::HistoryEntry> done);
 
   Parts parts_;
   const Locked locked_;
   const std::chrono::milliseconds timeout_;
-  std::set<InterfaceName> busy_;  // required interfaces with an order on its way
+  std::set<InterfaceName> busy_;  // required interfaces that are being changed
 };
 
 }  // namespace tendon::server

@@ -180,7 +180,7 @@ Server::Serve Server::ServeOf(MessageType type) {
       {message::kLeave, &Server::Leave},     {message::kWatch, &Server::Watch},
       {message::kConnect, &Server::Connect}, {message::kDisconnect, &Server::Disconnect},
       {message::kUndo, &Server::Undo},       {message::kHistory, &Server::Tell},
-      {message::kForget, &Server::Forget}};
+      {message::kForget, &Server::Forget},   {message::kReplace, &Server::Replace}};
   const auto found = kServes.find(type);
   return found == kServes.end() ? nullptr : found->second;
 }
@@ -238,6 +238,12 @@ void Server::Connect(const Request& request) {
   Locked([&] { orders_->Connect(*wire, NameOf(*request.channel), AnswerOf(request.responder)); });
 }
 
+void Server::Replace(const Request& request) {
+  const auto wire = DecodeBody<message::Wire>(request.body);
+  if (!wire) return request.responder->Refuse(wire.error());
+  Locked([&] { orders_->Replace(*wire, NameOf(*request.channel), AnswerOf(request.responder)); });
+}
+
 void Server::Disconnect(const Request& request) {
   const auto wire = DecodeBody<message::Wire>(request.body);
   if (!wire) return request.responder->Refuse(wire.error());
@@ -247,7 +253,7 @@ void Server::Disconnect(const Request& request) {
 }
 
 void Server::Undo(const Request& request) {
-  Locked([&] { orders_->Undo(AnswerOf(request.responder)); });
+  Locked([&] { orders_->Undo(NameOf(*request.channel), AnswerOf(request.responder)); });
 }
 
 void Server::Tell(const Request& request) { request.responder->Answer(Result(history_.steps())); }

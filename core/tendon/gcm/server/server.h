@@ -67,6 +67,7 @@ class Server final : public std::enable_shared_from_this<Server> {
   void Leave(const Request& request);
   void Watch(const Request& request);
   void Connect(const Request& request);
+  void Replace(const Request& request);
   void Disconnect(const Request& request);
   void Undo(const Request& request);
   void Tell(const Request& request);

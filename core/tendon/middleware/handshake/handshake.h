@@ -23,11 +23,13 @@ struct Greeting {
 /// That an end knows the cookie: HMAC-SHA256, or zeroes where it shows none.
 using Digest = std::array<std::uint8_t, 32>;
 
+/// The acceptor's answer to a greeting.
 struct Challenge {
   Greeting greeting;
   Digest proof{};
 };
 
+/// The opener's answer to a challenge.
 struct Proof {
   Digest proof{};
   std::uint64_t session = 0;
@@ -58,6 +60,7 @@ class Handshake {
   /// The body of the opener's kHello.
   [[nodiscard]] Bytes Greet();
 
+  /// What a frame of the peer leads to.
   struct Step {
     MessageType type = MessageType::kHello;
     Bytes body;

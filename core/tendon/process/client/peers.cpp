@@ -13,6 +13,12 @@ void Peers::Learn(const std::string& process, const std::string& address, std::u
   if (!address.empty()) places_[process] = {address, instance};
 }
 
+std::vector<std::string> Peers::names() const {
+  std::vector<std::string> names;
+  for (const auto& [process, place] : places_) names.push_back(process);
+  return names;
+}
+
 std::optional<std::uint64_t> Peers::InstanceOf(const std::string& process) const {
   const auto found = places_.find(process);
   if (found == places_.end()) return std::nullopt;

@@ -23,6 +23,7 @@ class Peers {
   /// One of them.
   void Learn(const std::string& process, const std::string& address, std::uint64_t instance);
 
+  [[nodiscard]] std::vector<std::string> names() const;
   /// Which instance of it is there; nothing when it is not.
   [[nodiscard]] std::optional<std::uint64_t> InstanceOf(const std::string& process) const;
 

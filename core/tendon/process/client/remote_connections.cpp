@@ -1,3 +1,4 @@
+#include <tendon/base/name.h>
 #include <tendon/base/os/process.h>
 #include <tendon/process/client/remote_connections.h>
 
@@ -101,7 +102,8 @@ void RemoteConnections::Try(ConnectionId id) {
   }
   if (!peers_.InstanceOf(process)) {  // UpdatePeers() will try again
     if (is_first) {
-      Postpone(id, "process '" + process + "' is not there; the connection is made when it comes");
+      Postpone(id, "process '" + process + "' is not there; the connection is made when it comes" +
+                       DidYouMean(process, peers_.names()));
     }
     return;
   }

@@ -2,6 +2,7 @@
 #include <tendon/base/os/process.h>
 #include <tendon/process/ask.h>
 #include <tendon/process/membership/membership.h>
+#include <tendon/process/schema_exchange.h>
 
 #include <algorithm>
 #include <utility>
@@ -53,6 +54,8 @@ class Membership::GcmHandler final : public ChannelHandler {
         membership.Report();
         shared->Answer(broken);
       });
+    } else if (header.type == message::kGetSchemas) {
+      AnswerSchemas(body, *shared);
     } else {
       ChannelHandler::OnRequest(channel, header, body, std::move(*shared));
     }

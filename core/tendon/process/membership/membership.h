@@ -34,6 +34,7 @@ class MembershipDelegate {
 /// GCM, or when the name is somebody else's, the process runs on, and it is tried again.
 class Membership final : private NetworkJob {
  public:
+  /// Which GCM to join, and as what.
   struct Options {
     std::string gcm;  ///< its address
     bool retry = true;

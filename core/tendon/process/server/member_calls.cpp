@@ -1,4 +1,5 @@
 #include <tendon/process/server/member_calls.h>
+#include <tendon/proxy/waiting/begun_calls.h>
 
 #include <utility>
 #include <vector>
@@ -10,7 +11,7 @@ class MemberCalls::Target {
  public:
   Target(const Offer& offer, ProvidedInterface& provided, const std::string& name)
       : description_(offer.description()), enabled_(offer.enabled()), required_("call", nullptr) {
-    if (!IsQueued(description_.signature.kind)) {
+    if (!CanBeAwaited(description_.signature.kind)) {
       read_ = offer.Bind(nullptr);
       return;
     }
@@ -18,33 +19,66 @@ class MemberCalls::Target {
     auto connection = Connection::Make(required_, provided, "call", name);
     if (connection) connection_ = *std::move(connection);
   }
+  Target(const Target&) = delete;
+  Target& operator=(const Target&) = delete;
+  ~Target() { Close(); }
 
-  /// Any thread, one after the other.
-  message::Called Execute(std::span<const std::byte> argument) {
+  /// Any thread, one after the other. Answers at once, or out of Answer() in the network thread,
+  /// which is then told.
+  void Call(std::span<const std::byte> argument, std::chrono::nanoseconds timeout,
+            NetworkThread& network, const std::shared_ptr<Responder>& responder) {
     const std::scoped_lock lock(mutex_);
     static const Bytes nothing = EncodeBody(None{});
     if (argument.empty() && description_.signature.in == FingerprintOf<None>()) argument = nothing;
-    message::Called called;
-    Status status = Status::kNotConnected;
-    if (read_) {
-      status = enabled_.Get() ? read_->ExecuteEncoded(argument, called.answer)
-                              : Status(Status::kDisabled);
-    } else if (function_) {
-      status = (*function_)(argument, called.answer);
+    const BegunCalls::Done done = [responder, answers = Answers()](Status status,
+                                                                   const Bytes& result) {
+      message::Called called{.status = static_cast<std::uint8_t>(status.code()), .answer = {}};
+      if (status && answers) called.answer = result;
+      responder->Answer(Result(called));
+    };
+    Bytes result;
+    CommandBase* command = nullptr;
+    std::size_t call = 0;
+    const Status status = Begin(argument, result, network, command, call);
+    if (command == nullptr || status != Status(Status::kQueued)) return done(status, result);
+    {
+      const std::scoped_lock begun_lock(begun_mutex_);
+      begun_.Add(*command, call, SteadyClock().Now() + timeout, done);
     }
-    called.status = static_cast<std::uint8_t>(status.code());
-    if (!status || description_.signature.out == FingerprintOf<None>()) called.answer.clear();
-    return called;
+    network.Notify();
+  }
+
+  /// Network thread: those that have ended.
+  void Answer(SteadyTime now, SteadyTime& next) {
+    const std::scoped_lock lock(begun_mutex_);
+    begun_.Answer(now, next);
   }
 
   /// Afterwards nothing of the component is touched.
   void Close() {
     const std::scoped_lock lock(mutex_);
+    {
+      const std::scoped_lock begun_lock(begun_mutex_);
+      begun_.GiveUp();
+    }
     read_.reset();
     connection_.reset();
   }
 
  private:
+  [[nodiscard]] bool Answers() const { return description_.signature.out != FingerprintOf<None>(); }
+
+  /// `command` is set where the caller waits for the component.
+  Status Begin(std::span<const std::byte> argument, Bytes& result, NetworkThread& network,
+               CommandBase*& command, std::size_t& call) {
+    if (read_) {
+      return enabled_.Get() ? read_->ExecuteEncoded(argument, result) : Status(Status::kDisabled);
+    }
+    if (!function_) return Status::kNotConnected;
+    if (IsQueued(function_->kind())) return (*function_)(argument, result);
+    return function_->Begin(argument, result, network.wakeup(), command, call);
+  }
+
   const MemberDescription description_;
   const Flag& enabled_;  // of the component
   std::mutex mutex_;
@@ -52,17 +86,19 @@ class MemberCalls::Target {
   RequiredInterface required_;
   std::unique_ptr<FunctionProxy> function_;
   std::unique_ptr<Connection> connection_;
+  std::mutex begun_mutex_;  // taken after mutex_, under which code of the component may run
+  BegunCalls begun_;
 };
 
 void MemberCalls::Call(const std::shared_ptr<message::CallMember>& call,
                        const std::shared_ptr<Responder>& responder) {
   if (const auto target = Find(KeyOf(*call))) {
-    return responder->Answer(Result(target->Execute(call->argument)));
+    return target->Call(call->argument, call->timeout, *context_.network, responder);
   }
   context_.worker->Post([this, call, responder] {
     const auto target = Make(*call);
     if (!target) return responder->Refuse(target.error());
-    responder->Answer(Result((*target)->Execute(call->argument)));
+    (*target)->Call(call->argument, call->timeout, *context_.network, responder);
   });
 }
 
@@ -102,16 +138,16 @@ Result<std::shared_ptr<MemberCalls::Target>> MemberCalls::Make(const message::Ca
     return Error{ErrorCode::kNotFound, ToString(name) + " has no command '" + call.member + "'" +
                                            DidYouMean(call.member, known)};
   }
-  const CommandKind kind = offer->description().signature.kind;
-  if (WaitsForServer(kind)) {
-    return Error{ErrorCode::kInvalid, "'" + call.member + "' of " + ToString(name) + " is a " +
-                                          std::string(ToString(kind)) +
-                                          " command; those are called within its process only"};
-  }
   auto target = std::make_shared<Target>(*offer, **provided, ToString(name));
   const std::scoped_lock lock(mutex_);
   targets_[KeyOf(call)] = target;
   return target;
+}
+
+bool MemberCalls::Work(SteadyTime now, SteadyTime& next) {
+  const std::scoped_lock lock(mutex_);
+  for (const auto& [key, target] : targets_) target->Answer(now, next);
+  return false;
 }
 
 }  // namespace tendon

@@ -5,6 +5,7 @@
 #include <tendon/process/context.h>
 #include <tendon/process/messages.h>
 #include <tendon/proxy/function_proxy.h>
+#include <tendon/proxy/network_thread.h>
 
 #include <map>
 #include <memory>
@@ -16,12 +17,14 @@ namespace tendon {
 
 /// Executes any command of this process by its name, for consoles and windows. What was called once
 /// stays connected, through a mailbox of its own, until its component is removed.
-class MemberCalls {
+class MemberCalls final : private NetworkJob {
  public:
-  explicit MemberCalls(ProcessContext& context) : context_(context) {}
+  explicit MemberCalls(ProcessContext& context) : context_(context) { context.network->Add(*this); }
+  ~MemberCalls() override { context_.network->Remove(*this); }
 
-  /// In a thread of the middleware: answers at once, or, at the first call of a member, soon.
-  /// Refusals: kNotFound with a suggestion.
+  /// In a thread of the middleware: answers at once; at the first call of a member, soon; where the
+  /// caller waits for the component, when it has executed it. Refusals: kNotFound with a
+  /// suggestion.
   void Call(const std::shared_ptr<message::CallMember>& call,
             const std::shared_ptr<Responder>& responder);
 
@@ -37,6 +40,7 @@ class MemberCalls {
 
   std::shared_ptr<Target> Find(const Key& key);
   Result<std::shared_ptr<Target>> Make(const message::CallMember& call);
+  bool Work(SteadyTime now, SteadyTime& next) override;
 
   ProcessContext& context_;
   std::mutex mutex_;

@@ -12,7 +12,9 @@ void Session::OnOpen(const SharedChannel& channel, const Hello& /*peer*/) {
 void Session::OnRequest(const SharedChannel& channel, const FrameHeader& header, Body body,
                         Responder responder) {
   const MessageType type = header.type;
-  if (type == message::kRead) return Read(header, body, std::move(responder));
+  if (type == message::kRead || type == message::kWait) {
+    return Call(header, body, std::move(responder));
+  }
   if (type == message::kPing) return responder.Answer(Result<void>());
   if (type == message::kOpenInterface) return OpenInterface(body, std::move(responder));
   if (type == message::kGetSchemas) return AnswerSchemas(body, responder);
@@ -45,12 +47,16 @@ void Session::OnClosed(const SharedChannel& /*channel*/, const Error& /*reason*/
       [&services = services_, client = client_] { services.connections.CloseAll(client); });
 }
 
-void Session::Read(const FrameHeader& header, Body body, Responder responder) {
+void Session::Call(const FrameHeader& header, Body body, Responder responder) {
   const auto [proxy, offset] = client_->handles.Find(header.handle);
   if (!proxy || offset == 0) {
     return responder.Refuse({ErrorCode::kNotFound, "the connection was closed"});
   }
-  proxy->OnRead(offset - 1, body, std::move(responder));
+  if (header.type == message::kRead) {
+    proxy->OnRead(offset - 1, body, std::move(responder));
+  } else {
+    proxy->OnWait(offset - 1, body, std::move(responder));
+  }
 }
 
 void Session::OpenInterface(Body body, Responder responder) {

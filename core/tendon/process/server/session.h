@@ -34,7 +34,7 @@ class Session final : public ChannelHandler {
   void OnNotice(const SharedChannel& channel, const FrameHeader& header, Body body) override;
   void OnClosed(const SharedChannel& channel, const Error& reason) override;
 
-  void Read(const FrameHeader& header, Body body, Responder responder);
+  void Call(const FrameHeader& header, Body body, Responder responder);
   void OpenInterface(Body body, Responder responder);
   void CallMember(Body body, Responder responder);
   void Subscribe(const SharedChannel& channel, Body body, Responder responder);

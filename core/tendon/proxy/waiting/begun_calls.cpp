@@ -1,0 +1,52 @@
+#include <tendon/proxy/waiting/begun_calls.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <utility>
+
+namespace tendon {
+
+void BegunCalls::Add(CommandBase& command, std::size_t call, SteadyTime deadline, Done done) {
+  begun_.push_back({&command, call, deadline, std::move(done)});
+}
+
+void BegunCalls::Answer(SteadyTime now, SteadyTime& next) {
+  std::erase_if(begun_, [&](const Begun& begun) {
+    if (now < begun.deadline && !begun.command->HasEnded(begun.call)) {
+      next = std::min(next, begun.deadline);
+      return false;
+    }
+    End(begun, Status::kTimeout);
+    return true;
+  });
+}
+
+void BegunCalls::GiveUp() {
+  for (const Begun& begun : begun_) End(begun, Status::kNotConnected);
+  begun_.clear();
+}
+
+void BegunCalls::End(const Begun& begun, Status if_not_started) {
+  result_.clear();
+  const Status status = begun.command->EndEncoded(begun.call, result_);
+  begun.done(status == Status(Status::kTimeout) ? if_not_started : status, result_);
+}
+
+void AppendTimeout(std::chrono::nanoseconds timeout, Bytes& question) {
+  const auto count = static_cast<std::uint64_t>(timeout.count());
+  question.resize(question.size() + sizeof count);
+  std::memcpy(question.data() + question.size() - sizeof count, &count, sizeof count);
+}
+
+std::optional<std::chrono::nanoseconds> TakeTimeout(std::span<const std::byte>& question) {
+  constexpr std::chrono::nanoseconds kLongest = std::chrono::hours(24 * 365);
+  std::uint64_t count = 0;
+  if (question.size() < sizeof count) return std::nullopt;
+  question = question.first(question.size() - sizeof count);
+  std::memcpy(&count, question.data() + question.size(), sizeof count);
+  const auto longest = static_cast<std::uint64_t>(kLongest.count());
+  return std::chrono::nanoseconds(static_cast<std::int64_t>(std::min(count, longest)));
+}
+
+}  // namespace tendon

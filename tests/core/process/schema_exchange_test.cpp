@@ -1,0 +1,74 @@
+#include <gmock/gmock.h>
+#include <tendon/base/log.h>
+#include <tendon/process/schema_exchange.h>
+
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace {
+
+using tendon::FindSchema;
+using tendon::LearnedSchemas;
+using tendon::LogLevel;
+using tendon::Schema;
+
+/// One that no other test learns.
+Schema Type(const std::string& name) {
+  const auto parsed = Schema::Parse("struct " + name + " {\n  value: float64\n}\n");
+  EXPECT_TRUE(parsed.ok()) << parsed.error().message;
+  return parsed ? *parsed : Schema();
+}
+
+struct Warnings {
+  std::mutex mutex;
+  std::vector<std::string> texts;
+};
+
+/// What is said of types from now on.
+Warnings& Listen() {
+  static Warnings warnings;
+  static const bool is_added = [] {
+    tendon::AddLogSink([](LogLevel level, std::string_view source, std::string_view text) {
+      if (level != LogLevel::kWarning || source != "types") return;
+      const std::scoped_lock lock(warnings.mutex);
+      warnings.texts.emplace_back(text);
+    });
+    return true;
+  }();
+  EXPECT_TRUE(is_added);
+  const std::scoped_lock lock(warnings.mutex);
+  warnings.texts.clear();
+  return warnings;
+}
+
+TEST(LearnedSchemas, AreNoMoreThanAllowedAndTheRestIsWarnedOfOnce) {
+  Warnings& warnings = Listen();
+  LearnedSchemas learned({.types = 2, .text = 10'000});
+  EXPECT_TRUE(learned.Learn(Type("number.One")));
+  EXPECT_TRUE(learned.Learn(Type("number.One")));
+  EXPECT_TRUE(learned.Learn(Type("number.Two")));
+
+  EXPECT_FALSE(learned.Learn(Type("number.Three")));
+  EXPECT_FALSE(learned.Learn(Type("number.Four")));
+
+  EXPECT_TRUE(learned.Learn(Type("number.Two"))) << "it is known";
+  EXPECT_TRUE(FindSchema(Type("number.One").fingerprint()));
+  EXPECT_TRUE(FindSchema(Type("number.Two").fingerprint()));
+  EXPECT_FALSE(FindSchema(Type("number.Three").fingerprint()));
+  EXPECT_FALSE(FindSchema(Type("number.Four").fingerprint()));
+  EXPECT_THAT(warnings.texts, testing::ElementsAre(testing::HasSubstr("2, of ")));
+}
+
+TEST(LearnedSchemas, HaveNoLongerTextsThanAllowed) {
+  const std::size_t size = Type("text.One").TextWithHelp().size();
+  LearnedSchemas learned({.types = 10, .text = 2 * size});
+  EXPECT_TRUE(learned.Learn(Type("text.One")));
+
+  EXPECT_FALSE(learned.Learn(Type("text." + std::string(size, 'A'))));
+
+  EXPECT_TRUE(learned.Learn(Type("text.Two")));
+  EXPECT_FALSE(learned.Learn(Type("text.Six")));
+}
+
+}  // namespace
