@@ -114,7 +114,7 @@ QString ActivityModel::command(int row) const {
     case Action::Verb::kDisconnect:
       return QStringLiteral("gcm disconnect %1").arg(Name(action.required));
     case Action::Verb::kReplace:
-      return QStringLiteral("gcm disconnect %1 && gcm connect %1 %2")
+      return QStringLiteral("gcm connect %1 %2 --replace")
           .arg(Name(action.required), Name(action.provided));
     case Action::Verb::kUndo:
       return QStringLiteral("gcm undo");

@@ -47,8 +47,6 @@ class ActivityModel : public QAbstractTableModel {
   [[nodiscard]] QString command(int row) const;
   /// Whether Undo would take back this one: the newest that stands.
   [[nodiscard]] bool canUndo(int row) const;
-  /// The one that Undo would take back, or null.
-  [[nodiscard]] const Action* lastStep() const;
 
   Id begin(Action action);
   /// The ends are those an undo turned out to have changed.
@@ -66,6 +64,7 @@ class ActivityModel : public QAbstractTableModel {
     Action action;
   };
   [[nodiscard]] int rowOf(Id id) const;
+  [[nodiscard]] const Action* lastStep() const;
   [[nodiscard]] QString object(const Action& action) const;
   [[nodiscard]] QString outcome(const Action& action) const;
   void changed(int row);

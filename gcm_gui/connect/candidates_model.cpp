@@ -28,6 +28,8 @@ CandidatesModel::Row CandidatesModel::rowOf(const Candidate& candidate) {
   row.trail = QStringLiteral("%1 of %2")
                   .arg(candidate.compatibility.matched)
                   .arg(candidate.compatibility.needed);
+  row.tip = row.name +
+            QStringLiteral("\nHas %1 of the commands and events that are needed.").arg(row.trail);
   if (candidate.gone) {
     row.trail = QStringLiteral("lost");
   } else if (candidate.present) {
@@ -40,27 +42,36 @@ CandidatesModel::Row CandidatesModel::rowOf(const Candidate& candidate) {
   return row;
 }
 
+bool CandidatesModel::isWanted(const QString& name) const {
+  return std::all_of(words_.begin(), words_.end(),
+                     [&](const QString& word) { return name.contains(word, Qt::CaseInsensitive); });
+}
+
 void CandidatesModel::refresh() {
   std::vector<Row> fresh;
   int others = 0;
-  for (const Candidate& candidate :
-       mode_.active() ? mode_.candidates() : std::vector<Candidate>{}) {
+  int beyond = 0;
+  for (const Candidate& candidate : mode_.candidates()) {
     if (!candidate.fits() && !candidate.present && !candidate.looksAlike() && words_.isEmpty()) {
       ++others;
+    } else if (!isWanted(ToQString(ToString(candidate.port.name)))) {
       continue;
+    } else if (fresh.size() == kMostShown) {
+      ++beyond;
+    } else {
+      fresh.push_back(rowOf(candidate));
     }
-    Row row = rowOf(candidate);
-    const bool wanted = std::all_of(words_.begin(), words_.end(), [&](const QString& word) {
-      return row.name.contains(word, Qt::CaseInsensitive);
-    });
-    if (wanted) fresh.push_back(std::move(row));
   }
-  if (others > 0) {
+  const auto add = [&fresh](const QString& text) {
     Row row;
-    row.name = fresh.empty() ? QStringLiteral("None of %1 offers anything of it").arg(others)
-                             : QStringLiteral("and %1 that have nothing of it").arg(others);
+    row.name = text;
     row.stale = true;
     fresh.push_back(std::move(row));
+  };
+  if (beyond > 0) add(QStringLiteral("%1 more; type to find one").arg(beyond));
+  if (others > 0) {
+    add(fresh.empty() ? QStringLiteral("None of %1 has anything of it").arg(others)
+                      : QStringLiteral("%1 more have nothing of it").arg(others));
   }
   if (fresh == rows_) return;
   beginResetModel();
@@ -115,7 +126,7 @@ QVariant CandidatesModel::data(const QModelIndex& index, int role) const {
     case Qt::DisplayRole:
       return row.name;
     case Qt::ToolTipRole:
-      return choice ? row.name : QVariant();
+      return choice ? row.tip : QVariant();
     case kPathRole:
       return choice ? row.name : QString();
     case kFaceRole:

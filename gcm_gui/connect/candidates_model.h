@@ -5,6 +5,7 @@
 
 #include <QAbstractItemModel>
 #include <QString>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -17,6 +18,9 @@ class CandidatesModel : public QAbstractItemModel {
 
  public:
   explicit CandidatesModel(const ConnectMode& mode, QObject* parent = nullptr);
+
+  /// Of more the rest is only counted, until a filter narrows them.
+  static constexpr std::size_t kMostShown = 100;
 
   /// Only those whose paths have all of these words. A filter also shows the others one by one.
   void setFilter(const QString& words);
@@ -36,6 +40,7 @@ class CandidatesModel : public QAbstractItemModel {
     std::optional<PortName> port;
     QString name;
     QString trail;
+    QString tip;
     QString digit;
     StateMark mark = StateMark::kRefused;  // instead of the digit
     bool fits = false;
@@ -46,6 +51,7 @@ class CandidatesModel : public QAbstractItemModel {
   };
 
   void refresh();
+  [[nodiscard]] bool isWanted(const QString& name) const;
   [[nodiscard]] static Row rowOf(const Candidate& candidate);
   [[nodiscard]] bool isReason(const QModelIndex& index) const { return index.internalId() > 0; }
   [[nodiscard]] const Row& row(const QModelIndex& index) const;

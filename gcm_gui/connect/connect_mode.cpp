@@ -43,6 +43,7 @@ QStringList Candidate::reasons() const {
 ConnectMode::ConnectMode(const CatalogueStore& store, SystemActions& actions, QObject* parent)
     : QObject(parent), store_(store), actions_(actions) {
   connect(&store, &CatalogueStore::changed, this, &ConnectMode::follow);
+  connect(&store, &CatalogueStore::typesLearned, this, &ConnectMode::follow);
 }
 
 const Candidate* ConnectMode::best() const {

@@ -61,9 +61,13 @@ void GraphView::follow() {
   setSceneRect(contents.adjusted(
       -contents.width() - viewport()->width(), -contents.height() - viewport()->height(),
       contents.width() + viewport()->width(), contents.height() + viewport()->height()));
-  const bool calm = mode_.active() || (underMouse() && seen().contains(contents));
+  const bool calm = mode_.active() || (handIsOnIt() && seen().contains(contents));
   if (following_ && !calm) showAll();
   scene_.setVisible(seen());
+}
+
+bool GraphView::handIsOnIt() const {
+  return pointer_moved_.isValid() && !pointer_moved_.hasExpired(hand_rests_.count());
 }
 
 void GraphView::showAll() {
@@ -108,6 +112,9 @@ void GraphView::mousePressEvent(QMouseEvent* event) {
 }
 
 void GraphView::mouseMoveEvent(QMouseEvent* event) {
+  // A window that appears under a pointer at rest hears of it once.
+  if (pointer_ && *pointer_ != event->pos()) pointer_moved_.start();
+  pointer_ = event->pos();
   if (!pressed_) {
     scene_.point(portAt(event->pos()));
     return QGraphicsView::mouseMoveEvent(event);
@@ -151,6 +158,8 @@ void GraphView::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void GraphView::leaveEvent(QEvent* event) {
+  pointer_.reset();
+  pointer_moved_.invalidate();
   scene_.point(std::nullopt);
   QGraphicsView::leaveEvent(event);
   if (following_ && !mode_.active()) showAll();

@@ -4,8 +4,10 @@
 #include <gcm_gui/graph/graph_scene.h>
 #include <gcm_gui/models/selection.h>
 
+#include <QElapsedTimer>
 #include <QGraphicsView>
 #include <QPoint>
+#include <chrono>
 #include <optional>
 
 namespace tendon::gui {
@@ -14,7 +16,7 @@ namespace tendon::gui {
 /// connection (so does dragging from port to port), a click on anything else selects it.
 ///
 /// Until the user has zoomed or moved it, and again after fit(), all of the graph is shown in the
-/// middle. What comes or goes moves nothing under the pointer as long as all can be seen.
+/// middle. What comes or goes moves nothing under a hand: a pointer that has just been moved there.
 class GraphView : public QGraphicsView {
   Q_OBJECT
 
@@ -24,6 +26,8 @@ class GraphView : public QGraphicsView {
   [[nodiscard]] GraphScene& graph() const { return scene_; }
   /// The middle of a port's disc on this widget's viewport; nothing when there is no such port.
   [[nodiscard]] std::optional<QPoint> pointOf(const PortName& port) const;
+  /// For how long a pointer that was moved counts as a hand; 3 s at the start.
+  void setHandRests(std::chrono::milliseconds rests) { hand_rests_ = rests; }
 
  public Q_SLOTS:
   void fit();
@@ -44,6 +48,7 @@ class GraphView : public QGraphicsView {
  private:
   void zoom(double factor);
   void follow();
+  [[nodiscard]] bool handIsOnIt() const;
   void showAll();
   [[nodiscard]] QRectF seen() const;
   void pan(const QPoint& position);
@@ -60,6 +65,9 @@ class GraphView : public QGraphicsView {
   std::optional<QPoint> pressed_;
   std::optional<PortName> pressed_port_;
   bool dragging_ = false;
+  std::optional<QPoint> pointer_;
+  std::chrono::milliseconds hand_rests_{3000};
+  QElapsedTimer pointer_moved_;  // since it was moved here
 };
 
 }  // namespace tendon::gui

@@ -40,8 +40,9 @@ QVariant ComponentConnections::data(const QModelIndex& index, int role) const {
     case kDetailRole:
       return (is_client ? QStringLiteral("← ") : QStringLiteral("→ ")) +
              ToQString(peer.component + '/' + peer.interface);
-    case kTrailRole:
-      return WordOf(MarkOf(connection.state));
+    case kTrailRole:  // the usual state is told by its mark, to leave room for the name
+      return connection.state == ConnectionState::kActive ? QString()
+                                                          : WordOf(MarkOf(connection.state));
     case kGlyphMarkRole:
       return QVariant::fromValue(MarkOf(connection.state));
     case Qt::ToolTipRole:

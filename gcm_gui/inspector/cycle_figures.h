@@ -5,48 +5,45 @@
 #include <QObject>
 #include <QString>
 #include <cstdint>
-#include <deque>
 #include <optional>
-#include <span>
 
 namespace tendon::gui {
 
-/// How well a task keeps its time, from the column `Cycle` of its own state table: the newest
-/// period and overruns, and the spread of its lateness over the last rows.
+/// How well a task keeps its time, from the two columns that every task keeps in its own state
+/// table: `CycleSummary`, about the last whole second, and `Cycle`, about the last cycle.
 class CycleFigures : public QObject {
   Q_OBJECT
 
  public:
+  /// All in s. One cycle alone says nothing: after a late one the next comes early.
+  struct LastSecond {
+    double period = 0;   ///< mean
+    double late = 0;     ///< half of the cycles began no later than that
+    double later = 0;    ///< 99 %
+    double latest = 0;   ///< all of them
+    double compute = 0;  ///< mean
+  };
+
   explicit CycleFigures(SignalSource& source, QObject* parent = nullptr);
 
-  /// `component` by path; empty for none, and for one without the column.
+  /// `component` by path; empty for none, and for one without the columns.
   void show(const QString& component);
 
-  [[nodiscard]] bool known() const { return period_.has_value(); }
-  [[nodiscard]] double period() const { return period_.value_or(0); }  ///< s
-  [[nodiscard]] double compute() const { return compute_; }            ///< s
-  [[nodiscard]] std::uint64_t overruns() const { return overruns_; }
-  /// The lateness that this part (0 to 1) of the last rows did not exceed, in s; nothing before a
-  /// row has come.
-  [[nodiscard]] std::optional<double> lateness(double part) const;
-
- Q_SIGNALS:
-  void changed();
+  /// Nothing before a second is over.
+  [[nodiscard]] const std::optional<LastSecond>& lastSecond() const { return last_second_; }
+  /// Cycles left out since the start because one before took too long; nothing before a row has
+  /// come.
+  [[nodiscard]] std::optional<std::uint64_t> skipped() const { return skipped_; }
 
  private:
-  static constexpr std::size_t kRows = 1000;
-
   void hearValues(const QString& column, const ColumnValues& values);
-  void hearSamples(const QString& signal, std::span<const Sample> samples);
-  [[nodiscard]] QString column() const;
-  [[nodiscard]] QString latenessSignal() const;
+  [[nodiscard]] QString cycleColumn() const;
+  [[nodiscard]] QString summaryColumn() const;
 
   SignalSource& source_;
   QString component_;
-  std::optional<double> period_;
-  double compute_ = 0;
-  std::uint64_t overruns_ = 0;
-  std::deque<double> lateness_;
+  std::optional<LastSecond> last_second_;
+  std::optional<std::uint64_t> skipped_;
 };
 
 }  // namespace tendon::gui

@@ -17,6 +17,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QStackedWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -34,6 +35,44 @@ bool HasCycle(const ComponentDescription& component) {
     return table.name == "state" && std::any_of(table.columns.begin(), table.columns.end(),
                                                 [](const auto& c) { return c.name == "Cycle"; });
   });
+}
+
+QString ProcessWord(ProcessState state) {
+  return state == ProcessState::kSuspect ? QStringLiteral("no answer") : ToQString(ToString(state));
+}
+
+/// Of a round one: "1 ms", not "1.000 ms".
+QString ShortDuration(double seconds) {
+  static const QRegularExpression zeros(QStringLiteral("\\.?0+(?= )"));
+  const QString text = DurationText(seconds);
+  return text.contains('.') ? QString(text).remove(zeros) : text;
+}
+
+/// How well a task keeps a wanted period, in s.
+QList<Fact> TimingFacts(double period, const CycleFigures& figures) {
+  const auto& last = figures.lastSecond();
+  const QString none = QStringLiteral("–");
+  const QString percent = last ? QString::number(100 * last->compute / period, 'f', 1) : none;
+  return {
+      {QStringLiteral("Period"),
+       ShortDuration(period) +
+           (last ? QStringLiteral(" · now ") + DurationText(last->period) : QString()),
+       QStringLiteral("How often it is to run, and how often it did in the last second")},
+      {QStringLiteral("Starts late by"),
+       last
+           ? QStringLiteral("%1 · max %2").arg(DurationText(last->late), DurationText(last->latest))
+           : none,
+       last ? QStringLiteral("In the last second half of the cycles began no later than %1 after "
+                             "they were due, 99 of 100 no later than %2, all no later than %3")
+                  .arg(DurationText(last->late), DurationText(last->later),
+                       DurationText(last->latest))
+            : QString()},
+      {QStringLiteral("Skipped cycles"),
+       figures.skipped() ? QString::number(*figures.skipped()) : none,
+       QStringLiteral("Since its start, because a cycle before took too long")},
+      {QStringLiteral("Busy"),
+       last ? QStringLiteral("%1 % · %2").arg(percent, DurationText(last->compute)) : none,
+       QStringLiteral("How much of its period it computes, mean of the last second")}};
 }
 
 }  // namespace
@@ -233,16 +272,18 @@ void Inspector::showProcess(const ProcessEntry& entry) {
   const ProcessDescription& process = entry.process;
   name_->setText(ToQString(process.name));
   state_->setVisible(true);
-  const bool alive = process.state == ProcessState::kAlive;
-  state_->show(MarkOf(process.state),
-               alive ? QStringLiteral("alive") : ToQString(ToString(process.state)));
+  state_->show(MarkOf(process.state), ProcessWord(process.state));
   process_->clear();
-  FactGrid::Facts facts{{QStringLiteral("Host"), ToQString(process.host)},
-                        {QStringLiteral("Process id"), QString::number(process.pid)},
-                        {QStringLiteral("Address"), ToQString(process.address)},
-                        {QStringLiteral("Components"), QString::number(entry.components.size())},
-                        {QStringLiteral("Since"), ClockText(process.since).section('.', 0, 0)}};
-  if (!process.reason.empty()) facts.append({QStringLiteral("Reason"), ToQString(process.reason)});
+  QString since = ProcessWord(process.state) + QStringLiteral(" since");
+  since[0] = since[0].toUpper();
+  QList<Fact> facts{{QStringLiteral("Host"), ToQString(process.host)},
+                    {QStringLiteral("Process id"), QString::number(process.pid)},
+                    {QStringLiteral("Address"), ToQString(process.address)},
+                    {QStringLiteral("Components"), QString::number(entry.components.size())},
+                    {since, ClockText(process.since).section('.', 0, 0)}};
+  if (!process.reason.empty()) {
+    facts.append({QStringLiteral("Reason"), ToQString(process.reason), {}, Fact::Kind::kSentence});
+  }
   process_facts_->show(facts);
   forget_->setVisible(IsGone(process.state));
   pages_->setCurrentIndex(kProcessPage);
@@ -274,27 +315,11 @@ void Inspector::showFigures() {
   const auto path = ParsePath(shown_component_.toStdString());
   const auto* component = store_.catalogue().FindComponent(path->process, path->component);
   if (component == nullptr) return;
-  FactGrid::Facts facts{{QStringLiteral("Class"), ToQString(component->class_name)}};
-  if (!component->fault.empty())
-    facts.append({QStringLiteral("Fault"), ToQString(component->fault)});
-  const QString none = QStringLiteral("–");
-  if (wanted_period_ > 0) {
-    const double period = figures_.known() ? figures_.period() : wanted_period_;
-    facts.append({QStringLiteral("Period"), DurationText(period)});
-    const auto half = figures_.lateness(0.5);
-    const auto most = figures_.lateness(0.99);
-    facts.append(
-        {QStringLiteral("Lateness p50 / p99"),
-         half && most ? DurationText(*half) + QStringLiteral(" / ") + DurationText(*most) : none});
-    facts.append({QStringLiteral("Overruns"),
-                  figures_.known() ? QString::number(figures_.overruns()) : none});
-    const double load = 100 * figures_.compute() / wanted_period_;
-    facts.append({QStringLiteral("Compute"),
-                  figures_.known() ? QStringLiteral("%1 · %2 %")
-                                         .arg(DurationText(figures_.compute()),
-                                              QString::number(load, 'f', load < 10 ? 1 : 0))
-                                   : none});
+  QList<Fact> facts{{QStringLiteral("Class"), ToQString(component->class_name)}};
+  if (!component->fault.empty()) {
+    facts.append({QStringLiteral("Fault"), ToQString(component->fault), {}, Fact::Kind::kSentence});
   }
+  if (wanted_period_ > 0) facts += TimingFacts(wanted_period_, figures_);
   component_facts_->show(facts);
 }
 

@@ -2,6 +2,7 @@
 #include <gcm_gui/models/connection_index.h>
 #include <gcm_gui/models/row_roles.h>
 #include <gcm_gui/models/state_of.h>
+#include <gcm_gui/models/table_columns.h>
 #include <gcm_gui/models/text.h>
 
 #include <algorithm>
@@ -58,11 +59,11 @@ class RowBuilder {
     if (table == component_.tables.end()) {
       AddMembers(name, Kind::kMember, provided.commands);
     } else {
-      for (const auto& column : table->columns) {
+      for (const auto* column : ColumnsOf(*table)) {
         Add({Kind::kColumn,
-             PathOf(name) + '.' + ToQString(column.name),
-             ToQString(column.name),
-             ToQString(column.type),
+             PathOf(name) + '.' + ToQString(column->name),
+             ToQString(column->name),
+             ToQString(column->type),
              {},
              {},
              {}});

@@ -1,5 +1,6 @@
 #include <gcm_gui/inspector/values_model.h>
 #include <gcm_gui/models/row_roles.h>
+#include <gcm_gui/models/table_columns.h>
 #include <gcm_gui/models/text.h>
 
 #include <algorithm>
@@ -71,8 +72,8 @@ void ValuesModel::show(const QString& path, const ComponentDescription* componen
     for (const auto& table : component->tables) {
       const QString interface = path + '/' + ToQString(table.name);
       const QString prefix = table.name == "state" ? QString() : ToQString(table.name) + '.';
-      for (const auto& column : table.columns) {
-        const QString name = ToQString(column.name);
+      for (const auto* column : ColumnsOf(table)) {
+        const QString name = ToQString(column->name);
         fresh.push_back({interface + '.' + name, prefix + name, {}});
       }
     }

@@ -1,4 +1,5 @@
 #include <gcm_gui/models/catalogue_item.h>
+#include <gcm_gui/models/table_columns.h>
 #include <gcm_gui/models/text.h>
 
 #include <algorithm>
@@ -37,11 +38,11 @@ const TableDescription* FindTable(const ComponentDescription& component, const s
 }
 
 void AddColumns(CatalogueItem& interface, const TableDescription& table) {
-  for (const auto& column : table.columns) {
-    const QString name = ToQString(column.name);
+  for (const auto* column : ColumnsOf(table)) {
+    const QString name = ToQString(column->name);
     Item item = MakeItem(ItemKind::kColumn, name, interface.path + '.' + name);
-    item->detail = ToQString(column.type);
-    item->type = column.fingerprint;
+    item->detail = ToQString(column->type);
+    item->type = column->fingerprint;
     item->gone = interface.gone;
     interface.Add(std::move(item));
   }

@@ -384,7 +384,7 @@ void CatalogueModel::showValues(const QString& column, const ColumnValues& value
 
 void CatalogueModel::emitValuesChanged(CatalogueItem& item) {
   if (item.kind == ItemKind::kColumn)
-    Q_EMIT dataChanged(indexFor(item, kValue), indexFor(item, kValue));
+    Q_EMIT dataChanged(indexFor(item, kValue), indexFor(item, kValue), {Qt::DisplayRole});
   if (item.children.empty()) return;
   Q_EMIT dataChanged(indexFor(*item.children.front(), kValue),
                      indexFor(*item.children.back(), kValue), {Qt::DisplayRole});
@@ -396,7 +396,9 @@ void CatalogueModel::emitValuesChanged(CatalogueItem& item) {
 void CatalogueModel::setNow(qint64 now) {
   now_ = now;
   for (const auto& process : root_->children) {
-    if (process->gone) Q_EMIT dataChanged(indexFor(*process, kValue), indexFor(*process, kValue));
+    if (!process->gone) continue;
+    const QModelIndex value = indexFor(*process, kValue);
+    Q_EMIT dataChanged(value, value, {Qt::DisplayRole});
   }
 }
 

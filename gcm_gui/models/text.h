@@ -35,7 +35,7 @@ namespace tendon::gui {
 [[nodiscard]] QString CountText(std::int64_t count, const QString& noun);
 
 /// What goes in and comes out: "JointGoal", "LinkId → Pose", "" for neither. With the whole names
-/// "arm.LinkId → arm.Pose".
+/// "arm.LinkId → geometry_msgs.Pose".
 enum class TypeNames { kShort, kWhole };
 [[nodiscard]] QString TypesText(const MemberDescription& member, TypeNames names);
 

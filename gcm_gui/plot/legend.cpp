@@ -43,8 +43,7 @@ void LegendRow::setEntry(const LegendEntry& entry) {
   if (entry == entry_) return;
   entry_ = entry;
   setObjectName("legend:" + entry.path);
-  setAccessibleName(entry.stale ? QString("%1, %2").arg(entry.path, entry.name)
-                                : QString("%1 %2 %3").arg(entry.name, entry.value, entry.unit));
+  setAccessibleName(QStringList{entry.name, entry.value, entry.unit}.join(' ').simplified());
   setToolTip(entry.path);
   SetText(name_, entry.name, Theme::instance().small());
   SetText(value_, entry.value, Theme::instance().smallMono());

@@ -20,7 +20,7 @@ struct LegendEntry {
   QString value;  ///< already in digits
   QString unit;
   int color_index = 0;
-  bool stale = false;  ///< then `name` says what is waited for, in grey
+  bool stale = false;  ///< then `name` says also what is waited for, in grey
   bool shown = true;   ///< the curve is visible
 
   bool operator==(const LegendEntry&) const = default;

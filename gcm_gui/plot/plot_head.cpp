@@ -5,6 +5,7 @@
 #include <gcm_gui/theme/theme.h>
 
 #include <QAction>
+#include <QActionGroup>
 #include <QLayout>
 #include <QMenu>
 #include <QTabBar>
@@ -49,8 +50,9 @@ PlotHead::PlotHead(QWidget* parent)
       tabs_(new TabBar(this)),
       plus_(Button("newPlot", "New plot", this)),
       badge_(new RateBadge(this)),
-      window_(Button("window", "Window length", this)),
+      window_(Button("window", "How long the plot looks back", this)),
       cursors_(Button("cursors", "Cursors A and B  (A, B; Delete)", this)),
+      csv_(Button("saveCsv", "Save what is seen as CSV  (Ctrl+E)", this)),
       pause_(Button("pause", "Pause the view", this)) {
   tabs_->setObjectName("plotTabs");
   tabs_->setAccessibleName("Plots");
@@ -62,29 +64,36 @@ PlotHead::PlotHead(QWidget* parent)
   pause_->setCheckable(true);
   cursors_->setText("A/B");
   cursors_->setCheckable(true);
+  csv_->setText("CSV");
   buildWindowMenu();
   addLeft(tabs_);
   addLeft(plus_);
   addRight(badge_);
   addRight(window_);
   addRight(cursors_);
+  addRight(csv_);
   addRight(pause_);
   layout()->setSpacing(kGrid);
   connect(plus_, &QToolButton::clicked, this, &PlotHead::newPlotRequested);
   connect(pause_, &QToolButton::clicked, this, &PlotHead::pauseToggled);
   connect(cursors_, &QToolButton::clicked, this, &PlotHead::cursorsToggled);
+  connect(csv_, &QToolButton::clicked, this, &PlotHead::csvRequested);
 }
 
 void PlotHead::buildWindowMenu() {
   auto* menu = new QMenu(window_);
+  lengths_ = new QActionGroup(menu);
   for (const nanoseconds length :
        {nanoseconds(seconds(1)), nanoseconds(seconds(5)), nanoseconds(seconds(10)),
         nanoseconds(seconds(30)), nanoseconds(minutes(1)), nanoseconds(minutes(5)),
         nanoseconds(minutes(10)), nanoseconds(hours(1))}) {
-    menu->addAction(LengthText(length), this, [this, length] { Q_EMIT windowChosen(length); });
+    QAction* action = lengths_->addAction(menu->addAction(LengthText(length)));
+    action->setCheckable(true);
+    connect(action, &QAction::triggered, this, [this, length] { Q_EMIT windowChosen(length); });
   }
-  window_->setMenu(menu);
-  window_->setPopupMode(QToolButton::InstantPopup);
+  // Not the button's own way, which waits in its handler until the menu is closed.
+  connect(window_, &QToolButton::clicked, menu,
+          [this, menu] { menu->popup(window_->mapToGlobal(QPoint(0, window_->height()))); });
 }
 
 void PlotHead::setFigures(const std::vector<SourceFigures>& figures) {
@@ -92,8 +101,11 @@ void PlotHead::setFigures(const std::vector<SourceFigures>& figures) {
 }
 
 void PlotHead::setWindow(nanoseconds length) {
-  window_->setText("window " + LengthText(length));
-  window_->setAccessibleName("Window length: " + LengthText(length));
+  window_->setText("Last " + LengthText(length));
+  window_->setAccessibleName("How long the plot looks back: " + LengthText(length));
+  for (QAction* action : lengths_->actions()) {
+    action->setChecked(action->text() == LengthText(length));
+  }
 }
 
 void PlotHead::setCursors(bool shown) { cursors_->setChecked(shown); }

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <vector>
 
+class QActionGroup;
 class QTabBar;
 class QToolButton;
 
@@ -32,6 +33,7 @@ class PlotHead : public HeadRow {
   void windowChosen(std::chrono::nanoseconds length);
   void pauseToggled(bool paused);
   void cursorsToggled(bool shown);
+  void csvRequested();
 
  private:
   void buildWindowMenu();
@@ -40,7 +42,9 @@ class PlotHead : public HeadRow {
   QToolButton* plus_;
   RateBadge* badge_;
   QToolButton* window_;
+  QActionGroup* lengths_ = nullptr;
   QToolButton* cursors_;
+  QToolButton* csv_;
   QToolButton* pause_;
 };
 

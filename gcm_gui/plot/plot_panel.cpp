@@ -2,17 +2,28 @@
 #include <gcm_gui/plot/plot_panel.h>
 #include <gcm_gui/plot/plot_view.h>
 
+#include <QFileDialog>
 #include <QMenu>
 #include <QSet>
 #include <QStackedWidget>
 #include <QTabBar>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <chrono>
+#include <memory>
+#include <utility>
 
 namespace tendon::gui {
 namespace {
 
 constexpr int kHeadPeriod = 250;  // ms
+
+CsvTable InSight(const PlotView& view) {
+  const std::chrono::nanoseconds utc = std::chrono::system_clock::now().time_since_epoch();
+  const TimeWindow& window = view.window();
+  return CsvTableOf(view.curves(), window.timeAt(window.from()), window.timeAt(window.to()),
+                    utc.count() - view.now());
+}
 
 }  // namespace
 
@@ -31,6 +42,8 @@ PlotPanel::PlotPanel(QWidget* parent)
   connect(head_, &PlotHead::pauseToggled, this, &PlotPanel::setPaused);
   connect(head_, &PlotHead::cursorsToggled, this,
           [this](bool shown) { currentPlot().showCursors(shown); });
+  connect(head_, &PlotHead::csvRequested, this, &PlotPanel::askForCsv);
+  connect(&csv_, &CsvExport::finished, this, &PlotPanel::notice);
   connect(&head_timer_, &QTimer::timeout, this, &PlotPanel::updateHead);
   head_timer_.start(kHeadPeriod);
   addPlot();
@@ -178,6 +191,25 @@ void PlotPanel::setWindow(std::chrono::nanoseconds length) {
   currentPlot().setWindow(length);
   updateHead();
 }
+
+void PlotPanel::askForCsv() {
+  auto table = std::make_shared<CsvTable>(InSight(currentPlot()));
+  if (table->empty()) {
+    Q_EMIT notice("There is nothing to save as CSV: the plot shows no samples");
+    return;
+  }
+  auto* dialog = new QFileDialog(this, "Save what is seen as CSV");
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setNameFilter("CSV (*.csv)");
+  dialog->setDefaultSuffix("csv");
+  dialog->selectFile(head_->tabs().tabText(currentIndex()) + ".csv");
+  connect(dialog, &QFileDialog::fileSelected, this,
+          [this, table](const QString& file) { csv_.save(std::move(*table), file); });
+  dialog->open();
+}
+
+void PlotPanel::toggleCursors() { currentPlot().showCursors(!currentPlot().cursors().any()); }
 
 void PlotPanel::setMemoryBudget(std::size_t bytes) {
   memory_ = bytes;

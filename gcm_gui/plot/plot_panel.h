@@ -1,5 +1,6 @@
 #pragma once
 
+#include <gcm_gui/plot/csv/csv_export.h>
 #include <gcm_gui/plot/series/sample_ring.h>
 #include <gcm_gui/plot/series/signal_path.h>
 
@@ -45,6 +46,11 @@ class PlotPanel : public QWidget {
   [[nodiscard]] bool isPaused() const { return paused_; }
   /// Of the plot in front.
   void setWindow(std::chrono::nanoseconds length);
+  /// Asks for a file, and saves there what the plot in front shows at the moment of asking: every
+  /// sample in sight. Writing goes on beside the window.
+  void askForCsv();
+  void toggleCursors();
+
   /// For the samples of all plots, in bytes.
   void setMemoryBudget(std::size_t bytes);
 
@@ -61,6 +67,8 @@ class PlotPanel : public QWidget {
   void subscriptionWanted(const QString& path);
   void subscriptionReleased(const QString& path);
   void pausedChanged(bool paused);
+  /// One sentence for the user.
+  void notice(const QString& text);
 
  private:
   void buildTabs();
@@ -73,6 +81,7 @@ class PlotPanel : public QWidget {
   void shareMemory();
   [[nodiscard]] bool isPlotted(const QString& path) const;
 
+  CsvExport csv_;
   PlotHead* head_;
   QStackedWidget* plots_;
   QTimer head_timer_;

@@ -92,10 +92,8 @@ void PlotView::build() {
   overlay_ = new PlotOverlay(canvas());
   legend_ = new Legend(canvas());
   legend_->move(2 * kGrid, 2 * kGrid);
-  live_pill_ = new QPushButton(ThemeIcon("play", Token::kOnAccent), "Live", canvas());
+  live_pill_ = new QPushButton(canvas());
   live_pill_->setObjectName("live");
-  live_pill_->setAccessibleName("Follow live data again");
-  live_pill_->setToolTip("Follow live data again (double click)");
   live_pill_->setFocusPolicy(Qt::TabFocus);
   SetRole(*live_pill_, "primary");
   live_pill_->hide();
@@ -307,6 +305,11 @@ void PlotView::updateLive() {
   const bool fitted =
       std::all_of(axes.begin(), axes.end(), [](const UnitAxis& axis) { return axis.fitted; });
   live_pill_->setVisible(!curves_.empty() && !(isLive() && fitted));
+  // Live already, only its values are not: then there is less to go back to.
+  live_pill_->setText(isLive() ? "Fit" : "Live");
+  live_pill_->setIcon(ThemeIcon(isLive() ? "fit" : "play", Token::kOnAccent));
+  live_pill_->setAccessibleName(isLive() ? "Fit the values again" : "Follow live data again");
+  live_pill_->setToolTip(live_pill_->accessibleName() + " (double click)");
   live_pill_->adjustSize();
   live_pill_->move(canvas()->width() - live_pill_->width() - 2 * kGrid, 2 * kGrid);
   if (was_live_ == isLive()) return;
@@ -388,7 +391,8 @@ void PlotView::updateLegend() {
     const bool stale = curve->isStale() && !at;
     entries.push_back(
         {.path = curve->path(),
-         .name = stale ? curve->staleReason() : ShortName(curve->path()),
+         .name = stale ? ShortName(curve->path()) + " · " + curve->staleReason()
+                       : ShortName(curve->path()),
          .value = value && !stale ? LegendValue(*value, curves_.axisOf(*curve).range) : QString(),
          .unit = stale ? QString() : curve->unit(),
          .color_index = curve->colorIndex(),

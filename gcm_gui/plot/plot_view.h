@@ -45,6 +45,8 @@ class PlotView : public QwtPlot {
   /// Live in time, and all axes follow the data.
   void goLive();
   [[nodiscard]] bool isLive() const;
+  /// The sources' present time, in ns of their steady clock: see LiveClock.
+  [[nodiscard]] std::int64_t now() const;
 
   // In pixels of the canvas. All but goBack() leave the live view.
   void zoomTime(double factor, double x);
@@ -106,7 +108,6 @@ class PlotView : public QwtPlot {
   void updateLegend();
   void updateLive();
   void curvesChanged();
-  [[nodiscard]] std::int64_t now() const;
   [[nodiscard]] double columns() const;
 
   CurveSet curves_;

@@ -52,24 +52,54 @@ void TouchAll(Touched& touched, const Catalog& catalogue) {
   }
 }
 
+/// Moves about so many components from the front of `parts` to the result, each once: a whole
+/// process stands for all of its components.
+Touched TakeSome(Touched& parts, const Catalog& catalogue, std::size_t most) {
+  Touched some;
+  for (std::size_t count = 0; !parts.empty() && count < most;) {
+    const TouchedPart part = *parts.begin();
+    const auto same_process = [&](const TouchedPart& other) {
+      return other.process == part.process;
+    };
+    const ProcessEntry* entry = catalogue.FindProcess(part.process);
+    count += part.component.empty() && entry != nullptr ? entry->components.size() + 1 : 1;
+    if (part.component.empty()) {
+      while (!parts.empty() && same_process(*parts.begin())) parts.erase(parts.begin());
+      some.insert(part);
+    } else {
+      some.insert(parts.extract(parts.begin()));
+    }
+  }
+  return some;
+}
+
 }  // namespace
 
+CatalogueStore::CatalogueStore(QObject* parent) : QObject(parent) {
+  next_.setSingleShot(true);
+  connect(&next_, &QTimer::timeout, this, &CatalogueStore::tell);
+}
+
+void CatalogueStore::tell() {
+  const Touched some = TakeSome(untold_, catalogue_, kMostAtOnce);
+  if (!untold_.empty()) next_.start();
+  Q_EMIT changed(catalogue_, some);
+}
+
 void CatalogueStore::replace(Catalog catalogue) {
-  Touched touched;
-  TouchAll(touched, catalogue_);
-  TouchAll(touched, catalogue);
+  TouchAll(untold_, catalogue_);
+  TouchAll(untold_, catalogue);
   catalogue_ = std::move(catalogue);
-  Q_EMIT changed(catalogue_, touched);
+  tell();
 }
 
 void CatalogueStore::apply(const std::vector<CatalogChange>& changes) {
-  Touched touched;
   for (const auto& change : changes) {
     Touched here;
     Touch(here, catalogue_, change);
-    if (catalogue_.Apply(change)) touched.merge(here);
+    if (catalogue_.Apply(change)) untold_.merge(here);
   }
-  if (!touched.empty()) Q_EMIT changed(catalogue_, touched);
+  if (!untold_.empty()) tell();
 }
 
 }  // namespace tendon::gui

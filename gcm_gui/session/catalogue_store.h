@@ -3,6 +3,8 @@
 #include <tendon/gcm/catalog.h>
 
 #include <QObject>
+#include <QTimer>
+#include <cstddef>
 #include <set>
 #include <string>
 #include <vector>
@@ -24,7 +26,10 @@ class CatalogueStore : public QObject {
   Q_OBJECT
 
  public:
-  using QObject::QObject;
+  /// More components than this, at most by the rest of a process, are told of in several steps.
+  static constexpr std::size_t kMostAtOnce = 100;
+
+  explicit CatalogueStore(QObject* parent = nullptr);
 
   [[nodiscard]] const Catalog& catalogue() const { return catalogue_; }
 
@@ -32,13 +37,22 @@ class CatalogueStore : public QObject {
   void replace(Catalog catalogue);
   /// The next changes; those that do not follow are left out, and a snapshot will come.
   void apply(const std::vector<CatalogChange>& changes);
+  /// The views have not been told of everything yet.
+  [[nodiscard]] bool isTelling() const { return !untold_.empty(); }
 
  Q_SIGNALS:
-  /// Once for all the changes that arrived together.
+  /// Once for the changes that arrived together; where they touch many components, step by step
+  /// from the event loop, so that no step holds up the window.
   void changed(const tendon::Catalog& catalogue, const tendon::gui::Touched& touched);
+  /// FindSchema() knows more of the catalogue's types than before.
+  void typesLearned();
 
  private:
+  void tell();
+
   Catalog catalogue_;
+  Touched untold_;
+  QTimer next_;
 };
 
 }  // namespace tendon::gui

@@ -1,6 +1,7 @@
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/session/session.h>
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -58,9 +59,23 @@ Session::~Session() {
 void Session::hearSnapshot(const Catalog& catalogue) {
   store_.replace(catalogue);
   link_.setConnected();
+  learnTypes();
 }
 
-void Session::hearChanges(const std::vector<CatalogChange>& changes) { store_.apply(changes); }
+void Session::hearChanges(const std::vector<CatalogChange>& changes) {
+  store_.apply(changes);
+  const auto is_component = [](const CatalogChange& change) {
+    return change.kind == CatalogChange::Kind::kComponent;
+  };
+  if (std::any_of(changes.begin(), changes.end(), is_component)) learnTypes();
+}
+
+/// So that what does not fit can be said in words, once a user asks.
+void Session::learnTypes() {
+  client_->LearnDisputedTypes([this, courier = courier_](const auto& /*as far as they answer*/) {
+    courier->post([this] { Q_EMIT store_.typesLearned(); });
+  });
+}
 
 void Session::hearLost(const Error& reason) { link_.setUnreachable(ToQString(reason.message)); }
 
@@ -102,53 +117,30 @@ void Session::disconnectInterface(const InterfaceName& required) {
 }
 
 void Session::replaceConnection(const InterfaceName& required, const InterfaceName& provided) {
-  const auto* connection = store_.catalogue().FindConnection(required);
-  if (connection == nullptr) return connectInterfaces(required, provided);
+  if (store_.catalogue().FindConnection(required) == nullptr) {
+    return connectInterfaces(required, provided);
+  }
   Action action;
   action.verb = Action::Verb::kReplace;
   action.required = required;
   action.provided = provided;
-  client_->Disconnect(
-      required, [this, courier = courier_, required, provided, former = connection->provided,
-                 done = begin(std::move(action))](const auto& result) {
-        if (!result.ok()) return done(result.error());
-        courier->post([=, this] { connectInstead(required, provided, former, done); });
-      });
-}
-
-void Session::connectInstead(const InterfaceName& required, const InterfaceName& provided,
-                             const InterfaceName& former, const Finish& done) {
-  client_->Connect(
-      required, provided, [this, courier = courier_, required, former, done](const auto& result) {
-        if (result.ok()) return done(std::nullopt);
-        courier->post([=, this, refusal = result.error()] {
-          client_->Connect(required, former, [done, refusal](const auto&) { done(refusal); });
-        });
-      });
+  client_->Replace(required, provided, [finish = begin(std::move(action))](const auto& result) {
+    finish(RefusalOf(result));
+  });
 }
 
 void Session::undo() {
-  // A replacement is two steps of the system's history, but one to whoever made it.
-  const Action* last = activity_.lastStep();
-  const bool replaced = last != nullptr && last->verb == Action::Verb::kReplace;
   Action action;
   action.verb = Action::Verb::kUndo;
-  undoStep(activity_.begin(std::move(action)), std::chrono::steady_clock::now(),
-           replaced ? Undoing::kReplacement : Undoing::kStep);
-}
-
-void Session::undoStep(ActivityModel::Id id, Start start, Undoing what) {
-  client_->Undo([this, courier = courier_, id, start, what](const auto& result) {
-    courier->post([this, id, start, what, result] {
-      const bool connected = result.ok() && result->verb == "connect";
-      if (connected && what == Undoing::kReplacement) {
-        return undoStep(id, start, Undoing::kRestOfReplacement);
-      }
+  const ActivityModel::Id id = activity_.begin(std::move(action));
+  const auto start = std::chrono::steady_clock::now();
+  client_->Undo([this, courier = courier_, id, start](const auto& result) {
+    courier->post([this, id, start, result] {
       finish(id, SecondsSince(start), RefusalOf(result));
       if (!result.ok()) return;
-      const auto verb = what == Undoing::kRestOfReplacement ? Action::Verb::kReplace
-                        : connected                         ? Action::Verb::kConnect
-                                                            : Action::Verb::kDisconnect;
+      const auto verb = result->verb == "connect"   ? Action::Verb::kConnect
+                        : result->verb == "replace" ? Action::Verb::kReplace
+                                                    : Action::Verb::kDisconnect;
       activity_.markUndone(id, verb, result->wire.required, result->wire.provided);
     });
   });

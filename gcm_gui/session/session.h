@@ -9,7 +9,6 @@
 #include <tendon/gcm/client.h>
 
 #include <QObject>
-#include <chrono>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -41,18 +40,13 @@ class Session : public QObject, public SystemActions {
  private:
   class Listener;
   using Finish = std::function<void(const std::optional<Error>&)>;
-  using Start = std::chrono::steady_clock::time_point;
-  enum class Undoing { kStep, kReplacement, kRestOfReplacement };
 
   void hearSnapshot(const Catalog& catalogue);
   void hearChanges(const std::vector<CatalogChange>& changes);
   void hearLost(const Error& reason);
+  void learnTypes();
   /// Enters the action, and returns what takes its result to the GUI thread from any thread.
   Finish begin(Action action);
-  /// Of a replacement, its second half.
-  void connectInstead(const InterfaceName& required, const InterfaceName& provided,
-                      const InterfaceName& former, const Finish& done);
-  void undoStep(ActivityModel::Id id, Start start, Undoing what);
   void finish(ActivityModel::Id id, double seconds, const std::optional<Error>& refusal);
 
   CatalogueStore store_;

@@ -1,9 +1,7 @@
 #include <gcm_gui/theme/state_mark.h>
 #include <gcm_gui/theme/theme.h>
 
-#include <QIconEngine>
 #include <QPainter>
-#include <QPixmap>
 #include <QPolygonF>
 #include <algorithm>
 #include <array>
@@ -68,28 +66,6 @@ void PaintShape(QPainter& painter, Shape shape, const QColor& color) {
   }
 }
 
-class MarkIconEngine final : public QIconEngine {
- public:
-  explicit MarkIconEngine(StateMark mark) : mark_(mark) {}
-
-  void paint(QPainter* painter, const QRect& rect, QIcon::Mode, QIcon::State) override {
-    PaintMark(*painter, rect, mark_);
-  }
-
-  QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
-    QPixmap pixmap(size);
-    pixmap.fill(Qt::transparent);
-    QPainter painter(&pixmap);
-    paint(&painter, {{}, size}, mode, state);
-    return pixmap;
-  }
-
-  [[nodiscard]] QIconEngine* clone() const override { return new MarkIconEngine(mark_); }
-
- private:
-  StateMark mark_;
-};
-
 }  // namespace
 
 QString WordOf(StateMark mark) { return QString::fromLatin1(LookOf(mark).word); }
@@ -106,7 +82,5 @@ void PaintMark(QPainter& painter, const QRectF& rect, StateMark mark) {
   PaintShape(painter, look.shape, Theme::instance().color(look.color));
   painter.restore();
 }
-
-QIcon MarkIcon(StateMark mark) { return QIcon(new MarkIconEngine(mark)); }
 
 }  // namespace tendon::gui

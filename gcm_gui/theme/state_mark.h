@@ -2,7 +2,6 @@
 
 #include <gcm_gui/theme/tokens.h>
 
-#include <QIcon>
 #include <QString>
 
 class QPainter;
@@ -35,8 +34,5 @@ inline constexpr int kStateMarkCount = 12;
 /// The shape that tells it without colour: disc, ring, half disc, square, bars, triangle, cross.
 /// Fills about 8 pixels of `rect`'s centre at 16 pixels, and grows with it.
 void PaintMark(QPainter& painter, const QRectF& rect, StateMark mark);
-
-/// The same as an icon that follows the theme.
-[[nodiscard]] QIcon MarkIcon(StateMark mark);
 
 }  // namespace tendon::gui

@@ -74,6 +74,7 @@ int TendonStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWi
                            QStyleHintReturn* result) const {
   switch (hint) {
     case SH_EtchDisabledText:
+    case SH_UnderlineShortcut:
     case SH_ItemView_ActivateItemOnSingleClick:
     case SH_ItemView_ArrowKeysNavigateIntoChildren:
       return hint == SH_ItemView_ArrowKeysNavigateIntoChildren ? 1 : 0;

@@ -155,6 +155,8 @@ QString Theme::styleSheet() const {
       .replace("${strong}", QString::number(strong_.weight()));
 }
 
+void Theme::toggle() { choose(appearance_ == Appearance::kDark ? Choice::kLight : Choice::kDark); }
+
 void SetRole(QWidget& widget, const QString& role) {
   if (widget.property("role").toString() == role) return;
   widget.setProperty("role", role);

@@ -27,6 +27,8 @@ class Theme : public QObject {
   [[nodiscard]] Choice choice() const { return choice_; }
   /// Takes effect at once, also on open windows.
   void choose(Choice choice);
+  /// From dark to light, and back.
+  void toggle();
   [[nodiscard]] Appearance appearance() const { return appearance_; }
 
   [[nodiscard]] QColor color(Token token) const { return ColorOf(token, appearance_); }

@@ -46,7 +46,12 @@ void CatalogueTree::connectModel() {
     removing_ = false;
     settle_.start();
   });
-  connect(model(), &QAbstractItemModel::dataChanged, viewport(), [this] { viewport()->update(); });
+  connect(model(), &QAbstractItemModel::dataChanged, this,
+          [this](const QModelIndex&, const QModelIndex&, const QList<int>& roles) {
+            viewport()->update();
+            // More than values: rows may have come back from a lost process.
+            if (roles.isEmpty()) settle_.start();
+          });
   connect(&filter_, &CatalogueFilter::filterApplied, this, &CatalogueTree::applyFilter);
   connect(&selection_, &Selection::changed, this, &CatalogueTree::showSelection);
   connect(selectionModel(), &QItemSelectionModel::selectionChanged, this,

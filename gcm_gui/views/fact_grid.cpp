@@ -7,6 +7,24 @@
 #include <QPainter>
 
 namespace tendon::gui {
+namespace {
+
+constexpr int kAboveWords = 4;  // so that the first line stands where a single one would
+
+void ShowFact(const Fact& fact, QLabel& name, QLabel& value) {
+  const bool words = fact.kind == Fact::Kind::kSentence;
+  name.setText(fact.name);
+  name.setToolTip(fact.help);
+  SetRole(value, words ? QString() : QStringLiteral("mono"));
+  value.setAlignment(words ? Qt::AlignLeft | Qt::AlignTop : Qt::AlignRight | Qt::AlignVCenter);
+  value.setContentsMargins(0, words ? kAboveWords : 0, 0, 0);
+  value.setWordWrap(words);
+  value.setText(fact.value);
+  value.setAccessibleName(fact.name);
+  value.setToolTip(fact.help.isEmpty() ? fact.value : fact.help);
+}
+
+}  // namespace
 
 FactGrid::FactGrid(QWidget* parent) : QWidget(parent), grid_(new QGridLayout(this)) {
   grid_->setContentsMargins(kInset, 6, kInset, 6);
@@ -15,31 +33,28 @@ FactGrid::FactGrid(QWidget* parent) : QWidget(parent), grid_(new QGridLayout(thi
   grid_->setColumnStretch(1, 1);
 }
 
-void FactGrid::show(const Facts& facts) {
-  while (rows_.size() < facts.size()) {
-    const auto row = static_cast<int>(rows_.size());
-    auto* label = new QLabel(this);
-    auto* value = new QLabel(this);
-    SetRole(*label, QStringLiteral("dim"));
-    SetRole(*value, QStringLiteral("mono"));
-    value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    value->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    value->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    for (QLabel* cell : {label, value}) cell->setFixedHeight(kRowHeight);
-    grid_->addWidget(label, row, 0);
-    grid_->addWidget(value, row, 1);
-    rows_.append(std::pair(label, value));
-  }
+void FactGrid::addRow() {
+  const auto row = static_cast<int>(rows_.size());
+  auto* name = new QLabel(this);
+  auto* value = new QLabel(this);
+  SetRole(*name, QStringLiteral("dim"));
+  name->setFixedHeight(kRowHeight);
+  value->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  value->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Minimum);
+  value->setMinimumHeight(kRowHeight);
+  grid_->addWidget(name, row, 0, Qt::AlignTop);
+  grid_->addWidget(value, row, 1);
+  rows_.append(std::pair(name, value));
+}
+
+void FactGrid::show(const QList<Fact>& facts) {
+  while (rows_.size() < facts.size()) addRow();
   for (qsizetype row = 0; row < rows_.size(); ++row) {
-    const auto [label, value] = rows_[row];
+    const auto [name, value] = rows_[row];
     const bool used = row < facts.size();
-    label->setVisible(used);
+    name->setVisible(used);
     value->setVisible(used);
-    if (!used) continue;
-    label->setText(facts[row].first);
-    value->setText(facts[row].second);
-    value->setAccessibleName(facts[row].first);
-    value->setToolTip(facts[row].second);
+    if (used) ShowFact(facts[row], *name, *value);
   }
 }
 

@@ -10,21 +10,31 @@ class QLabel;
 
 namespace tendon::gui {
 
-/// A short table of facts: what it is at the left, dim; how much at the right, in tabular figures.
+struct Fact {
+  enum class Kind { kFigure, kSentence };
+
+  QString name;
+  QString value;
+  QString help = {};  ///< what it means, for the tool tip
+  Kind kind = Kind::kFigure;
+};
+
+/// A short table of facts: what it is at the left, dim; how much at the right, in tabular figures,
+/// or in words, which take as many lines as they need.
 class FactGrid : public QWidget {
   Q_OBJECT
 
  public:
-  using Facts = QList<std::pair<QString, QString>>;
-
   explicit FactGrid(QWidget* parent = nullptr);
 
-  void show(const Facts& facts);
+  void show(const QList<Fact>& facts);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  void addRow();
+
   QGridLayout* grid_;
   QList<std::pair<QLabel*, QLabel*>> rows_;
 };

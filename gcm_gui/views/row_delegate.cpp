@@ -19,14 +19,22 @@ constexpr int kHeaderPadding = 8;       // under the words of a header
 
 /// Draws as much of `text` as fits, and returns the width it took.
 int PaintText(QPainter& painter, const QRect& rect, const QString& text, const QFont& font,
-              Token token, Qt::Alignment side) {
+              Token token, Qt::Alignment side, Qt::TextElideMode elide = Qt::ElideRight) {
   if (text.isEmpty() || rect.width() <= 0) return 0;
   const QFontMetrics metrics(font);
-  const QString shown = metrics.elidedText(text, Qt::ElideRight, rect.width());
+  const QString shown = metrics.elidedText(text, elide, rect.width());
   painter.setFont(font);
   painter.setPen(Theme::instance().color(token));
   painter.drawText(rect, static_cast<int>(side | Qt::AlignVCenter) | Qt::TextSingleLine, shown);
   return metrics.horizontalAdvance(shown);
+}
+
+/// Nothing where only the beginning of a word fits: a letter and three dots tell nobody anything.
+void PaintDetail(QPainter& painter, const QRect& rect, const QString& text) {
+  constexpr int kFewest = 8;  // letters
+  const QFont& mono = Theme::instance().mono();
+  if (rect.width() < QFontMetrics(mono).horizontalAdvance(text.left(kFewest))) return;
+  PaintText(painter, rect, text, mono, Token::kDim, Qt::AlignLeft);
 }
 
 QFont FontOf(const QModelIndex& index) {
@@ -134,16 +142,18 @@ QRect RowDelegate::paintName(QPainter& painter, QRect rect, const QModelIndex& i
 
   QFont font = FontOf(index);
   font.setStrikeOut(index.data(kStruckRole).toBool());
-  const int used = PaintText(painter, rect, index.data().toString(), font,
-                             stale ? Token::kDim : Token::kText, Qt::AlignLeft);
+  // Of a path the end says most.
+  const bool path = static_cast<Face>(index.data(kFaceRole).toInt()) == Face::kMono;
+  const int used =
+      PaintText(painter, rect, index.data().toString(), font, stale ? Token::kDim : Token::kText,
+                Qt::AlignLeft, path ? Qt::ElideMiddle : Qt::ElideRight);
   rect.setLeft(rect.left() + used + kSpace);
   if (const QString object = index.data(kObjectRole).toString(); !object.isEmpty()) {
     const QFont& mono = Theme::instance().mono();
     const int width = PaintText(painter, rect, object, mono, Token::kText, Qt::AlignLeft);
     rect.setLeft(rect.left() + width + 2 * kSpace);
   }
-  PaintText(painter, rect, index.data(kDetailRole).toString(), Theme::instance().mono(),
-            Token::kDim, Qt::AlignLeft);
+  PaintDetail(painter, rect, index.data(kDetailRole).toString());
   return rect;
 }
 

@@ -6,6 +6,8 @@
 #include <gcm_gui/models/row_roles.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/plot/plot_panel.h>
+#include <gcm_gui/plot/plot_view.h>
+#include <gcm_gui/theme/icon.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
 #include <gcm_gui/views/catalogue_panel.h>
@@ -16,6 +18,8 @@
 #include <gcm_gui/window/bar/lost_banner.h>
 #include <gcm_gui/window/bar/notice_line.h>
 #include <gcm_gui/window/bar/top_bar.h>
+#include <gcm_gui/window/commands/command_palette.h>
+#include <gcm_gui/window/commands/commands.h>
 #include <gcm_gui/window/empty_state.h>
 #include <gcm_gui/window/main_window.h>
 #include <gcm_gui/window/plot_binding.h>
@@ -24,6 +28,8 @@
 
 #include <QAction>
 #include <QHeaderView>
+#include <QMenu>
+#include <QMenuBar>
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QVBoxLayout>
@@ -50,16 +56,17 @@ constexpr std::chrono::seconds kSecond{1};
 MainWindow::MainWindow(WindowParts parts)
     : parts_(parts), filter_(catalogue_model_), mode_(parts.store, parts.actions) {
   setObjectName(QStringLiteral("window"));
-  setWindowTitle(QStringLiteral("gcm-gui"));
+  setWindowIcon(ThemeIcon(QStringLiteral("logo"), Token::kAccent));
   resize(kWindow);
   connectModels();
   buildViews();
   connectViews();
-  addKeys();
+  addCommands();
   second_.start(kSecond);
   connect(&second_, &QTimer::timeout, this, &MainWindow::tick);
   tick();
   showPage();
+  showLink();
   catalogue_->tree().setFocus();
 }
 
@@ -126,7 +133,6 @@ void MainWindow::buildPanels(QSplitter& centre) {
                kLeastInspectorWidth);
   panels_->add(strip_, QStringLiteral("Activity"), Qt::BottomDockWidgetArea, kStripHeight,
                kLeastStripHeight);
-  top_bar_->setViewMenu(panels_->makeMenu());
   connect(panels_, &Panels::shown, this, &MainWindow::showPerspective);
 }
 
@@ -189,6 +195,7 @@ void MainWindow::connectViews() {
     panels_->reveal(*strip_);
     strip_->showProblems();
   });
+  connect(plots_, &PlotPanel::notice, notice_, &NoticeLine::tell);
   connect(top_bar_, &TopBar::pauseRequested, plots_, &PlotPanel::setPaused);
   connect(plots_, &PlotPanel::pausedChanged, top_bar_, &TopBar::showPaused);
   connect(&problems_, &ProblemsModel::countChanged, top_bar_, &TopBar::showProblemCount);
@@ -212,30 +219,59 @@ void MainWindow::connectModeToViews() {
           [this](const Action& action) { scene_->forgetRequested(action.required); });
 }
 
-void MainWindow::addKey(const QKeySequence& key, const QString& name, void (MainWindow::*slot)()) {
-  auto* action = new QAction(name, this);
-  action->setObjectName(name);
-  action->setShortcut(key);
-  connect(action, &QAction::triggered, this, slot);
-  addAction(action);
+void MainWindow::addCommands() {
+  commands_ = new Commands(*this);
+  top_bar_->addMenus(&commands_->bar());
+  addSystemCommands();
+  addPlotCommands();
+  panels_->fill(commands_->menu(Commands::Menu::kView));
+  commands_->menu(Commands::Menu::kView).addSeparator();
+  commands_->add(Commands::Menu::kView, QStringLiteral("Dark or light"), {},
+                 [] { Theme::instance().toggle(); });
+  auto* leave = new QAction(this);
+  leave->setShortcut(Qt::Key_Escape);
+  connect(leave, &QAction::triggered, this, &MainWindow::escape);
+  addAction(leave);
+  addPalette();
 }
 
-void MainWindow::addKeys() {
-  addKey(Qt::Key_P, QStringLiteral("Plot"), &MainWindow::plotSelection);
-  addKey(Qt::Key_C, QStringLiteral("Connect"), &MainWindow::connectSelection);
-  addKey(Qt::Key_D, QStringLiteral("Disconnect"), &MainWindow::disconnectSelection);
-  addKey(Qt::Key_F4, QStringLiteral("Reveal"), &MainWindow::revealSelection);
-  addKey(Qt::Key_Escape, QStringLiteral("Leave"), &MainWindow::escape);
-  const auto add = [this](const QKeySequence& key, const QString& name, auto function) {
-    auto* action = new QAction(name, this);
-    action->setObjectName(name);
-    action->setShortcut(key);
-    connect(action, &QAction::triggered, this, function);
-    addAction(action);
+void MainWindow::addSystemCommands() {
+  const auto add = [this](const char* text, const QKeySequence& key, auto what) {
+    commands_->add(Commands::Menu::kSystem, QString::fromUtf8(text), key, what);
   };
-  add(QKeySequence::Undo, QStringLiteral("Undo"), [this] { parts_.actions.undo(); });
-  add(QKeySequence::Find, QStringLiteral("Filter"), [this] { catalogue_->focusFilter(); });
-  add(Qt::Key_Space, QStringLiteral("Pause"), [this] { plots_->setPaused(!plots_->isPaused()); });
+  add("&Connect…", Qt::Key_C, [this] { connectSelection(); });
+  add("&Disconnect", Qt::Key_D, [this] { disconnectSelection(); });
+  add("&Undo", QKeySequence::Undo, [this] { parts_.actions.undo(); });
+  commands_->menu(Commands::Menu::kSystem).addSeparator();
+  add("&Filter the catalogue", QKeySequence::Find, [this] { catalogue_->focusFilter(); });
+  add("&Show in graph and catalogue", Qt::Key_F4, [this] { revealSelection(); });
+  add("Search or &run…", QKeySequence(Qt::CTRL | Qt::Key_K), [this] { palette_->open(); });
+  commands_->menu(Commands::Menu::kSystem).addSeparator();
+  add("&Quit", QKeySequence(Qt::CTRL | Qt::Key_Q), [this] { close(); });
+}
+
+void MainWindow::addPlotCommands() {
+  const auto add = [this](const char* text, const QKeySequence& key, auto what) -> QAction& {
+    return commands_->add(Commands::Menu::kPlot, QString::fromUtf8(text), key, what);
+  };
+  add("&Plot what is selected", Qt::Key_P, [this] { plotSelection(); });
+  add("&New plot", QKeySequence(Qt::CTRL | Qt::Key_T), [this] { plots_->addPlot(); });
+  commands_->menu(Commands::Menu::kPlot).addSeparator();
+  QAction& pause =
+      add("Pause &view", Qt::Key_Space, [this] { plots_->setPaused(!plots_->isPaused()); });
+  pause.setCheckable(true);
+  connect(plots_, &PlotPanel::pausedChanged, &pause, &QAction::setChecked);
+  add("Follow &live data", {}, [this] { plots_->currentPlot().goLive(); });
+  add("Cursors &A and B", {}, [this] { plots_->toggleCursors(); });
+  commands_->menu(Commands::Menu::kPlot).addSeparator();
+  add("&Save what is seen as CSV…", QKeySequence(Qt::CTRL | Qt::Key_E),
+      [this] { plots_->askForCsv(); });
+}
+
+void MainWindow::addPalette() {
+  palette_ = new CommandPalette(commands_->actions(), catalogue_model_, *this);
+  connect(top_bar_, &TopBar::paletteRequested, palette_, &CommandPalette::open);
+  connect(palette_, &CommandPalette::pathChosen, this, &MainWindow::goTo);
 }
 
 void MainWindow::plotSelection() {
@@ -284,6 +320,11 @@ void MainWindow::disconnectSelection() {
   notice_->tell(QStringLiteral("Select a connected required interface to disconnect it"));
 }
 
+void MainWindow::goTo(const QString& path) {
+  selection_.select(path);
+  revealSelection();
+}
+
 void MainWindow::revealSelection() {
   catalogue_->tree().reveal(selection_.current());
   graph_->reveal(selection_.current());
@@ -303,6 +344,11 @@ void MainWindow::showPage() {
 }
 
 void MainWindow::showLink() {
+  // Which system it is, where several windows are open.
+  const GcmLink& link = parts_.link;
+  setWindowTitle((link.isHosted() ? QStringLiteral("Hosting the GCM at %1 – gcm-gui")
+                                  : QStringLiteral("GCM at %1 – gcm-gui"))
+                     .arg(link.address()));
   const bool outdated = parts_.link.state() == GcmLink::State::kLost;
   if (!outdated && lost_since_ > 0) {
     notice_->tell(QStringLiteral("The GCM is back after ") + AgeText(WallClock() - lost_since_));

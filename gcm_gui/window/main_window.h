@@ -20,6 +20,8 @@ namespace tendon::gui {
 class ActivityStrip;
 class CandidatePanel;
 class CataloguePanel;
+class CommandPalette;
+class Commands;
 class GraphScene;
 class GraphView;
 class Inspector;
@@ -58,6 +60,8 @@ class MainWindow : public QMainWindow {
   void connectSelection();
   void disconnectSelection();
   void revealSelection();
+  /// Selects it, and brings it into sight.
+  void goTo(const QString& path);
   void escape();
 
  private:
@@ -71,8 +75,10 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] QWidget* buildConnectionsPage();
   void connectViews();
   void connectModeToViews();
-  void addKey(const QKeySequence& key, const QString& name, void (MainWindow::*slot)());
-  void addKeys();
+  void addCommands();
+  void addSystemCommands();
+  void addPlotCommands();
+  void addPalette();
   void showPage();
   void showLink();
   void showPerspective(Panels::Perspective perspective);
@@ -88,6 +94,8 @@ class MainWindow : public QMainWindow {
   ProblemsModel problems_;
   ConnectMode mode_;
 
+  Commands* commands_ = nullptr;
+  CommandPalette* palette_ = nullptr;
   TopBar* top_bar_ = nullptr;
   LostBanner* lost_ = nullptr;
   CataloguePanel* catalogue_ = nullptr;

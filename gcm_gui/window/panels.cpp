@@ -23,14 +23,15 @@ constexpr QDockWidget::DockWidgetFeatures kFree =
 /// What a perspective shows of the panels, in the order of their coming: sizes, 0 for hidden; and
 /// the part of the middle that the plots take.
 struct Arrangement {
-  const char* name;
+  const char* title;
   std::array<int, 3> sizes;
   double plots;
 };
-constexpr std::array<Arrangement, 4> kArrangements{{{"Connect", {280, 312, 124}, 0.40},
-                                                    {"Plot", {280, 0, 0}, 0.72},
-                                                    {"Operate", {240, 420, 124}, 0.50},
-                                                    {"Diagnose", {280, 312, 260}, 0.30}}};
+constexpr std::array<Arrangement, 4> kArrangements{
+    {{"Layout for connecting", {280, 312, 124}, 0.40},
+     {"Layout for plotting", {280, 0, 0}, 0.72},
+     {"Layout for operating", {240, 420, 124}, 0.50},
+     {"Layout for diagnosing", {280, 312, 260}, 0.30}}};
 
 /// As large as wanted when it is first laid out.
 class Page final : public QWidget {
@@ -73,22 +74,20 @@ void Panels::add(QWidget* content, const QString& title, Qt::DockWidgetArea area
   setMovable(false);
 }
 
-QMenu* Panels::makeMenu() {
-  auto* menu = new QMenu(&window_);
+void Panels::fill(QMenu& menu) {
   for (std::size_t i = 0; i < kArrangements.size(); ++i) {
-    QAction* action = menu->addAction(QString::fromLatin1(kArrangements[i].name), this,
-                                      [this, i] { show(static_cast<Perspective>(i)); });
+    QAction* action = menu.addAction(QString::fromLatin1(kArrangements[i].title), this,
+                                     [this, i] { show(static_cast<Perspective>(i)); });
     action->setShortcut(QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + i)));
     window_.addAction(action);  // the key works while the menu is closed
   }
-  menu->addSeparator();
-  for (const Panel& panel : panels_) menu->addAction(panel.dock->toggleViewAction());
-  menu->addSeparator();
-  movable_ = menu->addAction(QStringLiteral("Move panels"));
+  menu.addSeparator();
+  for (const Panel& panel : panels_) menu.addAction(panel.dock->toggleViewAction());
+  menu.addSeparator();
+  movable_ = menu.addAction(QStringLiteral("Panels can be moved"));
   movable_->setCheckable(true);
   connect(movable_, &QAction::toggled, this, &Panels::setMovable);
-  menu->addAction(QStringLiteral("Reset layout"), this, &Panels::reset);
-  return menu;
+  menu.addAction(QStringLiteral("Reset layout"), this, &Panels::reset);
 }
 
 void Panels::setMovable(bool movable) {

@@ -27,8 +27,8 @@ class Panels : public QObject {
 
   /// Takes what the window shows at that edge; `size` is across the edge, in pixels.
   void add(QWidget* content, const QString& title, Qt::DockWidgetArea area, int size, int least);
-  /// Perspectives, panels, and what else can be done with them. After the last add().
-  [[nodiscard]] QMenu* makeMenu();
+  /// Adds perspectives, panels, and what else can be done with them. After the last add().
+  void fill(QMenu& menu);
 
   void show(Perspective perspective);
   void setMovable(bool movable);

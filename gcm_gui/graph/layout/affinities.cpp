@@ -65,8 +65,7 @@ class ProviderIndex {
 
 }  // namespace
 
-std::vector<Affinity> AffinitiesOf(const Catalog& catalogue,
-                                   const std::vector<ConnectionDescription>& edges) {
+std::set<Affinity> FittingOf(const Catalog& catalogue) {
   ProviderIndex providers;
   for (const auto& [process, entry] : catalogue.processes()) {
     for (const auto& [name, component] : entry.components) {
@@ -76,9 +75,6 @@ std::vector<Affinity> AffinitiesOf(const Catalog& catalogue,
     }
   }
   std::set<Affinity> affinities;
-  for (const auto& edge : edges) {
-    affinities.insert({ComponentPath(edge.provided), ComponentPath(edge.required)});
-  }
   for (const auto& [process, entry] : catalogue.processes()) {
     for (const auto& [name, component] : entry.components) {
       for (const auto& required : component.required) {
@@ -89,8 +85,16 @@ std::vector<Affinity> AffinitiesOf(const Catalog& catalogue,
       }
     }
   }
-  std::erase_if(affinities, [](const Affinity& a) { return a.provider == a.client; });
-  return {affinities.begin(), affinities.end()};
+  return affinities;
+}
+
+std::vector<Affinity> AffinitiesOf(std::set<Affinity> fitting,
+                                   const std::vector<ConnectionDescription>& edges) {
+  for (const auto& edge : edges) {
+    fitting.insert({ComponentPath(edge.provided), ComponentPath(edge.required)});
+  }
+  std::erase_if(fitting, [](const Affinity& a) { return a.provider == a.client; });
+  return {fitting.begin(), fitting.end()};
 }
 
 }  // namespace tendon::gui

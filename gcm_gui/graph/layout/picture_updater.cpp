@@ -65,8 +65,9 @@ const GraphPicture& PictureUpdater::update(const Catalog& catalogue, const Touch
     if (takeInterfaces(catalogue, part)) other_interfaces = true;
   }
   const bool other_edges = takeEdges(catalogue);
+  if (other_interfaces) fitting_ = FittingOf(catalogue);
   if (other_interfaces || other_edges) {
-    picture_.affinities = AffinitiesOf(catalogue, picture_.edges);
+    picture_.affinities = AffinitiesOf(fitting_, picture_.edges);
   }
   return picture_;
 }

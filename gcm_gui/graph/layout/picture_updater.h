@@ -4,6 +4,7 @@
 #include <gcm_gui/session/catalogue_store.h>
 
 #include <map>
+#include <set>
 #include <vector>
 
 namespace tendon::gui {
@@ -36,6 +37,7 @@ class PictureUpdater {
   bool takeEdges(const Catalog& catalogue);
 
   GraphPicture picture_;
+  std::set<Affinity> fitting_;  // what could be connected
   std::map<TouchedPart, Interfaces> interfaces_;
 };
 

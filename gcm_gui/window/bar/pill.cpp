@@ -16,7 +16,7 @@ constexpr int kHeight = 26;
 }  // namespace
 
 Pill::Pill(QWidget* parent) : QAbstractButton(parent) {
-  setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+  setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
   setFocusPolicy(Qt::TabFocus);
   connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
 }
@@ -31,12 +31,14 @@ void Pill::show(StateMark mark, const QString& strong, const QString& dim) {
   update();
 }
 
-QSize Pill::sizeHint() const {
+QSize Pill::sizeHint() const { return sizeWith(dim_); }
+
+QSize Pill::sizeWith(const QString& dim) const {
   const QFontMetrics strong(Theme::instance().strong());
   const QFontMetrics text(Theme::instance().text());
   int width = 2 * kInsetX + kMark;
   if (!strong_.isEmpty()) width += kSpace / 2 + strong.horizontalAdvance(strong_);
-  if (!dim_.isEmpty()) width += kSpace + text.horizontalAdvance(dim_);
+  if (!dim.isEmpty()) width += kSpace + text.horizontalAdvance(dim);
   return {width + 2, kHeight};
 }
 
@@ -57,7 +59,8 @@ void Pill::paintEvent(QPaintEvent*) {
   room.setLeft(room.left() + QFontMetrics(theme.strong()).horizontalAdvance(strong_) + kSpace);
   painter.setFont(theme.text());
   painter.setPen(theme.color(Token::kDim));
-  painter.drawText(room, Qt::AlignVCenter | Qt::AlignLeft, dim_);
+  painter.drawText(room, Qt::AlignVCenter | Qt::AlignLeft,
+                   QFontMetrics(theme.text()).elidedText(dim_, Qt::ElideRight, room.width()));
 }
 
 }  // namespace tendon::gui

@@ -7,7 +7,8 @@
 
 namespace tendon::gui {
 
-/// A raised field of the top bar: a mark, strong words, and dim ones behind them. May be clicked.
+/// A raised field of the top bar: a mark, strong words, and dim ones behind them, of which as many
+/// are shown as there is room for. May be clicked.
 class Pill : public QAbstractButton {
   Q_OBJECT
 
@@ -18,12 +19,14 @@ class Pill : public QAbstractButton {
   [[nodiscard]] QString spoken() const { return strong_ + ' ' + dim_; }
 
   [[nodiscard]] QSize sizeHint() const override;
-  [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
+  [[nodiscard]] QSize minimumSizeHint() const override { return sizeWith({}); }
 
  protected:
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  [[nodiscard]] QSize sizeWith(const QString& dim) const;
+
   StateMark mark_ = StateMark::kConnecting;
   QString strong_;
   QString dim_;

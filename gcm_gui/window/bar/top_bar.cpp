@@ -7,7 +7,6 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QMenu>
 #include <QPushButton>
 
 namespace tendon::gui {
@@ -32,12 +31,6 @@ QString Counts(const Catalog& catalogue) {
       .join(QStringLiteral(" · "));
 }
 
-void ToggleTheme() {
-  Theme& theme = Theme::instance();
-  const bool dark = theme.appearance() == Appearance::kDark;
-  theme.choose(dark ? Theme::Choice::kLight : Theme::Choice::kDark);
-}
-
 }  // namespace
 
 TopBar::TopBar(const CatalogueStore& store, const GcmLink& link, QWidget* parent)
@@ -46,7 +39,7 @@ TopBar::TopBar(const CatalogueStore& store, const GcmLink& link, QWidget* parent
       link_(link),
       link_pill_(new Pill),
       problem_pill_(new Pill),
-      view_(new QPushButton(QStringLiteral("View"))),
+      search_(new QPushButton(QStringLiteral("Search or run   Ctrl+K"))),
       pause_(new QPushButton(QStringLiteral("Pause view"))) {
   setObjectName(QStringLiteral("topBar"));
   setAutoFillBackground(true);
@@ -78,9 +71,12 @@ TopBar::TopBar(const CatalogueStore& store, const GcmLink& link, QWidget* parent
 
 void TopBar::addButtons() {
   auto* row = static_cast<QHBoxLayout*>(layout());
-  view_->setObjectName(QStringLiteral("view"));
-  view_->setToolTip(QStringLiteral("Perspectives and panels"));
-  view_->setFocusPolicy(Qt::TabFocus);
+  search_->setObjectName(QStringLiteral("searchOrRun"));
+  search_->setIcon(ThemeIcon(QStringLiteral("search")));
+  search_->setToolTip(QStringLiteral("Finds all that can be done and all there is  (Ctrl+K)"));
+  search_->setFocusPolicy(Qt::TabFocus);
+  SetRole(*search_, QStringLiteral("field"));
+  connect(search_, &QPushButton::clicked, this, &TopBar::paletteRequested);
   pause_->setObjectName(QStringLiteral("pause"));
   pause_->setCheckable(true);
   pause_->setToolTip(QStringLiteral("Stops what is drawn, never the data  (Space)"));
@@ -92,17 +88,15 @@ void TopBar::addButtons() {
   theme->setToolTip(QStringLiteral("Dark or light"));
   theme->setIcon(ThemeIcon(QStringLiteral("theme"), Token::kText));
   theme->setFocusPolicy(Qt::TabFocus);
-  connect(theme, &QPushButton::clicked, this, &ToggleTheme);
-  row->addWidget(view_);
+  connect(theme, &QPushButton::clicked, &Theme::instance(), &Theme::toggle);
+  row->addWidget(search_);
   row->addWidget(pause_);
   row->addWidget(theme);
   showPaused(false);
 }
 
-void TopBar::setViewMenu(QMenu* menu) {
-  // Not the button's own way, which waits in its handler until the menu is closed.
-  connect(view_, &QPushButton::clicked, menu,
-          [this, menu] { menu->popup(view_->mapToGlobal(QPoint(0, view_->height() + kGrid))); });
+void TopBar::addMenus(QWidget* menus) {
+  static_cast<QHBoxLayout*>(layout())->insertWidget(1, menus);
 }
 
 QString TopBar::linkText() const { return link_pill_->spoken(); }
@@ -125,7 +119,11 @@ void TopBar::showLink() {
                        Counts(store_.catalogue()));
       break;
   }
-  link_pill_->setToolTip(link_.reason().isEmpty() ? link_.address() : link_.reason());
+  link_pill_->setToolTip(
+      QStringLiteral("The global component manager (GCM) at %1 knows every process and makes their "
+                     "connections.")
+          .arg(link_.address()) +
+      (link_.reason().isEmpty() ? QString() : '\n' + link_.reason()));
 }
 
 void TopBar::showProblemCount(int count) {

@@ -5,7 +5,6 @@
 
 #include <QFrame>
 
-class QMenu;
 class QPushButton;
 
 namespace tendon::gui {
@@ -22,8 +21,8 @@ class TopBar : public QFrame {
 
   /// The whole sentence about the GCM, as it is shown.
   [[nodiscard]] QString linkText() const;
-  /// What the button View opens.
-  void setViewMenu(QMenu* menu);
+  /// Right of the logo; takes ownership.
+  void addMenus(QWidget* menus);
 
  public Q_SLOTS:
   void showProblemCount(int count);
@@ -34,6 +33,7 @@ class TopBar : public QFrame {
  Q_SIGNALS:
   void problemsRequested();
   void pauseRequested(bool paused);
+  void paletteRequested();
 
  private:
   void showLink();
@@ -44,7 +44,7 @@ class TopBar : public QFrame {
   std::int64_t now_ = 0;
   Pill* link_pill_;
   Pill* problem_pill_;
-  QPushButton* view_;
+  QPushButton* search_;
   QPushButton* pause_;
 };
 

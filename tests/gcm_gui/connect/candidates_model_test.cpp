@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractItemModelTester>
+#include <string>
 
 #include "support/fakes.h"
 #include "support/sample_system.h"
@@ -65,8 +66,27 @@ TEST_F(CandidatesModelTest, WhatHasNothingOfItIsOnlyCounted) {
   mode_.start(kRobot);
 
   const QModelIndex last = Row(model_.rowCount({}) - 1);
-  EXPECT_TRUE(last.data().toString().startsWith("and ")) << last.data().toString().toStdString();
+  EXPECT_TRUE(last.data().toString().endsWith(" more have nothing of it"))
+      << last.data().toString().toStdString();
   EXPECT_FALSE(model_.portOf(last).has_value());
+}
+
+TEST_F(CandidatesModelTest, OfVeryManyTheRestIsCountedAndFoundByTyping) {
+  const ComponentDescription arm = *system_.catalog().FindComponent("robot", "controller");
+  constexpr int kCount = 2 * static_cast<int>(CandidatesModel::kMostShown);
+  for (int i = 0; i < kCount; ++i) {
+    ComponentDescription copy = arm;
+    copy.name = "copy_" + std::to_string(1000 + i);
+    system_.Component("robot", copy);
+  }
+  store_.apply(system_.TakeChanges());
+  mode_.start(kRobot);
+
+  const int rest = static_cast<int>(CandidatesModel::kMostShown);
+  EXPECT_TRUE(Name(rest).endsWith(" more; type to find one")) << Name(rest).toStdString();
+  model_.setFilter("copy_1190/control");
+  EXPECT_EQ(Name(0), "robot/copy_1190/Control");
+  EXPECT_TRUE(model_.fits(Row(0)));
 }
 
 TEST_F(CandidatesModelTest, AFilterShowsTheOthersOneByOne) {

@@ -1,5 +1,6 @@
 #include <gcm_gui/connect/connect_mode.h>
 #include <gtest/gtest.h>
+#include <tendon/payload/fingerprint.h>
 
 #include <QSignalSpy>
 
@@ -43,6 +44,30 @@ TEST_F(ConnectModeTest, ALookAlikeSaysWhyItDoesNotFit) {
   ASSERT_NE(drives, nullptr);
   EXPECT_EQ(drives->port.name, (InterfaceName{"robot", "arm", "Drives"}));
   EXPECT_EQ(drives->reasons(), QStringList{"missing write command 'MoveTo' of arm.JointGoal"});
+}
+
+TEST_F(ConnectModeTest, InWhatTwoTypesOfOneNameDifferIsSaidAsSoonAsItIsKnown) {
+  const Schema radians = Schema::Structure("arm.Q", {{"q", "rad", Schema(Schema::Kind::kFloat64)}});
+  const Schema degrees = Schema::Structure("arm.Q", {{"q", "deg", Schema(Schema::Kind::kFloat64)}});
+  MemberDescription needed = Read("GetQ", "arm.Q");
+  needed.signature.out = radians.fingerprint();
+  MemberDescription offered = needed;
+  offered.signature.out = degrees.fingerprint();
+  ComponentDescription client = Task("client", 0, {});
+  client.required.push_back({"Arm", {needed}, {}, false});
+  ComponentDescription server = Task("server", 0, {});
+  server.provided.push_back({"Arm", {offered}, {}});
+  system_.Component("desk", client).Component("desk", server);
+  Show();
+
+  mode_.start({Side::kRequired, {"desk", "client", "Arm"}});
+  EXPECT_FALSE(mode_.bestLookAlike()->reasons().front().contains("deg"));
+  payload::Remember(radians);
+  payload::Remember(degrees);
+  Q_EMIT store_.typesLearned();
+
+  const QString reason = mode_.bestLookAlike()->reasons().front();
+  EXPECT_TRUE(reason.contains("rad") && reason.contains("deg")) << qPrintable(reason);
 }
 
 TEST_F(ConnectModeTest, ADigitConnectsAndEndsTheMode) {

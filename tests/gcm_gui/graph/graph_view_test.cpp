@@ -7,6 +7,7 @@
 #include <QApplication>
 #include <QMouseEvent>
 #include <QTest>
+#include <chrono>
 
 #include "graph/graph_fixture.h"
 
@@ -233,6 +234,32 @@ TEST_F(GraphViewTest, WhatComesWhileAConnectionIsMadeMovesNothing) {
   Show();
 
   EXPECT_EQ(view_.pointOf(kControl).value(), before);
+}
+
+TEST_F(GraphViewTest, WhatComesUnderAHandMovesNothing) {
+  view_.setHandRests(std::chrono::hours(1));
+  view_.resize(1600, 900);
+  Hover(kControl);
+  Hover(kDrives);
+  const QPoint before = view_.pointOf(kControl).value();
+
+  system_.Process("extra").Component("extra", Task("a", 1, {}));
+  Show();
+
+  EXPECT_EQ(view_.pointOf(kControl).value(), before);
+}
+
+TEST_F(GraphViewTest, UnderAPointerAtRestItStaysInTheMiddle) {
+  view_.resize(1600, 900);
+  Hover(kControl);
+  Hover(kControl);
+
+  system_.Process("extra").Component("extra", Task("a", 1, {}));
+  Show();
+
+  EXPECT_LE((view_.mapFromScene(scene_.contents().center()) - view_.viewport()->rect().center())
+                .manhattanLength(),
+            3);
 }
 
 TEST_F(GraphViewTest, OutdatedItIsGreyAndStaysWhereItIs) {

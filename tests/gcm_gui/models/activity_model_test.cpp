@@ -101,8 +101,7 @@ TEST(ActivityModel, AReplacementIsOneStep) {
 
   EXPECT_TRUE(model.canUndo(0));
   EXPECT_EQ(model.command(0),
-            "gcm disconnect desk/teleoperation/Robot && gcm connect desk/teleoperation/Robot "
-            "robot/controller/Control");
+            "gcm connect desk/teleoperation/Robot robot/controller/Control --replace");
 }
 
 TEST(ProblemsModel, ARefusalStaysUntilTheInterfaceIsConnected) {

@@ -5,6 +5,7 @@
 #include <QAbstractItemModelTester>
 #include <QPersistentModelIndex>
 #include <QSignalSpy>
+#include <algorithm>
 #include <random>
 
 #include "support/fakes.h"
@@ -52,8 +53,23 @@ TEST_F(CatalogueModelTest, AStateTableShowsItsColumnsInPlaceOfItsReadCommands) {
   Show(system);
 
   const QModelIndex state = model_.indexOf("robot/arm/state");
-  ASSERT_EQ(model_.rowCount(state), 2);
+  ASSERT_EQ(model_.rowCount(state), 3);
   EXPECT_EQ(model_.item(model_.index(0, 0, state))->kind, ItemKind::kColumn);
+}
+
+TEST_F(CatalogueModelTest, WhatEveryTaskKeepsAboutItsCyclesStandsBelowItsOwnColumns) {
+  SystemBuilder system = LookSystem(0);
+  ComponentDescription arm = *system.catalog().FindComponent("robot", "arm");
+  auto& columns = arm.tables.front().columns;
+  std::rotate(columns.begin(), columns.begin() + 1, columns.end());
+  ASSERT_EQ(columns.front().name, "Cycle");
+  system.Component("robot", arm);
+
+  Show(system);
+
+  const QModelIndex state = model_.indexOf("robot/arm/state");
+  EXPECT_EQ(model_.index(0, 0, state).data().toString(), "Joints");
+  EXPECT_EQ(model_.index(2, 0, state).data().toString(), "CycleSummary");
 }
 
 TEST_F(CatalogueModelTest, ALostProcessIsStruckThroughAndSaysSinceWhen) {

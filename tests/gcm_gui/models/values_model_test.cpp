@@ -20,7 +20,8 @@ TEST(ValuesModel, ShowsEveryNumberOfTheComponentOnceItHasCome) {
   const Catalog catalogue = LookSystem(0).catalog();
   model.show("robot/arm", catalogue.FindComponent("robot", "arm"), false);
   EXPECT_EQ(model.rowCount(), 0);
-  EXPECT_EQ(model.columns(), (QSet<QString>{"robot/arm/state.Joints", "robot/arm/state.Cycle"}));
+  EXPECT_EQ(model.columns(), (QSet<QString>{"robot/arm/state.Joints", "robot/arm/state.Cycle",
+                                            "robot/arm/state.CycleSummary"}));
 
   source.send("robot/arm/state.Joints", JointSchema(3), {0.5, 0, 0, 1, 0, 0});
 
@@ -67,22 +68,34 @@ TEST(InterfacesModel, AProvidedInterfaceListsItsClients) {
   EXPECT_EQ(model.row(1).required, (InterfaceName{"robot", "controller", "Arm"}));
 }
 
-TEST(CycleFigures, TellsPeriodOverrunsAndTheSpreadOfLateness) {
+TEST(CycleFigures, TellsOfTheLastSecondAndWhatWasSkipped) {
   ScriptedSignals source;
   CycleFigures figures(source);
   figures.show("robot/arm");
-  ASSERT_TRUE(source.subscribed.contains("robot/arm/state.Cycle.lateness"));
-  std::vector<Sample> samples;
-  for (int i = 0; i <= 100; ++i) samples.push_back({0, 0, i * 1e-6});
+  EXPECT_EQ(source.watched(),
+            (QSet<QString>{"robot/arm/state.Cycle", "robot/arm/state.CycleSummary"}));
 
-  source.send("robot/arm/state.Cycle", CycleSchema(), {1e-3, 2e-6, 38e-6, 4});
-  Q_EMIT source.samplesArrived("robot/arm/state.Cycle.lateness", samples);
+  source.send("robot/arm/state.Cycle", CycleSchema(), {54e-6, 2e-6, 38e-6, 4});
+  SendSummary(source, "robot/arm", {878, 1.139e-3, 35e-6, 3e-3, 52e-3, 42e-6});
 
-  EXPECT_DOUBLE_EQ(figures.period(), 1e-3);
-  EXPECT_DOUBLE_EQ(figures.compute(), 38e-6);
-  EXPECT_EQ(figures.overruns(), 4u);
-  EXPECT_DOUBLE_EQ(figures.lateness(0.5).value(), 50e-6);
-  EXPECT_DOUBLE_EQ(figures.lateness(0.99).value(), 99e-6);
+  EXPECT_EQ(figures.skipped(), 4u);
+  ASSERT_TRUE(figures.lastSecond().has_value());
+  EXPECT_DOUBLE_EQ(figures.lastSecond()->period, 1.139e-3);
+  EXPECT_DOUBLE_EQ(figures.lastSecond()->late, 35e-6);
+  EXPECT_DOUBLE_EQ(figures.lastSecond()->later, 3e-3);
+  EXPECT_DOUBLE_EQ(figures.lastSecond()->latest, 52e-3);
+  EXPECT_DOUBLE_EQ(figures.lastSecond()->compute, 42e-6);
+}
+
+TEST(CycleFigures, SayNothingBeforeASecondIsOver) {
+  ScriptedSignals source;
+  CycleFigures figures(source);
+  figures.show("robot/arm");
+
+  SendSummary(source, "robot/arm", {});
+
+  EXPECT_FALSE(figures.lastSecond().has_value());
+  EXPECT_FALSE(figures.skipped().has_value());
 }
 
 TEST(CycleFigures, LetsGoOfTheComponentBefore) {
@@ -92,9 +105,8 @@ TEST(CycleFigures, LetsGoOfTheComponentBefore) {
 
   figures.show({});
 
-  EXPECT_TRUE(source.subscribed.isEmpty());
   EXPECT_TRUE(source.watched().isEmpty());
-  EXPECT_FALSE(figures.known());
+  EXPECT_FALSE(figures.skipped().has_value());
 }
 
 }  // namespace

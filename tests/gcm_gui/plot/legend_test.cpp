@@ -76,9 +76,10 @@ TEST(Legend, ARowWithTheFocusKeepsItsKeysFromTheWindowsShortcuts) {
 TEST(Legend, AStaleRowSaysWhatIsWaitedFor) {
   Legend legend(nullptr);
 
-  legend.setEntries({{.path = "p/a/state.x", .name = "waiting for p/a/state", .stale = true}});
+  legend.setEntries(
+      {{.path = "p/a/state.x", .name = "a.x · waiting for p/a/state", .stale = true}});
 
-  EXPECT_EQ(legend.rows()[0]->accessibleName(), "p/a/state.x, waiting for p/a/state");
+  EXPECT_EQ(legend.rows()[0]->accessibleName(), "a.x · waiting for p/a/state");
 }
 
 TEST(LegendValue, HasTwoDigitsMoreThanTheAxis) {

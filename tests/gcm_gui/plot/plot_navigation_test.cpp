@@ -94,6 +94,7 @@ TEST_F(PlotNavigation, CtrlWheelZoomsInValuesAndStaysLiveInTime) {
   EXPECT_NEAR(valueSpan(), before * 0.8, 1e-9);
   EXPECT_TRUE(view_.isLive());
   EXPECT_TRUE(pill().isVisible()) << "the values no longer follow";
+  EXPECT_EQ(pill().text(), "Fit") << "it is live";
 }
 
 TEST_F(PlotNavigation, DraggingZoomsToTheRectangle) {

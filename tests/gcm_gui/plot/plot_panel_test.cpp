@@ -167,16 +167,6 @@ TEST_F(PlotPanelTest, ARestartIsAGapAndNoLoss) {
   EXPECT_EQ(samples(kX).endIndex(), 1100U);
 }
 
-TEST_F(PlotPanelTest, TheWindowMenuSetsTheLengthOfThePlotInFront) {
-  auto& button = child<QToolButton>("window");
-  for (QAction* action : button.menu()->actions()) {
-    if (action->text() == "5 min") action->trigger();
-  }
-
-  EXPECT_EQ(panel_.currentPlot().window().length(), 5min);
-  EXPECT_EQ(button.text(), "window 5 min");
-}
-
 TEST_F(PlotPanelTest, TheMemoryIsSharedAmongTheCurves) {
   panel_.addSignal(kX, "rad");
   panel_.addSignal(kY, "rad");
@@ -201,6 +191,25 @@ TEST_F(PlotPanelTest, AHundredSignalsInBatchesLoseNothing) {
     EXPECT_EQ(samples(path).endIndex(), 5000U);
     EXPECT_EQ(samples(path).lost() + samples(path).repeated(), 0U);
   }
+}
+
+TEST_F(PlotPanelTest, HowLongItLooksBackIsChosenFromAMenuThatHoldsUpNothing) {
+  auto& button = child<QToolButton>("window");
+
+  QTest::mouseClick(&button, Qt::LeftButton);
+
+  auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+  ASSERT_NE(menu, nullptr);
+  const auto actions = menu->actions();
+  const auto find = [&](const QString& text) {
+    return *std::find_if(actions.begin(), actions.end(),
+                         [&](const QAction* action) { return action->text() == text; });
+  };
+  EXPECT_TRUE(find("30 s")->isChecked());
+  QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(find("10 s")).center());
+  EXPECT_EQ(button.text(), "Last 10 s");
+  EXPECT_TRUE(find("10 s")->isChecked());
+  EXPECT_EQ(panel_.currentPlot().window().length(), std::chrono::seconds(10));
 }
 
 TEST_F(PlotPanelTest, OnlyThePlotInFrontIsDrawn) {

@@ -163,7 +163,7 @@ TEST_F(PlotViewTest, ASilentSourceIsGreyInTheLegendAndHeals) {
   Curve& curve = view_.addCurve({"robot/arm/state.x", "rad"});
   const LegendRow& row = *view_.legendBox().rows().front();
   EXPECT_TRUE(row.entry().stale);
-  EXPECT_EQ(row.entry().name, "waiting for robot/arm/state");
+  EXPECT_EQ(row.entry().name, "arm.x · waiting for robot/arm/state");
 
   curve.append(Rows(0, 10));
   view_.setHover(0);

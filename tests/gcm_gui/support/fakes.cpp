@@ -1,6 +1,8 @@
 #include "support/fakes.h"
 
 #include <tendon/base/name.h>
+#include <tendon/payload/schema.h>
+#include <tendon/task/cycle_statistics.h>
 
 namespace tendon::gui {
 namespace {
@@ -57,6 +59,15 @@ Schema CycleSchema() {
                             {"lateness", "s", number},
                             {"compute", "s", number},
                             {"overruns", "", Schema(Schema::Kind::kUint64)}});
+}
+
+void SendSummary(ScriptedSignals& source, const QString& component, const SummaryValues& values) {
+  std::vector<double> row{values.cycles};
+  // mean, deviation, min, max, p50, p99 of each
+  row.insert(row.end(), {values.period, 0, 0, 0, 0, 0});
+  row.insert(row.end(), {0, 0, 0, values.latest, values.late, values.later});
+  row.insert(row.end(), {values.compute, 0, 0, 0, 0, 0});
+  source.send(component + QStringLiteral("/state.CycleSummary"), SchemaOf<CycleSummary>(), row);
 }
 
 }  // namespace tendon::gui

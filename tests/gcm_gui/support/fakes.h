@@ -53,5 +53,15 @@ class ScriptedSignals final : public SignalSource {
 Schema JointSchema(std::uint32_t joints);
 /// period, lateness, compute in s, overruns.
 Schema CycleSchema();
+/// A summary of `CycleSummary`'s type; all times in s.
+struct SummaryValues {
+  double cycles = 0;
+  double period = 0;
+  double late = 0;
+  double later = 0;
+  double latest = 0;
+  double compute = 0;
+};
+void SendSummary(ScriptedSignals& source, const QString& component, const SummaryValues& values);
 
 }  // namespace tendon::gui

@@ -76,7 +76,8 @@ SystemBuilder& SystemBuilder::Apply(CatalogChange change) {
 }
 
 SystemBuilder& SystemBuilder::Process(const std::string& name, ProcessState state,
-                                      std::int64_t since, std::uint64_t instance) {
+                                      std::int64_t since, std::uint64_t instance,
+                                      const std::string& reason) {
   ProcessDescription process;
   process.name = name;
   process.instance = instance;
@@ -85,7 +86,7 @@ SystemBuilder& SystemBuilder::Process(const std::string& name, ProcessState stat
   process.address = "127.0.0.1:40001";
   process.state = state;
   process.since = since;
-  if (state == ProcessState::kLost) process.reason = "its connection broke";
+  if (state == ProcessState::kLost) process.reason = reason;
   CatalogChange change;
   change.kind = CatalogChange::Kind::kProcess;
   change.process = name;
@@ -162,7 +163,10 @@ ComponentDescription Task(const std::string& name, double period,
   component.class_name = "demo::" + name;
   component.state = ComponentState::kActive;
   component.period = period;
-  if (period > 0) columns.push_back(Column("Cycle", "tendon.CycleStatistics"));
+  if (period > 0) {
+    columns.push_back(Column("Cycle", "tendon.CycleStatistics"));
+    columns.push_back(Column("CycleSummary", "tendon.CycleSummary"));
+  }
   if (columns.empty()) return component;
   std::vector<MemberDescription> reads;
   for (const auto& column : columns) reads.push_back(Read(column.name, column.type));

@@ -11,8 +11,10 @@ namespace tendon::gui {
 /// Builds a catalogue step by step, as the changes of a GCM would.
 class SystemBuilder {
  public:
+  /// `reason` of one that is lost.
   SystemBuilder& Process(const std::string& name, ProcessState state = ProcessState::kAlive,
-                         std::int64_t since = 0, std::uint64_t instance = 1);
+                         std::int64_t since = 0, std::uint64_t instance = 1,
+                         const std::string& reason = "its connection broke");
   SystemBuilder& RemoveProcess(const std::string& name);
   SystemBuilder& Component(const std::string& process, const ComponentDescription& component);
   SystemBuilder& RemoveComponent(const std::string& process, const std::string& component);
@@ -38,7 +40,8 @@ MemberDescription Write(const std::string& name, const std::string& type);
 MemberDescription Read(const std::string& name, const std::string& type);
 MemberDescription Void(const std::string& name);
 
-/// An active component with a state table of these columns (and, if it has a period, `Cycle`).
+/// An active component with a state table of these columns (and, if it has a period, `Cycle`
+/// and `CycleSummary`).
 ComponentDescription Task(const std::string& name, double period,
                           std::vector<ColumnDescription> columns);
 ColumnDescription Column(const std::string& name, const std::string& type);

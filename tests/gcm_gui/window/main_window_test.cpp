@@ -339,6 +339,39 @@ TEST_F(MainWindowTest, WhatWasOpenAndSelectedIsSoAgainAfterARestart) {
   EXPECT_EQ(Label(window_, "inspector.name")->text(), "arm");
 }
 
+TEST_F(MainWindowTest, ValuesGoOnInTheTreeWhenALostProcessIsBack) {
+  const QString column = "robot/arm/state.Joints";
+  const auto watched = [&] { return source_.watched().contains(column); };
+  window_.catalogue().tree().reveal(column);
+  ASSERT_TRUE(QTest::qWaitFor(watched, kPatience));
+  system_.Process("robot", ProcessState::kLost, 1);
+  Show();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !watched(); }, kPatience));
+
+  system_.Process("robot");
+  Show();
+
+  EXPECT_TRUE(QTest::qWaitFor(watched, kPatience));
+}
+
+TEST_F(MainWindowTest, AReasonTakesAsManyLinesAsItNeeds) {
+  window_.selection().select("vision");
+  QLabel* reason = nullptr;
+  for (auto* label : window_.inspector().findChildren<QLabel*>()) {
+    if (label->accessibleName() == "Reason") reason = label;
+  }
+  ASSERT_NE(reason, nullptr);
+  EXPECT_EQ(reason->text(), "its connection broke");
+  const int line = reason->height();
+
+  system_.Process("vision", ProcessState::kLost, 2, 1,
+                  "its connection broke: 127.0.0.1:51678 closed the connection, and nothing has "
+                  "been heard of it since");
+  Show();
+
+  EXPECT_TRUE(QTest::qWaitFor([&] { return reason->height() > 2 * line; }, kPatience));
+}
+
 TEST_F(MainWindowTest, ALostProcessCanBeForgotten) {
   window_.selection().select("vision");
 

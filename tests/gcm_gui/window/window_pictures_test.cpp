@@ -48,10 +48,8 @@ class WindowPicturesTest : public WindowFixture {
   }
 
   void FillInspector() {
-    std::vector<Sample> lateness;
-    for (int i = 0; i < 100; ++i) lateness.push_back({0, 0, (10 + i * 0.3) * 1e-6});
     source_.send("robot/arm/state.Cycle", CycleSchema(), {1e-3, 16e-6, 38e-6, 0});
-    Q_EMIT source_.samplesArrived("robot/arm/state.Cycle.lateness", lateness);
+    SendSummary(source_, "robot/arm", {1000, 1e-3, 16e-6, 31e-6, 57e-6, 38e-6});
   }
 
   void FillActivity() {

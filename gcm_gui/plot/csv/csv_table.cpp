@@ -1,0 +1,191 @@
+#include <gcm_gui/plot/csv/csv_table.h>
+
+#include <QByteArray>
+#include <QDateTime>
+#include <QIODevice>
+#include <QStringList>
+#include <QTimeZone>
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <limits>
+
+namespace tendon::gui {
+namespace {
+
+constexpr std::int64_t kSecond = 1'000'000'000;
+constexpr std::int64_t kMicrosecond = 1'000;
+constexpr qsizetype kBlock = 1 << 16;  // bytes written at once
+constexpr std::int64_t kNoTime = std::numeric_limits<std::int64_t>::max();
+
+QByteArray Quoted(const QString& text) {
+  if (!text.contains(',') && !text.contains('"') && !text.contains('\n')) return text.toUtf8();
+  return '"' + QString(text).replace('"', "\"\"").toUtf8() + '"';
+}
+
+template <typename Number>
+void AppendNumber(QByteArray& line, Number number) {
+  std::array<char, 32> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
+  line.append(digits.data(), end - digits.data());
+}
+
+/// Whole seconds in front, so many digits behind.
+std::int64_t SecondsOf(std::int64_t ns) { return ns / kSecond - (ns % kSecond < 0 ? 1 : 0); }
+
+void AppendFraction(QByteArray& line, std::int64_t fraction, int digits) {
+  line.append('.').append(QByteArray::number(qlonglong{fraction}).rightJustified(digits, '0'));
+}
+
+/// Writes the lines of a table, from its first moment to its last.
+class Writer {
+ public:
+  Writer(const CsvTable& table, QIODevice& device)
+      : table_(table), device_(device), next_(table.curves.size(), 0), next_gap_(next_) {
+    for (const auto& curve : table.curves) {
+      const QString source = SourceOf(curve.path);
+      if (!sources_.contains(source)) sources_.append(source);
+      source_of_.push_back(static_cast<std::size_t>(sources_.indexOf(source)));
+    }
+  }
+
+  std::optional<CsvFigures> Run() {
+    AddHead();
+    for (std::int64_t time = NextTime(); time != kNoTime; time = NextTime()) {
+      AddLine(time);
+      if (text_.size() >= kBlock && !Flush()) return std::nullopt;
+    }
+    if (!Flush()) return std::nullopt;
+    return figures_;
+  }
+
+ private:
+  struct Before {  // of one source, right before a line
+    std::uint64_t lost = 0;
+    bool restart = false;
+  };
+
+  void AddHead() {
+    text_.append("time_s,utc_estimated");
+    for (const auto& curve : table_.curves) {
+      const QString unit = curve.unit.isEmpty() ? QString() : " [" + curve.unit + ']';
+      text_.append(',').append(Quoted(curve.path + unit));
+    }
+    for (const QString& source : sources_) {
+      text_.append(',').append(Quoted(source + " rows lost before"));
+    }
+    text_.append('\n');
+  }
+
+  [[nodiscard]] std::int64_t NextTime() const {
+    std::int64_t time = kNoTime;
+    for (std::size_t i = 0; i < next_.size(); ++i) {
+      const auto& times = table_.curves[i].times;
+      if (next_[i] < times.size()) time = std::min(time, times[next_[i]]);
+    }
+    return time;
+  }
+
+  void AddLine(std::int64_t time) {
+    AppendNumber(text_, SecondsOf(time));
+    AppendFraction(text_, time - SecondsOf(time) * kSecond, 9);
+    text_.append(',');
+    AddUtc(time + table_.utc_offset_ns);
+    std::vector<Before> before(static_cast<std::size_t>(sources_.size()));
+    for (std::size_t i = 0; i < next_.size(); ++i) {
+      text_.append(',');
+      const auto& curve = table_.curves[i];
+      if (next_[i] == curve.times.size() || curve.times[next_[i]] != time) continue;
+      NoteGap(i, before[source_of_[i]]);
+      AppendNumber(text_, curve.values[next_[i]++]);
+    }
+    for (const Before& source : before) {
+      text_.append(',');
+      if (source.restart) text_.append("restart");
+      if (source.lost > 0) AppendNumber(text_, source.lost);
+      figures_.lost += source.lost;
+    }
+    text_.append('\n');
+    ++figures_.rows;
+  }
+
+  void NoteGap(std::size_t curve, Before& before) {
+    const auto& gaps = table_.curves[curve].gaps;
+    std::size_t& next = next_gap_[curve];
+    if (next == gaps.size() || gaps[next].index != next_[curve]) return;
+    const Gap& gap = gaps[next++];
+    before.restart = before.restart || gap.cause == Gap::Cause::kRestart;
+    before.lost = std::max(before.lost, gap.lost);
+  }
+
+  void AddUtc(std::int64_t time) {
+    const std::int64_t second = SecondsOf(time);
+    if (second != second_ || second_text_.isEmpty()) {
+      second_ = second;
+      second_text_ =
+          QDateTime::fromSecsSinceEpoch(second, Qt::UTC).toString("yyyy-MM-ddTHH:mm:ss").toUtf8();
+    }
+    text_.append(second_text_);
+    AppendFraction(text_, (time - second * kSecond) / kMicrosecond, 6);
+    text_.append('Z');
+  }
+
+  bool Flush() {
+    const bool written = device_.write(text_) == text_.size();
+    text_.clear();
+    return written;
+  }
+
+  const CsvTable& table_;
+  QIODevice& device_;
+  QStringList sources_;
+  std::vector<std::size_t> source_of_;  // of each curve
+  std::vector<std::size_t> next_;       // sample of each curve
+  std::vector<std::size_t> next_gap_;
+  QByteArray text_;
+  QByteArray second_text_;
+  std::int64_t second_ = 0;
+  CsvFigures figures_;
+};
+
+}  // namespace
+
+bool CsvTable::empty() const {
+  return std::all_of(curves.begin(), curves.end(),
+                     [](const Curve& curve) { return curve.times.empty(); });
+}
+
+CsvTable CsvTableOf(const CurveSet& curves, std::int64_t from_ns, std::int64_t to_ns,
+                    std::int64_t utc_offset_ns) {
+  CsvTable table;
+  table.utc_offset_ns = utc_offset_ns;
+  for (const auto& curve : curves.curves()) {
+    if (!curve->isVisible()) continue;
+    const SampleRing& samples = curve->samples();
+    CsvTable::Curve& copy = table.curves.emplace_back();
+    copy.path = curve->path();
+    copy.unit = curve->unit();
+    const std::uint64_t first = samples.lowerBound(from_ns);
+    const std::uint64_t end = samples.lowerBound(to_ns + 1);
+    copy.times.reserve(end - first);
+    copy.values.reserve(end - first);
+    for (std::uint64_t at = first; at < end;) {
+      const SampleRing::Stretch stretch = samples.stretch(at, end);
+      copy.times.insert(copy.times.end(), stretch.times.begin(), stretch.times.end());
+      copy.values.insert(copy.values.end(), stretch.values.begin(), stretch.values.end());
+      at += stretch.times.size();
+    }
+    for (Gap gap : samples.gaps()) {
+      if (gap.index < first || gap.index >= end) continue;
+      gap.index -= first;
+      copy.gaps.push_back(gap);
+    }
+  }
+  return table;
+}
+
+std::optional<CsvFigures> WriteCsv(const CsvTable& table, QIODevice& device) {
+  return Writer(table, device).Run();
+}
+
+}  // namespace tendon::gui

@@ -1,0 +1,93 @@
+#include <gcm_gui/models/row_roles.h>
+#include <gcm_gui/window/commands/commands.h>
+#include <gcm_gui/window/commands/palette_model.h>
+
+#include <QAction>
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+namespace tendon::gui {
+namespace {
+
+bool HasAll(const QString& folded, const QStringList& words) {
+  return std::all_of(words.begin(), words.end(),
+                     [&](const QString& word) { return folded.contains(word); });
+}
+
+struct Found {
+  const CatalogueItem* item;
+  int rank;  // best first
+
+  [[nodiscard]] auto key() const { return std::tuple(rank, item->folded.size(), item->folded); }
+};
+
+/// The name itself is better than its beginning, and that than any other place.
+int RankOf(const CatalogueItem& item, const QStringList& words) {
+  const QStringView name =
+      QStringView(item.folded).last(std::min(item.name.size(), item.folded.size()));
+  if (name == words.last()) return 0;
+  return name.startsWith(words.last()) ? 1 : 2;
+}
+
+void Collect(const CatalogueItem& item, const QStringList& words, std::vector<Found>& found) {
+  if (HasAll(item.folded, words)) found.push_back({&item, RankOf(item, words)});
+  for (const auto& child : item.children) Collect(*child, words, found);
+}
+
+}  // namespace
+
+PaletteModel::PaletteModel(QList<QAction*> actions, const CatalogueModel& catalogue,
+                           QObject* parent)
+    : RowListModel(parent), actions_(std::move(actions)), catalogue_(catalogue) {}
+
+void PaletteModel::find(const QString& words) {
+  const QStringList wanted = words.toLower().split(' ', Qt::SkipEmptyParts);
+  std::vector<PaletteRow> rows;
+  addActions(wanted, rows);
+  if (!wanted.isEmpty()) addThings(wanted, rows);
+  showRows(std::move(rows));
+}
+
+void PaletteModel::addActions(const QStringList& words, std::vector<PaletteRow>& rows) const {
+  for (QAction* action : actions_) {
+    if (!action->isEnabled() || !HasAll(PlainText(*action).toLower(), words)) continue;
+    rows.push_back(
+        {action, PlainText(*action), action->shortcut().toString(QKeySequence::NativeText)});
+  }
+}
+
+void PaletteModel::addThings(const QStringList& words, std::vector<PaletteRow>& rows) const {
+  std::vector<Found> found;
+  for (int row = 0; row < catalogue_.rowCount({}); ++row) {
+    Collect(*catalogue_.item(catalogue_.index(row, 0, {})), words, found);
+  }
+  const auto shown =
+      found.begin() + static_cast<std::ptrdiff_t>(std::min(found.size(), kMostThings));
+  std::partial_sort(found.begin(), shown, found.end(),
+                    [](const Found& a, const Found& b) { return a.key() < b.key(); });
+  for (auto it = found.begin(); it != shown; ++it) {
+    rows.push_back({nullptr, it->item->path, KindWord(it->item->kind)});
+  }
+}
+
+QVariant PaletteModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid()) return {};
+  const PaletteRow& row = this->row(index.row());
+  switch (role) {
+    case Qt::DisplayRole:
+      return row.text;
+    case kFaceRole:
+      return static_cast<int>(row.action != nullptr ? Face::kPlain : Face::kMono);
+    case kTrailRole:
+      return row.trail;
+    case kPathRole:
+      return row.action != nullptr ? QString() : row.text;
+    case Qt::AccessibleTextRole:
+      return row.text + ' ' + row.trail;
+    default:
+      return {};
+  }
+}
+
+}  // namespace tendon::gui

@@ -1,0 +1,27 @@
+#include "support/large_system.h"
+
+namespace tendon::gui {
+
+std::string LargeProcess(int i) { return "process_" + std::to_string(100 + i); }
+std::string LargeComponent(int i) { return "component_" + std::to_string(100 + i); }
+
+SystemBuilder LargeSystem(int processes, int of_each) {
+  const SystemBuilder look = LookSystem(0);
+  ComponentDescription model = *look.catalog().FindComponent("robot", "controller");
+  model.required.resize(1);  // what the arm offers
+  model.provided.push_back(look.catalog().FindComponent("robot", "arm")->provided.front());
+  SystemBuilder system;
+  for (int p = 0; p < processes; ++p) {
+    system.Process(LargeProcess(p));
+    for (int c = 0; c < of_each; ++c) {
+      model.name = LargeComponent(c);
+      system.Component(LargeProcess(p), model);
+      if (c == 0) continue;
+      system.Connect({LargeProcess(p), LargeComponent(c), "Arm"},
+                     {LargeProcess(p), LargeComponent(c - 1), "Drives"});
+    }
+  }
+  return system;
+}
+
+}  // namespace tendon::gui

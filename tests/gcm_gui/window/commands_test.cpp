@@ -1,0 +1,123 @@
+#include <gcm_gui/plot/plot_panel.h>
+#include <gcm_gui/plot/plot_view.h>
+#include <gcm_gui/theme/theme.h>
+#include <gcm_gui/views/catalogue_panel.h>
+#include <gcm_gui/views/catalogue_tree.h>
+#include <gcm_gui/views/row_view.h>
+#include <gcm_gui/window/bar/notice_line.h>
+#include <gcm_gui/window/commands/command_palette.h>
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMenuBar>
+#include <QPushButton>
+#include <QSet>
+#include <QTest>
+
+#include "window/window_fixture.h"
+
+namespace tendon::gui {
+namespace {
+
+class CommandsTest : public WindowFixture {
+ protected:
+  [[nodiscard]] QMenuBar& bar() const { return *window_.findChild<QMenuBar*>("menus"); }
+  [[nodiscard]] CommandPalette& palette() const { return *window_.findChild<CommandPalette*>(); }
+  [[nodiscard]] QLineEdit& field() const { return *window_.findChild<QLineEdit*>("palette.field"); }
+  [[nodiscard]] QString firstRow() const {
+    return window_.findChild<RowView*>("palette.list")->model()->index(0, 0).data().toString();
+  }
+  void OpenPalette() { QTest::keyClick(&window_, Qt::Key_K, Qt::ControlModifier); }
+};
+
+TEST_F(CommandsTest, AMenuIsOpenedAndChosenFromByMouse) {
+  QAction* plot = bar().actions().at(1);
+  QTest::mouseClick(&bar(), Qt::LeftButton, {}, bar().actionGeometry(plot).center());
+  ASSERT_EQ(QApplication::activePopupWidget(), plot->menu());
+
+  const auto actions = plot->menu()->actions();
+  const auto pause = std::find_if(actions.begin(), actions.end(), [](const QAction* action) {
+    return action->objectName() == "Pause view";
+  });
+  ASSERT_NE(pause, actions.end());
+  QTest::mouseClick(plot->menu(), Qt::LeftButton, {},
+                    plot->menu()->actionGeometry(*pause).center());
+
+  EXPECT_TRUE(window_.plots().isPaused());
+  EXPECT_TRUE((*pause)->isChecked());
+  QTest::keyClick(&window_, Qt::Key_Space);
+  EXPECT_FALSE(window_.plots().isPaused());
+  EXPECT_FALSE((*pause)->isChecked());
+}
+
+TEST_F(CommandsTest, NoKeyIsGivenTwice) {
+  QSet<QKeySequence> keys;
+  for (const QAction* action : window_.actions()) {
+    for (const QKeySequence& key : action->shortcuts()) {
+      EXPECT_FALSE(keys.contains(key)) << qPrintable(key.toString());
+      keys.insert(key);
+    }
+  }
+  EXPECT_GE(keys.size(), 12);
+}
+
+TEST_F(CommandsTest, ThePaletteListsAllCommandsAndRunsOneByEnter) {
+  OpenPalette();
+  ASSERT_TRUE(palette().isVisible());
+  EXPECT_TRUE(field().hasFocus());
+  EXPECT_EQ(firstRow(), "Connect");
+
+  QTest::keyClicks(&field(), "pause");
+  EXPECT_EQ(firstRow(), "Pause view");
+  QTest::keyClick(&field(), Qt::Key_Return);
+
+  EXPECT_TRUE(window_.plots().isPaused());
+  EXPECT_FALSE(palette().isVisible());
+}
+
+TEST_F(CommandsTest, ThePaletteGoesToAThingByItsName) {
+  OpenPalette();
+  QTest::keyClicks(&field(), "getwrench");
+  EXPECT_EQ(firstRow(), "robot/controller/Force.GetWrench");
+
+  QTest::keyClick(&field(), Qt::Key_Down);
+  QTest::keyClick(&field(), Qt::Key_Return);
+
+  EXPECT_EQ(window_.selection().current(), "robot/force_sensor/Wrench.GetWrench");
+  EXPECT_TRUE(
+      window_.catalogue().tree().visibleRows().contains("robot/force_sensor/Wrench.GetWrench"));
+}
+
+TEST_F(CommandsTest, ANameItselfComesBeforeWhatIsBelowIt) {
+  OpenPalette();
+  QTest::keyClicks(&field(), "arm");
+
+  EXPECT_EQ(firstRow(), "robot/arm");
+}
+
+TEST_F(CommandsTest, EscapeAndAClickElsewhereCloseThePalette) {
+  window_.catalogue().tree().setFocus();
+  OpenPalette();
+  QTest::keyClicks(&field(), "p");
+  QTest::keyClick(&field(), Qt::Key_Escape);
+  EXPECT_FALSE(palette().isVisible());
+  EXPECT_TRUE(window_.catalogue().tree().hasFocus());
+  EXPECT_TRUE(window_.plots().paths().isEmpty()) << "typing is no command";
+
+  QTest::mouseClick(window_.findChild<QPushButton*>("searchOrRun"), Qt::LeftButton);
+  EXPECT_TRUE(palette().isVisible());
+  QTest::mouseClick(&window_.catalogue().filterField(), Qt::LeftButton);
+  window_.catalogue().filterField().setFocus();
+  EXPECT_FALSE(palette().isVisible());
+}
+
+TEST_F(CommandsTest, SavingAnEmptyPlotSaysThatThereIsNothing) {
+  QTest::keyClick(&window_, Qt::Key_E, Qt::ControlModifier);
+
+  EXPECT_TRUE(window_.findChild<NoticeLine*>()->text().startsWith("There is nothing to save"));
+}
+
+}  // namespace
+}  // namespace tendon::gui
