@@ -1,0 +1,103 @@
+#pragma once
+
+#include <tendon/interface/events/messages.h>
+#include <tendon/manager/local_manager.h>
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+#include "core/parity/ports.h"
+
+namespace tendon_test {
+
+/// Every kind of component, by what makes its cycles.
+enum class Kind {
+  kPeriodic,
+  kContinuous,
+  kSignal,
+  kCallback,    ///< driven by a thread of the test
+  kMain,        ///< in a thread of the test
+  kFollower,    ///< runs after a periodic task, in its thread
+  kThreadless,  ///< runs in its callers' threads
+};
+[[nodiscard]] std::string_view NameOf(Kind kind);
+[[nodiscard]] std::vector<Kind> AllKinds();
+/// Without kThreadless.
+[[nodiscard]] std::vector<Kind> TaskKinds();
+
+/// What is the same in a server and a client of any kind: a job of the test, which its interface
+/// `Desk` executes in the component's thread.
+class Part {
+ public:
+  Part() = default;
+  Part(const Part&) = delete;
+  Part& operator=(const Part&) = delete;
+  virtual ~Part() = default;
+
+  [[nodiscard]] virtual tendon::Component& component() = 0;
+  /// Makes a cycle, where the thread that calls is lent for that.
+  virtual void Drive() {}
+
+  std::function<void()> job;  // set before the command Step
+  std::atomic<std::uint64_t> runs = 0;
+  std::atomic<std::thread::id> run_thread;  // of the last cycle
+  std::atomic<bool> throws_in_run = false;
+
+ protected:
+  void AddDesk(tendon::ProvidedInterface& desk) { desk.AddCommandVoid(&Part::Step, this, "Step"); }
+  void NoteRun();
+
+ private:
+  void Step() {
+    const std::function<void()> now = job;  // the next may be set while this one runs
+    now();
+  }
+};
+
+/// Offers an interface for each payload, and messages.
+class ServerPart : public Part {
+ public:
+  ServerPorts ports;
+  std::unique_ptr<tendon::Messages> messages;
+  /// Written by hand: the history of the ports' goals, and of a number and its double.
+  tendon::StateTable* history = nullptr;
+  int number = 0;
+  int doubled = 0;
+  /// In which the ports' columns are.
+  tendon::StateTable* table = nullptr;
+
+  /// Makes what was written so far a row, where no cycle does; in the server's thread.
+  virtual void Publish() {}
+
+ protected:
+  void FillHistory(tendon::StateTable& history_table);
+};
+
+/// Needs an interface for each payload, and the messages; and may have one that nobody fills.
+class ClientPart : public Part {
+ public:
+  ClientPorts ports;
+  std::vector<std::string> heard;  // messages, in the client's thread
+  tendon::VoidFunction optional;
+
+ protected:
+  void AddMessages(tendon::RequiredInterface& interface);
+
+ private:
+  void OnStatus(const std::string& text) { heard.push_back("status: " + text); }
+  void OnWarning(const std::string& text) { heard.push_back("warning: " + text); }
+  void OnError(const std::string& text) { heard.push_back("error: " + text); }
+};
+
+/// Adds a component of this kind, made from the same source as all others, and for kFollower the
+/// task it runs after.
+ServerPart& AddServer(tendon::LocalManager& manager, Kind kind);
+ClientPart& AddClient(tendon::LocalManager& manager, Kind kind);
+
+}  // namespace tendon_test

@@ -1,0 +1,103 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <map>
+#include <string>
+#include <thread>
+#include <tuple>
+#include <type_traits>
+#include <vector>
+
+#include "core/parity/kinds.h"
+#include "support/wait.h"
+
+namespace tendon_test {
+
+/// How long a call of a test may wait: it bounds a test that fails.
+inline constexpr std::chrono::seconds kLong(60);
+
+/// A server and a client, connected and running. What a test does or looks at in a component's
+/// thread is a job, which that thread executes as a command.
+class Pair {
+ public:
+  Pair(Kind client_kind, Kind server_kind);
+  ~Pair();
+  Pair(const Pair&) = delete;
+  Pair& operator=(const Pair&) = delete;
+
+  tendon::LocalManager manager;
+  ServerPart& server;
+  ClientPart& client;
+
+  /// `body(port)` for the port of each payload, in the server's thread, after all that was queued
+  /// there before; returns when it is done.
+  template <typename Body>
+  void InServer(Body body) {
+    OnceInServer([&] { ForEachPort(server.ports, body); });
+  }
+  template <typename Body>
+  void InClient(Body body) {
+    OnceInClient([&] { ForEachPort(client.ports, body); });
+  }
+  /// The same, but once and without a port.
+  void OnceInServer(const std::function<void()>& job) { Execute(step_server_, server, job); }
+  void OnceInClient(const std::function<void()>& job) { Execute(step_client_, client, job); }
+
+  /// Keeps the thread of a task busy in a command until Release().
+  void HoldServer() { Hold(step_server_, server); }
+  void HoldClient() { Hold(step_client_, client); }
+  void Release();
+
+  /// What a queued call answers: a server without a thread executes it at once.
+  [[nodiscard]] tendon::Status queued() const {
+    return has_thread_ ? tendon::Status::kQueued : tendon::Status::kDone;
+  }
+
+  /// The ports' connections, made by name.
+  void Connect();
+  /// Ends them; false when it took so long that calls which were accepted may have been dropped.
+  bool Disconnect();
+  /// Takes a component out of the manager, after the thread that was lent to it.
+  void Remove(Part& part);
+
+ private:
+  static void Execute(tendon::VoidFunction& step, Part& part, const std::function<void()>& job);
+  void Hold(tendon::VoidFunction& step, Part& part);
+
+  bool has_thread_;
+  tendon::VoidFunction& step_server_;
+  tendon::VoidFunction& step_client_;
+  std::atomic<bool> is_held_ = false;
+  std::map<const Part*, std::jthread> lent_;  // make the cycles of what has no thread of its own
+};
+
+/// Every kind of client with every kind of server.
+using Kinds = std::tuple<Kind, Kind>;
+struct AnyPair : testing::TestWithParam<Kinds> {
+  Pair pair{std::get<0>(GetParam()), std::get<1>(GetParam())};
+};
+inline auto AllPairs() {
+  return testing::Combine(testing::ValuesIn(AllKinds()), testing::ValuesIn(AllKinds()));
+}
+inline std::string NameOfPair(const testing::TestParamInfo<Kinds>& info) {
+  return std::string(NameOf(std::get<0>(info.param))) + "CallsA" +
+         std::string(NameOf(std::get<1>(info.param)));
+}
+
+/// Every kind of server with a client that has no thread: its calls come from the test's.
+struct AnyServer : testing::TestWithParam<Kind> {
+  Pair pair{Kind::kThreadless, GetParam()};
+};
+inline std::string NameOfKind(const testing::TestParamInfo<Kind>& info) {
+  return std::string(NameOf(info.param));
+}
+
+/// The payload of a port, in whose place `decltype(port)` may stand.
+template <typename Port>
+using PayloadIn = typename std::remove_reference_t<Port>::Value;
+
+}  // namespace tendon_test

@@ -1,0 +1,119 @@
+#pragma once
+
+#include <tendon/interface/events/event_waiter.h>
+#include <tendon/interface/provided_interface.h>
+#include <tendon/interface/required_interface.h>
+#include <tendon/state/state_table.h>
+
+#include <array>
+#include <atomic>
+#include <string>
+#include <thread>
+#include <tuple>
+#include <vector>
+
+#include "core/parity/payloads.h"
+
+namespace tendon_test {
+
+/// Offers everything there is of one payload: every kind of command, the events, a column. What is
+/// not atomic belongs to the server's thread.
+template <tendon::Payload P>
+class ServerPort {
+ public:
+  using Value = P;
+
+  /// In the server's constructor; `name` is the column's.
+  void AddTo(tendon::ProvidedInterface& interface, tendon::StateTable& table,
+             const std::string& name);
+  void AddGoalTo(tendon::StateTable& table, const std::string& name) const;
+
+  P goal{};                 // a column
+  std::vector<P> received;  // by the write command, one after the other
+  std::vector<P> kept;      // by that which keeps the latest only
+  std::vector<Filtered> filtered;
+  int resets = 0;
+  std::thread::id thread;                // of the last queued command
+  std::thread::id direct_thread;         // of the last direct one
+  std::atomic<bool> is_blocked = false;  // in the command Block
+  std::atomic<bool> blocks = true;
+  std::atomic<int> executed = 0;  // queued commands that have ended
+
+  tendon::VoidEvent done;
+  tendon::WriteEvent<P> reached;
+  tendon::WriteEvent<P> passed;
+  tendon::WriteEvent<P> settled;
+  tendon::Offer* write = nullptr;  // the command, to switch it off
+
+ private:
+  void Reset();
+  void Write(const P& value);
+  void Keep(const P& value);
+  void WriteFiltered(const Filtered& value);
+  static void Filter(const P& value, Filtered& filtered);
+  void Take(P& value);
+  void Swap(const P& value, P& last);
+  static void IsAt(const P& row, const P& question, bool& answer);
+  void WriteDirect(const P& value);
+  void Count(std::int32_t& count) const;
+  void Block();
+  void Note();
+};
+
+/// Needs all of it.
+template <tendon::Payload P>
+class ClientPort {
+ public:
+  using Value = P;
+
+  void AddTo(tendon::RequiredInterface& interface);
+
+  tendon::VoidFunction reset;
+  tendon::WriteFunction<P> write;
+  tendon::WriteFunction<P> keep;
+  tendon::WriteFunction<P> write_filtered;
+  tendon::WriteFunction<P> write_direct;
+  tendon::ReadFunction<P> read;
+  tendon::ReadFunction<std::int32_t> count;
+  tendon::QualifiedReadFunction<P, bool> is_at;
+  tendon::VoidReturnFunction<P> take;
+  tendon::WriteReturnFunction<P, P> swap;
+  tendon::VoidFunction block;
+  tendon::VoidFunction missing;  // optional, and not offered
+
+  // In the client's thread.
+  int dones = 0;
+  std::vector<P> reached;
+  std::thread::id thread;  // of the last queued handler
+  int strange = 0;         // handled events that are not offered
+  // In the server's.
+  std::vector<P> passed;
+  std::thread::id direct_thread;
+
+  tendon::EventWaiter<P> settled;
+
+ private:
+  void OnDone();
+  void OnReached(const P& value);
+  void OnPassed(const P& value);
+  void OnStrange();
+};
+
+template <typename... P>
+using ServerPortsOf = std::tuple<ServerPort<P>...>;
+template <typename... P>
+using ClientPortsOf = std::tuple<ClientPort<P>...>;
+using ServerPorts = ForPayloads<ServerPortsOf>;
+using ClientPorts = ForPayloads<ClientPortsOf>;
+
+/// The names of the interfaces and of the columns, in the order of the payloads.
+inline constexpr std::array kPortNames = {"Joints",  "Vector3", "Pose", "Text",
+                                          "Numbers", "VectorX", "Scan"};
+
+/// `body(port)` for each.
+template <typename Ports, typename Body>
+void ForEachPort(Ports& ports, Body body) {
+  std::apply([&body](auto&... port) { (body(port), ...); }, ports);
+}
+
+}  // namespace tendon_test

@@ -1,0 +1,106 @@
+#include <gmock/gmock.h>
+#include <tendon/middleware/loopback.h>
+
+#include <filesystem>
+#include <iterator>
+
+#include "core/process/remote_connection.h"
+
+// What the reference system gets wrong between processes, as far as no other test shows that it is
+// right here; see the README of this folder.
+
+namespace {
+
+using tendon::Status;
+using testing::StartsWith;
+
+using RemoteFault = RemoteConnection;
+
+TEST_P(RemoteFault, NobodyListensBeyondThisMachineUnasked) {
+  StartRobot();
+
+  EXPECT_THAT(robot->address(), StartsWith("127.0.0.1:"));
+  EXPECT_THAT(tendon::ProcessOptions().listen, StartsWith("127.0.0.1:"));
+  EXPECT_THAT(tendon::GlobalManager::Options().address, StartsWith("127.0.0.1:"));
+}
+
+TEST_P(RemoteFault, FurtherConnectionsOfTwoProcessesTakeNoFurtherThreads) {
+  const auto threads = [] {
+    const std::filesystem::directory_iterator entries("/proc/self/task");
+    return std::distance(begin(entries), end(entries));
+  };
+  StartRobot();
+  StartDesk();
+  for (const char* const name : {"second", "third", "fourth"}) {
+    desk->Add<plant::Operator>(name);
+  }
+  ASSERT_TRUE(desk->StartAll().ok());
+  Connect();
+  const auto before = threads();
+
+  for (const char* const name : {"second", "third", "fourth"}) {
+    ASSERT_TRUE(desk->Connect({"desk", name, "Robot"}, kControl).ok());
+  }
+  ASSERT_TRUE(EventuallyActive(*desk, 4));
+
+  EXPECT_EQ(threads(), before);
+}
+
+INSTANTIATE_TEST_SUITE_P(Over, RemoteFault, testing::ValuesIn(NetworkKinds()), NameOfNetwork);
+
+/// A network on which nothing arrives any more, once it is told so.
+std::shared_ptr<tendon::LoopbackNetwork>& TheNetwork() {
+  static auto network = std::make_shared<tendon::LoopbackNetwork>();
+  return network;
+}
+
+struct FrozenPeer : RemoteConnection {
+  FrozenPeer() {
+    StartRobot();
+    StartDesk();
+    Connect();
+  }
+  ~FrozenPeer() override { TheNetwork()->SetFilter(nullptr); }
+
+  static void Freeze() {
+    TheNetwork()->SetFilter([](std::span<const std::byte> /*frame*/) { return false; });
+  }
+};
+
+TEST_P(FrozenPeer, AQueuedCallWaitsForNoAnswer) {
+  Freeze();
+
+  int accepted = 0;
+  Status last = Status::kQueued;
+  while (accepted <= 64 && (last = user->move_to({})) == Status::kQueued) ++accepted;
+
+  EXPECT_EQ(last, Status::kQueueFull);  // its credit is used up
+  EXPECT_EQ(accepted, 64);
+}
+
+TEST_P(FrozenPeer, AReadEndsAtItsDeadlineAndDoesNotSucceedAfterwards) {
+  std::uint64_t answer = 0;
+  ASSERT_TRUE(EventuallyTrue([&] { return bool(user->ask(answer)); }));
+  Freeze();
+  answer = 0;
+
+  EXPECT_EQ(user->ask(answer), Status::kTimeout);
+  EXPECT_EQ(user->ask(answer), Status::kTimeout);
+
+  EXPECT_EQ(answer, 0U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Over, FrozenPeer,
+                         testing::Values(NetworkKind{
+                             .name = "loopback",
+                             .make =
+                                 [] {
+                                   TheNetwork() = std::make_shared<tendon::LoopbackNetwork>();
+                                   return [] {
+                                     return std::make_shared<tendon::LoopbackMiddleware>(
+                                         TheNetwork());
+                                   };
+                                 }}),
+                         NameOfNetwork);
+
+}  // namespace
