@@ -14,7 +14,6 @@ enum ExitCode : int {
   kIncompatible = 5,
   kTimeout = 6,
   kDenied = 7,
-  kPartial = 8,
   kInterrupted = 130,
 };
 

@@ -1,4 +1,5 @@
 # Sourced by tools/demo and the test of the window: the processes of a run, started, waited for and stopped together.
+# Needs common.sh.
 # shellcheck shell=bash
 
 declare -A process_ids=()
@@ -11,10 +12,7 @@ use_own_folders() {
   export XDG_CONFIG_HOME=$RUN_FOLDER/config XDG_STATE_HOME=$RUN_FOLDER/state XDG_RUNTIME_DIR=$RUN_FOLDER/runtime
 }
 
-# A port on 127.0.0.1 that nobody uses just now.
-free_port() {
-  python3 -c 'import socket; s = socket.socket(); s.bind(("127.0.0.1", 0)); print(s.getsockname()[1])'
-}
+free_port() { python3 "$TENDON_ROOT/tools/free_port.py"; }
 
 # start NAME COMMAND...: in the background, its output in a log of that name.
 start() {
@@ -27,16 +25,16 @@ start() {
 
 is_running() { kill -0 "${process_ids[$1]}" 2>/dev/null; }
 
-# wait_until WHAT COMMAND...: until the command succeeds; gives up after 30 s, or as soon as a process has ended.
+# wait_until WHAT COMMAND...: until the command succeeds; gives up after a minute, or as soon as a process has ended.
 wait_until() {
-  local what=$1 deadline=$((SECONDS + 30)) name
+  local what=$1 deadline=$((SECONDS + 60)) name
   shift
   until "$@" >/dev/null 2>&1; do
     for name in "${process_order[@]}"; do
       is_running "$name" || fail_with_log "$name" "$name ended while waiting for $what; its last words:"
     done
     name=${process_order[0]}
-    ((SECONDS < deadline)) || fail_with_log "$name" "Waited 30 s in vain for $what; the last words of $name:"
+    ((SECONDS < deadline)) || fail_with_log "$name" "Waited a minute in vain for $what; the last words of $name:"
     sleep 0.1
   done
 }

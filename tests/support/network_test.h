@@ -3,39 +3,28 @@
 #include <gtest/gtest.h>
 #include <tendon/gcm/global_manager.h>
 #include <tendon/process/process.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 #include <string>
 
+#include "support/folder.h"
 #include "support/network_kinds.h"
+#include "support/program.h"
 #include "support/wait.h"
 
 /// A GCM and processes, each with a middleware of its own, all in this program.
 class NetworkTest : public testing::TestWithParam<NetworkKind> {
  protected:
-  NetworkTest() {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    std::string name = std::string(test->name()) + std::to_string(getpid());
-    std::replace(name.begin(), name.end(), '/', '-');
-    folder_ = std::filesystem::path(testing::TempDir()) / name;
-    StartGcm();
-  }
-  ~NetworkTest() override {
-    gcm_.reset();
-    std::filesystem::remove_all(folder_);
-  }
+  NetworkTest() { StartGcm(); }
 
   /// Where it was before.
   void StartGcm() {
     auto gcm = tendon::GlobalManager::Start(
         join_(),
-        {.address = gcm_address_, .state_folder = folder_, .clock = &tendon::SteadyClock()});
+        {.address = gcm_address_, .state_folder = folder_.path(), .clock = &tendon::SteadyClock()});
     ASSERT_TRUE(gcm.ok()) << gcm.error().message;
     gcm_ = *std::move(gcm);
-    gcm_address_ = gcm_->address();
   }
   void KillGcm() { gcm_.reset(); }
   tendon::GlobalManager& gcm() { return *gcm_; }
@@ -69,8 +58,8 @@ class NetworkTest : public testing::TestWithParam<NetworkKind> {
 
  private:
   NetworkKind::Join join_ = GetParam().make();
-  std::filesystem::path folder_;
-  std::string gcm_address_ = "127.0.0.1:0";
+  const tendon::test::Folder folder_;
+  const std::string gcm_address_ = "127.0.0.1:" + std::to_string(FreePort());
   std::unique_ptr<tendon::GlobalManager> gcm_;
 };
 

@@ -7,7 +7,7 @@
 /// `timeout`, which is long: it bounds a test that fails, and says nothing about speed.
 template <typename Predicate>
 bool EventuallyTrue(Predicate predicate,
-                    std::chrono::milliseconds timeout = std::chrono::seconds(20)) {
+                    std::chrono::milliseconds timeout = std::chrono::seconds(30)) {
   const auto deadline = std::chrono::steady_clock::now() + timeout;
   while (!predicate()) {
     if (std::chrono::steady_clock::now() >= deadline) return false;

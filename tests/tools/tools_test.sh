@@ -92,12 +92,19 @@ at_least_one_job_and_no_more_than_processors() {
   ((jobs >= 1 && jobs <= $(nproc))) || fail "$jobs jobs on $(nproc) processors"
 }
 
+a_free_port_can_be_listened_at() {
+  local port
+  port=$(python3 "$root/tools/free_port.py")
+  python3 -c "import socket; socket.create_server(('127.0.0.1', $port))" || fail "port $port is not free"
+}
+
 each_explains_itself
 is_found_through_a_link
 what_is_no_option_is_refused
 a_preset_that_is_none_is_refused_and_leaves_no_folder
 shell_and_cmake_share_one_cache
 at_least_one_job_and_no_more_than_processors
+a_free_port_can_be_listened_at
 sudo_does_not_make_the_build_roots
 one_build_at_a_time
 say "The tools do as they say."

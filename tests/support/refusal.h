@@ -1,0 +1,20 @@
+#pragma once
+
+#include <tendon/base/error.h>
+
+#include <string>
+
+namespace tendon::test {
+
+/// What the ConfigurationError says that `action` throws; empty when it throws none.
+template <typename Action>
+std::string Refusal(Action action) {
+  try {
+    action();
+  } catch (const ConfigurationError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace tendon::test
