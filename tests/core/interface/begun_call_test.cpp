@@ -11,10 +11,11 @@ using tendon_test::Planner;
 /// Calls of a planner's commands that nobody waits for in a thread; the test executes them.
 class BegunCall : public testing::Test {
  protected:
-  std::unique_ptr<tendon::CommandBase> Bind(const std::string& name) {
+  tendon::CommandBase* Bind(const std::string& name) {
     const tendon::Offer* offer = planner.plans.FindCommand(name);
     mailbox = &planner.inbox.Open(2, offer->shape());
-    return offer->Bind(mailbox);
+    bound = offer->Bind(mailbox);
+    return bound.get();
   }
   ~BegunCall() override {
     if (mailbox != nullptr) planner.inbox.Remove(*mailbox);
@@ -29,6 +30,7 @@ class BegunCall : public testing::Test {
 
   Planner planner;
   tendon::Mailbox* mailbox = nullptr;
+  std::unique_ptr<tendon::CommandBase> bound;  // for as long as its calls lie there
   tendon::Wakeup<> ended;
   std::size_t call = 0;
   std::vector<std::byte> out;
@@ -36,7 +38,7 @@ class BegunCall : public testing::Test {
 
 TEST_F(BegunCall, EndsOnceItWasExecuted) {
   planner.moves = {1, 2};
-  const auto describe = Bind("Describe");
+  auto* const describe = Bind("Describe");
   ASSERT_EQ(Begin(*describe, std::string("moves: ")), Status(Status::kQueued));
   EXPECT_FALSE(describe->HasEnded(call));
 
@@ -50,7 +52,7 @@ TEST_F(BegunCall, EndsOnceItWasExecuted) {
 }
 
 TEST_F(BegunCall, TellsWhoListens) {
-  const auto move = Bind("Move");
+  auto* const move = Bind("Move");
   ASSERT_EQ(Begin(*move, std::int32_t{5}), Status(Status::kQueued));
   const tendon_test::Executor executor(planner.inbox);
 
@@ -62,7 +64,7 @@ TEST_F(BegunCall, TellsWhoListens) {
 }
 
 TEST_F(BegunCall, ThatIsEndedBeforeItWasExecutedIsNotExecuted) {
-  const auto move = Bind("Move");
+  auto* const move = Bind("Move");
   ASSERT_EQ(Begin(*move, std::int32_t{5}), Status(Status::kQueued));
 
   EXPECT_EQ(move->EndEncoded(call, out), Status(Status::kTimeout));
@@ -72,7 +74,7 @@ TEST_F(BegunCall, ThatIsEndedBeforeItWasExecutedIsNotExecuted) {
 }
 
 TEST_F(BegunCall, EndsWhenTheServerStops) {
-  const auto move = Bind("Move");
+  auto* const move = Bind("Move");
   ASSERT_EQ(Begin(*move, std::int32_t{5}), Status(Status::kQueued));
 
   planner.inbox.SetAccepting(false);
@@ -82,7 +84,7 @@ TEST_F(BegunCall, EndsWhenTheServerStops) {
 }
 
 TEST_F(BegunCall, IsRefusedWhenTheMailboxIsFull) {
-  const auto move = Bind("Move");
+  auto* const move = Bind("Move");
   ASSERT_EQ(Begin(*move, std::int32_t{1}), Status(Status::kQueued));
   const std::size_t first = call;
   ASSERT_EQ(Begin(*move, std::int32_t{2}), Status(Status::kQueued));
