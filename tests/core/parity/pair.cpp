@@ -103,6 +103,7 @@ void Pair::Hold(tendon::VoidFunction& step, Part& part) {
 
 void Pair::Release() {
   is_held_ = false;
+  if (manager.Find("server") == nullptr) return;  // removed by the test
   ForEachPort(server.ports, [](auto& port) { port.blocks = false; });
 }
 
