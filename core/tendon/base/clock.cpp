@@ -1,5 +1,7 @@
 #include <tendon/base/clock.h>
 
+#include <algorithm>
+
 namespace tendon {
 namespace {
 
@@ -15,6 +17,10 @@ class RealClock final : public Clock {
 const Clock& SteadyClock() noexcept {
   static const RealClock kClock;
   return kClock;
+}
+
+SteadyTime DeadlineAfter(std::chrono::nanoseconds timeout) noexcept {
+  return SteadyClock().Now() + std::min(timeout, kLongestWait);
 }
 
 SteadyTime ManualClock::Now() const noexcept {

@@ -20,6 +20,11 @@ class Clock {
 /// The real one.
 const Clock& SteadyClock() noexcept;
 
+/// The longest time anybody waits for: as good as for ever, and short enough to be added to now.
+inline constexpr std::chrono::nanoseconds kLongestWait = std::chrono::hours(24 * 365);
+/// When `timeout`, or the longest wait if that is less, will be over by the real clock.
+[[nodiscard]] SteadyTime DeadlineAfter(std::chrono::nanoseconds timeout) noexcept;
+
 /// Stands still until told otherwise.
 class ManualClock final : public Clock {
  public:

@@ -1,5 +1,7 @@
 #include <tendon/base/error.h>
 
+#include <utility>
+
 namespace tendon {
 
 std::string_view ToString(ErrorCode code) noexcept {
@@ -22,6 +24,29 @@ std::string_view ToString(ErrorCode code) noexcept {
       return "denied";
   }
   return "unknown error";
+}
+
+std::string ReasonOf(std::exception_ptr thrown) {
+  std::string reason;
+  while (thrown) {
+    if (!reason.empty()) reason += ": ";
+    try {
+      std::rethrow_exception(std::exchange(thrown, nullptr));
+    } catch (const std::exception& error) {
+      reason += error.what();
+      const auto* const outer = dynamic_cast<const std::nested_exception*>(&error);
+      if (outer != nullptr) thrown = outer->nested_ptr();
+    } catch (...) {
+      reason += "an exception that is no std::exception";
+    }
+  }
+  return reason;
+}
+
+ConfigurationError AddedTooLate(const std::string& part, const std::string& whole,
+                                std::string_view state) {
+  return ConfigurationError("cannot add " + part + " to " + whole + " (" + std::string(state) +
+                            "): add it in the constructor");
 }
 
 }  // namespace tendon

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <exception>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -30,6 +31,10 @@ struct Error {
 /// "failed", "not found", ...
 [[nodiscard]] std::string_view ToString(ErrorCode code) noexcept;
 
+/// What an exception says, and behind it those that have led to it (std::nested_exception): "no
+/// arm: no port".
+[[nodiscard]] std::string ReasonOf(std::exception_ptr thrown);
+
 /// A wiring mistake in a program: a second interface of a name, a bad period. Thrown while a
 /// component is being built, never in a cycle.
 class ConfigurationError : public std::runtime_error {
@@ -44,5 +49,10 @@ class ConfigurationError : public std::runtime_error {
  private:
   ErrorCode code_ = ErrorCode::kInvalid;
 };
+
+/// What an author hears who adds a part to what has all of its parts: "cannot add command 'Stop' to
+/// interface 'Control' (sealed): add it in the constructor". `whole` with its state, if any.
+[[nodiscard]] ConfigurationError AddedTooLate(const std::string& part, const std::string& whole,
+                                              std::string_view state = "sealed");
 
 }  // namespace tendon

@@ -3,7 +3,6 @@
 #include <tendon/base/result.h>
 #include <tendon/base/source_place.h>
 
-#include <concepts>
 #include <span>
 #include <string>
 #include <string_view>
@@ -22,10 +21,10 @@ void RequireName(std::string_view what, std::string_view name);
 /// A name that must be given once, and where it was: made from text in a call, it knows the
 /// caller's line.
 struct PlacedName {
-  template <std::convertible_to<std::string> Text>
-  PlacedName(Text&& name,  // NOLINT(google-explicit-constructor)
-             SourcePlace given_at = SourcePlace::current())
-      : text(std::forward<Text>(name)), place(given_at) {}
+  PlacedName(const char* name, SourcePlace given_at = SourcePlace::current())
+      : text(name), place(given_at) {}
+  PlacedName(std::string name, SourcePlace given_at = SourcePlace::current())
+      : text(std::move(name)), place(given_at) {}
 
   std::string text;
   SourcePlace place;

@@ -23,7 +23,7 @@ class [[nodiscard]] Status {
     kDisabled,        ///< the peer has switched this command off for now
     kUnsupported,     ///< not to be had this way, as calling what returns something without waiting
     kInvalid,         ///< the argument does not decode
-    kFailed,          ///< the server's code threw
+    kFailed,          ///< the server's code threw, or what copied a value
   };
 
   constexpr Status(Code code) noexcept : code_(code) {}  // NOLINT(google-explicit-constructor)

@@ -81,11 +81,9 @@ Mailbox::SlotShape Connection::EventShape(const RequiredInterface& required) {
 
 std::size_t Connection::MailboxBytes(const RequiredInterface& required,
                                      const ProvidedInterface& provided) {
-  const auto slot = [](const Mailbox::SlotShape& argument) {
-    return std::max(kCacheLine, sizeof(Mailbox::Entry*) + argument.alignment + argument.size);
-  };
   return required.mailbox_capacity() *
-         (slot(CommandShape(required, provided)) + slot(EventShape(required)));
+         (Mailbox::SlotBytes(CommandShape(required, provided), Mailbox::kEntryBytes) +
+          Mailbox::SlotBytes(EventShape(required), Mailbox::kTimedEntryBytes));
 }
 
 void Connection::OpenMailboxes() {

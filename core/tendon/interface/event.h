@@ -75,8 +75,10 @@ class EventBase : public Caller {
 /// calling it, from the component's thread: it never waits, locks or allocates; a handler whose
 /// mailbox is full misses it, which is counted at both ends. Handlers that run directly run in this
 /// thread.
-template <Payload T>
+template <typename T>
 class Event final : public EventBase {
+  static_assert(RequirePayload<T>());
+
  public:
   void operator()() requires std::is_same_v<T, None> { Raise(None{}); }
   void operator()(const T& value) requires(!std::is_same_v<T, None>) { Raise(value); }
@@ -95,7 +97,7 @@ class Event final : public EventBase {
 };
 
 using VoidEvent = Event<None>;
-template <Payload T>
+template <typename T>
 using WriteEvent = Event<T>;
 
 }  // namespace tendon

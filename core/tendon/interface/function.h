@@ -25,8 +25,9 @@ namespace tendon {
 /// Thread safety: those of one required interface are called by one thread at a time: where its
 /// component is a task, by its thread. Those of a component without a thread, and where
 /// SetCallers() says so, are called by any threads.
-template <CommandKind kKind, Payload In, Payload Out>
+template <CommandKind kKind, typename In, typename Out>
 class Function final : public Caller {
+  static_assert(RequirePayload<In>() && RequirePayload<Out>());
   using Time = std::chrono::nanoseconds;
   static constexpr bool kIsVoid = kKind == CommandKind::kVoid;
   static constexpr bool kIsWrite = kKind == CommandKind::kWrite;
@@ -87,15 +88,15 @@ class Function final : public Caller {
 };
 
 using VoidFunction = Function<CommandKind::kVoid, None, None>;
-template <Payload T>
+template <typename T>
 using WriteFunction = Function<CommandKind::kWrite, T, None>;
-template <Payload T>
+template <typename T>
 using ReadFunction = Function<CommandKind::kRead, None, T>;
-template <Payload In, Payload Out>
+template <typename In, typename Out>
 using QualifiedReadFunction = Function<CommandKind::kQualifiedRead, In, Out>;
-template <Payload T>
+template <typename T>
 using VoidReturnFunction = Function<CommandKind::kVoidReturn, None, T>;
-template <Payload In, Payload Out>
+template <typename In, typename Out>
 using WriteReturnFunction = Function<CommandKind::kWriteReturn, In, Out>;
 
 }  // namespace tendon

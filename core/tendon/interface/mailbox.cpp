@@ -4,6 +4,13 @@
 #include <bit>
 
 namespace tendon {
+namespace {
+
+std::size_t ArgumentOffset(const Mailbox::SlotShape& argument, std::size_t before) {
+  return std::max(before, argument.alignment);
+}
+
+}  // namespace
 
 void Mailbox::SlotShape::Cover(const SlotShape& other) {
   size = std::max(size, other.size);
@@ -11,11 +18,15 @@ void Mailbox::SlotShape::Cover(const SlotShape& other) {
   reserve += other.reserve;
 }
 
+std::size_t Mailbox::SlotBytes(const SlotShape& argument, std::size_t before) {
+  return StrideOf(ArgumentOffset(argument, before) + argument.size, argument.alignment);
+}
+
 Mailbox::Mailbox(std::size_t capacity, SlotShape argument, Callers callers, const Server& server,
                  ReadyFlag<>& ready, SteadyTime* event_time)
     : capacity_(capacity),
-      argument_offset_(std::max(sizeof(Entry*) + (event_time == nullptr ? 0 : sizeof(SteadyTime)),
-                                argument.alignment)),
+      argument_offset_(
+          ArgumentOffset(argument, event_time == nullptr ? kEntryBytes : kTimedEntryBytes)),
       server_(server),
       ready_(ready),
       event_time_(event_time),
@@ -32,6 +43,14 @@ Mailbox::Mailbox(std::size_t capacity, SlotShape argument, Callers callers, cons
 Status Mailbox::refusal() const noexcept {
   if (closed_.Get()) return Status::kNotConnected;
   return accepting() ? Status::kQueueFull : Status::kNotActive;
+}
+
+void Mailbox::GiveUp(std::byte* argument) noexcept {
+  class Nothing final : public Entry {
+    void ExecuteSlot(std::byte* /*argument*/, std::size_t /*slot*/) override {}
+  };
+  static Nothing nothing;
+  Publish(argument, nothing);
 }
 
 bool Mailbox::DropOne() noexcept { return many_ ? DropIn(*many_) : DropIn(*one_); }

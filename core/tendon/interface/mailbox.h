@@ -50,6 +50,12 @@ class Mailbox {
     void Cover(const SlotShape& other);
   };
 
+  /// What stands before the argument of a slot: who executes it, and where slots have one the time.
+  static constexpr std::size_t kEntryBytes = sizeof(Entry*);
+  static constexpr std::size_t kTimedEntryBytes = kEntryBytes + sizeof(SteadyTime);
+  /// What one slot takes, whose argument stands behind so many bytes.
+  [[nodiscard]] static std::size_t SlotBytes(const SlotShape& argument, std::size_t before);
+
   /// The component called, as all its mailboxes see it.
   struct Server {
     Flag accepting;                     ///< whether it executes calls
@@ -73,6 +79,8 @@ class Mailbox {
   [[nodiscard]] std::size_t SlotOf(const std::byte* argument) const noexcept;
   /// Hands the claimed slot over; `entry` will execute it.
   void Publish(std::byte* argument, Entry& entry) noexcept;
+  /// Instead of Publish(), where no argument has come about: the slot passes by without a call.
+  void GiveUp(std::byte* argument) noexcept;
 
   /// Executes the oldest call; false when there is none.
   bool ExecuteOne();
@@ -114,7 +122,9 @@ class Mailbox {
   static Entry& EntryIn(std::byte* slot) noexcept {
     return **std::launder(reinterpret_cast<Entry**>(slot));
   }
-  static std::byte* TimeIn(std::byte* slot) noexcept { return slot + sizeof(Entry*); }
+  static std::byte* TimeIn(std::byte* slot) noexcept {
+    return slot + sizeof(Entry*);  // NOLINT(bugprone-sizeof-expression): a slot begins with it
+  }
 
   std::optional<SlotRing<>> one_;  // one of the two
   std::optional<SharedSlotRing<>> many_;

@@ -14,6 +14,7 @@ namespace tendon {
 
 /// Describes a member by its payload types.
 template <Payload In, Payload Out>
+// NOLINTNEXTLINE(performance-unnecessary-value-param): it is moved on
 MemberDescription DescribeMember(std::string name, CommandKind kind) {
   return {.name = std::move(name),
           .signature = SignatureOf<In, Out>(kind),

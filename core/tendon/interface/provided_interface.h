@@ -55,13 +55,13 @@ class ProvidedInterface {
   }
   /// The caller waits for the answer, with a deadline. For what takes a moment: a caller that has
   /// given up does not hear the answer.
-  template <typename Owner, Payload Out, std::derived_from<Owner> Object>
+  template <typename Owner, typename Out, std::derived_from<Owner> Object>
   Offer& AddCommandVoidReturn(void (Owner::*method)(Out&), Object* object, PlacedName name) {
     return AddQueued<None, Out>(
         CommandKind::kVoidReturn, std::move(name),
         [method, object](const None&, Out& out) { (object->*method)(out); });
   }
-  template <typename Owner, typename Argument, Payload Out, std::derived_from<Owner> Object>
+  template <typename Owner, typename Argument, typename Out, std::derived_from<Owner> Object>
   Offer& AddCommandWriteReturn(void (Owner::*method)(Argument, Out&), Object* object,
                                PlacedName name) {
     using In = std::remove_cvref_t<Argument>;
@@ -71,10 +71,11 @@ class ProvidedInterface {
   }
   /// A write command of `In`: `filter(in, filtered)` runs in the caller's thread, where it may
   /// throw (kFailed); its output is queued.
-  template <Payload In, Payload Filtered, typename Owner, typename Argument,
+  template <typename In, typename Filtered, typename Owner, typename Argument,
             std::derived_from<Owner> Object>
   Offer& AddCommandFilteredWrite(void (*filter)(const In&, Filtered&),
                                  void (Owner::*method)(Argument), Object* object, PlacedName name) {
+    static_assert(RequirePayload<In>() && RequirePayload<Filtered>());
     const auto handler = [method, object](const Filtered& in, None&) { (object->*method)(in); };
     return AddOffer(
         std::make_unique<FilteredOffer<In, Filtered, decltype(filter), decltype(handler)>>(
@@ -103,7 +104,7 @@ class ProvidedInterface {
         [&column, delay](const None&, T& out) { return ToStatus(column.ReadDelayed(delay, out)); });
   }
   /// `function(row, question, answer)` on the newest value of a column.
-  template <Payload T, Payload In, Payload Out>
+  template <Payload T, typename In, typename Out>
   Offer& AddCommandQualifiedRead(const StateTable& table, const T& variable,
                                  void (*function)(const T&, const In&, Out&), PlacedName name) {
     const Column<T>& column = table.Find(variable);
@@ -131,7 +132,7 @@ class ProvidedInterface {
     return AddDirect<In, None>(CommandKind::kWrite, std::move(name),
                                CallMethod<In>(method, object));
   }
-  template <typename Owner, Payload Out, std::derived_from<Owner> Object>
+  template <typename Owner, typename Out, std::derived_from<Owner> Object>
   Offer& AddCommandRead(void (Owner::*method)(Out&) const, const Object* object, PlacedName name,
                         ThreadSafe) {
     return AddDirect<None, Out>(CommandKind::kRead, std::move(name),
@@ -140,7 +141,7 @@ class ProvidedInterface {
                                   return Status::kDone;
                                 });
   }
-  template <typename Owner, typename Argument, Payload Out, std::derived_from<Owner> Object>
+  template <typename Owner, typename Argument, typename Out, std::derived_from<Owner> Object>
   Offer& AddCommandQualifiedRead(void (Owner::*method)(Argument, Out&) const, const Object* object,
                                  PlacedName name, ThreadSafe) {
     using In = std::remove_cvref_t<Argument>;
@@ -181,14 +182,16 @@ class ProvidedInterface {
     EventBase* event;
   };
 
-  template <Payload In, Payload Out, typename Handler>
+  template <typename In, typename Out, typename Handler>
   Offer& AddQueued(CommandKind kind, PlacedName name, Handler handler) {
+    static_assert(RequirePayload<In>() && RequirePayload<Out>());
     return AddOffer(std::make_unique<QueuedOffer<In, Out, Handler>>(
                         DescribeMember<In, Out>(std::move(name.text), kind), std::move(handler)),
                     name.place);
   }
-  template <Payload In, Payload Out, typename Body>
+  template <typename In, typename Out, typename Body>
   Offer& AddDirect(CommandKind kind, PlacedName name, Body body) {
+    static_assert(RequirePayload<In>() && RequirePayload<Out>());
     const bool asks = kind == CommandKind::kRead || kind == CommandKind::kQualifiedRead;
     return AddOffer(std::make_unique<DirectOffer<In, Out, Body>>(
                         DescribeMember<In, Out>(std::move(name.text), kind), std::move(body),

@@ -136,14 +136,16 @@ class RequiredInterface {
     description.optional = need == Need::kOptional;
     return description;
   }
-  template <Payload In, typename Handler>
+  template <typename In, typename Handler>
   Offer& AddQueued(CommandKind kind, PlacedName name, Need need, Handler handler) {
+    static_assert(RequirePayload<In>());
     return AddOffer(std::make_unique<QueuedOffer<In, None, Handler>>(
                         DescribeHandler<In>(kind, std::move(name.text), need), std::move(handler)),
                     name.place);
   }
-  template <Payload In, typename Body>
+  template <typename In, typename Body>
   void AddDirect(CommandKind kind, PlacedName name, Need need, Body body) {
+    static_assert(RequirePayload<In>());
     AddOffer(std::make_unique<DirectOffer<In, None, Body>>(
                  DescribeHandler<In>(kind, std::move(name.text), need), std::move(body),
                  Blame::kComponent),

@@ -18,6 +18,22 @@ class Lease {
   /// By whom TryTake() gave it.
   void Return() noexcept { taken_.store(false, std::memory_order_release); }  // (A)
 
+  /// Takes it where nobody has it, and then returns it in the end.
+  class [[nodiscard]] Hold {
+   public:
+    explicit Hold(Lease& lease) noexcept : lease_(lease.TryTake() ? &lease : nullptr) {}
+    ~Hold() {
+      if (lease_ != nullptr) lease_->Return();
+    }
+    Hold(const Hold&) = delete;
+    Hold& operator=(const Hold&) = delete;
+
+    explicit operator bool() const noexcept { return lease_ != nullptr; }
+
+   private:
+    Lease* lease_;
+  };
+
  private:
   typename Atomics::template Atomic<bool> taken_{false};
 };

@@ -14,16 +14,18 @@ namespace tendon {
 /// As with a sleeper: the producer publishes, then looks at the flag; the consumer lowers the flag,
 /// then looks for items. With a full fence between the two steps on both sides, at least one of
 /// them sees the other. So a producer finds the flag up, as a rule, and writes nothing that the
-/// consumer reads besides the queue.
+/// consumer reads besides the queue. Where another producer has just raised it, (B) keeps the look
+/// at the sleeper's flag behind, lest the wake-up wait for that one. (Not in the simulator's
+/// model.)
 template <typename Atomics = StdAtomics>
 class ReadyFlag {
  public:
   /// Also wakes the consumer where it sleeps on `wakeup`, which may be null.
   void Raise(Wakeup<Atomics>* wakeup) noexcept {
-    Atomics::Fence(std::memory_order_seq_cst);  // (A) the item is out before the flags are read
-    if (!up_.load(std::memory_order_relaxed)) {
-      up_.store(true, std::memory_order_relaxed);
-      Atomics::Fence(std::memory_order_seq_cst);  // the flag is up before the sleeper's is read
+    Atomics::Fence(std::memory_order_seq_cst);     // (A) the item is out before the flags are read
+    if (!up_.load(std::memory_order_acquire)) {    // pairs with (B)
+      up_.store(true, std::memory_order_release);  // (B) up for other producers
+      Atomics::Fence(std::memory_order_seq_cst);   // the flag is up before the sleeper's is read
     }
     if (wakeup != nullptr) wakeup->NotifyAfterFence();
   }
@@ -40,7 +42,7 @@ class ReadyFlag {
     up_.store(false, std::memory_order_relaxed);
     Atomics::Fence(std::memory_order_seq_cst);  // pairs with (A): down before items are looked for
     if (!has_items()) return false;
-    up_.store(true, std::memory_order_relaxed);
+    up_.store(true, std::memory_order_release);  // (B)
     return true;
   }
 

@@ -8,22 +8,6 @@
 #include <string>
 
 namespace tendon {
-namespace {
-
-/// "no arm: no port" for an exception and the one that has led to it.
-std::string ReasonOf(const std::exception& error) {
-  std::string reason = error.what();
-  try {
-    std::rethrow_if_nested(error);
-  } catch (const std::exception& cause) {
-    reason += ": " + ReasonOf(cause);
-  } catch (...) {
-    reason += ": an exception that is no std::exception";
-  }
-  return reason;
-}
-
-}  // namespace
 
 void ComponentRegistry::AddFactory(ComponentClass added, Factory factory) {
   const std::string class_name = added.name;
@@ -47,10 +31,9 @@ Result<std::unique_ptr<Component>> ComponentRegistry::Create(
     auto component = entry->second.factory(name, configuration_json);
     if (component) return component;
     return Error{component.error().code, what + component.error().message};
-  } catch (const std::exception& error) {
-    return Error{ErrorCode::kFailed, what + "its constructor failed: " + ReasonOf(error)};
   } catch (...) {
-    return Error{ErrorCode::kFailed, what + "its constructor threw no std::exception"};
+    return Error{ErrorCode::kFailed,
+                 what + "its constructor failed: " + ReasonOf(std::current_exception())};
   }
 }
 

@@ -76,6 +76,16 @@ struct ConnectionDescription {
   bool operator==(const ConnectionDescription&) const = default;
 };
 
+/// How the calls and events of a connection have fared since it was made.
+struct ConnectionCounts {
+  std::uint64_t waiting = 0;      ///< calls that wait at the server now
+  std::uint64_t refused = 0;      ///< calls that found the server's mailbox full
+  std::uint64_t replaced = 0;     ///< calls replaced by newer ones, where only the latest is kept
+  std::uint64_t lost_events = 0;  ///< events that have not reached the client
+
+  bool operator==(const ConnectionCounts&) const = default;
+};
+
 }  // namespace tendon
 
 template <>

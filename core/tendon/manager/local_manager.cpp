@@ -1,3 +1,4 @@
+#include <tendon/manager/faulted_end.h>
 #include <tendon/manager/local_manager.h>
 #include <tendon/task/thread/threaded_task.h>
 
@@ -123,13 +124,15 @@ Result<void> LocalManager::Retry(Patience patience,
   constexpr std::chrono::milliseconds kAtOnce(20);
   const SteadyTime deadline = SteadyClock().Now() + patience;
   while (true) {
-    const SteadyTime now = SteadyClock().Now();
     Result<void> done;
+    bool is_last = false;
     {
       const auto lock = Lock();
+      const SteadyTime now = SteadyClock().Now();
+      is_last = now >= deadline;
       done = attempt(std::min<SteadyTime>(deadline, now + kAtOnce));
     }
-    if (done || done.error().code != ErrorCode::kTimeout || now >= deadline) return done;
+    if (done || done.error().code != ErrorCode::kTimeout || is_last) return done;
     std::this_thread::yield();
   }
 }
@@ -163,18 +166,46 @@ Result<void> LocalManager::Disconnect(const InterfaceName& required) {
     const auto lock = Lock();
     const auto client = FindRequired(required);
     if (!client) return client.error();
-    const auto found = std::find_if(connections_.begin(), connections_.end(), [&](const auto& one) {
-      const InterfaceName& name = one.second.description.required;
-      return name.component == required.component && name.interface == required.interface;
-    });
-    if (found == connections_.end()) {
-      return Error{ErrorCode::kNotFound, ToString(required) + " is not connected"};
+    const auto found = FindConnection(required);
+    if (!found) {
+      return Error{ErrorCode::kNotFound,
+                   found.error().message + ": there is nothing to disconnect"};
     }
-    found->second.connection->Close(kDrainPatience);
-    connections_.erase(found);
+    Close(connections_.at(*found), kDrainPatience);
+    connections_.erase(*found);
   }
   NotifyChanged();
   return {};
+}
+
+Result<ConnectionCounts> LocalManager::Counts(const InterfaceName& required) const {
+  const auto lock = Lock();
+  const auto found = FindConnection(required);
+  if (!found) return found.error();
+  const Connection& connection = *connections_.at(*found).connection;
+  return ConnectionCounts{.waiting = connection.waiting(),
+                          .refused = connection.refused(),
+                          .replaced = connection.replaced(),
+                          .lost_events = connection.lost_events()};
+}
+
+Result<ConnectionId> LocalManager::FindConnection(const InterfaceName& required) const {
+  const auto client = FindRequired(required);
+  if (!client) return client.error();
+  for (const auto& [id, connection] : connections_) {
+    const InterfaceName& name = connection.description.required;
+    if (name.component == required.component && name.interface == required.interface) return id;
+  }
+  return Error{ErrorCode::kNotFound, ToString(required) + " is not connected"};
+}
+
+void LocalManager::Close(const LocalConnection& connection, std::chrono::milliseconds patience) {
+  const std::size_t dropped = connection.connection->Close(patience);
+  if (dropped == 0) return;
+  const ConnectionDescription& ends = connection.description;
+  Log(LogLevel::kWarning, ends.required.component,
+      "the disconnect of " + ToString(ends.required) + " from " + ToString(ends.provided) +
+          " has dropped " + std::to_string(dropped) + " calls and events that were not executed");
 }
 
 Result<void> LocalManager::RunAfter(const std::string& component, const std::string& leader,
@@ -230,9 +261,7 @@ Result<void> LocalManager::SuspendAll(Patience patience) {
 Result<void> LocalManager::StopAll(Patience patience) {
   Components all = InOrder();
   std::reverse(all.begin(), all.end());
-  std::erase_if(all, [](const auto& one) {
-    return one->state() != ComponentState::kActive && one->state() != ComponentState::kSuspended;
-  });
+  std::erase_if(all, [](const auto& one) { return !IsRunning(one->state()); });
   return AskAll(all, &Component::Stop, ComponentState::kFinished, patience);
 }
 
@@ -302,9 +331,7 @@ std::vector<ConnectionDescription> LocalManager::connections() const {
     for (const InterfaceName& end : {all.back().required, all.back().provided}) {
       const Component* const component = Find(end.component);
       if (component == nullptr || component->state() != ComponentState::kFaulted) continue;
-      all.back().state = ConnectionState::kPending;
-      all.back().reason = "component '" + end.component + "' is faulted: " + component->fault() +
-                          "; it is connected again once that was started";
+      SetEndFaulted(all.back(), end.component, component->fault());
     }
   }
   return all;
@@ -404,9 +431,11 @@ std::vector<std::string> LocalManager::component_names() const {
 
 void LocalManager::DisconnectAll(const std::string& component) {
   std::erase_if(connections_, [&component](const auto& one) {
-    const ConnectionDescription& description = one.second.description;
-    return description.required.component == component ||
-           description.provided.component == component;
+    const ConnectionDescription& ends = one.second.description;
+    const bool is_meant =
+        ends.required.component == component || ends.provided.component == component;
+    if (is_meant) Close(one.second, std::chrono::milliseconds(0));
+    return is_meant;
   });
 }
 

@@ -60,12 +60,14 @@ class LocalManager {
   /// kExists, kIncompatible with the reason. An end without a process means this process.
   virtual Result<ConnectionId> Connect(const InterfaceName& required,
                                        const InterfaceName& provided);
+  /// What its ends have accepted and do not execute within kDrainPatience is dropped; the log says
+  /// how much.
   virtual Result<void> Disconnect(const InterfaceName& required);
 
   /// From its next start on, `component` makes a cycle after each one of `leader`, in that one's
   /// thread: ThreadedTask::RunAfter(). kFailed where it is not at rest, has no thread to give up,
-  /// or where the two would wait for each other; kTimeout where a cycle of the leader, or of the
-  /// one before, does not end within `patience`.
+  /// or where the two would wait for each other; kTimeout where a cycle of its former leader does
+  /// not end within `patience`: nothing has changed then.
   Result<void> RunAfter(const std::string& component, const std::string& leader,
                         Patience patience = kPatience);
 
@@ -91,6 +93,8 @@ class LocalManager {
   [[nodiscard]] std::vector<ComponentDescription> components() const;
   /// One of which an end is faulted is pending, with the reason, until that was started anew.
   [[nodiscard]] virtual std::vector<ConnectionDescription> connections() const;
+  /// Of a connection within this process; kNotFound where there is none.
+  [[nodiscard]] Result<ConnectionCounts> Counts(const InterfaceName& required) const;
 
   /// How long a disconnect lets servers execute what they have accepted.
   static constexpr std::chrono::milliseconds kDrainPatience{500};
@@ -137,6 +141,9 @@ class LocalManager {
   Result<void> AskAll(const Components& components, Request request, ComponentState wanted,
                       Patience patience);
   [[nodiscard]] std::vector<std::string> component_names() const;
+  [[nodiscard]] Result<ConnectionId> FindConnection(const InterfaceName& required) const;
+  /// Closes a connection and says what that has dropped.
+  static void Close(const LocalConnection& connection, std::chrono::milliseconds patience);
   void DisconnectAll(const std::string& component);
   /// Tries with the lock held, again and again until it is no kTimeout; others get it in between.
   Result<void> Retry(Patience patience, const std::function<Result<void>(SteadyTime)>& attempt);

@@ -21,15 +21,7 @@ Error Refusal(const fs::path& file, const std::string& reason) {
 }
 
 /// What the exception that is being handled says.
-std::string ThrownWords() {
-  try {
-    throw;
-  } catch (const std::exception& error) {
-    return "threw: " + Printable(error.what(), 512);
-  } catch (...) {
-    return "threw something that is no std::exception";
-  }
-}
+std::string ThrownWords() { return "threw: " + Printable(ReasonOf(std::current_exception()), 512); }
 
 Result<void> CheckAbi(void* library) {
   void* const symbol = os::FindSymbol(library, kAbi);

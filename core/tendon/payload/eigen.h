@@ -42,7 +42,7 @@ template <typename Scalar, int kRows, int kCols, int kOptions>
 requires FixedVector<kRows, kCols>
 struct ArrayTraits<Eigen::Matrix<Scalar, kRows, kCols, kOptions>> {
   using Element = Scalar;
-  static constexpr std::size_t kLength = kRows * kCols;
+  static constexpr std::size_t kLength = std::size_t{kRows} * std::size_t{kCols};
 };
 
 template <typename Scalar, int kRows, int kCols, int kOptions>

@@ -23,10 +23,12 @@ concept Described = !std::same_as<payload::DescriptionOf<T>, NotDescribed>;
 template <typename T>
 concept FixedPayload = Payload<T> && payload::IsFixed<T>();
 
-/// Call it first in a template that takes a payload: one sentence instead of a failed constraint.
+/// `static_assert(RequirePayload<T>())` first in a template that an author names a payload to: one
+/// sentence instead of a failed constraint.
 template <typename T>
-consteval void RequirePayload() {
+consteval bool RequirePayload() {
   static_assert(Payload<T>, "T is not described: write kPayload<T> beside it");
+  return true;
 }
 
 /// Stands for no argument or no result. On the wire it is one zero byte, as in ROS 2.

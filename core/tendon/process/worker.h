@@ -21,7 +21,7 @@ class Worker {
   using Task = std::function<void()>;
 
   /// `name` is the thread's.
-  explicit Worker(std::string name) : Worker(name, name) {}
+  explicit Worker(const std::string& name) : Worker(name, name) {}
   /// `owner` is who stands in the log.
   Worker(std::string name, std::string owner);
   Worker(const Worker&) = delete;

@@ -37,9 +37,8 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
 
   Status WaitEncoded(std::span<const std::byte> in, std::vector<std::byte>& out,
                      std::chrono::nanoseconds timeout) override {
-    constexpr std::chrono::nanoseconds kLongest = std::chrono::hours(24 * 365);
     if (Channel::IsThreadOfMiddleware()) return Status::kWouldDeadlock;
-    const SteadyTime deadline = SteadyClock().Now() + std::min(timeout, kLongest);
+    const SteadyTime deadline = DeadlineAfter(timeout);
     CompletionPool& completions = mailbox_.completions();
     const auto record = completions.Take();
     if (!record) {
@@ -83,8 +82,12 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
     if (in.size() > kMostBytes) return Status::kInvalid;
     room = mailbox_.Claim();
     if (room == nullptr) return mailbox_.refusal();
-    pool_[mailbox_.SlotOf(room)].assign(in.begin(), in.end());
-    return Status::kQueued;
+    const Status copied = Host::Contain(nullptr, [&]() -> Status {  // memory may be short
+      pool_[mailbox_.SlotOf(room)].assign(in.begin(), in.end());
+      return Status::kQueued;
+    });
+    if (!copied) mailbox_.GiveUp(room);
+    return copied;
   }
 
   Status Await(std::size_t record, std::uint64_t call, SteadyTime deadline,

@@ -24,13 +24,17 @@ StateTable::StateTable(std::string name) : name_(std::move(name)), epoch_(Random
 }
 
 void StateTable::SetLength(std::size_t rows) {
-  RequireNoRows("its length cannot change");
+  if (next_tick() > 0) {
+    throw ConfigurationError("state table '" + name_ +
+                             "' holds rows already: its length cannot change; set it before the "
+                             "component starts");
+  }
   if (rows == 0 || rows > kMaximumLength) {
     throw ConfigurationError("state table '" + name_ + "' cannot keep " + std::to_string(rows) +
                              " rows: give 1 to " + std::to_string(kMaximumLength));
   }
   length_ = rows;
-  is_prepared_ = false;
+  if (is_prepared_) rows_.Allocate(length_, row_words_);
 }
 
 std::size_t StateTable::LengthFor(std::chrono::nanoseconds period) const noexcept {
@@ -97,16 +101,10 @@ RowResult StateTable::CopyNewestRow(std::uint64_t& tick, std::span<std::uint64_t
   });
 }
 
-void StateTable::RequireNoRows(std::string_view what) const {
-  if (next_tick() == 0) return;
-  throw ConfigurationError("state table '" + name_ + "' holds rows already: " + std::string(what) +
-                           "; do it before the component starts");
-}
-
 void StateTable::CheckColumn(const std::string& name, const void* variable,
                              const std::type_info& type, std::size_t bytes) const {
-  RequireNoRows("column '" + name + "' cannot be added");
   RequireName("column", name);
+  if (is_prepared_) throw AddedTooLate("column '" + name + "'", "state table '" + name_ + "'");
   const std::size_t taken = row_words_ * sizeof(std::uint64_t);
   if (bytes > kMaximumRowBytes || taken + bytes > kMaximumRowBytes) {
     throw ConfigurationError("column '" + name + "' of " + std::to_string(bytes) +
@@ -128,7 +126,6 @@ void StateTable::CheckColumn(const std::string& name, const void* variable,
 void StateTable::Append(std::unique_ptr<ColumnBase> column) {
   row_words_ += column->layout().words;
   columns_.push_back(std::move(column));
-  is_prepared_ = false;
 }
 
 }  // namespace tendon

@@ -39,32 +39,36 @@ class StateTable {
   StateTable& operator=(const StateTable&) = delete;
 
   /// Makes `variable`, which must outlive the table, a column. Throws ConfigurationError when the
-  /// name or the variable is a column already, when rows have been written, or when a row would
+  /// name or the variable is a column already, when the table is prepared, or when a row would
   /// exceed kMaximumRowBytes.
-  template <FixedPayload T>
-  void Add(const T& variable, std::string name) {
+  template <typename T>
+  requires(FixedPayload<T> || !Payload<T>) void Add(const T& variable, std::string name) {
+    static_assert(RequirePayload<T>());
     AddColumn<T>(variable, std::move(name), {.bytes = kEncodedSize<T>, .is_dynamic = false});
   }
   /// The same for a dynamic type. A value of more than `capacity` bytes on the wire is left out of
   /// its row: readers are told that it is absent, and the column counts it.
-  template <Payload T>
+  template <typename T>
   requires(!FixedPayload<T>) void Add(const T& variable, std::string name, std::size_t capacity) {
+    static_assert(RequirePayload<T>());
     AddColumn<T>(variable, std::move(name), {.bytes = capacity, .is_dynamic = true});
   }
 
   /// Makes `output` a column that is computed from `input` just before each row:
   /// `filter(input, output)`, noexcept, in the writer's thread. Filters run in the order they were
   /// added, so one may go on with what another has computed. Arguments from `name` on as for Add().
-  template <Payload In, Payload Out, typename Filter, std::integral... Capacity>
+  template <typename In, typename Out, typename Filter, std::integral... Capacity>
   void AddFiltered(const In& input, Out& output, Filter filter, std::string name,
                    Capacity... capacity) {
+    static_assert(RequirePayload<In>());
     Add(output, std::move(name), static_cast<std::size_t>(capacity)...);
     filters_.push_back(
         std::make_unique<FunctionFilter<In, Out, Filter>>(input, output, std::move(filter)));
   }
 
   /// How many rows can be read back at least, whatever memory they take. Throws ConfigurationError
-  /// when it is not 1 to kMaximumLength, or when rows have been written.
+  /// when it is not 1 to kMaximumLength, or when rows have been written. Allocates them anew where
+  /// they are there already.
   void SetLength(std::size_t rows);
   /// The rows of one second, at least kMinimumLength, at most what kDefaultBytes hold.
   [[nodiscard]] std::size_t LengthFor(std::chrono::nanoseconds period) const noexcept;
@@ -72,7 +76,8 @@ class StateTable {
   void AdvanceOnlyByHand() noexcept { is_by_hand_ = true; }
   /// Cycles write no row sooner after the one before; 0, as it is at first: each writes one.
   void SetShortestInterval(std::chrono::nanoseconds interval) noexcept { interval_ = interval; }
-  /// Allocates the rows and touches their memory, so that the first cycle need not.
+  /// No column can be added from now on. Allocates the rows and touches their memory, so that the
+  /// first cycle need not.
   void Prepare();
   /// Encodes every variable into a new row and makes that the newest. Allocates nothing after
   /// Prepare(), which it calls itself where nobody has.
@@ -134,7 +139,6 @@ class StateTable {
     layout.words = (layout.bytes + 7) / 8 + (layout.is_dynamic ? 1 : 0);
     Append(std::make_unique<Column<T>>(rows_, variable, std::move(name), layout));
   }
-  void RequireNoRows(std::string_view what) const;
   void CheckColumn(const std::string& name, const void* variable, const std::type_info& type,
                    std::size_t bytes) const;
   void Append(std::unique_ptr<ColumnBase> column);

@@ -21,8 +21,10 @@ bool IsReserved(const std::string& name) { return name == "state" || name.starts
 
 std::string Quoted(const std::string& name) { return "'" + name + "'"; }
 
-/// What the request does now, or why it is refused.
-Result<const Transition*> Lookup(const Component& component, LifeRequest request) {
+/// What the request does now, or why it is refused. `mutex` is that of changes of the state.
+Result<const Transition*> Lookup(const Component& component, std::mutex& mutex,
+                                 LifeRequest request) {
+  const std::scoped_lock lock(mutex);  // the state and the flag change together
   if (component.is_starting()) {
     return Error{ErrorCode::kFailed, "component " + Quoted(component.name()) +
                                          " is still starting; wait until it is active"};
@@ -34,19 +36,12 @@ Result<const Transition*> Lookup(const Component& component, LifeRequest request
                                        std::string(transition.refusal)};
 }
 
-/// Whether it has something to do that a fault or an end could interrupt.
-bool IsRunning(ComponentState state) {
-  return state == ComponentState::kActive || state == ComponentState::kSuspended;
-}
-
 void RequireNew(const std::string& what, const PlacedName& name, const Component& component,
                 bool is_sealed, std::map<std::string, SourcePlace>& added_at) {
   RequireName(what, name.text);
   if (is_sealed) {
-    throw ConfigurationError("cannot add " + what + " " + Quoted(name.text) + " to component " +
-                             Quoted(component.name()) + " (state " +
-                             std::string(ToString(component.state())) +
-                             "): add it in the constructor");
+    throw AddedTooLate(what + " " + Quoted(name.text), "component " + Quoted(component.name()),
+                       "state " + std::string(ToString(component.state())));
   }
   const auto [first, is_new] = added_at.emplace(name.text, name.place);
   if (!is_new) {
@@ -99,10 +94,7 @@ void Component::Seal() {
 }
 
 Result<void> Component::Start(Patience patience) {
-  const auto transition = [this] {
-    const std::scoped_lock lock(mutex_);  // the state and the flag change together
-    return Lookup(*this, LifeRequest::kStart);
-  }();
+  const auto transition = Lookup(*this, mutex_, LifeRequest::kStart);
   if (!transition) return transition.error();
   if ((*transition)->from == ComponentState::kSuspended) {
     const auto resumed = Resume();
@@ -127,20 +119,14 @@ Result<void> Component::Start(Patience patience) {
 }
 
 Result<void> Component::Suspend(Patience patience) {
-  const auto transition = [this] {
-    const std::scoped_lock lock(mutex_);  // the state and the flag change together
-    return Lookup(*this, LifeRequest::kSuspend);
-  }();
+  const auto transition = Lookup(*this, mutex_, LifeRequest::kSuspend);
   if (!transition) return transition.error();
   Pause();
   return patience > kNoWait ? WaitFor(ComponentState::kSuspended, patience) : Result<void>();
 }
 
 Result<void> Component::Stop(Patience patience) {
-  const auto transition = [this] {
-    const std::scoped_lock lock(mutex_);  // the state and the flag change together
-    return Lookup(*this, LifeRequest::kStop);
-  }();
+  const auto transition = Lookup(*this, mutex_, LifeRequest::kStop);
   if (!transition) return transition.error();
   Halt();
   return patience > kNoWait ? WaitFor(ComponentState::kFinished, patience) : Result<void>();
@@ -174,8 +160,7 @@ Result<void> Component::WaitFor(ComponentState wanted, Patience patience) {
 
 bool Component::is_at_rest() const {
   const std::scoped_lock lock(mutex_);  // the state and the flag change together
-  return !is_starting() && state() != ComponentState::kActive &&
-         state() != ComponentState::kSuspended;
+  return !is_starting() && !IsRunning(state());
 }
 
 void Component::End() {
@@ -231,6 +216,7 @@ Result<void> Component::Resume() {
 }
 
 void Component::Halt() {
+  host_.SetAccepting(false);  // before what calls need is given up
   if (RunGuarded("Cleanup", [this] { Cleanup(); })) SetState(ComponentState::kFinished);
 }
 
@@ -244,9 +230,8 @@ void Component::EnterFault(const char* where, const std::string& reason) {
 }
 
 void Component::FaultFromOutside(const std::string& reason) {
-  constexpr const char* kWhere = "a command or event handler";
-  if (IsRunning(state())) return EnterFault(kWhere, reason);
-  Log(LogLevel::kError, name_, std::string(kWhere) + " has failed: " + reason);
+  if (IsRunning(state())) return EnterFault(kInHandler, reason);
+  Log(LogLevel::kError, name_, std::string(kInHandler) + " has failed: " + reason);
 }
 
 void Component::SetState(ComponentState state) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <tendon/base/error.h>
 #include <tendon/base/name.h>
 #include <tendon/base/result.h>
 #include <tendon/base/source_place.h>
@@ -117,15 +118,16 @@ class Component {
     try {
       body();
       return true;
-    } catch (const std::exception& error) {
-      EnterFault(where, error.what());
     } catch (...) {
-      EnterFault(where, "an exception that is no std::exception");
+      EnterFault(where, ReasonOf(std::current_exception()));
+      return false;
     }
-    return false;
   }
   void EnterFault(const char* where, const std::string& reason);
-  /// One of its handlers has thrown in a thread of somebody else: this one.
+  /// Where a fault is that a command or event handler has thrown.
+  static constexpr const char* kInHandler = "a command or event handler";
+  /// One of its handlers has thrown in a thread of somebody else: this one. Only said in the log
+  /// where it is not running.
   virtual void FaultFromOutside(const std::string& reason);
   void SetState(ComponentState state);
 
@@ -136,7 +138,7 @@ class Component {
   // Beside the functions above a base class has no names that an author's own could mean.
 
   std::string name_;
-  Host host_{[this](const char* reason) { FaultFromOutside(reason); }};
+  Host host_{[this](const std::string& reason) { FaultFromOutside(reason); }};
   std::unique_ptr<Inbox> inbox_;
   bool sealed_ = false;
   std::vector<std::unique_ptr<ProvidedInterface>> provided_;

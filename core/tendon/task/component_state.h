@@ -32,6 +32,11 @@ inline constexpr auto kPayload<ComponentState> = DescribeEnum(
   return NameOf(state);
 }
 
+/// Whether it has something to do that a fault or an end could interrupt.
+[[nodiscard]] constexpr bool IsRunning(ComponentState state) noexcept {
+  return state == ComponentState::kActive || state == ComponentState::kSuspended;
+}
+
 /// What managers ask of a component.
 enum class LifeRequest : std::uint32_t { kStart, kSuspend, kStop };
 

@@ -11,9 +11,7 @@ double MainTask::period() const { return std::chrono::duration<double>(grid_.per
 
 void MainTask::RunInThisThread() {
   grid_.Begin(SteadyClock().Now());
-  const auto is_over = [this] {
-    return state() != ComponentState::kActive && state() != ComponentState::kSuspended;
-  };
+  const auto is_over = [this] { return !IsRunning(state()); };
   while (SleepUntil(grid_.due(), std::chrono::nanoseconds(0), is_over)) {
     CycleDue(grid_.due());
     SkipCycles(grid_.Next(SteadyClock().Now()));

@@ -9,6 +9,7 @@
 #include <utility>
 
 namespace tendon {
+
 Task::Task(std::string name, Posts posts)
     : Component(std::move(name),
                 std::make_unique<Inbox>(posts == Posts::kWake ? &wakeup_ : nullptr)),
@@ -20,7 +21,7 @@ Task::Task(std::string name, Posts posts)
 
 Task::~Task() {
   (void)LeaveLeader(SteadyTime::max());
-  TaskLife::ForEachFollower(*this, [](Task& follower) { follower.leader_ = nullptr; });
+  TaskLife::ForEachFollower(*this, [](Task& follower) { TaskLife::SetLeader(follower, nullptr); });
 }
 
 std::vector<const StateTable*> Task::tables() const {
@@ -34,13 +35,12 @@ StateTable& Task::AddStateTable(const std::string& name) {
   for (const auto& table : tables_) {
     if (table->name() == "state-" + name) {
       throw ConfigurationError("state table '" + name + "' already exists in '" + this->name() +
-                               "'");
+                               "'; choose another name");
     }
   }
   if (FindProvided(state_table().name()) != nullptr) {  // it is sealed
-    throw ConfigurationError("cannot add state table '" + name + "' to component '" + this->name() +
-                             "' (state " + std::string(ToString(state())) +
-                             "): add it in the constructor");
+    throw AddedTooLate("state table '" + name + "'", "component '" + this->name() + "'",
+                       "state " + std::string(ToString(state())));
   }
   tables_.push_back(std::make_unique<StateTable>("state-" + name));
   tables_.back()->SetShortestInterval(shortest_interval_);
@@ -69,7 +69,7 @@ std::chrono::nanoseconds Task::SinceLastCycle(SteadyTime now) const noexcept {
 }
 
 std::size_t Task::ProcessQueuedCommands() {
-  const char* const before = std::exchange(doing_, "a command or event handler");
+  const char* const before = std::exchange(doing_, kInHandler);
   const std::size_t executed = inbox()->ExecuteQueued();
   doing_ = before;
   return executed;
@@ -77,7 +77,6 @@ std::size_t Task::ProcessQueuedCommands() {
 
 bool Task::DoCycle(SteadyTime begin, SteadyTime due) {
   cycle_end_ = begin;
-  if (has_failed_outside_.Get()) return !TaskLife::EnterFaultFromOutside(*this);
   inbox()->BindToThisThread();
   last_begin_.Set(begin);
   meter_.Begin(begin, due);
@@ -132,16 +131,14 @@ void Task::PrepareStart() {
 
 void Task::GiveOrder(LifeRequest request) {
   order_.Set({.number = order_.Get().number + 1, .request = request});
-  Task& first = TaskLife::RootOf(*this);
-  first.orders_.Set(first.orders_.Get() + 1);
-  first.wakeup_.Notify();
-  first.ServeWaiting();
+  TaskLife::CallThread(*this);
+  TaskLife::RootOf(*this).ServeWaiting();
 }
 
 Result<void> Task::Resume() {
-  if (leader_ != nullptr && leader_->state() == ComponentState::kSuspended) {
-    return Error{ErrorCode::kFailed, "component '" + name() + "' runs after '" + leader_->name() +
-                                         "', which is suspended; start '" + leader_->name() +
+  if (leader() != nullptr && leader()->state() == ComponentState::kSuspended) {
+    return Error{ErrorCode::kFailed, "component '" + name() + "' runs after '" + leader()->name() +
+                                         "', which is suspended; start '" + leader()->name() +
                                          "' first"};
   }
   GiveOrder(LifeRequest::kStart);
@@ -150,33 +147,23 @@ Result<void> Task::Resume() {
 
 Result<void> Task::JoinLeader(Task& leader, SteadyTime deadline) {
   if (const auto left = LeaveLeader(deadline); !left) return left;
-  auto next = leader.follower_list_ ? std::make_unique<TaskFollowers>(*leader.follower_list_)
-                                    : std::make_unique<TaskFollowers>();
-  next->push_back(this);
-  const auto done = TaskLife::ReplaceFollowers(leader, std::move(next), deadline);
-  if (done) leader_ = &leader;
-  return done;
+  TaskLife::AddFollower(leader, *this);
+  return {};
 }
 
 Result<void> Task::LeaveLeader(SteadyTime deadline) {
-  if (leader_ == nullptr) return {};
-  auto next = std::make_unique<TaskFollowers>(*leader_->follower_list_);
-  std::erase(*next, this);
-  const auto done = TaskLife::ReplaceFollowers(*leader_, std::move(next), deadline);
-  if (done) leader_ = nullptr;
-  return done;
+  Task* const leader = leader_.Get();
+  return leader == nullptr ? Result<void>() : TaskLife::RemoveFollower(*leader, *this, deadline);
 }
 
 void Task::FaultFromOutside(const std::string& reason) {
-  if (state() != ComponentState::kActive && state() != ComponentState::kSuspended) {
-    return Log(LogLevel::kError, name(), "a command or event handler has failed: " + reason);
-  }
+  if (!IsRunning(state())) return Component::FaultFromOutside(reason);
   {
     const std::scoped_lock lock(outside_mutex_);
     outside_reason_ = reason;
   }
   has_failed_outside_.Set(true);
-  wakeup_.Notify();
+  TaskLife::CallThread(*this);
 }
 
 }  // namespace tendon

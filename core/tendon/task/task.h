@@ -47,7 +47,7 @@ class Task : public Component {
   void Seal() override;
 
   /// The task after which it runs, or null. For managers.
-  [[nodiscard]] const Task* leader() const { return leader_; }
+  [[nodiscard]] const Task* leader() const { return leader_.Get(); }
   /// For managers: it runs after nobody any more. kTimeout where the leader's cycle has not ended
   /// by `deadline`; nothing has changed then. It must be at rest.
   Result<void> LeaveLeader(SteadyTime deadline);
@@ -83,9 +83,7 @@ class Task : public Component {
   /// Obeys what has been asked of this task and of those that run after it.
   void ObeyOrders();
   /// Whether there is something to obey.
-  [[nodiscard]] bool has_orders() const noexcept {
-    return orders_.Get() != orders_seen_ || has_failed_outside_.Get();
-  }
+  [[nodiscard]] bool has_orders() const noexcept { return orders_.Get() != orders_seen_; }
   /// Run(), a row of every table, and the cycles of the tasks that run after this one. False once
   /// this one is faulted.
   bool DoCycle(SteadyTime begin, SteadyTime due);
@@ -113,8 +111,8 @@ class Task : public Component {
   void Pause() override { GiveOrder(LifeRequest::kSuspend); }
   Result<void> Resume() override;
   void Halt() override { GiveOrder(LifeRequest::kStop); }
-  /// From now on it runs after `leader`. Both must live, and this one must be at rest. kTimeout as
-  /// for LeaveLeader(); it may have left its former leader then.
+  /// From now on it runs after `leader`, and not after its former one. Both must live, and this one
+  /// must be at rest. Errors are those of LeaveLeader().
   Result<void> JoinLeader(Task& leader, SteadyTime deadline);
 
   void FaultFromOutside(const std::string& reason) override;
@@ -135,14 +133,15 @@ class Task : public Component {
 
   Published<TaskOrder> order_;
   std::uint32_t obeyed_ = 0;
-  Published<std::uint64_t> orders_;  // of all tasks in this thread; counted in the first of them
+  Published<std::uint64_t> orders_;  // of all tasks in this thread, and what has failed outside;
+                                     // counted in the first of them
   std::uint64_t orders_seen_ = 0;
 
   Flag has_failed_outside_;
-  std::mutex outside_mutex_;  // of the next
+  std::mutex outside_mutex_;  // of the next, of changes of leader_, and of counting orders_
   std::string outside_reason_;
 
-  Task* leader_ = nullptr;
+  Published<Task*> leader_;
   std::unique_ptr<TaskFollowers> follower_list_;
   std::vector<std::unique_ptr<TaskFollowers>> retired_lists_;  // a cycle may still use them
   GuardedPointer<TaskFollowers> followers_;

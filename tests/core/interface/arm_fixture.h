@@ -3,7 +3,9 @@
 #include <tendon/interface/connection.h>
 
 #include <array>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tendon_test {
@@ -114,6 +116,13 @@ struct Teleoperation {
   void OnLimit(std::int32_t joint) { limits.push_back(joint); }
   void OnStopped() { ++stops_seen; }
 };
+
+/// Where nothing keeps the two from fitting.
+inline std::unique_ptr<tendon::Connection> ConnectionOf(tendon::RequiredInterface& required,
+                                                        tendon::ProvidedInterface& provided) {
+  return std::move(*tendon::Connection::Make(required, provided, "client/" + required.name(),
+                                             "server/" + provided.name()));
+}
 
 inline auto Connect(Teleoperation& client, Arm& server) {
   return tendon::Connection::Make(client.robot, server.control, "teleoperation/Robot",

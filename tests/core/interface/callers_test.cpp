@@ -105,8 +105,7 @@ struct Public {
 struct Open {
   Office office;
   Public everybody;
-  std::unique_ptr<Connection> connection =
-      std::move(*Connection::Make(everybody.office, office.desk, "public/Office", "office/Desk"));
+  std::unique_ptr<Connection> connection = ConnectionOf(everybody.office, office.desk);
 };
 
 TEST(ManyCallers, OfOneFunctionLoseTearAndReorderNothing) {

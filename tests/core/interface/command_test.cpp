@@ -71,8 +71,7 @@ struct Hand {
 struct Held {
   Gripper gripper;
   Hand hand;
-  std::unique_ptr<Connection> connection = std::move(
-      *Connection::Make(hand.gripper, gripper.control, "hand/Gripper", "gripper/Control"));
+  std::unique_ptr<Connection> connection = ConnectionOf(hand.gripper, gripper.control);
 };
 
 TEST(DirectCommand, RunsInTheCallersThread) {

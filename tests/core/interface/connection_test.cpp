@@ -354,6 +354,19 @@ TEST(RequiredInterface, AMailboxCapacityOutOfRangeIsRefused) {
   EXPECT_THROW(teleoperation.robot.SetMailboxCapacity((1U << 24U) + 1), tendon::ConfigurationError);
 }
 
+/// A pointer and a goal fill one cache line, with a time they need two.
+TEST(Connection, TellsWhatTheSlotsOfItsMailboxesTake) {
+  Arm arm;
+  Teleoperation teleoperation;
+  tendon::RequiredInterface plain("Plain", nullptr);
+
+  EXPECT_EQ(Connection::MailboxBytes(plain, arm.control), 64U * (64 + 64));
+  EXPECT_EQ(Connection::MailboxBytes(teleoperation.robot, arm.control), 64U * (64 + 64));
+  teleoperation.robot.AddEventHandlerWrite(&Arm::MoveTo, &arm, "Moved", tendon::Need::kOptional);
+  teleoperation.robot.SetMailboxCapacity(3);
+  EXPECT_EQ(Connection::MailboxBytes(teleoperation.robot, arm.control), 3U * (64 + 128));
+}
+
 TEST(Connection, ConnectingAndDisconnectingUnderLoadLosesNothingAccepted) {
   Arm arm;
   Teleoperation teleoperation;

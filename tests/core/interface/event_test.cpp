@@ -26,9 +26,7 @@ struct Observer {
   Arm arm;
   std::unique_ptr<Connection> connection;
 
-  void Connect() {
-    connection = std::move(*Connection::Make(robot, arm.control, "observer/Robot", "arm/Control"));
-  }
+  void Connect() { connection = ConnectionOf(robot, arm.control); }
   void AwaitEvents() {
     robot.AddEventWaiter(limit, "LimitExceeded");
     robot.AddEventWaiter(stopped, "Stopped");

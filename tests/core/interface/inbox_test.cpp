@@ -21,9 +21,7 @@ struct Caller {
   std::unique_ptr<Connection> connection;
 
   Caller() { robot.AddFunction(stop, "Stop"); }
-  void Connect(Arm& arm) {
-    connection = std::move(*Connection::Make(robot, arm.control, "caller/Robot", "arm/Control"));
-  }
+  void Connect(Arm& arm) { connection = ConnectionOf(robot, arm.control); }
 };
 
 TEST(Inbox, FindsTheOneCallAmongHundredsOfConnections) {

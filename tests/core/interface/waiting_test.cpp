@@ -102,7 +102,6 @@ TEST(Waiting, ACallStartedByItsDeadlineHasAnUnknownOutcome) {
   Connected both;
   both.planner.gate_is_open = false;
   const Executor server(both.planner.inbox);
-  std::jthread opener([&] { EventuallyTrue([&] { return both.planner.slow_begun > 0; }); });
 
   Status status = Status::kTimeout;
   while (status == Status::kTimeout) status = both.client.slow.Wait(20ms);

@@ -1,3 +1,4 @@
+#include <core/lockfree/ring_values.h>
 #include <gtest/gtest.h>
 #include <support/allocation_guard.h>
 #include <tendon/lockfree/shared_slot_ring.h>
@@ -11,24 +12,8 @@
 namespace tendon {
 namespace {
 
-bool Push(SharedSlotRing<>& ring, std::uint64_t value) {
-  std::byte* slot = ring.Claim();
-  if (slot == nullptr) return false;
-  std::memcpy(slot, &value, sizeof(value));
-  ring.Publish(slot);
-  return true;
-}
-
-constexpr std::uint64_t kNothing = ~std::uint64_t{0};
-
-std::uint64_t Pop(SharedSlotRing<>& ring) {
-  const std::byte* slot = ring.Front();
-  if (slot == nullptr) return kNothing;
-  std::uint64_t value = 0;
-  std::memcpy(&value, slot, sizeof(value));
-  ring.Release();
-  return value;
-}
+using test::Pop;
+using test::Push;
 
 TEST(SharedSlotRing, HoldsItsCapacityAndKeepsTheOrderThroughManyTurns) {
   for (const std::size_t capacity : {1, 2, 3, 5, 64}) {

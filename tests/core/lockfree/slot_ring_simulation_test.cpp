@@ -1,46 +1,19 @@
+#include <core/lockfree/ring_transfer.h>
 #include <gtest/gtest.h>
 #include <support/simulation/report_matchers.h>
 #include <support/simulation/simulated_atomics.h>
 #include <support/simulation/weakened_atomics.h>
-#include <tendon/lockfree/slot_ring.h>
 #include <tendon/lockfree/spsc_queue.h>
 
-#include <array>
 #include <memory>
 
 namespace tendon::simulation {
 namespace {
 
-/// Three messages through a ring of two slots; what a slot holds is ordinary memory.
-template <typename Atomics>
-struct Transfer {
-  SlotRing<Atomics> ring{2, 8, 8};
-  std::array<Plain<int>, 2> slots;
-
-  void Produce() {
-    for (int message = 1; message <= kMessages; ++message) {
-      std::byte* slot = nullptr;
-      for (unsigned looks = 0; (slot = ring.Claim()) == nullptr; ++looks) Atomics::Pause(looks);
-      slots[ring.IndexOf(slot)].Write(message);
-      ring.Publish();
-    }
-  }
-  void Consume() {
-    for (int message = 1; message <= kMessages; ++message) {
-      std::byte* slot = nullptr;
-      for (unsigned looks = 0; (slot = ring.Front()) == nullptr; ++looks) Atomics::Pause(looks);
-      Check(slots[ring.IndexOf(slot)].Read() == message, "messages come out of order");
-      ring.Release();
-    }
-  }
-
-  static constexpr int kMessages = 3;
-};
-
 template <typename Atomics>
 Report ExploreTransfer() {
   return Explore([](Scenario& scenario) {
-    const auto transfer = std::make_shared<Transfer<Atomics>>();
+    const auto transfer = std::make_shared<RingTransfer<Atomics>>();
     scenario.Thread([=] { transfer->Produce(); });
     scenario.Thread([=] { transfer->Consume(); });
     scenario.Finally([=] { Check(transfer->ring.size() == 0, "something is left"); });
@@ -62,7 +35,7 @@ TEST(SlotRingSimulation, NeedsItsAcquires) {
 /// The fault of the reference system: indices without any order.
 TEST(SlotRingSimulation, ASizeReadByAThirdThreadNeverExceedsTheCapacity) {
   const Report report = Explore([](Scenario& scenario) {
-    const auto transfer = std::make_shared<Transfer<SimulatedAtomics>>();
+    const auto transfer = std::make_shared<RingTransfer<SimulatedAtomics>>();
     scenario.Thread([=] { transfer->Produce(); });
     scenario.Thread([=] { transfer->Consume(); });
     scenario.Thread([=] { Check(transfer->ring.size() <= 2, "more than fits"); });

@@ -1,3 +1,4 @@
+#include <core/lockfree/ring_values.h>
 #include <gtest/gtest.h>
 #include <support/allocation_guard.h>
 #include <tendon/lockfree/slot_ring.h>
@@ -12,31 +13,15 @@
 namespace tendon {
 namespace {
 
-bool Push(SlotRing<>& ring, std::uint64_t value) {
-  std::byte* slot = ring.Claim();
-  if (slot == nullptr) return false;
-  std::memcpy(slot, &value, sizeof(value));
-  ring.Publish();
-  return true;
-}
-
-/// The oldest value, or `otherwise`.
-std::uint64_t Pop(SlotRing<>& ring, std::uint64_t otherwise) {
-  const std::byte* slot = ring.Front();
-  if (slot == nullptr) return otherwise;
-  std::uint64_t value = 0;
-  std::memcpy(&value, slot, sizeof(value));
-  ring.Release();
-  return value;
-}
+using test::kNothing;
+using test::Pop;
+using test::Push;
 
 std::size_t Fill(SlotRing<>& ring) {
   std::size_t count = 0;
   while (Push(ring, count)) ++count;
   return count;
 }
-
-constexpr std::uint64_t kNothing = ~std::uint64_t{0};
 
 TEST(SlotRing, ACapacityOf64Holds64) {
   SlotRing<> ring(64, 8, 8);
@@ -70,7 +55,7 @@ TEST(SlotRing, KeepsTheOrderThroughManyTurns) {
       while (Push(ring, pushed)) ++pushed;
       ASSERT_EQ(pushed - popped, capacity);
       const std::uint64_t leave = static_cast<std::uint64_t>(turn) % capacity;
-      while (popped + leave < pushed) ASSERT_EQ(Pop(ring, kNothing), popped++);
+      while (popped + leave < pushed) ASSERT_EQ(Pop(ring), popped++);
     }
   }
 }
@@ -82,9 +67,9 @@ TEST(SlotRing, ARefusedClaimChangesNothing) {
   EXPECT_EQ(ring.Claim(), nullptr);
 
   EXPECT_EQ(ring.size(), 2U);
-  EXPECT_EQ(Pop(ring, kNothing), 0U);
-  EXPECT_EQ(Pop(ring, kNothing), 1U);
-  EXPECT_EQ(Pop(ring, kNothing), kNothing);
+  EXPECT_EQ(Pop(ring), 0U);
+  EXPECT_EQ(Pop(ring), 1U);
+  EXPECT_EQ(Pop(ring), kNothing);
 }
 
 TEST(SlotRing, AClaimedSlotIsInvisibleUntilItIsPublished) {
@@ -128,7 +113,7 @@ TEST(SlotRing, CountsWhatWaits) {
   Push(ring, 1);
   Push(ring, 2);
   EXPECT_EQ(ring.size(), 2U);
-  Pop(ring, kNothing);
+  Pop(ring);
   EXPECT_EQ(ring.size(), 1U);
 }
 
@@ -166,7 +151,7 @@ TEST(SlotRing, AllocatesNothingOnceMade) {
   const AllocationGuard guard;
   for (std::uint64_t i = 0; i < 1000; ++i) {
     Push(ring, i);
-    Pop(ring, kNothing);
+    Pop(ring);
   }
 }
 

@@ -3,6 +3,8 @@
 #include <tendon/manager/local_manager.h>
 
 #include "core/interface/arm_fixture.h"
+#include "core/parity/log_record.h"
+#include "core/task/scripted.h"
 #include "support/refusal.h"
 
 namespace {
@@ -110,6 +112,51 @@ TEST(LocalManager, SaysWhichFunctionsOfAConnectionAreConverted) {
   EXPECT_THAT(manager.connections()[0].converted, testing::ElementsAre("MoveTo"));
 }
 
+/// A server that executes nothing, for nobody drives it.
+struct ConnectionToAnIdleTask : testing::Test {
+  const tendon::InterfaceName required{"client", "Server"};
+  tendon::LocalManager manager;
+  tendon_test::Callback& server = manager.Add<tendon_test::Callback>("server");
+  tendon_test::Client& client = manager.Add<tendon_test::Client>("client");
+
+  void SetUp() override {
+    ASSERT_TRUE(manager.Connect(required, {"server", "Control"}).ok());
+    ASSERT_TRUE(manager.StartAll().ok());
+    for (int i = 0; i < 70; ++i) (void)client.poke();
+  }
+};
+
+TEST_F(ConnectionToAnIdleTask, IsCounted) {
+  const auto flooded = manager.Counts(required);
+  ASSERT_TRUE(flooded.ok());
+  EXPECT_EQ(*flooded, (tendon::ConnectionCounts{.waiting = 64, .refused = 6}));
+
+  EXPECT_TRUE(server.Cycle());
+
+  EXPECT_EQ(manager.Counts(required)->waiting, 0U);
+  ASSERT_TRUE(manager.Disconnect(required).ok());
+  EXPECT_EQ(manager.Counts(required).error().message, "client/Server is not connected");
+}
+
+TEST_F(ConnectionToAnIdleTask, SaysWhatADisconnectHasDropped) {
+  const tendon_test::LogRecord log("client");
+
+  ASSERT_TRUE(manager.Suspend("server").ok());
+  ASSERT_TRUE(manager.Disconnect(required).ok());
+
+  EXPECT_THAT(log.texts(), testing::ElementsAre(
+                               "the disconnect of client/Server from server/Control has dropped "
+                               "64 calls and events that were not executed"));
+}
+
+TEST_F(ConnectionToAnIdleTask, SaysWhatTheRemovalOfAnEndHasDropped) {
+  const tendon_test::LogRecord log("client");
+
+  ASSERT_TRUE(manager.Remove("client").ok());
+
+  EXPECT_THAT(log.texts(), testing::ElementsAre(HasSubstr("has dropped 64 calls")));
+}
+
 TEST_F(LocalManagerTest, NoComponentIsNone) {
   EXPECT_EQ(Refusal([&] { manager.Add(nullptr, {}); }), "LocalManager::Add: null component");
 }
@@ -191,7 +238,8 @@ TEST_F(LocalManagerTest, DisconnectingTwiceIsRefused) {
   const auto disconnected = manager.Disconnect({"operator", "Robot"});
 
   ASSERT_FALSE(disconnected.ok());
-  EXPECT_EQ(disconnected.error().message, "operator/Robot is not connected");
+  EXPECT_EQ(disconnected.error().message,
+            "operator/Robot is not connected: there is nothing to disconnect");
 }
 
 TEST_F(LocalManagerTest, RemovingAComponentEndsItsConnections) {

@@ -78,8 +78,8 @@ TEST(ReferenceFault, ATableThatHoldsRowsIsNotGrownAndStaysWhole) {
   EXPECT_FALSE(task.Cycle());
 
   EXPECT_EQ(task.fault(),
-            "Run: state table 'state' holds rows already: column 'Late' cannot be added; do it "
-            "before the component starts");
+            "Run: cannot add column 'Late' to state table 'state' (sealed): add it in the "
+            "constructor");
   const tendon::StateTable& table = *task.tables().front();
   std::uint64_t value = 0;
   EXPECT_EQ(table.Find("Late"), nullptr);
@@ -220,7 +220,7 @@ TEST(ReferenceFault, AConnectionTakesNoThread) {
 
   pair.Connect();
 
-  EXPECT_EQ(threads(), before);
+  EXPECT_LE(threads(), before);  // one that has ended may have been counted still
 }
 
 TEST(ReferenceFault, SeveralManagersLiveInOneProcess) {

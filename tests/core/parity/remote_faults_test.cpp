@@ -43,7 +43,7 @@ TEST_P(RemoteFault, FurtherConnectionsOfTwoProcessesTakeNoFurtherThreads) {
   }
   ASSERT_TRUE(EventuallyActive(*desk, 4));
 
-  EXPECT_EQ(threads(), before);
+  EXPECT_LE(threads(), before);  // one that has ended may have been counted still
 }
 
 INSTANTIATE_TEST_SUITE_P(Over, RemoteFault, testing::ValuesIn(NetworkKinds()), NameOfNetwork);

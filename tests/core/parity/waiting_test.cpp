@@ -62,7 +62,7 @@ TEST_P(BusyServer, ACallStartedByItsDeadlineHasAnUnknownOutcome) {
     }));
     EXPECT_EQ(outcome, Status::kOutcomeUnknown);
   });
-  EXPECT_TRUE(server.is_blocked);
+  EXPECT_TRUE(EventuallyTrue([&] { return bool(server.is_blocked); }));
 
   pair.Release();
   pair.OnceInServer([&] { EXPECT_EQ(server.executed, 1); });

@@ -1,15 +1,13 @@
+#include <core/lockfree/ring_transfer.h>
 #include <core/seeded/faults.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <tendon/lockfree/slot_ring.h>
 
-#include <array>
 #include <memory>
 
 namespace tendon::seeded {
 namespace {
 
-using simulation::Check;
 using testing::AnyOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -19,34 +17,7 @@ constexpr std::size_t kConsumer = 2;
 constexpr MemoryModel::Location kWrite = 0;  // the ring's indices, as they are made
 constexpr MemoryModel::Location kRead = 1;
 
-/// Three messages through a ring of two slots; what a slot holds is ordinary memory.
-struct Transfer {
-  SlotRing<SeededAtomics> ring{2, 8, 8};
-  std::array<Plain<int>, 2> slots;
-
-  void Produce() {
-    for (int message = 1; message <= kMessages; ++message) {
-      std::byte* slot = nullptr;
-      for (unsigned looks = 0; (slot = ring.Claim()) == nullptr; ++looks) {
-        SeededAtomics::Pause(looks);
-      }
-      slots[ring.IndexOf(slot)].Write(message);
-      ring.Publish();
-    }
-  }
-  void Consume() {
-    for (int message = 1; message <= kMessages; ++message) {
-      std::byte* slot = nullptr;
-      for (unsigned looks = 0; (slot = ring.Front()) == nullptr; ++looks) {
-        SeededAtomics::Pause(looks);
-      }
-      Check(slots[ring.IndexOf(slot)].Read() == message, "a message is lost");
-      ring.Release();
-    }
-  }
-
-  static constexpr int kMessages = 3;
-};
+using Transfer = simulation::RingTransfer<SeededAtomics>;
 
 simulation::Report ExploreTransfer(const Fault& fault) {
   return Explore(fault, [](simulation::Scenario& scenario) {

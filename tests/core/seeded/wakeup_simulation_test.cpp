@@ -1,14 +1,13 @@
+#include <core/lockfree/posting.h>
 #include <core/seeded/faults.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <tendon/lockfree/wakeup.h>
 
 #include <memory>
 
 namespace tendon::seeded {
 namespace {
 
-using simulation::Check;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
@@ -16,25 +15,12 @@ constexpr std::size_t kSleeper = 1;
 constexpr std::size_t kPoster = 2;
 constexpr MemoryModel::Location kAsleep = 0;
 
-/// A sleeper that wants something posted.
-struct Posting {
-  Wakeup<SeededAtomics> wakeup;
-  SeededAtomics::Atomic<int> posted{0};
-
-  void Post() {
-    posted.fetch_add(1, std::memory_order_release);
-    wakeup.Notify();
-  }
-  void Receive() {
-    const auto ready = [&] { return posted.load(std::memory_order_acquire) > 0; };
-    Check(wakeup.WaitUntil(ready, SteadyTime::max()), "gave up");
-  }
-};
+using Posting = simulation::Posting<SeededAtomics>;
 
 simulation::Report ExplorePosting(const Fault& fault) {
   return Explore(fault, [](simulation::Scenario& scenario) {
     const auto posting = std::make_shared<Posting>();
-    scenario.Thread([=] { posting->Receive(); });
+    scenario.Thread([=] { posting->Receive(1); });
     scenario.Thread([=] { posting->Post(); });
   });
 }

@@ -92,30 +92,35 @@ TEST_F(StateTableTest, RefusesASecondColumnOfANameOrAVariable) {
 }
 
 /// In the reference system growing a table that is in use overruns the heap.
-TEST_F(StateTableTest, CannotGrowOnceRowsAreWritten) {
+TEST_F(StateTableTest, CannotGrowOnceItIsPrepared) {
   AddBoth();
-  Advance();
+  table_.Prepare();
 
-  EXPECT_THAT(Refusal([&] { table_.Add(report_, "Report", 100); }),
-              AllOf(HasSubstr("'Report'"), HasSubstr("holds rows already")));
-  EXPECT_THAT(Refusal([&] { table_.SetLength(1000); }), HasSubstr("holds rows already"));
+  EXPECT_EQ(
+      Refusal([&] { table_.Add(report_, "Report", 100); }),
+      "cannot add column 'Report' to state table 'state' (sealed): add it in the constructor");
+  Advance();
+  EXPECT_THAT(Refusal([&] { table_.Add(report_, "Report", 100); }), HasSubstr("'Report'"));
 
   EXPECT_EQ(table_.columns().size(), 2U);
   EXPECT_EQ(table_.row_words(), 5U);
 }
 
-TEST_F(StateTableTest, CanGrowAfterItIsPrepared) {
+TEST_F(StateTableTest, CanBecomeLongerUntilRowsAreWritten) {
+  constexpr std::size_t kLength = 2000;
   table_.Add(number_, "Number");
   table_.Prepare();
-  table_.Add(sample_, "Sample");
-  table_.SetLength(2000);
-  number_ = 1;
-  sample_.count = 2;
-  Advance();
+  table_.SetLength(kLength);
+  for (std::size_t i = 0; i < kLength; ++i) {
+    number_ = static_cast<double>(i);
+    Advance();
+  }
 
-  Sample sample;
-  EXPECT_EQ(table_.Find(sample_).ReadNewest(sample), Status::kDone);
-  EXPECT_EQ(sample, sample_);
+  double value = -1;
+  EXPECT_EQ(table_.Find(number_).ReadAt(0, value), RowResult::kDone);
+  EXPECT_EQ(value, 0);
+  EXPECT_THAT(Refusal([&] { table_.SetLength(2 * kLength); }),
+              AllOf(HasSubstr("holds rows already"), HasSubstr("before the component starts")));
 }
 
 TEST_F(StateTableTest, RefusesALengthThatItCannotHave) {

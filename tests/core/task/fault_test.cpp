@@ -70,6 +70,14 @@ TEST_P(Fault, ThatIsNoStandardExceptionIsContainedToo) {
   ExpectTheOthersToRun();
 }
 
+TEST_P(Fault, NamesWhatHasLedToIt) {
+  arm.throws_nested = true;
+
+  Provoke();
+
+  EXPECT_EQ(arm.fault(), std::string(GetParam().where) + ": no arm: cable cut");
+}
+
 TEST_P(Fault, HealsWithARestart) {
   Provoke();
   arm.throws = Script::kNone;

@@ -250,19 +250,48 @@ struct RunAfterWithAHungOne : RunAfter {
   void TearDown() override { follower.blocks = Script::kNone; }
 };
 
-TEST_F(RunAfterWithAHungOne, ANewOneIsRefusedWithASentence) {
-  manager.Add<Periodic>("new", 1ms);
+TEST_F(RunAfterWithAHungOne, ANewOneJoinsAtOnceAndStartsOnceThatGoesOn) {
+  auto& fresh = manager.Add<Periodic>("new", 1ms);
 
-  const auto refused = manager.RunAfter("new", "leader", 50ms);
+  EXPECT_TRUE(manager.RunAfter("new", "leader", kNoWait).ok());
+
+  EXPECT_TRUE(manager.Start("new", kNoWait).ok());
+  EXPECT_EQ(fresh.startups, 0);
+  follower.blocks = Script::kNone;
+  ASSERT_TRUE(manager.WaitFor("new", ComponentState::kActive, 20s).ok());
+  EXPECT_TRUE(MakesCycles(fresh));
+  EXPECT_EQ(fresh.thread.load(), leader.thread.load());
+}
+
+TEST_F(RunAfterWithAHungOne, ANewOneThatIsRemovedIsUsedNoMore) {
+  manager.Add<Periodic>("new", 1ms);
+  ASSERT_TRUE(manager.RunAfter("new", "leader", kNoWait).ok());
+
+  const auto refused = manager.Remove("new", 50ms);
+
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().code, tendon::ErrorCode::kTimeout);
+  follower.blocks = Script::kNone;
+  EXPECT_TRUE(manager.Remove("new").ok());
+  EXPECT_TRUE(MakesCycles(follower));
+}
+
+TEST_F(RunAfterWithAHungOne, AnotherOneKeepsItsLeaderAndIsToldWhy) {
+  manager.Add<Periodic>("other", 1ms);
+  ASSERT_TRUE(manager.Start("other").ok());
+
+  const auto refused = manager.RunAfter("third", "other", 50ms);
 
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.error().code, tendon::ErrorCode::kTimeout);
   EXPECT_EQ(refused.error().message,
-            "component 'new' cannot run after 'leader': the cycle of 'leader' does not end; it, or "
-            "a task that runs after it, is busy in Run()");
+            "component 'third' cannot run after 'other': the cycle of 'leader' does not end; it, "
+            "or a task that runs after it, is busy in Run()");
+  EXPECT_TRUE(manager.Start("third", kNoWait).ok());
   follower.blocks = Script::kNone;
-  EXPECT_TRUE(manager.RunAfter("new", "leader").ok());
-  EXPECT_TRUE(manager.Start("new").ok());
+  ASSERT_TRUE(manager.WaitFor("third", ComponentState::kActive, 20s).ok());
+  EXPECT_TRUE(MakesCycles(third));
+  EXPECT_EQ(third.thread.load(), leader.thread.load());
 }
 
 TEST_F(RunAfterWithAHungOne, AnotherOneIsNotRemovedButToldWhy) {

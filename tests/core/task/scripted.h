@@ -9,6 +9,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <exception>
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -24,6 +25,7 @@ class Script {
   /// The function that throws, until it is told otherwise.
   std::atomic<Function> throws = kNone;
   std::atomic<bool> throws_a_number = false;  // not a std::exception
+  std::atomic<bool> throws_nested = false;    // one that has led to another
   /// The function that does not return as long as this stands.
   std::atomic<Function> blocks = kNone;
   std::atomic<bool> is_blocked = false;  // it has been reached
@@ -45,7 +47,12 @@ class Script {
     is_blocked = false;
     if (throws != function) return;
     if (throws_a_number) throw 17;
-    throw std::runtime_error("cable cut");
+    try {
+      throw std::runtime_error("cable cut");
+    } catch (const std::runtime_error&) {
+      if (throws_nested) std::throw_with_nested(std::logic_error("no arm"));
+      throw;
+    }
   }
 };
 

@@ -32,12 +32,18 @@ TEST(ContinuousTask, BeginsACycleWhenTheLastHasEnded) {
   EXPECT_EQ(task.period(), 0.0);
 }
 
+/// There are rows, and more cycles than rows: also without the one that is under way.
+bool MakesCyclesWithoutARow(std::uint64_t cycles, const tendon::StateTable& table) {
+  const std::uint64_t rows = table.next_tick();
+  return rows >= 5 && cycles > rows + 1;
+}
+
 TEST(ContinuousTask, WritesARowAtMostOnceAMillisecond) {
   tendon::LocalManager manager;
   auto& task = manager.Add<Continuous>("task");
   const auto begin = std::chrono::steady_clock::now();
   ASSERT_TRUE(manager.StartAll().ok());
-  ASSERT_TRUE(EventuallyTrue([&] { return task.table().next_tick() >= 5; }));
+  ASSERT_TRUE(EventuallyTrue([&] { return MakesCyclesWithoutARow(task.runs, task.table()); }));
   ASSERT_TRUE(manager.StopAll().ok());
 
   const auto elapsed = std::chrono::steady_clock::now() - begin;
@@ -57,7 +63,7 @@ TEST(ContinuousTask, WritesARowOfItsOtherTablesAtMostOnceAMillisecondToo) {
   tendon::LocalManager manager;
   auto& task = manager.Add<Two>("task");
   ASSERT_TRUE(manager.StartAll().ok());
-  ASSERT_TRUE(EventuallyTrue([&] { return task.tables()[1]->next_tick() >= 5; }));
+  ASSERT_TRUE(EventuallyTrue([&] { return MakesCyclesWithoutARow(task.runs, *task.tables()[1]); }));
   ASSERT_TRUE(manager.StopAll().ok());
 
   EXPECT_EQ(task.tables()[1]->next_tick(), task.tables()[0]->next_tick());

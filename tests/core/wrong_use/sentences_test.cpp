@@ -142,7 +142,7 @@ TEST(BadInput4, ASecondOneOfANameIsRefusedWithThePlaceOfTheFirst) {
   EXPECT_EQ(
       thrown("reserved"),
       "interface 'state-more' of 'arm': the names state and state-... belong to state tables");
-  EXPECT_EQ(thrown("table"), "state table 'more' already exists in 'arm'");
+  EXPECT_EQ(thrown("table"), "state table 'more' already exists in 'arm'; choose another name");
   EXPECT_EQ(thrown("column"), "state table 'state' has a column 'Number' already");
   EXPECT_EQ(thrown("variable"),
             "the variable of column 'Again' is column 'Number' of state table 'state' already");
@@ -187,20 +187,19 @@ TEST(BadInput5, WhatComesAfterTheStartIsRefused) {
   ASSERT_TRUE(manager.StartAll().ok());
   ASSERT_TRUE(arm.Cycle());
   const std::string tail = " to component 'arm' (state active): add it in the constructor";
-  const std::string started = ": its component was started; add it in the constructor";
+  const std::string sealed = " (sealed): add it in the constructor";
 
   EXPECT_EQ(Refusal([&] { arm.AddProvided(); }), "cannot add provided interface 'More'" + tail);
   EXPECT_EQ(Refusal([&] { arm.AddRequired(); }), "cannot add required interface 'More'" + tail);
   EXPECT_EQ(Refusal([&] { arm.AddTable(); }), "cannot add state table 'more'" + tail);
   EXPECT_EQ(Refusal([&] { arm.AddColumn(); }),
-            "state table 'state' holds rows already: column 'Number' cannot be added; do it before "
-            "the component starts");
+            "cannot add column 'Number' to state table 'state'" + sealed);
   EXPECT_EQ(Refusal([&] { arm.AddCommand(); }),
-            "cannot add command 'Stop' to interface 'Control'" + started);
+            "cannot add command 'Stop' to interface 'Control'" + sealed);
   EXPECT_EQ(Refusal([&] { arm.AddEvent(); }),
-            "cannot add event 'Stopped' to interface 'Control'" + started);
+            "cannot add event 'Stopped' to interface 'Control'" + sealed);
   EXPECT_EQ(Refusal([&] { arm.AddFunction(); }),
-            "cannot add function 'Stop' to interface 'Robot'" + started);
+            "cannot add function 'Stop' to interface 'Robot'" + sealed);
 }
 
 TEST(BadInput6, APeriodThatNoTaskCanHaveIsQuotedWithItsRange) {
@@ -273,7 +272,8 @@ TEST_F(Wiring, BadInput13WhatIsNotConnectedCannotBeDisconnected) {
   ASSERT_TRUE(manager.Connect({"client", "Server"}, {"arm", "Control"}).ok());
   ASSERT_TRUE(manager.Disconnect({"client", "Server"}).ok());
 
-  EXPECT_EQ(Refused(manager.Disconnect({"client", "Server"})), "client/Server is not connected");
+  EXPECT_EQ(Refused(manager.Disconnect({"client", "Server"})),
+            "client/Server is not connected: there is nothing to disconnect");
   EXPECT_EQ(Refused(manager.Disconnect({"clinet", "Server"})),
             "no component 'clinet'; did you mean 'client'?");
 }

@@ -1,4 +1,5 @@
 #include <fcntl.h>
+#include <tendon/base/os/descriptor.h>
 #include <tendon/base/os/file.h>
 #include <unistd.h>
 
@@ -27,12 +28,9 @@ bool WriteAll(int descriptor, std::string_view text) {
 
 Result<void> Write(const std::filesystem::path& file, std::string_view text, int flags) {
   constexpr mode_t kMode = 0644;
-  const int descriptor = open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | flags, kMode);
-  if (descriptor < 0) return Failure(file);
-  Result<void> result;
-  if (!WriteAll(descriptor, text)) result = Failure(file);
-  close(descriptor);
-  return result;
+  const Descriptor descriptor(open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | flags, kMode));
+  if (descriptor.get() < 0 || !WriteAll(descriptor.get(), text)) return Failure(file);
+  return {};
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include <linux/futex.h>
 #include <linux/membarrier.h>
 #include <sys/syscall.h>
+#include <tendon/base/log.h>
 #include <tendon/base/os/futex.h>
 #include <unistd.h>
 
@@ -24,6 +25,18 @@ const std::uint32_t* Address(const std::atomic<std::uint32_t>& word) {
 const bool kBarrierRegistered =
     syscall(SYS_membarrier, MEMBARRIER_CMD_REGISTER_PRIVATE_EXPEDITED, 0, 0) == 0;
 
+/// The first time; it goes on without where that fails.
+void WarnOfNoBarrier() noexcept {
+  static std::atomic<bool> is_said = false;
+  if (is_said.exchange(true, std::memory_order_relaxed)) return;
+  try {
+    Log(LogLevel::kWarning, "tendon",
+        "the kernel refuses membarrier: a disconnect cannot be sure that no call still uses what "
+        "it frees; allow this system call, or stop components before you disconnect them");
+  } catch (...) {  // NOLINT(bugprone-empty-catch)
+  }
+}
+
 }  // namespace
 
 void FutexWait(const std::atomic<std::uint32_t>& word, std::uint32_t expected,
@@ -37,9 +50,11 @@ void FutexWake(const std::atomic<std::uint32_t>& word) noexcept {
 }
 
 void ProcessBarrier() noexcept {
-  if (!kBarrierRegistered || syscall(SYS_membarrier, MEMBARRIER_CMD_PRIVATE_EXPEDITED, 0, 0) != 0) {
-    std::atomic_thread_fence(std::memory_order_seq_cst);
+  if (kBarrierRegistered && syscall(SYS_membarrier, MEMBARRIER_CMD_PRIVATE_EXPEDITED, 0, 0) == 0) {
+    return;
   }
+  WarnOfNoBarrier();
+  std::atomic_thread_fence(std::memory_order_seq_cst);
 }
 
 }  // namespace tendon::os

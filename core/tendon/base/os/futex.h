@@ -15,7 +15,8 @@ void FutexWait(const std::atomic<std::uint32_t>& word, std::uint32_t expected,
 void FutexWake(const std::atomic<std::uint32_t>& word) noexcept;
 
 /// A full memory barrier in every running thread of this process; costs the callers of the fast
-/// side nothing. Falls back to a fence where the kernel refuses. Microseconds; not for a cycle.
+/// side nothing. Falls back to a fence where the kernel refuses, which is logged once.
+/// Microseconds; not for a cycle.
 void ProcessBarrier() noexcept;
 
 }  // namespace tendon::os

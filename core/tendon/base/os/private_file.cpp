@@ -1,5 +1,6 @@
 #include <fcntl.h>
 #include <sys/stat.h>
+#include <tendon/base/os/descriptor.h>
 #include <tendon/base/os/private_file.h>
 #include <tendon/base/os/process.h>
 #include <unistd.h>
@@ -11,20 +12,6 @@
 
 namespace tendon::os {
 namespace {
-
-class Descriptor {
- public:
-  explicit Descriptor(int value) : value_(value) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() {
-    if (value_ >= 0) close(value_);
-  }
-  [[nodiscard]] int get() const { return value_; }
-
- private:
-  int value_;
-};
 
 Error Denied(const std::filesystem::path& file, int reason) {
   return {ErrorCode::kDenied,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <tendon/base/clock.h>
 #include <tendon/interface/offer.h>
 #include <tendon/lockfree/counter.h>
 #include <tendon/lockfree/flag.h>
@@ -7,7 +8,6 @@
 #include <tendon/lockfree/snapshot.h>
 #include <tendon/lockfree/wakeup.h>
 
-#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <type_traits>
@@ -27,8 +27,10 @@ namespace tendon {
 /// a wake-up costs, and never waits.
 ///
 /// Thread safety: one thread calls Wait() and Forget().
-template <Payload T>
+template <typename T>
 class EventWaiter {
+  static_assert(RequirePayload<T>());
+
  public:
   EventWaiter() = default;
   EventWaiter(const EventWaiter&) = delete;
@@ -62,8 +64,10 @@ class EventWaiter {
     Handler& operator=(const Handler&) = delete;
 
     Status Execute(const T& value, None& /*out*/) override {
-      waiter_.Raised(value);
-      return Status::kDone;
+      return Host::Contain(nullptr, [&]() -> Status {  // a copy may throw
+        waiter_.Raised(value);
+        return Status::kDone;
+      });
     }
     void SetSourceFaulted(bool faulted) override {
       Tell(faulted ? Status::kNotActive : Status::kTimeout);
@@ -92,15 +96,16 @@ class EventWaiter {
 
   /// In the thread that raises; of several at once one is heard.
   void Raised(const T& value) {
-    if (!raising_.TryTake()) return missed_.Add();
-    if (newest_.Write(value)) missed_.Add();
-    raising_.Return();
+    {
+      const Lease<>::Hold raising(raising_);
+      if (!raising) return missed_.Add();
+      if (newest_.Write(value)) missed_.Add();
+    }
     wakeup_.Notify();
   }
 
   Status Await(T& value, std::chrono::nanoseconds timeout) {
-    constexpr std::chrono::nanoseconds kLongest = std::chrono::hours(24 * 365);
-    const SteadyTime deadline = StdAtomics::Now() + std::min(timeout, kLongest);
+    const SteadyTime deadline = DeadlineAfter(timeout);
     const auto is_over = [this] { return ending_.Get() != Status::kTimeout; };
     wakeup_.WaitUntil([&] { return newest_.is_fresh() || is_over(); }, deadline);
     const T* newest = newest_.Take();

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <tendon/base/error.h>
 #include <tendon/base/status.h>
 #include <tendon/lockfree/flag.h>
 
 #include <exception>
 #include <functional>
+#include <string>
 #include <utility>
 
 namespace tendon {
@@ -15,7 +17,7 @@ namespace tendon {
 class Host {
  public:
   /// `on_exception` hears the reason, in the thread in which the component's code has thrown.
-  explicit Host(std::function<void(const char* reason)> on_exception)
+  explicit Host(std::function<void(const std::string& reason)> on_exception)
       : on_exception_(std::move(on_exception)) {}
 
   /// While it is faulted its peers get kNotActive, even for reads: nobody keeps its values up to
@@ -33,16 +35,14 @@ class Host {
   static Status Contain(const Host* host, Body body) {
     try {
       return body();
-    } catch (const std::exception& error) {
-      if (host != nullptr) host->on_exception_(error.what());
     } catch (...) {
-      if (host != nullptr) host->on_exception_("an exception that is no std::exception");
+      if (host != nullptr) host->on_exception_(ReasonOf(std::current_exception()));
+      return Status::kFailed;
     }
-    return Status::kFailed;
   }
 
  private:
-  std::function<void(const char* reason)> on_exception_;
+  std::function<void(const std::string& reason)> on_exception_;
   Flag faulted_;
   Flag accepting_;
 };

@@ -26,19 +26,21 @@ class LatestCommand final : public Command<In, None>, private Mailbox::Entry {
 
   Status Execute(const In& in, None& /*out*/) override {
     if (!mailbox_.is_open()) return mailbox_.refusal();
-    if (!writing_.TryTake()) {  // the call that writes right now is the newer one
+    const Lease<>::Hold writing(writing_);
+    if (!writing) {  // the call that writes right now is the newer one
       mailbox_.CountReplaced();
       return Status::kQueued;
     }
-    if (newest_.Write(in)) {
-      mailbox_.CountReplaced();
-    } else {
-      std::byte* const token = mailbox_.ClaimReserved();
-      assert(token != nullptr);
-      mailbox_.Publish(token, *this);
-    }
-    writing_.Return();
-    return Status::kQueued;
+    return Host::Contain(nullptr, [&]() -> Status {  // a copy may throw; then nothing has happened
+      if (newest_.Write(in)) {
+        mailbox_.CountReplaced();
+      } else {
+        std::byte* const token = mailbox_.ClaimReserved();
+        assert(token != nullptr);
+        mailbox_.Publish(token, *this);
+      }
+      return Status::kQueued;
+    });
   }
 
   Status Wait(const In& in, None& out, std::chrono::nanoseconds timeout) override {

@@ -7,10 +7,7 @@ void MemberNames::Add(const std::string& what, const std::string& name,
                       const std::string& interface, SourcePlace place) {
   RequireName(what, name);
   const std::string member = what + " '" + name + "'";
-  if (sealed_) {
-    throw ConfigurationError("cannot add " + member + " to interface '" + interface +
-                             "': its component was started; add it in the constructor");
-  }
+  if (sealed_) throw AddedTooLate(member, "interface '" + interface + "'");
   const auto [first, is_new] = added_at_.emplace(name, place);
   if (!is_new) {
     throw ConfigurationError(member + " already exists in interface '" + interface +

@@ -1,10 +1,10 @@
 #pragma once
 
+#include <tendon/base/clock.h>
 #include <tendon/interface/command.h>
 #include <tendon/interface/execution/host.h>
 #include <tendon/interface/mailbox.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <memory>
@@ -42,16 +42,16 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
   Status Execute(const In& in, Out& out) override {
     if (mailbox_ == nullptr) return ExecuteNow(in, out);
     if constexpr (kAnswers) return Status::kUnsupported;
-    std::byte* const argument = Claim(in);
-    if (argument == nullptr) return mailbox_->refusal();
-    mailbox_->Publish(argument, *this);
-    return Status::kQueued;
+    std::byte* argument = nullptr;
+    const Status claimed = Claim(in, argument);
+    if (claimed) mailbox_->Publish(argument, *this);
+    return claimed;
   }
 
   Status Wait(const In& in, Out& out, std::chrono::nanoseconds timeout) override {
     if (mailbox_ == nullptr) return ExecuteNow(in, out);
     if (mailbox_->is_executed_here()) return Status::kWouldDeadlock;
-    const SteadyTime deadline = StdAtomics::Now() + std::min(timeout, kLongestWait);
+    const SteadyTime deadline = DeadlineAfter(timeout);
     std::size_t record = 0;
     const Status posted = Post(in, nullptr, record);
     return posted == Status::kQueued ? Await(record, out, deadline) : posted;
@@ -68,7 +68,6 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
 
  private:
   static constexpr bool kAnswers = !std::is_same_v<Out, None>;
-  static constexpr std::chrono::nanoseconds kLongestWait = std::chrono::hours(24 * 365);
 
   /// What a slot refers to when its caller waits.
   class Awaited final : public Mailbox::Entry {
@@ -105,15 +104,26 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
     });
   }
 
-  std::byte* Claim(const In& in) {
-    std::byte* const argument = mailbox_->Claim();
-    if (argument == nullptr) return nullptr;
+  /// kQueued: the argument lies in a claimed slot, which must be published. Else nothing has
+  /// happened: the mailbox refuses, or the copy has thrown (kFailed).
+  Status Claim(const In& in, std::byte*& argument) {
+    argument = mailbox_->Claim();
+    if (argument == nullptr) return mailbox_->refusal();
     if constexpr (kLiesInSlot<In>) {
       new (argument) In(in);
+      return Status::kQueued;
     } else {
-      arguments_[mailbox_->SlotOf(argument)] = in;
+      const Status copied = Copy(in, arguments_[mailbox_->SlotOf(argument)]);
+      if (!copied) mailbox_->GiveUp(argument);
+      return copied;
     }
-    return argument;
+  }
+  template <typename T>
+  static Status Copy(const T& from, T& to) {
+    return Host::Contain(nullptr, [&]() -> Status {
+      to = from;
+      return Status::kQueued;
+    });
   }
 
   /// Puts the call into the mailbox, with a completion record.
@@ -125,10 +135,10 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
       return Status::kQueueFull;
     }
     if (ended != nullptr) completions[*record].SetListener(*ended);
-    std::byte* const argument = Claim(in);
-    if (argument == nullptr) {
+    std::byte* argument = nullptr;
+    if (const Status claimed = Claim(in, argument); !claimed) {
       completions[*record].Free();
-      return mailbox_->refusal();
+      return claimed;
     }
     completions.Assign(mailbox_->SlotOf(argument), *record);
     mailbox_->Publish(argument, awaited_);
@@ -147,9 +157,9 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
       if (is_cancelled()) return Status::kNotConnected;
       return mailbox_->accepting() ? Status::kTimeout : Status::kNotActive;
     }
-    const Status status = completion.status();
+    Status status = completion.status();
     if constexpr (kAnswers) {
-      if (status) out = answers_[record];
+      if (status && !Copy(answers_[record], out)) status = Status::kFailed;
     }
     completion.Free();
     return status;

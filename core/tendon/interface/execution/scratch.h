@@ -18,21 +18,16 @@ class Scratch {
   /// Borrows the object for one call; has one of its own where another call borrows it.
   class Use {
    public:
-    explicit Use(Scratch& scratch) : scratch_(scratch), is_leased_(scratch.lease_.TryTake()) {
-      if (!is_leased_) own_.emplace();
+    explicit Use(Scratch& scratch) : hold_(scratch.lease_), kept_(scratch.kept_) {
+      if (!hold_) own_.emplace();
     }
-    ~Use() {
-      if (is_leased_) scratch_.lease_.Return();
-    }
-    Use(const Use&) = delete;
-    Use& operator=(const Use&) = delete;
 
-    [[nodiscard]] T& operator*() { return is_leased_ ? scratch_.kept_ : *own_; }
+    [[nodiscard]] T& operator*() { return hold_ ? kept_ : *own_; }
     [[nodiscard]] T* operator->() { return &**this; }
 
    private:
-    Scratch& scratch_;
-    bool is_leased_;
+    Lease<>::Hold hold_;
+    T& kept_;
     std::optional<T> own_;
   };
 

@@ -13,7 +13,7 @@ struct ThreadSafe {};
 inline constexpr ThreadSafe kThreadSafe;
 
 /// What a direct void or write command, or a direct event handler, runs.
-template <Payload In, typename Method, typename Object>
+template <typename In, typename Method, typename Object>
 auto CallMethod(Method method, Object* object) {
   return [method, object](const In& in, None&) -> Status {
     if constexpr (std::is_same_v<In, None>) {

@@ -18,15 +18,9 @@ std::string plugin;  // for the terminate handler, which takes no argument
 }
 
 [[noreturn]] void OnTerminate() {
-  std::string why = "that it ends the process";
-  try {
-    if (const auto thrown = std::current_exception()) std::rethrow_exception(thrown);
-  } catch (const std::exception& error) {
-    why = std::string("that its start-up threw: ") + error.what();
-  } catch (...) {
-    why = "that its start-up threw something that is no std::exception";
-  }
-  End(1, "plug-in " + plugin + ": expected a library that loads, found " + why);
+  const auto thrown = std::current_exception();
+  End(1, "plug-in " + plugin + ": expected a library that loads, found that " +
+             (thrown ? "its start-up threw: " + tendon::ReasonOf(thrown) : "it ends the process"));
 }
 
 }  // namespace

@@ -3,13 +3,6 @@
 #include <utility>
 
 namespace tendon {
-namespace {
-
-bool IsRunning(const Task& task) {
-  return task.state() == ComponentState::kActive || task.state() == ComponentState::kSuspended;
-}
-
-}  // namespace
 
 void TaskLife::Obey(Task& task) {
   if (task.has_failed_outside_.Get()) EnterFaultFromOutside(task);
@@ -28,7 +21,7 @@ void TaskLife::Obey(Task& task) {
         if (now == ComponentState::kActive) Rest(task);
         break;
       case LifeRequest::kStop:
-        if (IsRunning(task)) Finish(task);
+        if (IsRunning(now)) Finish(task);
         break;
     }
   }
@@ -40,17 +33,15 @@ void TaskLife::Unbind(Task& task) {
   ForEachFollower(task, [](Task& follower) { Unbind(follower); });
 }
 
-bool TaskLife::EnterFaultFromOutside(Task& task) {
+void TaskLife::EnterFaultFromOutside(Task& task) {
   task.has_failed_outside_.Set(false);
-  if (!IsRunning(task)) return false;
   std::string reason;
   {
     const std::scoped_lock lock(task.outside_mutex_);
     reason = task.outside_reason_;
   }
-  task.EnterFault("a command or event handler", reason);
+  task.Component::FaultFromOutside(reason);  // it may have ended meanwhile
   task.EndFollowers();
-  return true;
 }
 
 void TaskLife::Begin(Task& task) {
@@ -63,7 +54,7 @@ void TaskLife::Begin(Task& task) {
     return;
   }
   BecomeActive(task);
-  if (task.leader_ != nullptr && task.leader_->state() == ComponentState::kSuspended) {
+  if (task.leader() != nullptr && task.leader()->state() == ComponentState::kSuspended) {
     task.rests_with_leader_ = true;
     Rest(task);
   }
@@ -87,7 +78,7 @@ void TaskLife::Rest(Task& task) {
 }
 
 void TaskLife::GoOn(Task& task) {
-  if (task.leader_ != nullptr && task.leader_->state() != ComponentState::kActive) {
+  if (task.leader() != nullptr && task.leader()->state() != ComponentState::kActive) {
     task.rests_with_leader_ = true;
     return;
   }
@@ -111,18 +102,40 @@ void TaskLife::Finish(Task& task) {
 
 void TaskLife::EndWithLeader(Task& task) {
   task.obeyed_ = task.order_.Get().number;
-  if (IsRunning(task)) {
+  if (IsRunning(task.state())) {
     Finish(task);
   } else if (task.is_starting()) {
-    task.EnterFault("Startup", "'" + task.leader_->name() + "', after which it runs, has ended");
+    task.EnterFault("Startup", "'" + task.leader()->name() + "', after which it runs, has ended");
   }
 }
 
-Result<void> TaskLife::ReplaceFollowers(Task& leader, std::unique_ptr<TaskFollowers> next,
-                                        SteadyTime deadline) {
+void TaskLife::CallThread(Task& task) {
+  const std::scoped_lock lock(task.outside_mutex_);  // as long as its leader is needed
+  if (Task* const leader = task.leader_.Get()) return CallThread(*leader);
+  task.orders_.Set(task.orders_.Get() + 1);
+  task.wakeup_.Notify();
+}
+
+void TaskLife::AddFollower(Task& leader, Task& task) {
+  auto next = leader.follower_list_ ? std::make_unique<TaskFollowers>(*leader.follower_list_)
+                                    : std::make_unique<TaskFollowers>();
+  next->push_back(&task);
+  SetLeader(task, &leader);
+  leader.follower_list_.swap(next);
+  if (leader.followers_.TryExchange(leader.follower_list_.get(), SteadyTime::min())) {
+    leader.retired_lists_.clear();
+  } else {
+    leader.retired_lists_.push_back(std::move(next));
+  }
+}
+
+Result<void> TaskLife::RemoveFollower(Task& leader, Task& task, SteadyTime deadline) {
+  auto next = std::make_unique<TaskFollowers>(*leader.follower_list_);
+  std::erase(*next, &task);
   leader.follower_list_.swap(next);
   if (leader.followers_.TryExchange(leader.follower_list_.get(), deadline)) {
     leader.retired_lists_.clear();
+    SetLeader(task, nullptr);
     return {};
   }
   // Back to the old one; a cycle that has begun meanwhile may use the other.
@@ -132,6 +145,11 @@ Result<void> TaskLife::ReplaceFollowers(Task& leader, std::unique_ptr<TaskFollow
   return Error{ErrorCode::kTimeout,
                "the cycle of '" + leader.name() +
                    "' does not end; it, or a task that runs after it, is busy in Run()"};
+}
+
+void TaskLife::SetLeader(Task& task, Task* leader) {
+  const std::scoped_lock lock(task.outside_mutex_);
+  task.leader_.Set(leader);
 }
 
 }  // namespace tendon

@@ -16,9 +16,6 @@ class TaskLife {
   static void EndWithLeader(Task& task);
   /// It and those that run after it belong to no thread until the next cycle.
   static void Unbind(Task& task);
-  /// Faults the task because of what a handler has thrown in another thread; false where it has
-  /// ended meanwhile.
-  static bool EnterFaultFromOutside(Task& task);
 
   template <typename Action>
   static void ForEachFollower(Task& task, Action action) {
@@ -27,16 +24,25 @@ class TaskLife {
     for (Task* follower : *call.get()) action(*follower);
   }
 
+  /// Has the thread that makes the task's cycles obey, whichever it is. Any thread.
+  static void CallThread(Task& task);
+
   // For managers.
 
-  /// kTimeout where a cycle of `leader` that uses the old list has not ended by `deadline`: it is
-  /// kept.
-  static Result<void> ReplaceFollowers(Task& leader, std::unique_ptr<TaskFollowers> next,
-                                       SteadyTime deadline);
+  /// From the leader's next look at its followers on the task, which is at rest, is one of them.
+  static void AddFollower(Task& leader, Task& task);
+  /// kTimeout where a cycle of `leader` that may use the task has not ended by `deadline`: nothing
+  /// has changed then.
+  static Result<void> RemoveFollower(Task& leader, Task& task, SteadyTime deadline);
+  static void SetLeader(Task& task, Task* leader);
   /// The first of those in its thread.
-  static Task& RootOf(Task& task) { return task.leader_ == nullptr ? task : RootOf(*task.leader_); }
+  static Task& RootOf(Task& task) {
+    Task* const leader = task.leader_.Get();
+    return leader == nullptr ? task : RootOf(*leader);
+  }
 
  private:
+  static void EnterFaultFromOutside(Task& task);
   static void Begin(Task& task);
   static void BecomeActive(Task& task);
   static void Rest(Task& task);

@@ -65,7 +65,7 @@ void ThreadedTask::Join() {
 void ThreadedTask::MakeCycles() {
   SetUpThisThread(options_in_use_, name());
   ObeyOrders();
-  while (state() == ComponentState::kActive || state() == ComponentState::kSuspended) {
+  while (IsRunning(state())) {
     if (state() == ComponentState::kActive) {
       Loop();
     } else {

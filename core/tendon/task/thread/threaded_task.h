@@ -20,7 +20,7 @@ class ThreadedTask : public Task {
   /// `leader`, in that one's thread. It keeps its state, its tables and its statistics, and starts
   /// and stops by itself while the leader runs; the leader's rest and end are its own. kFailed
   /// where it is not at rest, or where the two would wait for each other; kTimeout where a cycle of
-  /// the leader, or of the one before, has not ended by `deadline`.
+  /// its former leader has not ended by `deadline`: nothing has changed then.
   Result<void> RunAfter(Task& leader, SteadyTime deadline = SteadyTime::max());
 
   /// That of the leader if it has one.

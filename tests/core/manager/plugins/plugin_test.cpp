@@ -1,6 +1,5 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <support/folder.h>
 #include <tendon/manager/component_loader.h>
 #include <tendon/manager/plugin.h>
 
@@ -181,8 +180,8 @@ TEST_F(PluginTest, ThatNeverFinishesIsToldInTime) {
 
 TEST_F(PluginTest, ThatThrowsWhenItRegistersIsQuoted) {
   EXPECT_EQ(Refusal("throws_on_registration"),
-            "expected TendonRegisterComponents to return, found that it threw something that is "
-            "no std::exception");
+            "expected TendonRegisterComponents to return, found that it threw: an exception "
+            "that is no std::exception");
 }
 
 TEST_F(PluginTest, WithAClassTwiceNamesTheClass) {

@@ -17,6 +17,7 @@ using tendon::Status;
 using tendon_test::Client;
 using tendon_test::Periodic;
 using tendon_test::Script;
+using tendon_test::Signal;
 using tendon_test::Threadless;
 using namespace std::chrono_literals;
 
@@ -70,6 +71,16 @@ TEST_F(ThreadlessServer, IsFaultedByWhatIsNoStandardExceptionToo) {
   EXPECT_EQ(arm.fault(), "a command or event handler: an exception that is no std::exception");
 }
 
+TEST_F(ThreadlessServer, NamesWhatHasLedToItsFault) {
+  ASSERT_TRUE(manager.Start("arm").ok());
+  arm.throws_nested = true;
+  arm.throws = Script::kHandler;
+
+  EXPECT_EQ(client.poke(), Status::kFailed);
+
+  EXPECT_EQ(arm.fault(), "a command or event handler: no arm: cable cut");
+}
+
 TEST_F(ThreadlessServer, HealsWithARestart) {
   ASSERT_TRUE(manager.Start("arm").ok());
   arm.throws = Script::kHandler;
@@ -83,16 +94,54 @@ TEST_F(ThreadlessServer, HealsWithARestart) {
   EXPECT_EQ(arm.configures, 2);
 }
 
-TEST_F(ThreadlessServer, FaultedWhileItIsStoppedStaysFaulted) {
+TEST_F(ThreadlessServer, TakesNoCallOnceItsCleanupHasBegun) {
   ASSERT_TRUE(manager.Start("arm").ok());
   arm.blocks = Script::kCleanup;
   std::jthread stopping([this] { (void)manager.Stop("arm", tendon::kNoWait); });
-  ASSERT_TRUE(EventuallyTrue([this] { return arm.is_blocked.load(); }));
-  arm.throws = Script::kHandler;
+  const bool is_blocked = EventuallyTrue([this] { return arm.is_blocked.load(); });
 
-  EXPECT_EQ(client.poke(), Status::kFailed);
+  EXPECT_EQ(client.poke(), Status::kNotActive);
+
   arm.blocks = Script::kNone;
-  stopping.join();
+  EXPECT_TRUE(is_blocked);
+  EXPECT_EQ(arm.pokes, 0);
+}
+
+/// A call that runs when the stop comes, and fails while Cleanup() runs.
+class FailsLate final : public tendon::Component {
+ public:
+  explicit FailsLate(std::string name) : Component(std::move(name)) {
+    AddProvidedInterface("Control").AddCommandVoid(&FailsLate::Poke, this, "Poke");
+  }
+  std::atomic<bool> is_poked = false;
+  std::atomic<bool> has_failed = false;
+
+ private:
+  void Poke() {
+    is_poked = true;
+    EXPECT_TRUE(EventuallyTrue([this] { return cleans_up_.load(); }));
+    throw std::runtime_error("cable cut");
+  }
+  void Cleanup() override {
+    cleans_up_ = true;
+    EXPECT_TRUE(EventuallyTrue([this] { return has_failed.load(); }));
+  }
+  std::atomic<bool> cleans_up_ = false;
+};
+
+TEST(AThreadlessComponent, FaultedWhileItIsStoppedStaysFaulted) {
+  tendon::LocalManager manager;
+  auto& arm = manager.Add<FailsLate>("arm");
+  auto& client = manager.Add<Client>("client");
+  ASSERT_TRUE(manager.Connect({"client", "Server"}, {"arm", "Control"}).ok());
+  ASSERT_TRUE(manager.StartAll().ok());
+  std::jthread caller([&] {
+    EXPECT_EQ(client.poke(), Status::kFailed);
+    arm.has_failed = true;
+  });
+  ASSERT_TRUE(EventuallyTrue([&] { return arm.is_poked.load(); }));
+
+  EXPECT_FALSE(manager.Stop("arm").ok());
 
   EXPECT_EQ(arm.state(), ComponentState::kFaulted);
 }
@@ -217,19 +266,40 @@ TEST(ADirectHandler, ThatThrowsFaultsItsTaskEvenWhileThatRests) {
   EXPECT_EQ(reckless.state(), ComponentState::kFaulted);
 }
 
-TEST(ADirectHandler, ThatThrowsFaultsATaskThatRunsAfterAnother) {
+struct ATaskThatRunsAfterAnother : testing::Test {
   tendon::LocalManager manager;
-  auto& leader = manager.Add<Periodic>("leader", 1ms);
-  manager.Add<Reckless>("reckless", 1ms);
-  auto& client = manager.Add<Client>("client");
-  ASSERT_TRUE(manager.RunAfter("reckless", "leader").ok());
-  ASSERT_TRUE(manager.Connect({"client", "Server"}, {"reckless", "Control"}).ok());
-  ASSERT_TRUE(manager.StartAll().ok());
+  Client& client = manager.Add<Client>("client");
 
-  EXPECT_EQ(client.poke(), Status::kFailed);
+  template <typename Leader, typename... Arguments>
+  void StartAfter(Arguments... arguments) {
+    manager.Add<Leader>("leader", arguments...);
+    manager.Add<Reckless>("reckless", 1ms);
+    ASSERT_TRUE(manager.RunAfter("reckless", "leader").ok());
+    ASSERT_TRUE(manager.Connect({"client", "Server"}, {"reckless", "Control"}).ok());
+    ASSERT_TRUE(manager.StartAll().ok());
+  }
+  void ExpectItsFaultAlone(ComponentState leader) {
+    EXPECT_EQ(client.poke(), Status::kFailed);
+    EXPECT_TRUE(manager.WaitFor("reckless", ComponentState::kFaulted, 20s).ok());
+    EXPECT_EQ(manager.Find("leader")->state(), leader);
+    EXPECT_EQ(client.poke(), Status::kNotActive);
+  }
+};
 
-  EXPECT_TRUE(manager.WaitFor("reckless", ComponentState::kFaulted, 20s).ok());
-  EXPECT_EQ(leader.state(), ComponentState::kActive);
+TEST_F(ATaskThatRunsAfterAnother, IsFaultedByADirectCommandThatThrows) {
+  StartAfter<Periodic>(1ms);
+  ExpectItsFaultAlone(ComponentState::kActive);
+}
+
+TEST_F(ATaskThatRunsAfterAnother, IsFaultedEvenWhileItsLeaderRests) {
+  StartAfter<Periodic>(1ms);
+  ASSERT_TRUE(manager.Suspend("leader").ok());
+  ExpectItsFaultAlone(ComponentState::kSuspended);
+}
+
+TEST_F(ATaskThatRunsAfterAnother, IsFaultedEvenWhenNoCycleOfItsLeaderComes) {
+  StartAfter<Signal>();
+  ExpectItsFaultAlone(ComponentState::kActive);
 }
 
 }  // namespace

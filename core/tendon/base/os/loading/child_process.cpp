@@ -2,6 +2,7 @@
 #include <poll.h>
 #include <spawn.h>
 #include <sys/wait.h>
+#include <tendon/base/os/descriptor.h>
 #include <tendon/base/os/loading/child_process.h>
 #include <unistd.h>
 
@@ -16,23 +17,6 @@ namespace {
 using SteadyClock = std::chrono::steady_clock;
 
 constexpr std::size_t kMostOutput = 65536;
-
-class File {
- public:
-  explicit File(int descriptor) : descriptor_(descriptor) {}
-  File(const File&) = delete;
-  File& operator=(const File&) = delete;
-  ~File() { Close(); }
-
-  [[nodiscard]] int get() const { return descriptor_; }
-  void Close() {
-    if (descriptor_ >= 0) close(descriptor_);
-    descriptor_ = -1;
-  }
-
- private:
-  int descriptor_;
-};
 
 /// The child hears every signal, whatever its parent blocks or ignores.
 class Attributes {
@@ -109,8 +93,8 @@ Result<ProgramOutcome> RunProgram(const std::filesystem::path& program,
   if (pipe2(ends.data(), O_CLOEXEC) != 0) {
     return Error{ErrorCode::kFailed, std::string("no pipe: ") + std::strerror(errno)};
   }
-  const File ours(ends[0]);
-  File its(ends[1]);
+  const Descriptor ours(ends[0]);
+  Descriptor its(ends[1]);
   pid_t child = 0;
   if (const int reason = Spawn(program.string(), arguments, its.get(), child); reason != 0) {
     return Error{ErrorCode::kFailed, program.string() + " cannot be run: " + std::strerror(reason)};

@@ -1,0 +1,21 @@
+#pragma once
+
+namespace tendon::os {
+
+/// Owns a file descriptor, which may be none (below 0): closes it in the end.
+class Descriptor {
+ public:
+  explicit Descriptor(int value) noexcept : value_(value) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() { Close(); }
+
+  [[nodiscard]] int get() const noexcept { return value_; }
+  /// Before its end; from now on there is none. A second call does nothing.
+  void Close() noexcept;
+
+ private:
+  int value_;
+};
+
+}  // namespace tendon::os

@@ -1,0 +1,12 @@
+#include <tendon/manager/faulted_end.h>
+
+namespace tendon {
+
+void SetEndFaulted(ConnectionDescription& connection, const std::string& component,
+                   const std::string& fault) {
+  connection.state = ConnectionState::kPending;
+  connection.reason = "component '" + component + "' is faulted: " + fault +
+                      "; it is connected again once that was started";
+}
+
+}  // namespace tendon

@@ -1,0 +1,60 @@
+#include <gtest/gtest.h>
+#include <linux/filter.h>
+#include <linux/seccomp.h>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <tendon/base/log.h>
+#include <tendon/base/os/futex.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstddef>
+#include <string_view>
+
+namespace tendon {
+namespace {
+
+constexpr int kCannotBeRefused = 77;
+
+/// From now on membarrier fails in this thread; false where that cannot be had.
+bool RefuseMembarrier() {
+  std::array<sock_filter, 4> steps{
+      sock_filter BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
+      sock_filter BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_membarrier, 0, 1),
+      sock_filter BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | EPERM),
+      sock_filter BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW)};
+  const sock_fprog program{steps.size(), steps.data()};
+  return prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
+         prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
+}
+
+/// How often three barriers warn, in a process of its own.
+int WarningsWhereTheKernelRefuses() {
+  const pid_t child = fork();
+  if (child == 0) {
+    static int warnings = 0;
+    AddLogSink([](LogLevel level, std::string_view /*source*/, std::string_view message) {
+      const bool is_it = message.starts_with("the kernel refuses membarrier: ");
+      if (level == LogLevel::kWarning && is_it) ++warnings;
+    });
+    if (!RefuseMembarrier()) _exit(kCannotBeRefused);
+    for (int i = 0; i < 3; ++i) os::ProcessBarrier();
+    _exit(warnings);
+  }
+  int status = -1;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+TEST(ProcessBarrier, WarnsOnceWhereTheKernelRefusesIt) {
+  const int warnings = WarningsWhereTheKernelRefuses();
+  if (warnings == kCannotBeRefused) GTEST_SKIP() << "system calls cannot be filtered here";
+
+  EXPECT_EQ(warnings, 1);
+}
+
+}  // namespace
+}  // namespace tendon

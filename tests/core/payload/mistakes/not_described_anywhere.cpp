@@ -1,0 +1,52 @@
+#include <tendon/interface/provided_interface.h>
+#include <tendon/interface/required_interface.h>
+
+// Each is named once to the framework.
+struct Sent {};
+struct Asked {};
+struct Raised {};
+struct Awaited {};
+struct Kept {};
+struct Listed {
+  std::vector<int*> all;
+};
+struct Filtered {};
+struct Written {};
+struct Returned {};
+struct Questioned {};
+struct ReadInAnyThread {};
+struct WrittenInAnyThread {};
+struct Handled {};
+struct HandledInAnyThread {};
+
+struct Component {
+  tendon::WriteFunction<Sent> send;
+  tendon::QualifiedReadFunction<Asked, int> ask;
+  tendon::WriteEvent<Raised> raised;
+  tendon::EventWaiter<Awaited> awaited;
+  tendon::StateTable table;
+  Kept kept;
+  Listed listed;
+
+  Component(tendon::ProvidedInterface& provided, tendon::RequiredInterface& required) {
+    table.Add(kept, "Kept");
+    table.Add(listed, "Listed", 100);
+    provided.AddCommandFilteredWrite(&Filter, &Component::Take, this, "Filtered");
+    provided.AddCommandWrite(&Component::Write, this, "Write");
+    provided.AddCommandVoidReturn(&Component::Return, this, "Return");
+    provided.AddCommandWriteReturn(&Component::Answer, this, "Answer");
+    provided.AddCommandRead(&Component::Read, this, "Read", tendon::kThreadSafe);
+    provided.AddCommandWrite(&Component::WriteSafely, this, "WriteSafely", tendon::kThreadSafe);
+    required.AddEventHandlerWrite(&Component::Handle, this, "Handled");
+    required.AddEventHandlerWrite(&Component::HandleSafely, this, "Seen", tendon::kThreadSafe);
+  }
+  static void Filter(const Filtered& in, int& out);
+  void Take(int number);
+  void Write(const Written& value);
+  void Return(Returned& value);
+  void Answer(const Questioned& question, int& answer);
+  void Read(ReadInAnyThread& value) const;
+  void WriteSafely(const WrittenInAnyThread& value);
+  void Handle(const Handled& value);
+  void HandleSafely(const HandledInAnyThread& value);
+};
