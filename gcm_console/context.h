@@ -16,7 +16,7 @@ namespace console {
 struct Settings {
   std::string gcm;
   std::string middleware;
-  std::chrono::milliseconds timeout{2000};
+  std::chrono::milliseconds timeout = tendon::GcmClient::Options().timeout;
   bool json = false;
   bool insecure = false;
 };
@@ -32,6 +32,18 @@ class Context {
   [[nodiscard]] std::ostream& err() const { return err_; }
   /// The width of the terminal that out() is, 0 where it is none.
   [[nodiscard]] int columns() const { return columns_; }
+
+  /// Asks the client and waits for its answer, a little longer than the client: it gives up after
+  /// the time-out by itself, and knows best why. `start(client, handler)` calls one of its
+  /// functions, which may take that time `times` times.
+  template <typename T, typename Start>
+  tendon::Result<T> Ask(Start start, int times = 1) {
+    constexpr std::chrono::milliseconds kLonger(500);
+    const auto client = Client();
+    if (!client) return client.error();
+    return tendon::Wait<T>(times * settings_.timeout + kLonger,
+                           [&](auto handler) { start(**client, std::move(handler)); });
+  }
 
   tendon::Result<std::shared_ptr<tendon::Middleware>> middleware() const;
   /// A client that has seen the catalogue; made once.

@@ -18,10 +18,8 @@ struct Arguments {
 tendon::Result<program::ExitCode> Call(Context& context, const Arguments& arguments) {
   std::string argument = arguments.argument;
   if (argument == "-") argument = {std::istreambuf_iterator<char>(std::cin), {}};
-  const auto client = context.Client();
-  if (!client) return client.error();
-  const auto answer = tendon::Wait<std::string>(context.settings().timeout, [&](auto handler) {
-    (*client)->Call(arguments.path, argument, handler);
+  const auto answer = context.Ask<std::string>([&](tendon::GcmClient& client, auto handler) {
+    client.Call(arguments.path, argument, handler);
   });
   if (!answer) return answer.error();
   if (context.settings().json) {

@@ -38,8 +38,8 @@ Result<ExitCode> Get(Context& context, const std::string& text) {
                                             " command, which get does not call; use gcm call"};
     }
   }
-  const auto value = tendon::Wait<std::string>(
-      context.settings().timeout, [&](auto handler) { (*client)->Call(text, "", handler); });
+  const auto value = context.Ask<std::string>(
+      [&](tendon::GcmClient& asked, auto handler) { asked.Call(text, "", handler); });
   if (!value) return value.error();
   if (context.settings().json) {
     context.PrintJson({{"path", text}, {"value", ordered_json::parse(*value, nullptr, false)}});

@@ -37,9 +37,9 @@ ordered_json ToJson(const Candidate& candidate) {
 }
 
 /// So that what does not fit says in what: best effort.
-void LearnTypes(Context& context, tendon::GcmClient& client) {
-  static_cast<void>(tendon::Wait<void>(context.settings().timeout,
-                                       [&](auto handler) { client.LearnDisputedTypes(handler); }));
+void LearnTypes(Context& context) {
+  static_cast<void>(context.Ask<void>(
+      [](tendon::GcmClient& client, auto handler) { client.LearnDisputedTypes(handler); }));
 }
 
 Result<ExitCode> Candidates(Context& context, const std::string& text) {
@@ -47,7 +47,7 @@ Result<ExitCode> Candidates(Context& context, const std::string& text) {
   if (!required) return required.error();
   const auto client = context.Client();
   if (!client) return client.error();
-  LearnTypes(context, **client);
+  LearnTypes(context);
   const auto candidates = RankCandidates((*client)->catalog(), *required);
   if (!candidates) return candidates.error();
   if (context.settings().json) {
@@ -80,10 +80,9 @@ Result<InterfaceName> LikelyProvider(const Catalog& catalog, const InterfaceName
 }
 
 /// Asks the process for something that needs no thread of a component's.
-Result<std::chrono::microseconds> RoundTrip(Context& context, tendon::GcmClient& client,
-                                            const std::string& process) {
+Result<std::chrono::microseconds> RoundTrip(Context& context, const std::string& process) {
   const auto begin = std::chrono::steady_clock::now();
-  const auto answer = tendon::Wait<tendon::Schema>(context.settings().timeout, [&](auto handler) {
+  const auto answer = context.Ask<tendon::Schema>([&](tendon::GcmClient& client, auto handler) {
     client.GetSchema(process, tendon::FingerprintOf<tendon::None>(), handler);
   });
   const bool knows_not = !answer && answer.error().code == ErrorCode::kNotFound;
@@ -133,7 +132,7 @@ Result<ExitCode> Explain(Context& context, const Ends& ends) {
   if (!required) return required.error();
   const auto client = context.Client();
   if (!client) return client.error();
-  LearnTypes(context, **client);
+  LearnTypes(context);
   const Catalog catalog = (*client)->catalog();
   const auto provided = ends.provided.empty() ? LikelyProvider(catalog, *required)
                                               : tendon::ParseInterfaceName(ends.provided);
@@ -141,7 +140,7 @@ Result<ExitCode> Explain(Context& context, const Ends& ends) {
   auto diagnosis = Diagnose(catalog, {*required, *provided});
   if (!diagnosis) return diagnosis.error();
   if (!diagnosis->failure) {
-    AddRoundTrip(*diagnosis, RoundTrip(context, **client, provided->process));
+    AddRoundTrip(*diagnosis, RoundTrip(context, provided->process));
   }
   if (context.settings().json) {
     context.PrintJson(ToJson(*diagnosis));

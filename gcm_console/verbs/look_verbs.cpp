@@ -166,7 +166,7 @@ Result<ExitCode> Tree(Context& context) {
 }
 
 /// What there is to say of one thing, a line each.
-Table Facts(const Place& place) {
+Table Facts(const Catalog& catalog, const Place& place) {
   Table table({"WHAT", "VALUE"});
   const auto& process = place.process->process;
   table.Add({"process", process.name});
@@ -188,8 +188,18 @@ Table Facts(const Place& place) {
   if (component.period > 0.0) {
     table.Add({"period", ordered_json(component.period).dump() + " s"});
   }
-  if (place.provided != nullptr) table.Add({"provided", place.provided->name});
-  if (place.required != nullptr) table.Add({"required", place.required->name});
+  const auto name_of = [&](const std::string& interface) {
+    return InterfaceName(process.name, component.name, interface);
+  };
+  if (place.provided != nullptr) {
+    table.Add({"provided", place.provided->name});
+    const std::string users = Users(catalog, name_of(place.provided->name));
+    if (!users.empty()) table.Add({"connection", users});
+  }
+  if (place.required != nullptr) {
+    table.Add({"required", place.required->name});
+    table.Add({"connection", Provider(catalog, name_of(place.required->name))});
+  }
   if (place.member != nullptr && !place.member->hazard.empty()) {
     table.Add({"hazard", place.member->hazard});
   }
@@ -203,7 +213,7 @@ Result<ExitCode> Show(Context& context, const std::string& path) {
   const Catalog catalog = (*client)->catalog();
   const auto place = FindPlace(catalog, path);
   if (!place) return place.error();
-  Facts(*place).Print(context.out(), context.columns());
+  Facts(catalog, *place).Print(context.out(), context.columns());
   context.out() << '\n';
   ListingOf(catalog, *place).Print(context.out(), context.columns());
   return program::kOk;

@@ -1,4 +1,6 @@
+#include <gcm_console/report.h>
 #include <gcm_console/verb.h>
+#include <tendon/gcm/lookup.h>
 
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -18,6 +20,15 @@ struct Ends {
   bool replace = false;
 };
 
+/// The connection waits for a process that nobody has ever seen, perhaps because it is misspelt.
+ExitCode WarnOfUnknown(Context& context, const tendon::Error& unknown, const Ends& ends) {
+  const bool asks = unknown.message.ends_with("?");
+  context.err() << "gcm: " << Plain(unknown.message) << (asks ? " " : "; ")
+                << "the connection waits for it; take it back: gcm disconnect " << ends.required
+                << '\n';
+  return program::kNotFound;
+}
+
 Result<ExitCode> Connect(Context& context, const Ends& ends) {
   const auto required = tendon::ParseInterfaceName(ends.required);
   if (!required) return required.error();
@@ -25,15 +36,19 @@ Result<ExitCode> Connect(Context& context, const Ends& ends) {
   if (!provided) return provided.error();
   const auto client = context.Client();
   if (!client) return client.error();
-  const auto made =
-      tendon::Wait<tendon::ConnectionDescription>(context.settings().timeout, [&](auto handler) {
+  const tendon::Catalog catalog = (*client)->catalog();
+  const auto provider = LookUpProcess(catalog, provided->process);
+  const auto made = context.Ask<tendon::ConnectionDescription>(
+      [&](tendon::GcmClient& asked, auto handler) {
         if (ends.replace) {
-          (*client)->Replace(*required, *provided, handler);
+          asked.Replace(*required, *provided, handler);
         } else {
-          (*client)->Connect(*required, *provided, handler);
+          asked.Connect(*required, *provided, handler);
         }
-      });
+      },
+      tendon::GcmClient::kOrdersOfAReplacement);
   if (!made) return made.error();
+  const bool is_unknown = !provider && made->state == tendon::ConnectionState::kPending;
   const std::string state(tendon::ToString(made->state));
   if (context.settings().json) {
     context.PrintJson({{"id", made->id},
@@ -42,19 +57,18 @@ Result<ExitCode> Connect(Context& context, const Ends& ends) {
                        {"state", state},
                        {"reason", made->reason}});
   } else {
+    const bool is_said = is_unknown || made->reason.empty();
     context.out() << ToString(made->required) << " -> " << ToString(made->provided) << "  " << state
-                  << (made->reason.empty() ? "" : ": " + made->reason) << '\n';
+                  << (is_said ? "" : ": " + made->reason) << '\n';
   }
-  return program::kOk;
+  return is_unknown ? WarnOfUnknown(context, provider.error(), ends) : program::kOk;
 }
 
 Result<ExitCode> Disconnect(Context& context, const Ends& ends) {
   const auto required = tendon::ParseInterfaceName(ends.required);
   if (!required) return required.error();
-  const auto client = context.Client();
-  if (!client) return client.error();
-  const auto done = tendon::Wait<void>(
-      context.settings().timeout, [&](auto handler) { (*client)->Disconnect(*required, handler); });
+  const auto done = context.Ask<void>(
+      [&](tendon::GcmClient& client, auto handler) { client.Disconnect(*required, handler); });
   if (!done) return done.error();
   if (context.settings().json) {
     context.PrintJson({{"required", ToString(*required)}});
@@ -65,10 +79,9 @@ Result<ExitCode> Disconnect(Context& context, const Ends& ends) {
 }
 
 Result<ExitCode> Undo(Context& context) {
-  const auto client = context.Client();
-  if (!client) return client.error();
-  const auto undone = tendon::Wait<tendon::message::HistoryEntry>(
-      context.settings().timeout, [&](auto handler) { (*client)->Undo(handler); });
+  const auto undone = context.Ask<tendon::message::HistoryEntry>(
+      [](tendon::GcmClient& client, auto handler) { client.Undo(handler); },
+      tendon::GcmClient::kOrdersOfAReplacement);
   if (!undone) return undone.error();
   const std::string required = ToString(undone->wire.required);
   const std::string provided = ToString(undone->wire.provided);

@@ -65,7 +65,23 @@ class LinkContract : public Contract {
 class AddressContract : public Contract {};
 class LifetimeContract : public Contract {};
 /// For kinds whose ports strangers reach, and whose programs can be killed.
-class PortContract : public Contract {};
+class PortContract : public Contract {
+ protected:
+  /// `link_` is open, and `guest_` at its other end has heard from it.
+  void Meet(Host& host, std::shared_ptr<Recorder> opener = std::make_shared<Recorder>()) {
+    Start(host.accept());
+    auto link = Open(std::move(opener));
+    ASSERT_TRUE(link) << link.error().message;
+    link_ = *std::move(link);
+    ASSERT_EQ(link_->Send(FrameOf(1)), Status::kQueued);
+    guest_ = host.guest();
+    ASSERT_NE(guest_.link, nullptr);
+    ASSERT_TRUE(guest_.recorder->WaitForFrames(1));
+  }
+
+  std::shared_ptr<Link> link_;
+  Host::Guest guest_;
+};
 
 /// Two channels that shook hands, unless a test does so itself.
 class ChannelContract : public Contract {

@@ -18,7 +18,7 @@ inline constexpr std::chrono::seconds kPatience{20};
 /// A frame whose handle says which it is.
 inline Bytes FrameOf(std::uint32_t number, std::size_t body_size = 8) {
   FrameHeader header;
-  header.type = MessageType::kFirstOfProxy;
+  header.type = static_cast<MessageType>(0x100);
   header.handle = number;
   header.size = static_cast<std::uint32_t>(body_size);
   Bytes frame;

@@ -163,14 +163,9 @@ TEST_P(PortContract, WhoIsNotAdmittedIsTurnedAwayInTime) {
 
 TEST_P(PortContract, SilenceAndHalfAHeaderAreTurnedAwayInTimeAndQuietLinksAreNot) {
   Host host(Host::Guests::kStrangers);
-  Start(host.accept());
   const auto recorder = std::make_shared<Recorder>();
-  const auto link = Open(recorder);
-  ASSERT_TRUE(link);
-  ASSERT_EQ((*link)->Send(FrameOf(1)), Status::kQueued);
-  const auto guest = host.guest();
-  ASSERT_TRUE(guest.recorder->WaitForFrames(1));
-  guest.link->Admit();
+  ASSERT_NO_FATAL_FAILURE(Meet(host, recorder));
+  guest_.link->Admit();
   Stranger silent(listener_->address());
   Stranger half(listener_->address());
 
@@ -179,8 +174,8 @@ TEST_P(PortContract, SilenceAndHalfAHeaderAreTurnedAwayInTimeAndQuietLinksAreNot
   EXPECT_TRUE(silent.IsTurnedAway());
   EXPECT_TRUE(half.IsTurnedAway());
   EXPECT_EQ(recorder->closed(), 0);
-  EXPECT_EQ(guest.recorder->closed(), 0);
-  EXPECT_EQ(guest.link->Send(FrameOf(1)), Status::kQueued);
+  EXPECT_EQ(guest_.recorder->closed(), 0);
+  EXPECT_EQ(guest_.link->Send(FrameOf(1)), Status::kQueued);
   EXPECT_TRUE(recorder->WaitForFrames(1));
   EXPECT_TRUE(Open(std::make_shared<Recorder>()));
 }

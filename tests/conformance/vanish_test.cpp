@@ -37,31 +37,21 @@ int CutCable(std::uint16_t port) {
 
 TEST_P(PortContract, AnOpenerThatVanishedWithoutAWordIsNoticedByWhatIsSentToIt) {
   Host host;
-  Start(host.accept());
-  const auto link = Open(std::make_shared<Recorder>());
-  ASSERT_TRUE(link);
-  ASSERT_EQ((*link)->Send(FrameOf(1)), Status::kQueued);
-  const auto guest = host.guest();
-  ASSERT_TRUE(guest.recorder->WaitForFrames(1));
+  ASSERT_NO_FATAL_FAILURE(Meet(host));
   ASSERT_EQ(CutCable(ParseAddress(listener_->address(), 1)->port), 2);
 
-  ASSERT_EQ(guest.link->Send(FrameOf(2)), Status::kQueued);
+  ASSERT_EQ(guest_.link->Send(FrameOf(2)), Status::kQueued);
 
-  EXPECT_TRUE(guest.recorder->WaitForClosed());
+  EXPECT_TRUE(guest_.recorder->WaitForClosed());
 }
 
 TEST_P(PortContract, AnOpenerThatVanishedWithoutAWordIsNoticedInSilenceToo) {
   Host host;
-  Start(host.accept());
-  const auto link = Open(std::make_shared<Recorder>());
-  ASSERT_TRUE(link);
-  ASSERT_EQ((*link)->Send(FrameOf(1)), Status::kQueued);
-  const auto guest = host.guest();
-  ASSERT_TRUE(guest.recorder->WaitForFrames(1));
+  ASSERT_NO_FATAL_FAILURE(Meet(host));
 
   ASSERT_EQ(CutCable(ParseAddress(listener_->address(), 1)->port), 2);
 
-  EXPECT_TRUE(guest.recorder->WaitForClosed());
+  EXPECT_TRUE(guest_.recorder->WaitForClosed());
 }
 
 }  // namespace

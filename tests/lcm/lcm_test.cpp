@@ -3,6 +3,7 @@
 #include <netinet/in.h>
 #include <program/exit_code.h>
 #include <sys/socket.h>
+#include <sys/time.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -24,6 +25,8 @@ class HangingServer {
     place.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     EXPECT_EQ(bind(socket_, reinterpret_cast<const sockaddr*>(&place), sizeof(place)), 0);
     EXPECT_EQ(listen(socket_, SOMAXCONN), 0);
+    const timeval patience{.tv_sec = 20, .tv_usec = 0};  // for a visitor
+    EXPECT_EQ(setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof(patience)), 0);
   }
   HangingServer(const HangingServer&) = delete;
   HangingServer& operator=(const HangingServer&) = delete;

@@ -14,7 +14,7 @@ readonly robot_wire='facts["connections"]["desk/teleoperation/Robot"]'
 readonly curve='facts["curves"]["robot/arm/state.Joints.position[0]"]'
 
 main() {
-  trap stop_all EXIT
+  begin_run
   use_own_folders
   start_display 1440 900
   address=127.0.0.1:$(free_port)

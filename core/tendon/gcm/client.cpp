@@ -8,8 +8,10 @@
 #include <tendon/gcm/disputed_types.h>
 #include <tendon/gcm/lookup.h>
 
+#include <algorithm>
 #include <mutex>
 #include <utility>
+#include <vector>
 
 namespace tendon {
 namespace {
@@ -62,6 +64,7 @@ class GcmClient::Implementation {
     link_->Stop();
     links_->Stop();
     timer_->Stop();
+    learners_.clear();
     telemetry_.reset();
     outstanding_->WaitUntilNone(kLongest);
   }
@@ -79,6 +82,16 @@ class GcmClient::Implementation {
     const std::scoped_lock lock(mutex_);
     if (!telemetry_) telemetry_ = MakeTelemetryClient(middleware_, AddressResolver(), Mine());
     return *telemetry_;
+  }
+
+  /// All who ask before the next look at the catalogue share it; there are few, however fast that
+  /// changes.
+  void LearnDisputedTypes(DoneHandler handler) {
+    const std::scoped_lock lock(mutex_);
+    learners_.push_back(std::move(handler));
+    if (learners_.size() > 1) return;
+    const auto pause = std::max(next_look_ - SteadyClock().Now(), SteadyTime::duration(0));
+    timer_->PostAfter(std::chrono::ceil<std::chrono::milliseconds>(pause), [this] { Look(); });
   }
 
  private:
@@ -105,6 +118,20 @@ class GcmClient::Implementation {
     return {.instance = os::RandomNumber(), .name = name_, .cookie = cookie ? *cookie : 0};
   }
 
+  void Look() {
+    constexpr std::chrono::milliseconds kPause(500);
+    std::vector<DoneHandler> learners;
+    {
+      const std::scoped_lock lock(mutex_);
+      learners.swap(learners_);
+      next_look_ = SteadyClock().Now() + kPause;
+    }
+    const auto types = link_->WithCatalog(&DisputedTypes);
+    caller_->Learn(types, [learners = std::move(learners)](const Result<void>& learned) {
+      for (const DoneHandler& learner : learners) learner(learned);
+    });
+  }
+
   void OnMoved(const std::vector<client::GcmLink::Moved>& processes) {
     for (const auto& [process, instance] : processes) links_->Drop(process, instance);
     const std::scoped_lock lock(mutex_);
@@ -122,6 +149,8 @@ class GcmClient::Implementation {
   const std::shared_ptr<client::Caller> caller_;
   std::mutex mutex_;
   std::unique_ptr<TelemetryClient> telemetry_;
+  std::vector<DoneHandler> learners_;  // who waits for the next look
+  SteadyTime next_look_{};             // not before
 };
 
 GcmClient::GcmClient(std::shared_ptr<Middleware> middleware, Options options,
@@ -148,7 +177,7 @@ void GcmClient::Replace(const InterfaceName& required, const InterfaceName& prov
                         ConnectHandler handler) {
   implementation_->link().Request<ConnectionDescription>(
       message::kReplace, message::Wire{required, provided},
-      implementation_->Guarded(std::move(handler)));
+      implementation_->Guarded(std::move(handler)), kOrdersOfAReplacement);
 }
 
 void GcmClient::Disconnect(const InterfaceName& required, DoneHandler handler) {
@@ -159,7 +188,7 @@ void GcmClient::Disconnect(const InterfaceName& required, DoneHandler handler) {
 
 void GcmClient::Undo(std::function<void(Result<message::HistoryEntry>)> handler) {
   implementation_->link().Request<message::HistoryEntry>(
-      message::kUndo, None{}, implementation_->Guarded(std::move(handler)));
+      message::kUndo, None{}, implementation_->Guarded(std::move(handler)), kOrdersOfAReplacement);
 }
 
 void GcmClient::GetHistory(std::function<void(Result<message::History>)> handler) {
@@ -200,10 +229,7 @@ void GcmClient::GetSchema(const std::string& process, Fingerprint fingerprint,
 }
 
 void GcmClient::LearnDisputedTypes(DoneHandler handler) {
-  implementation_->timer().Post([this, done = implementation_->Guarded(std::move(handler))] {
-    const auto types = implementation_->link().WithCatalog(&DisputedTypes);
-    implementation_->caller().Learn(types, done);
-  });
+  implementation_->LearnDisputedTypes(implementation_->Guarded(std::move(handler)));
 }
 
 TelemetryClient& GcmClient::telemetry() { return implementation_->telemetry(); }

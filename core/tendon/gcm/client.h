@@ -33,10 +33,14 @@ class GcmListener {
 /// not be called from a handler.
 class GcmClient {
  public:
+  /// Replace() and Undo() may take `timeout` so many times: the GCM gives one order after another.
+  static constexpr int kOrdersOfAReplacement = 2;
+
   /// Who asks, and whom.
   struct Options {
     std::string name = "viewer";  ///< for the GCM's history and log: "gcm connect", "gcm-gui"
     std::string address;          ///< of the GCM
+    /// Longer than the GCM waits for a process, so that it can say what that has answered.
     std::chrono::milliseconds timeout{2000};
   };
 
@@ -79,7 +83,8 @@ class GcmClient {
                  std::function<void(Result<Schema>)> handler);
 
   /// Asks for what Compare() must know to say in what two types of one name differ, anywhere in the
-  /// catalogue; FindSchema() knows it afterwards, as far as the processes answer.
+  /// catalogue; FindSchema() knows it afterwards, as far as the processes answer. May be called at
+  /// every change: the catalogue is looked at twice a second at most.
   void LearnDisputedTypes(DoneHandler handler);
 
   /// State-table rows of any process: see TelemetryClient.

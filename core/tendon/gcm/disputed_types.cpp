@@ -9,15 +9,15 @@ namespace {
 /// All types by name, and where one who knows each is found.
 class TypesByName {
  public:
-  void Add(const ComponentDescription& component, const std::string& process) {
+  void Add(const ComponentDescription& component, std::string_view process) {
     for (const ProvidedDescription& provided : component.provided) Add(provided, process);
     for (const RequiredDescription& required : component.required) Add(required, process);
   }
-  void Add(const ProvidedDescription& provided, const std::string& process) {
+  void Add(const ProvidedDescription& provided, std::string_view process) {
     Add(provided.commands, process);
     Add(provided.events, process);
   }
-  void Add(const RequiredDescription& required, const std::string& process) {
+  void Add(const RequiredDescription& required, std::string_view process) {
     Add(required.functions, process);
     Add(required.event_handlers, process);
   }
@@ -27,21 +27,25 @@ class TypesByName {
     for (const auto& [name, types] : types_) {
       if (types.size() < 2) continue;
       for (const auto& [type, process] : types) {
-        if (!FindSchema(type)) disputed[process].fingerprints.push_back(type);
+        if (FindSchema(type)) continue;
+        disputed[std::string(process)].fingerprints.push_back(type);
       }
     }
     return disputed;
   }
 
  private:
-  void Add(const std::vector<MemberDescription>& members, const std::string& process) {
+  void Add(const std::vector<MemberDescription>& members, std::string_view process) {
     for (const MemberDescription& member : members) {
-      if (!member.in_type.empty()) types_[member.in_type].emplace(member.signature.in, process);
-      if (!member.out_type.empty()) types_[member.out_type].emplace(member.signature.out, process);
+      Add(member.in_type, member.signature.in, process);
+      Add(member.out_type, member.signature.out, process);
     }
   }
+  void Add(const std::string& name, const Fingerprint& type, std::string_view process) {
+    if (!name.empty()) types_[name].try_emplace(type, process);
+  }
 
-  std::map<std::string_view, std::map<Fingerprint, std::string>> types_;
+  std::map<std::string_view, std::map<Fingerprint, std::string_view>> types_;  // of the catalogue
 };
 
 }  // namespace

@@ -34,13 +34,14 @@ Result<std::unique_ptr<GlobalManager>> GlobalManager::Start(std::shared_ptr<Midd
   };
   auto listener = middleware->Listen(options.address, Channel::Acceptor(mine, choose));
   if (!listener) return listener.error();
+  auto promise = std::move(made);  // broken, where no server comes of it, before the listener ends
   auto server = std::make_shared<server::Server>(
       server::Server::Options{.history = HistoryFile(options),
                               .clock = options.clock,
                               .order_timeout = options.order_timeout,
                               .instance = mine.instance});
   server->Start();
-  made.set_value(server);
+  promise.set_value(server);
   return std::unique_ptr<GlobalManager>(new GlobalManager(std::move(middleware), std::move(server),
                                                           *std::move(listener), mine.instance));
 }

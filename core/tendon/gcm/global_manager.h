@@ -28,9 +28,11 @@ class GlobalManager {
   /// Where it listens, and what it keeps.
   struct Options {
     std::string address = "127.0.0.1:10705";
-    std::filesystem::path state_folder;             ///< of the history; empty: os::StateFolder()
-    const Clock* clock = &SteadyClock();            ///< of the leases; outlives the manager
-    std::chrono::milliseconds order_timeout{2000};  ///< until an LCM's answer is given up
+    std::filesystem::path state_folder;   ///< of the history; empty: os::StateFolder()
+    const Clock* clock = &SteadyClock();  ///< of the leases; outlives the manager
+    /// Until an LCM's answer is given up: longer than that needs to find a peer that hangs, shorter
+    /// than clients wait for us.
+    std::chrono::milliseconds order_timeout{1500};
   };
 
   /// Errors are those of Middleware::Listen(): kExists where another GCM is at this address.

@@ -198,7 +198,8 @@ Result<ConnectionDescription> PlanDisconnect(const Catalog& catalog,
   const ProcessDescription& owner = catalog.FindProcess(required.process)->process;
   if (auto present = RequirePresent(owner); !present) return present.error();
   if (const auto* connection = catalog.FindConnection(required)) return *connection;
-  return Error{ErrorCode::kFailed, ToString(required) + " is not connected"};
+  return Error{ErrorCode::kFailed,
+               ToString(required) + " is not connected: there is nothing to disconnect"};
 }
 
 bool IsPresent(const ProcessDescription& process) {

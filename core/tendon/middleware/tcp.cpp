@@ -171,17 +171,17 @@ class TcpLink final : public Link, public Served, public std::enable_shared_from
 
   void Admit() override {
     const std::scoped_lock lock(mutex_);
-    if (is_open()) state_ = State::kAdmitted;
+    if (!is_open()) return;
+    state_ = State::kAdmitted;
+    deadline_ = SteadyTime::max();
   }
 
   void Close() override {
     const std::scoped_lock lock(mutex_);
     if (!is_open()) return;
     state_ = State::kClosing;
-    loop_->Post([self = shared_from_this()] {
-      self->deadline_ = SteadyClock().Now() + std::chrono::milliseconds(750);
-      self->Flush();
-    });
+    deadline_ = SteadyClock().Now() + std::chrono::milliseconds(750);
+    loop_->Post([self = shared_from_this()] { self->Flush(); });
   }
 
   [[nodiscard]] std::string peer() const override { return peer_; }
@@ -195,8 +195,11 @@ class TcpLink final : public Link, public Served, public std::enable_shared_from
 
   void OnTick(SteadyTime now) override {
     if (os::HasVanished(socket_)) return Finish({ErrorCode::kUnreachable, peer_ + " vanished"});
-    if (now < deadline_ || state() == State::kAdmitted) return;
-    if (state() != State::kStranger) return Shut();
+    std::unique_lock lock(mutex_);
+    if (now < deadline_) return;
+    const bool is_stranger = state_ == State::kStranger;
+    lock.unlock();
+    if (!is_stranger) return Shut();
     Reject({ErrorCode::kTimeout, peer_ + " connected and did not say who it is for 3 s"});
   }
 
@@ -287,11 +290,11 @@ class TcpLink final : public Link, public Served, public std::enable_shared_from
 
   // Of the loop's thread:
   std::shared_ptr<LinkHandler> handler_;
-  SteadyTime deadline_;  // to be admitted, or to have closed
-  Bytes rest_;           // the beginning of a frame
+  Bytes rest_;  // the beginning of a frame
 
   std::mutex mutex_;
   State state_ = State::kStranger;
+  SteadyTime deadline_;  // to be admitted, or to have closed
   os::Socket socket_;
   Bytes unsent_;  // from sent_ on
   std::size_t sent_ = 0;

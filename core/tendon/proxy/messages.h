@@ -4,6 +4,7 @@
 #include <tendon/middleware/frame.h>
 
 #include <cstdint>
+#include <string>
 
 /// What travels between two processes with a connection between them. The opener is the process of
 /// the required interface. Each struct is the body of a frame; requests are answered, notices are
@@ -47,10 +48,13 @@ struct InterfaceOpened {
   ProvidedDescription description;
 };
 
-/// How far the component has come; within 5 ms of each change.
+/// How far the component has come, and how it is; within 5 ms of each change.
 struct Credit {
   std::uint64_t executed = 0;  ///< calls taken out of its mailbox since the connection was opened
   bool accepting = false;
+  std::string fault;  ///< why it is faulted, or empty
+
+  bool operator==(const Credit&) const = default;
 };
 
 }  // namespace tendon::message
@@ -73,4 +77,5 @@ inline constexpr auto tendon::kPayload<tendon::message::InterfaceOpened> = tendo
 template <>
 inline constexpr auto tendon::kPayload<tendon::message::Credit> =
     tendon::Describe("tendon.Credit", tendon::Field{"executed", &tendon::message::Credit::executed},
-                     tendon::Field{"accepting", &tendon::message::Credit::accepting});
+                     tendon::Field{"accepting", &tendon::message::Credit::accepting},
+                     tendon::Field{"fault", &tendon::message::Credit::fault});

@@ -24,7 +24,7 @@ ProvidedInterfaceProxy::ProvidedInterfaceProxy(std::shared_ptr<NetworkThread> th
     : thread_(std::move(thread)),
       handle_(remote.opened.handle),
       outbox_(remote.channel, message::kCommands, thread_->wakeup()),
-      interface_(remote.opened.description.name, &outbox_.inbox()),
+      interface_(remote.opened.description.name, &outbox_.inbox(), &host_),
       credit_(remote.opened.credit) {
   AddCommands(remote, required, read_deadline);
   AddEvents(remote.opened.description, required);
@@ -65,10 +65,24 @@ void ProvidedInterfaceProxy::OnEvent(std::size_t handler, std::span<const std::b
   if (handler < events_.size() && events_[handler]) events_[handler]->Raise(value);
 }
 
-void ProvidedInterfaceProxy::OnCredit(const message::Credit& credit) {
+bool ProvidedInterfaceProxy::OnCredit(const message::Credit& credit) {
   executed_.Set(credit.executed);
   outbox_.inbox().SetAccepting(credit.accepting);
   thread_->Notify();
+  {
+    const std::scoped_lock lock(mutex_);
+    fault_ = credit.fault;
+  }
+  const bool is_faulted = !credit.fault.empty();
+  if (is_faulted == host_.is_faulted()) return false;
+  host_.SetFaulted(is_faulted);
+  interface_.SetSourceFaulted(is_faulted);
+  return true;
+}
+
+std::string ProvidedInterfaceProxy::fault() const {
+  const std::scoped_lock lock(mutex_);
+  return fault_;
 }
 
 bool ProvidedInterfaceProxy::Work(SteadyTime now, SteadyTime& next) {

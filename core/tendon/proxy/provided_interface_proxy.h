@@ -8,7 +8,9 @@
 
 #include <chrono>
 #include <memory>
+#include <mutex>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace tendon {
@@ -38,8 +40,11 @@ class ProvidedInterfaceProxy final : public NetworkJob {
 
   /// `handler` is the event handler's place in the required interface.
   void OnEvent(std::size_t handler, std::span<const std::byte> value);
-  void OnCredit(const message::Credit& credit);
+  /// Whether the component over there has faulted, or is no longer.
+  bool OnCredit(const message::Credit& credit);
 
+  /// Any thread: why the component over there is faulted, or empty.
+  [[nodiscard]] std::string fault() const;
   /// Any thread: the peer is gone; calls are refused with kNotConnected from now on.
   void Sever() { outbox_.Close(); }
 
@@ -54,11 +59,14 @@ class ProvidedInterfaceProxy final : public NetworkJob {
   const std::uint32_t handle_;
   Outbox outbox_;
   std::vector<std::unique_ptr<EventProxy>> events_;  // by handler; null where it has no event
+  Host host_{[](const auto& /*reason*/) {}};         // the component over there; runs nothing here
   ProvidedInterface interface_;
 
   const std::uint64_t credit_;  // calls under way at most
   std::uint64_t sent_ = 0;      // of the network thread
   Published<std::uint64_t> executed_{0};
+  mutable std::mutex mutex_;
+  std::string fault_;
 };
 
 }  // namespace tendon

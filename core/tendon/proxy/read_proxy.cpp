@@ -4,17 +4,14 @@
 namespace tendon {
 namespace {
 
+/// Of a read, which changes nothing over there.
 Status ToStatus(const Error& error) {
+  if (const auto refusal = StatusOfRefusal(error)) return *refusal;
   switch (error.code) {
     case ErrorCode::kTimeout:
       return Status::kTimeout;
     case ErrorCode::kUnreachable:
-    case ErrorCode::kNotFound:  // the interface is just being closed over there
       return Status::kNotConnected;
-    case ErrorCode::kDenied:
-      return Status::kDenied;
-    case ErrorCode::kInvalid:
-      return Status::kInvalid;
     default:
       return Status::kFailed;
   }
@@ -40,6 +37,19 @@ class ReadCommandProxy final : public CommandBase {
 
 std::unique_ptr<CommandBase> ReadOfferProxy::Bind(Mailbox* /*mailbox*/) const {
   return std::make_unique<ReadCommandProxy>(remote_);
+}
+
+std::optional<Status> StatusOfRefusal(const Error& error) {
+  switch (error.code) {
+    case ErrorCode::kNotFound:  // the interface is just being closed over there
+      return Status::kNotConnected;
+    case ErrorCode::kDenied:
+      return Status::kDenied;
+    case ErrorCode::kInvalid:
+      return Status::kInvalid;
+    default:
+      return std::nullopt;
+  }
 }
 
 void AppendStatus(Status status, Bytes& answer) {

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 namespace tendon {
 
@@ -28,6 +29,9 @@ class ReadOfferProxy final : public Offer {
  private:
   Remote remote_;
 };
+
+/// What a refusal of kRead or kWait means to the caller; nothing where the peer has not refused it.
+[[nodiscard]] std::optional<Status> StatusOfRefusal(const Error& error);
 
 /// The body of the answer to kRead and kWait.
 void AppendStatus(Status status, Bytes& answer);

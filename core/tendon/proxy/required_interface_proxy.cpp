@@ -1,3 +1,4 @@
+#include <tendon/base/printable.h>
 #include <tendon/proxy/read_proxy.h>
 #include <tendon/proxy/required_interface_proxy.h>
 
@@ -37,19 +38,32 @@ RequiredInterfaceProxy::RequiredInterfaceProxy(std::shared_ptr<NetworkThread> th
   interface_.Seal();
 }
 
-bool RequiredInterfaceProxy::BeginCredit(const Connection& connection, const Inbox* server) {
+bool RequiredInterfaceProxy::BeginCredit(const Connection& connection, Server server) {
   const std::scoped_lock lock(mutex_);
   connection_ = &connection;
-  server_ = server;
-  told_.accepting = server_ == nullptr || server_->accepting();
+  server_ = std::move(server);
+  told_.accepting = IsAccepting();
   return told_.accepting;
+}
+
+/// By whoever executes: a task, or the threads that call, where the component has none.
+bool RequiredInterfaceProxy::IsAccepting() const {
+  if (const Inbox* inbox = server_.interface->inbox()) return inbox->accepting();
+  const Host* host = server_.interface->host();
+  return host == nullptr || host->accepting();
+}
+
+/// No longer than catalogues take it: an exception may say anything.
+std::string RequiredInterfaceProxy::Fault() const {
+  const Host* host = server_.interface->host();
+  return host != nullptr && host->is_faulted() ? Printable(server_.fault()) : std::string();
 }
 
 void RequiredInterfaceProxy::EndCredit() {
   const std::scoped_lock lock(mutex_);
   begun_.GiveUp();
   connection_ = nullptr;
-  server_ = nullptr;
+  server_ = {};
 }
 
 void RequiredInterfaceProxy::OnCommand(std::size_t function, std::span<const std::byte> argument) {
@@ -120,11 +134,10 @@ void RequiredInterfaceProxy::SendCredit(SteadyTime now, SteadyTime& next) {
   const std::uint64_t received = received_;
   const std::uint64_t executed =
       received - std::min<std::uint64_t>(connection_->waiting(), received);
-  const message::Credit credit{.executed = std::max(executed, told_.executed),
-                               .accepting = server_ == nullptr || server_->accepting()};
-  const bool is_news = credit.executed != told_.executed || credit.accepting != told_.accepting;
-  if (is_news && channel_->Notify(message::kCredit, handle_, credit)) told_ = credit;
-  is_watched_ = told_.executed != received || told_.accepting != credit.accepting;
+  const message::Credit credit{
+      .executed = std::max(executed, told_.executed), .accepting = IsAccepting(), .fault = Fault()};
+  if (credit != told_ && channel_->Notify(message::kCredit, handle_, credit)) told_ = credit;
+  is_watched_ = told_.executed != received || credit != told_;
   if (is_watched_) next = std::min(next, now + kUntilNextLook);
 }
 

@@ -8,9 +8,11 @@
 #include <tendon/proxy/outbox.h>
 #include <tendon/proxy/waiting/begun_calls.h>
 
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace tendon {
@@ -29,10 +31,14 @@ class RequiredInterfaceProxy final : public NetworkJob {
   [[nodiscard]] std::uint32_t handle() const { return handle_; }
   [[nodiscard]] std::uint32_t capacity() const { return capacity_; }
 
-  /// From now on the peer hears how far `connection`'s calls have come, and when the answer
-  /// changes, which is whether the server executes calls. `server` is the inbox in which they wait,
-  /// or null; both must live until EndCredit().
-  bool BeginCredit(const Connection& connection, const Inbox* server);
+  /// The component that is connected here.
+  struct Server {
+    const ProvidedInterface* interface = nullptr;
+    std::function<std::string()> fault;  ///< why it is faulted; any thread
+  };
+  /// From now on the peer hears how far `connection`'s calls have come, and how the server is.
+  /// Returns whether it executes calls. All must live until EndCredit().
+  bool BeginCredit(const Connection& connection, Server server);
   void EndCredit();
   /// Any thread: the peer is gone; what is raised from now on is not sent.
   void Sever() { outbox_.Close(); }
@@ -48,6 +54,8 @@ class RequiredInterfaceProxy final : public NetworkJob {
 
  private:
   void CountReceived();
+  [[nodiscard]] bool IsAccepting() const;
+  [[nodiscard]] std::string Fault() const;
   void SendCredit(SteadyTime now, SteadyTime& next);
 
   const std::shared_ptr<NetworkThread> thread_;
@@ -61,7 +69,7 @@ class RequiredInterfaceProxy final : public NetworkJob {
 
   std::mutex mutex_;  // of what follows
   const Connection* connection_ = nullptr;
-  const Inbox* server_ = nullptr;
+  Server server_;
   std::uint64_t received_ = 0;
   bool is_watched_ = false;  // the network thread looks for progress
   message::Credit told_;

@@ -157,7 +157,7 @@ TEST_F(Lookup, ATombstoneConnectsNothing) {
 
 TEST_F(Lookup, ADisconnectNeedsAConnection) {
   EXPECT_EQ(PlanDisconnect(catalog_, kRobot).error().message,
-            "desk/teleoperation/Robot is not connected");
+            "desk/teleoperation/Robot is not connected: there is nothing to disconnect");
   Connect(kRobot, kControl);
 
   const auto plan = PlanDisconnect(catalog_, kRobot);

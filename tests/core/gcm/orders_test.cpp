@@ -36,7 +36,8 @@ TEST_P(Orders, ADisconnectEndsIt) {
 
   EXPECT_EQ(desk_->connection_count(), 0U);
   EXPECT_FALSE(Connection());
-  EXPECT_EQ(Disconnect(*client_).error().message, "desk/teleoperation/Robot is not connected");
+  EXPECT_EQ(Disconnect(*client_).error().message,
+            "desk/teleoperation/Robot is not connected: there is nothing to disconnect");
 }
 
 TEST_P(Orders, WhatIsRefusedLeavesNothingBehind) {
@@ -105,6 +106,10 @@ TEST_P(Orders, AProcessThatDoesNotAnswerIsATimeout) {
   EXPECT_TRUE(Connect(*client_));
 }
 
+TEST(OrderTimeout, IsShorterThanAClientsSoThatItHearsWhy) {
+  EXPECT_LT(GlobalManager::Options().order_timeout, GcmClient::Options().timeout);
+}
+
 TEST_P(Orders, AConnectToATombstoneIsPending) {
   robot_.reset();
   ASSERT_TRUE(EventuallyTrue([&] { return StateOf("robot") == ProcessState::kLost; }));
@@ -140,17 +145,24 @@ TEST_P(Orders, ARefusalNamesTheFirstDifferenceOfTwoTypesThatOnlyProcessesKnow) {
     return catalog.FindRequired(leader) != nullptr && catalog.FindProvided(mover) != nullptr;
   }));
 
-  const auto made = Connect(*client_, leader, mover);
+  const Error refusal{
+      ErrorCode::kIncompatible,
+      "desk/leader/Mover does not fit robot/mover/Control: needs write command 'MoveTo' of "
+      "test.Goal, offered is another test.Goal (position of test.Goal: float64 in " +
+          unit + " needed, float64 in deg offered)"};
+  int tries = 0;  // the GCM does not wait long: on a machine that stands still one is not enough
+  std::optional<Error> why;
 
-  ASSERT_FALSE(made);
-  EXPECT_EQ(made.error().code, ErrorCode::kIncompatible);
-  EXPECT_EQ(made.error().message,
-            "desk/leader/Mover does not fit robot/mover/Control: needs write command 'MoveTo' of "
-            "test.Goal, offered is another test.Goal (position of test.Goal: float64 in " +
-                unit + " needed, float64 in deg offered)");
+  EXPECT_TRUE(EventuallyTrue([&] {
+    ++tries;
+    const auto made = Connect(*client_, leader, mover);
+    why = made ? std::nullopt : std::optional(made.error());
+    return why == refusal;
+  })) << (why ? why->message : "connected");
+
   EXPECT_TRUE(desk_->orders().empty());
-  EXPECT_LE(desk_->schema_requests(), 1);  // not again, where the test is repeated
-  EXPECT_EQ(aide->schema_requests(), 0);   // it has nothing to do with this connection
+  EXPECT_LE(desk_->schema_requests(), tries);  // none, where the test is repeated
+  EXPECT_EQ(aide->schema_requests(), 0);       // it has nothing to do with this connection
 }
 
 TEST_P(Orders, ARefusalIsSaidWithoutTheTypesOfAnEndThatDoesNotTell) {

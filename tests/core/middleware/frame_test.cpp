@@ -24,7 +24,8 @@ FrameHeader HeaderOf(std::uint32_t size) {
 TEST(Frame, TheHeaderIsTheseBytesForEver) {
   const Bytes frame = Written(HeaderOf(2), {std::byte{7}, std::byte{8}});
 
-  const unsigned char expected[] = {'T',  'N',  'D',  'N',  1,    0,    0x34, 0x12, 0x88,
+  constexpr unsigned char kNow = FrameHeader::kProtocolVersion;
+  const unsigned char expected[] = {'T',  'N',  'D',  'N',  kNow, 0,    0x34, 0x12, 0x88,
                                     0x77, 0x66, 0x55, 0x44, 0x33, 0x22, 0x11, 2,    0,
                                     0,    0,    0xdd, 0xcc, 0xbb, 0xaa, 7,    8};
   ASSERT_EQ(frame.size(), sizeof(expected));

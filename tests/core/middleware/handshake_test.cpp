@@ -16,7 +16,7 @@ Hello HelloOf(const std::string& name, std::uint64_t cookie = kCookie) {
   return {.instance = 3, .name = name, .session = name == "desk" ? 99U : 0U, .cookie = cookie};
 }
 
-FrameHeader HeaderOf(MessageType type, std::uint16_t version = 1) {
+FrameHeader HeaderOf(MessageType type, std::uint16_t version = FrameHeader::kProtocolVersion) {
   FrameHeader header;
   header.type = type;
   header.version = version;
@@ -159,7 +159,7 @@ TEST(Handshake, AnotherVersionIsRefusedBeforeItsBodyIsRead) {
   const auto judged = talk.acceptor.Take(HeaderOf(MessageType::kHello, 3), Bytes(5));
 
   EXPECT_EQ(judged.error(), (Error{ErrorCode::kIncompatible,
-                                   "robot speaks protocol 1, this program 3: update robot"}));
+                                   "robot speaks protocol 2, this program 3: update robot"}));
 }
 
 TEST(Handshake, WhatIsOutOfTurnIsInvalid) {
@@ -175,7 +175,7 @@ TEST(Handshake, WhatIsOutOfTurnIsInvalid) {
 }
 
 TEST(Handshake, TheRefusalOfAnotherVersionIsReadAllTheSame) {
-  const Error refusal{ErrorCode::kIncompatible, "robot speaks protocol 9, this program 1: update"};
+  const Error refusal{ErrorCode::kIncompatible, "robot speaks protocol 9, this program 2: update"};
   Talk talk;
   (void)talk.opener.Greet();
 
@@ -191,7 +191,7 @@ TEST(Handshake, AChallengeInAnotherVersionIsRefusedHere) {
   const auto judged = talk.opener.Take(HeaderOf(MessageType::kChallenge, 9), Bytes(5));
 
   EXPECT_EQ(judged.error().message,
-            "127.0.0.1:10705 speaks protocol 9, this program 1: update this program");
+            "127.0.0.1:10705 speaks protocol 9, this program 2: update this program");
 }
 
 }  // namespace

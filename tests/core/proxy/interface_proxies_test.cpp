@@ -133,7 +133,8 @@ class InterfaceProxies : public testing::Test {
     auto made = Connection::Make(required, client_end->proxy->interface(), "client", "server");
     ASSERT_TRUE(made.ok()) << made.error().message;
     client_connection = *std::move(made);
-    (void)server_end->proxy->BeginCredit(*server_connection, &server_inbox);
+    (void)server_end->proxy->BeginCredit(
+        *server_connection, {.interface = &provided, .fault = [] { return std::string(); }});
     thread->Add(*client_end->proxy);
     thread->Add(*server_end->proxy);
   }

@@ -48,8 +48,10 @@ class GcmLink final : public std::enable_shared_from_this<GcmLink> {
     return read(catalog_);
   }
 
+  /// The answer may take the usual time `orders` times.
   template <Payload Answer, Message T>
-  void Request(MessageType type, const T& value, std::function<void(Result<Answer>)> handler);
+  void Request(MessageType type, const T& value, std::function<void(Result<Answer>)> handler,
+               int orders = 1);
 
  private:
   class Handler;
@@ -84,12 +86,13 @@ class GcmLink final : public std::enable_shared_from_this<GcmLink> {
 };
 
 template <Payload Answer, Message T>
-void GcmLink::Request(MessageType type, const T& value,
-                      std::function<void(Result<Answer>)> handler) {
+void GcmLink::Request(MessageType type, const T& value, std::function<void(Result<Answer>)> handler,
+                      int orders) {
   std::unique_lock lock(mutex_);
   if (const SharedChannel channel = channel_) {
     lock.unlock();
-    return Ask<Answer>(*timer_, channel, type, value, options_.timeout, std::move(handler));
+    const auto timeout = orders * options_.timeout;
+    return Ask<Answer>(*timer_, channel, type, value, timeout, std::move(handler));
   }
   timer_->Post([handler = std::move(handler), error = NoGcm()] { handler(error); });
 }

@@ -26,7 +26,7 @@ class Server final : public std::enable_shared_from_this<Server> {
     std::filesystem::path history;
     Leases leases;
     const Clock* clock = nullptr;
-    std::chrono::milliseconds order_timeout{2000};
+    std::chrono::milliseconds order_timeout;
     std::uint64_t instance = 0;
   };
   explicit Server(Options options);

@@ -45,7 +45,9 @@ void PeerLink::OnNotice(const std::shared_ptr<Channel>& /*channel*/, const Frame
   const auto [proxy, offset] = handles_.Find(header.handle);
   if (!proxy || offset > 0) return;  // closed meanwhile
   if (header.type == message::kCredit) {
-    if (const auto credit = DecodeBody<message::Credit>(body)) proxy->OnCredit(*credit);
+    const auto credit = DecodeBody<message::Credit>(body);
+    if (!credit || !proxy->OnCredit(*credit)) return;
+    worker_->Post([self = shared_from_this()] { self->listener_.OnServerChanged(); });
   } else if (header.type == message::kInterfaceClosed) {
     proxy->Sever();
     worker_->Post([self = shared_from_this(), handle = header.handle,

@@ -21,6 +21,8 @@ class PeerListener {
   /// The provided interface of one connection is gone; `handle` is our number of it.
   virtual void OnInterfaceClosed(const PeerLink& link, std::uint32_t handle,
                                  const Error& reason) = 0;
+  /// A component over there has faulted, or was started anew.
+  virtual void OnServerChanged() = 0;
 };
 
 /// The channel to one other process, opened by this one; all its connections to that process share

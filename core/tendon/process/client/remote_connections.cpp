@@ -1,5 +1,6 @@
 #include <tendon/base/name.h>
 #include <tendon/base/os/process.h>
+#include <tendon/manager/faulted_end.h>
 #include <tendon/process/client/remote_connections.h>
 
 #include <algorithm>
@@ -323,7 +324,8 @@ Result<void> RemoteConnections::Disconnect(const InterfaceName& required) {
     const auto lock = context_.host.LockStructure();
     const auto found = FindEntry(required);
     if (found == entries_.end()) {
-      return Error{ErrorCode::kNotFound, ToString(required) + " is not connected"};
+      return Error{ErrorCode::kNotFound,
+                   ToString(required) + " is not connected: there is nothing to disconnect"};
     }
     auto ended = entries_.extract(found);
     done = std::move(ended.mapped().done);
@@ -351,7 +353,17 @@ void RemoteConnections::RemoveComponent(const std::string& component) {
 std::vector<ConnectionDescription> RemoteConnections::descriptions() const {
   const auto lock = context_.host.LockStructure();
   std::vector<ConnectionDescription> all;
-  for (const auto& [id, entry] : entries_) all.push_back(entry.description);
+  for (const auto& [id, entry] : entries_) {
+    ConnectionDescription& one = all.emplace_back(entry.description);
+    if (!entry.connection) continue;
+    const Component* const client = context_.host.LookUpComponent(one.required.component);
+    const std::string fault = entry.proxy->fault();
+    if (client != nullptr && client->state() == ComponentState::kFaulted) {
+      SetEndFaulted(one, one.required.component, client->fault());
+    } else if (!fault.empty()) {
+      SetEndFaulted(one, one.provided.component, fault);
+    }
+  }
   return all;
 }
 

@@ -21,10 +21,14 @@ void ServedConnections::Open(const std::shared_ptr<Client>& client,
   if (!made) return responder->Refuse(made.error());
   entries_.push_back(*std::move(made));
   Entry& entry = entries_.back();
+  const Component* const component = context_.host.LookUpComponent(entry.component);
   message::InterfaceOpened opened{
       .handle = client->handles.Reserve(open.description.functions.size()),
       .credit = entry.proxy->capacity(),
-      .accepting = entry.proxy->BeginCredit(*entry.connection, (*server)->inbox()),
+      .accepting = entry.proxy->BeginCredit(
+          *entry.connection,
+          {.interface = *server,
+           .fault = [component] { return component != nullptr ? component->fault() : ""; }}),
       .description = (*server)->description()};
   entry.handle = opened.handle;
   client->handles.Put(entry.handle, entry.proxy);

@@ -40,12 +40,11 @@ void AppendTimeout(std::chrono::nanoseconds timeout, Bytes& question) {
 }
 
 std::optional<std::chrono::nanoseconds> TakeTimeout(std::span<const std::byte>& question) {
-  constexpr std::chrono::nanoseconds kLongest = std::chrono::hours(24 * 365);
   std::uint64_t count = 0;
   if (question.size() < sizeof count) return std::nullopt;
   question = question.first(question.size() - sizeof count);
   std::memcpy(&count, question.data() + question.size(), sizeof count);
-  const auto longest = static_cast<std::uint64_t>(kLongest.count());
+  const auto longest = static_cast<std::uint64_t>(kLongestWait.count());
   return std::chrono::nanoseconds(static_cast<std::int64_t>(std::min(count, longest)));
 }
 

@@ -1,0 +1,37 @@
+#include <gtest/gtest.h>
+#include <tendon/gcm/messages.h>
+#include <tendon/middleware/handshake/handshake.h>
+#include <tendon/process/messages.h>
+#include <tendon/proxy/messages.h>
+
+#include <string>
+
+namespace tendon {
+namespace {
+
+template <Payload... Messages>
+Fingerprint FingerprintOfAll() {
+  std::string texts;
+  ((texts += SchemaOf<Messages>().Text()), ...);
+  return FingerprintOf(texts);
+}
+
+TEST(Protocol, WhoChangesAMessageRaisesTheVersion) {
+  const Fingerprint messages =
+      FingerprintOfAll<Error, message::Greeting, message::Challenge, message::Proof,  // middleware
+                       message::OpenInterface, message::InterfaceOpened, message::Credit,  // proxy
+                       message::GetSchemas, message::Schemas, message::CallMember, message::Called,
+                       message::Subscribe, message::Subscribed, message::RowsHeader,  // process
+                       message::Join, message::Joined, message::Report, message::Wiring,
+                       message::Peers, ConnectionDescription,  // membership
+                       message::Snapshot, message::Changes, message::Wire, message::HistoryEntry,
+                       message::History, message::Forget>();  // gcm
+
+  // Another fingerprint belongs to another version: two programs that know different messages would
+  // otherwise misread each other. Raise FrameHeader::kProtocolVersion, then put both down here.
+  EXPECT_EQ(FrameHeader::kProtocolVersion, 2);
+  EXPECT_EQ(ToString(messages), "47aefbb986b27f4a18355ff0ea2d922c");
+}
+
+}  // namespace
+}  // namespace tendon

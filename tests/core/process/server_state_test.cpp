@@ -1,0 +1,189 @@
+#include <tendon/interface/events/event_waiter.h>
+#include <tendon/task/periodic_task.h>
+
+#include <atomic>
+#include <chrono>
+#include <stdexcept>
+
+#include "support/network_test.h"
+
+namespace {
+
+using namespace std::chrono_literals;
+using tendon::ConnectionState;
+using tendon::Process;
+using tendon::Status;
+
+const tendon::InterfaceName kWanted("desk", "user", "Light");
+const tendon::InterfaceName kLamp("robot", "lamp", "Light");
+const tendon::InterfaceName kFuse("robot", "fuse", "Light");
+
+/// Has no thread: who calls it executes.
+class Lamp final : public tendon::Component {
+ public:
+  explicit Lamp(std::string name) : Component(std::move(name)) {
+    auto& light = AddProvidedInterface("Light");
+    light.AddCommandVoid(&Lamp::Switch, this, "Switch");
+    light.AddCommandRead(&Lamp::Count, this, "Count", tendon::kThreadSafe);
+    light.AddEvent(dark_, "Dark");
+  }
+  std::atomic<int> switched{0};
+
+ private:
+  void Switch() { ++switched; }
+  void Count(int& count) const { count = switched; }
+
+  tendon::VoidEvent dark_;
+};
+
+/// Blows when it is switched.
+class Fuse final : public tendon::PeriodicTask {
+ public:
+  explicit Fuse(std::string name) : PeriodicTask(std::move(name), 1ms) {
+    auto& light = AddProvidedInterface("Light");
+    light.AddCommandVoid(&Fuse::Blow, this, "Switch");
+    light.AddCommandRead(&Fuse::Count, this, "Count", tendon::kThreadSafe);
+    light.AddEvent(dark_, "Dark");
+  }
+  ~Fuse() override { Join(); }
+
+  void Run() override { ProcessQueuedCommands(); }
+
+ private:
+  void Blow() { throw std::runtime_error("too much current"); }
+  void Count(int& count) const { count = 1; }
+
+  tendon::VoidEvent dark_;
+};
+
+/// Uses a light, and faults when it is asked for something. Has no thread: the test calls its
+/// functions.
+class User final : public tendon::Component {
+ public:
+  explicit User(std::string name) : Component(std::move(name)) {
+    auto& light = AddRequiredInterface("Light");
+    light.AddFunction(change, "Switch");
+    light.AddFunction(count, "Count");
+    light.AddEventWaiter(dark, "Dark");
+    AddProvidedInterface("Own").AddCommandVoid(&User::GiveUp, this, "GiveUp");
+  }
+
+  tendon::VoidFunction change;
+  tendon::ReadFunction<int> count;
+  tendon::EventWaiter<tendon::None> dark;
+
+ private:
+  void GiveUp() { throw std::runtime_error("cannot see a thing"); }
+};
+
+class Tormentor final : public tendon::Component {
+ public:
+  explicit Tormentor(std::string name) : Component(std::move(name)) {
+    AddRequiredInterface("User").AddFunction(torment, "GiveUp");
+  }
+  tendon::VoidFunction torment;
+};
+
+/// Process robot with both servers, process desk with a user.
+class ServerState : public NetworkTest {
+ protected:
+  ServerState() {
+    lamp = &robot->Add<Lamp>("lamp");
+    fuse = &robot->Add<Fuse>("fuse");
+    user = &desk->Add<User>("user");
+    EXPECT_TRUE(desk->StartAll().ok());
+  }
+  void Connect(const tendon::InterfaceName& server) {
+    const auto id = desk->Connect(kWanted, server);
+    ASSERT_TRUE(id.ok()) << id.error().message;
+  }
+  bool EventuallySays(const std::string& reason) {
+    return EventuallyTrue([&] {
+      const auto connection = desk->connections().back();  // those to other processes come last
+      return connection.state == ConnectionState::kPending && connection.reason == reason;
+    });
+  }
+  static std::string IsFaulted(const std::string& name, const tendon::Component& component) {
+    return "component '" + name + "' is faulted: " + component.fault() +
+           "; it is connected again once that was started";
+  }
+  bool IsNotActive() { return user->change() == Status(Status::kNotActive); }
+
+  std::unique_ptr<Process> robot = Start("robot");
+  std::unique_ptr<Process> desk = Start("desk");
+  Lamp* lamp = nullptr;
+  Fuse* fuse = nullptr;
+  User* user = nullptr;
+};
+
+TEST_P(ServerState, OneWithoutAThreadRefusesCallsWhileItDoesNotRun) {
+  Connect(kLamp);
+  ASSERT_TRUE(EventuallyActive(*desk, 1));
+
+  EXPECT_TRUE(IsNotActive());
+
+  ASSERT_TRUE(robot->Start("lamp").ok());
+  EXPECT_TRUE(EventuallyTrue([this] { return user->change() == Status(Status::kQueued); }));
+  EXPECT_TRUE(EventuallyTrue([this] { return lamp->switched == 1; }));
+  ASSERT_TRUE(robot->Stop("lamp").ok());
+  EXPECT_TRUE(EventuallyTrue([this] { return IsNotActive(); }));
+}
+
+TEST_P(ServerState, AFaultedOneMakesItsConnectionsPendingUntilItWasStartedAnew) {
+  ASSERT_TRUE(robot->StartAll().ok());
+  Connect(kFuse);
+  ASSERT_TRUE(EventuallyActive(*desk, 1));
+  int count = 0;
+  ASSERT_TRUE(user->count(count));
+
+  ASSERT_EQ(user->change(), Status(Status::kQueued));
+
+  ASSERT_TRUE(EventuallyTrue([this] { return !fuse->fault().empty(); }));
+  EXPECT_TRUE(EventuallySays(IsFaulted("fuse", *fuse)));
+  EXPECT_TRUE(EventuallyTrue([this] {
+    const auto catalog = gcm().catalog();
+    const auto* connection = catalog.FindConnection(kWanted);
+    return connection != nullptr && connection->state == ConnectionState::kPending;
+  }));
+  EXPECT_TRUE(IsNotActive());
+  EXPECT_EQ(user->count(count), Status(Status::kNotActive));
+  EXPECT_EQ(user->dark.Wait(20s), Status(Status::kNotActive));
+
+  ASSERT_TRUE(robot->Start("fuse").ok());
+  EXPECT_TRUE(EventuallyActive(*desk, 1));
+  EXPECT_TRUE(EventuallyTrue([&] { return bool(user->count(count)); }));
+  EXPECT_EQ(user->dark.Wait(1ms), Status(Status::kTimeout));
+}
+
+TEST_P(ServerState, AConnectionToOneThatIsFaultedAlreadySaysSo) {
+  ASSERT_TRUE(robot->StartAll().ok());
+  Connect(kFuse);
+  ASSERT_TRUE(EventuallyActive(*desk, 1));
+  ASSERT_EQ(user->change(), Status(Status::kQueued));
+  ASSERT_TRUE(EventuallyTrue([this] { return !fuse->fault().empty(); }));
+  ASSERT_TRUE(desk->Disconnect(kWanted).ok());
+
+  Connect(kFuse);
+
+  EXPECT_TRUE(EventuallySays(IsFaulted("fuse", *fuse)));
+  EXPECT_EQ(user->dark.Wait(20s), Status(Status::kNotActive));
+}
+
+TEST_P(ServerState, AFaultedClientMakesItsConnectionPendingToo) {
+  ASSERT_TRUE(robot->StartAll().ok());
+  auto& tormentor = desk->Add<Tormentor>("tormentor");
+  ASSERT_TRUE(desk->Start("tormentor").ok());
+  ASSERT_TRUE(desk->Connect({"tormentor", "User"}, {"user", "Own"}).ok());
+  Connect(kLamp);
+  ASSERT_TRUE(EventuallyActive(*desk, 2));
+
+  ASSERT_EQ(tormentor.torment(), Status(Status::kFailed));
+
+  EXPECT_TRUE(EventuallySays(IsFaulted("user", *user)));
+  ASSERT_TRUE(desk->Start("user").ok());
+  EXPECT_TRUE(EventuallyActive(*desk, 2));
+}
+
+INSTANTIATE_TEST_SUITE_P(Over, ServerState, testing::ValuesIn(NetworkKinds()), NameOfNetwork);
+
+}  // namespace
