@@ -70,8 +70,8 @@ void CandidatesModel::refresh() {
   };
   if (beyond > 0) add(QStringLiteral("%1 more; type to find one").arg(beyond));
   if (others > 0) {
-    add(fresh.empty() ? QStringLiteral("None of %1 has anything of it").arg(others)
-                      : QStringLiteral("%1 more have nothing of it").arg(others));
+    add(fresh.empty() ? QStringLiteral("None of %1 fits at all").arg(others)
+                      : QStringLiteral("%1 more do not fit at all").arg(others));
   }
   if (fresh == rows_) return;
   beginResetModel();

@@ -3,6 +3,7 @@
 #include <gcm_gui/graph/items/port_item.h>
 #include <gcm_gui/graph/items/process_item.h>
 #include <gcm_gui/models/text.h>
+#include <gcm_gui/theme/tendon_style.h>
 
 #include <QApplication>
 #include <QKeyEvent>
@@ -198,6 +199,26 @@ void GraphView::resizeEvent(QResizeEvent* event) {
   QGraphicsView::resizeEvent(event);
   follow();
   if (following_) showAll();
+}
+
+void GraphView::paintEvent(QPaintEvent* event) {
+  QGraphicsView::paintEvent(event);
+  PaintFocus(*this, viewport()->rect());
+}
+
+void GraphView::focusInEvent(QFocusEvent* event) {
+  QGraphicsView::focusInEvent(event);
+  viewport()->update();
+}
+
+void GraphView::focusOutEvent(QFocusEvent* event) {
+  QGraphicsView::focusOutEvent(event);
+  viewport()->update();
+}
+
+void GraphView::scrollContentsBy(int dx, int dy) {
+  QGraphicsView::scrollContentsBy(dx, dy);
+  if (HasKeyboardFocus(*this)) viewport()->update();  // else its frame would move along
 }
 
 bool GraphView::connectKey(int key) {

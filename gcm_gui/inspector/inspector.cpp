@@ -206,10 +206,16 @@ RowView* Inspector::buildConnections() {
 }
 
 void Inspector::addLinks(int first, int last) {
+  QWidget* before = interface_list_;
   for (int row = first; row <= last; ++row) {
     const InterfaceRow& peer = interfaces_.row(row);
     if (peer.kind != InterfaceRow::Kind::kPeer) continue;
-    interface_list_->setIndexWidget(interfaces_.index(row), makeLinks(peer));
+    QWidget* links = makeLinks(peer);
+    interface_list_->setIndexWidget(interfaces_.index(row), links);
+    for (auto* link : links->findChildren<QToolButton*>()) {
+      setTabOrder(before, link);
+      before = link;
+    }
   }
 }
 

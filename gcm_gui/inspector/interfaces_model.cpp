@@ -63,7 +63,7 @@ class RowBuilder {
         Add({Kind::kColumn,
              PathOf(name) + '.' + ToQString(column->name),
              ToQString(column->name),
-             ToQString(column->type),
+             ToQString(column->type).section('.', -1),
              {},
              {},
              {}});

@@ -43,24 +43,24 @@ QVariant ValuesModel::data(const QModelIndex& index, int role) const {
   const auto [block, channel] = placeOf(index.row());
   const bool known = block->values.channels && !block->values.channels->empty();
   const QString field = known ? ToQString((*block->values.channels)[channel].path) : QString();
-  QString value = known ? QStringLiteral("…") : block->values.text;
+  Quantity value{known ? QStringLiteral("…") : block->values.text, unit(index.row())};
   if (known && channel < block->values.values.size()) {
-    value = ChannelText((*block->values.channels)[channel], block->values.values[channel]);
+    value = QuantityOf((*block->values.channels)[channel], block->values.values[channel]);
   }
   switch (role) {
     case Qt::DisplayRole:
-      return index.column() == kName ? block->name + field : value;
+      return index.column() == kName ? block->name + field : value.number;
     case kPathRole:
     case Qt::ToolTipRole:
       return block->column + field;
     case kFaceRole:
       return static_cast<int>(Face::kMono);
     case kUnitRole:
-      return unit(index.row());
+      return value.unit;
     case kStaleRole:
       return stale_;
     case Qt::AccessibleTextRole:
-      return QStringLiteral("%1%2 %3 %4").arg(block->name, field, value, unit(index.row()));
+      return QStringLiteral("%1%2 %3 %4").arg(block->name, field, value.number, value.unit);
     default:
       return {};
   }

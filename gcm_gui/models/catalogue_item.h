@@ -35,7 +35,7 @@ struct CatalogueItem {
   QString path;
   QString folded;  ///< the path in lower case, for filters
   QString detail;  ///< payload types, or what a required interface is connected to
-  QString value;   ///< what the second column shows; numbers are in `number`
+  QString value;   ///< what the second column shows; of numbers the model knows it
   QString unit;
   std::optional<StateMark> mark;
   QString state;           ///< the word for filters: "active", "lost", "connected"

@@ -134,11 +134,8 @@ QVariant CatalogueModel::valueData(const CatalogueItem& item, int role) const {
       return valueText(item);
     case kMarkRole:
       return required || !item.mark ? QVariant() : QVariant::fromValue(*item.mark);
-    case kUnitRole: {
-      const bool told_above =
-          item.parent->kind == ItemKind::kGroup && item.parent->unit == item.unit;
-      return told_above ? QString() : item.unit;
-    }
+    case kUnitRole:
+      return unitText(item);
     case kQuietRole:
       return item.kind < ItemKind::kColumn;
     case kAccentRole:
@@ -155,14 +152,26 @@ QString CatalogueModel::valueText(const CatalogueItem& item) const {
     return item.state + ' ' + AgeText(now_ - item.since);
   }
   if (item.kind != ItemKind::kColumn && item.kind != ItemKind::kChannel) return item.value;
-  const CatalogueItem* column = columnFor(item);
-  const auto values = values_.constFind(column->path);
-  if (values == values_.constEnd()) return {};
+  const auto quantity = quantityOf(item);
+  return quantity ? quantity->number : QString();
+}
+
+std::optional<Quantity> CatalogueModel::quantityOf(const CatalogueItem& item) const {
+  if (item.kind != ItemKind::kColumn && item.kind != ItemKind::kChannel) return std::nullopt;
+  const auto values = values_.constFind(columnFor(item)->path);
+  if (values == values_.constEnd()) return std::nullopt;
   const bool scalar = values->channels->size() == 1 && item.children.empty();
-  if (item.kind == ItemKind::kColumn && !scalar) return values->text;
+  if (item.kind == ItemKind::kColumn && !scalar) return Quantity{values->text, item.unit};
   const auto channel = static_cast<std::size_t>(std::max(item.channel, 0));
-  if (channel >= values->values.size()) return {};
-  return ChannelText((*values->channels)[channel], values->values[channel]);
+  if (channel >= values->values.size()) return std::nullopt;
+  return QuantityOf((*values->channels)[channel], values->values[channel]);
+}
+
+QString CatalogueModel::unitText(const CatalogueItem& item) const {
+  const auto quantity = quantityOf(item);
+  const QString unit = quantity ? quantity->unit : item.unit;
+  const bool told_above = item.parent->kind == ItemKind::kGroup && item.parent->unit == unit;
+  return told_above ? QString() : unit;
 }
 
 Qt::ItemFlags CatalogueModel::flags(const QModelIndex& index) const {

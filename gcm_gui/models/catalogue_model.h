@@ -1,6 +1,7 @@
 #pragma once
 
 #include <gcm_gui/models/catalogue_item.h>
+#include <gcm_gui/models/text.h>
 #include <gcm_gui/plot/series/signal_path.h>
 #include <gcm_gui/session/catalogue_store.h>
 #include <gcm_gui/session/signal_source.h>
@@ -11,6 +12,7 @@
 #include <QString>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace tendon::gui {
@@ -76,6 +78,9 @@ class CatalogueModel : public QAbstractItemModel {
   [[nodiscard]] const CatalogueItem& itemFor(const QModelIndex& index) const;
   [[nodiscard]] const CatalogueItem* columnFor(const CatalogueItem& item) const;
   [[nodiscard]] QString valueText(const CatalogueItem& item) const;
+  /// What there is of a column or a number; nothing before a row has come.
+  [[nodiscard]] std::optional<Quantity> quantityOf(const CatalogueItem& item) const;
+  [[nodiscard]] QString unitText(const CatalogueItem& item) const;
   [[nodiscard]] QVariant nameData(const CatalogueItem& item, int role) const;
   [[nodiscard]] QVariant valueData(const CatalogueItem& item, int role) const;
 

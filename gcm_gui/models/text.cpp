@@ -17,6 +17,27 @@ QString FourDigits(double value) {
   return QString::number(value, 'f', decimals);
 }
 
+/// The limits are those from which rounding would show a thousand of the smaller unit.
+Quantity DurationOf(double seconds) {
+  const double size = std::abs(seconds);
+  if (size < 999.5e-9) return {QString::number(seconds * 1e9, 'f', 0), QStringLiteral("ns")};
+  if (size < 99.95e-6) return {QString::number(seconds * 1e6, 'f', 1), QStringLiteral("µs")};
+  if (size < 999.5e-6) return {QString::number(seconds * 1e6, 'f', 0), QStringLiteral("µs")};
+  if (size < 0.99995) return {FourDigits(seconds * 1e3), QStringLiteral("ms")};
+  return {QString::number(seconds, 'f', 2), QStringLiteral("s")};
+}
+
+QString ChannelText(const PlotChannel& channel, double value) {
+  if (std::isnan(value)) return QStringLiteral("–");
+  if (channel.schema.kind() == Schema::Kind::kBool) {
+    return value != 0 ? QStringLiteral("true") : QStringLiteral("false");
+  }
+  for (const auto& enumerator : channel.schema.enumerators()) {
+    if (enumerator.value == static_cast<std::int32_t>(value)) return ToQString(enumerator.name);
+  }
+  return NumberText(value);
+}
+
 }  // namespace
 
 QString ToQString(std::string_view text) {
@@ -32,15 +53,10 @@ QString NumberText(double value) {
   return size >= 0.01 ? QString::number(value, 'f', 4) : QString::number(value, 'g', 4);
 }
 
-QString ChannelText(const PlotChannel& channel, double value) {
-  if (std::isnan(value)) return QStringLiteral("–");
-  if (channel.schema.kind() == Schema::Kind::kBool) {
-    return value != 0 ? QStringLiteral("true") : QStringLiteral("false");
-  }
-  for (const auto& enumerator : channel.schema.enumerators()) {
-    if (enumerator.value == static_cast<std::int32_t>(value)) return ToQString(enumerator.name);
-  }
-  return NumberText(value);
+Quantity QuantityOf(const PlotChannel& channel, double value) {
+  const bool part_of_a_second = value != 0 && std::abs(value) < 1;
+  if (channel.unit == "s" && part_of_a_second) return DurationOf(value);
+  return {ChannelText(channel, value), ToQString(channel.unit)};
 }
 
 QString RateOfPeriodText(double period) {
@@ -51,10 +67,8 @@ QString RateOfPeriodText(double period) {
 }
 
 QString DurationText(double seconds) {
-  const double size = std::abs(seconds);
-  if (size < 1e-3) return QString::number(std::round(seconds * 1e6)) + QStringLiteral(" µs");
-  if (size < 1) return FourDigits(seconds * 1e3) + QStringLiteral(" ms");
-  return QString::number(seconds, 'f', 2) + QStringLiteral(" s");
+  const auto [number, unit] = DurationOf(seconds);
+  return number + ' ' + unit;
 }
 
 QString AgeText(std::int64_t nanoseconds) {

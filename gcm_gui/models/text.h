@@ -16,13 +16,20 @@ namespace tendon::gui {
 /// least.
 [[nodiscard]] QString NumberText(double value);
 
-/// A number as its channel means it: "on", "true", "12", "0.2013"; "–" for none.
-[[nodiscard]] QString ChannelText(const PlotChannel& channel, double value);
+/// What is shown of a number, and the unit behind it, which may be empty.
+struct Quantity {
+  QString number;
+  QString unit;
+};
+
+/// A number as its channel means it: "on", "true", "12", "0.2013" "rad"; "–" for none. Parts of a
+/// second come in the unit that fits: "19.6" "µs".
+[[nodiscard]] Quantity QuantityOf(const PlotChannel& channel, double value);
 
 /// Of a period in seconds: "1 kHz", "50 Hz", "0.5 Hz"; empty for none.
 [[nodiscard]] QString RateOfPeriodText(double period);
 
-/// A duration in seconds: "38 µs", "1.000 ms", "2.50 s".
+/// A duration in seconds: "420 ns", "38.0 µs", "1.000 ms", "2.50 s".
 [[nodiscard]] QString DurationText(double seconds);
 
 /// How long ago, from nanoseconds: "12 s", "3 min", "2 h".

@@ -10,6 +10,7 @@
 #include <QMenu>
 #include <QTabBar>
 #include <QToolButton>
+#include <algorithm>
 
 namespace tendon::gui {
 namespace {
@@ -19,11 +20,15 @@ using std::chrono::minutes;
 using std::chrono::nanoseconds;
 using std::chrono::seconds;
 
+constexpr int kLeastTabs = 120;  // of many: one and the buttons that scroll them
+
 // As narrow as its tabs; the original keeps room for scroll buttons even when it has none.
 class TabBar final : public QTabBar {
  public:
   using QTabBar::QTabBar;
-  [[nodiscard]] QSize minimumSizeHint() const override { return {0, kHeadHeight}; }
+  [[nodiscard]] QSize minimumSizeHint() const override {
+    return {std::min(sizeHint().width(), kLeastTabs), kHeadHeight};
+  }
 };
 
 QToolButton* Button(const QString& object, const QString& name, QWidget* parent) {

@@ -1,4 +1,3 @@
-#include <gcm_gui/plot/canvas/axis_labels.h>
 #include <gcm_gui/plot/canvas/cursor_lines.h>
 #include <gcm_gui/plot/canvas/curve_layer.h>
 #include <gcm_gui/plot/canvas/gap_bands.h>
@@ -11,19 +10,14 @@
 #include <gcm_gui/theme/theme.h>
 #include <qwt_plot_canvas.h>
 #include <qwt_plot_grid.h>
-#include <qwt_plot_layout.h>
-#include <qwt_scale_div.h>
 #include <qwt_scale_map.h>
-#include <qwt_scale_widget.h>
 
 #include <QDragEnterEvent>
 #include <QDropEvent>
-#include <QFontMetrics>
 #include <QMimeData>
 #include <QPainter>
 #include <QPushButton>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -31,41 +25,25 @@
 namespace tendon::gui {
 namespace {
 
-constexpr std::array kValueAxes{QwtAxis::YLeft, QwtAxis::YRight};
-constexpr int kSide = 46;        // labels of a Y axis, and the empty side without one
-constexpr int kTop = 14;         // units stand there
 constexpr int kFrame = 16;       // ms
 constexpr int kLegendTicks = 6;  // frames between two changes of its numbers
-constexpr int kTimeSteps = 6;
-constexpr double kGrab = 5;  // pixels around a cursor
-constexpr int kValueSteps = 7;
+constexpr double kGrab = 5;      // pixels around a cursor
 constexpr auto kHint = "Select a value and press P, or drag it here";
 
 std::int64_t LocalNow() {
   return std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-QwtScaleDiv Division(const AxisRange& range, double step) {
-  const std::vector<double> ticks = TicksOf(range, step);
-  return QwtScaleDiv(range.low, range.high, {}, {}, QList<double>(ticks.begin(), ticks.end()));
-}
-
-template <typename Labels>
-Labels& LabelsOf(QwtPlot& plot, QwtAxisId axis) {
-  return static_cast<Labels&>(*plot.axisScaleDraw(axis));
-}
-
 }  // namespace
 
 PlotView::PlotView(QWidget* parent)
-    : QwtPlot(parent), newest_ns_(std::numeric_limits<std::int64_t>::min()) {
+    : QwtPlot(parent), axes_(*this), newest_ns_(std::numeric_limits<std::int64_t>::min()) {
   setAccessibleName("Plot");
   setAcceptDrops(true);
   setSizePolicy(QSizePolicy::Expanding,
                 QSizePolicy::Expanding);  // QwtPlot would insist on its hint
   setAutoReplot(false);
   build();
-  buildAxes();
   takeTheme();
   curvesChanged();
   connect(&Theme::instance(), &Theme::changed, this, &PlotView::takeTheme);
@@ -82,7 +60,7 @@ void PlotView::build() {
   canvas_widget->setObjectName("canvas");
   canvas_widget->setAccessibleName("Plot canvas");
   setFrameStyle(QFrame::NoFrame);
-  setContentsMargins(0, kTop, 0, kGrid);
+  setContentsMargins(0, PlotAxes::kTop, 0, kGrid);
   grid_ = new QwtPlotGrid;
   grid_->attach(this);
   (new GapBands(curves_, window_))->attach(this);
@@ -107,38 +85,11 @@ void PlotView::build() {
   new PlotNavigator(*this);
 }
 
-void PlotView::buildAxes() {
-  plotLayout()->setCanvasMargin(0);
-  plotLayout()->setAlignCanvasToScales(true);
-  plotLayout()->setSpacing(0);
-  setAxisScaleDraw(QwtAxis::XBottom, new TimeLabels);
-  for (const auto axis : kValueAxes) {
-    setAxisScaleDraw(axis, new AxisLabels);
-    axisScaleDraw(axis)->setMinimumExtent(kSide);
-  }
-  // What labels may stick out beyond the ends of an axis, whichever there are: else the canvas
-  // would move with them.
-  const QFontMetrics metrics(Theme::instance().small());
-  const int across = metrics.horizontalAdvance("-00.000 s") / 2;
-  const int along = (metrics.height() + 1) / 2;
-  for (const auto axis : {QwtAxis::XBottom, QwtAxis::YLeft, QwtAxis::YRight}) {
-    const int end = axis == QwtAxis::XBottom ? across : along;
-    axisWidget(axis)->setMargin(0);
-    axisWidget(axis)->setSpacing(0);
-    axisWidget(axis)->setMinBorderDist(end, end);
-  }
-}
-
 void PlotView::takeTheme() {
-  const Theme& theme = Theme::instance();
-  LabelsOf<TimeLabels>(*this, QwtAxis::XBottom).setColor(theme.color(Token::kDim));
-  for (const auto axis : {QwtAxis::XBottom, QwtAxis::YLeft, QwtAxis::YRight}) {
-    setAxisFont(axis, theme.small());
-    axisWidget(axis)->update();
-  }
-  grid_->setPen(theme.color(Token::kLine), 0);
+  axes_.takeTheme();
+  grid_->setPen(Theme::instance().color(Token::kLine), 0);
   changed();
-  updateValueAxes();
+  axes_.showValues(curves_.axes());
   updateLegend();
   if (curves_.empty()) replot();  // the timer stands still
 }
@@ -157,17 +108,12 @@ void PlotView::curvesChanged() {
   const bool empty = curves_.empty();
   overlay_->setHint(empty ? kHint : "");
   grid_->setVisible(!empty);
-  for (const auto axis : {QwtAxis::XBottom, QwtAxis::YLeft, QwtAxis::YRight}) {
-    setAxisVisible(axis, !empty);
-  }
-  // The right one keeps its place while it has nothing to say.
-  axisScaleDraw(QwtAxis::YRight)
-      ->enableComponent(QwtAbstractScaleDraw::Labels, curves_.axes().size() > 1);
+  axes_.setVisible(!empty);
   setAccessibleDescription(empty ? kHint : QString("%1 curves").arg(curves_.curves().size()));
   if (isVisible() && !empty) timer_.start(kFrame);
   changed();
-  updateTimeAxis();
-  updateValueAxes();
+  axes_.showTime(window_);
+  axes_.showValues(curves_.axes());
   updateLegend();
   update();
 }
@@ -339,35 +285,11 @@ void PlotView::refresh() {
   if (ticks_++ % kLegendTicks == 0) updateLegend();
   if (!moved && !std::exchange(dirty_, false)) return;
   dirty_ = false;
-  updateTimeAxis();
+  axes_.showTime(window_);
   curves_.fitAxes(layer_->slicesOf(canvasMap(QwtAxis::XBottom), canvas()->contentsRect(),
                                    canvas()->devicePixelRatioF()));
-  updateValueAxes();
+  axes_.showValues(curves_.axes());
   replot();
-}
-
-void PlotView::updateTimeAxis() {
-  const AxisRange range{.low = window_.from(), .high = window_.to()};
-  const double step = NiceTimeStep(range.span(), kTimeSteps);
-  auto& labels = LabelsOf<TimeLabels>(*this, QwtAxis::XBottom);
-  labels.setStep(step);
-  if (labels.setLive(isLive())) axisWidget(QwtAxis::XBottom)->update();
-  setAxisScaleDiv(QwtAxis::XBottom, Division(range, step));
-}
-
-void PlotView::updateValueAxes() {
-  const Theme& theme = Theme::instance();
-  const auto& axes = curves_.axes();
-  for (std::size_t i = 0; i < kValueAxes.size() && i < axes.size(); ++i) {
-    const AxisRange& range = axes[i].range;
-    const double step = NiceStep(range.span(), kValueSteps);
-    auto& labels = LabelsOf<AxisLabels>(*this, kValueAxes[i]);
-    labels.setStep(step);
-    setAxisScaleDiv(kValueAxes[i], Division(range, step));
-    const bool colored = axes.size() > 1 && axes[i].color_index >= 0;
-    const QColor color = colored ? theme.curve(axes[i].color_index) : theme.color(Token::kDim);
-    if (labels.setColor(color)) axisWidget(kValueAxes[i])->update();
-  }
 }
 
 void PlotView::drawCanvas(QPainter* painter) {
@@ -380,7 +302,7 @@ void PlotView::updateLegend() {
   if (hover_) {
     const double seconds = invTransform(QwtAxis::XBottom, *hover_);
     at = window_.timeAt(seconds);
-    const int decimals = DecimalsOf(NiceTimeStep(window_.to() - window_.from(), kTimeSteps)) + 2;
+    const int decimals = DecimalsOf(PlotAxes::timeStep(window_)) + 2;
     overlay_->setHairline(hover_, QString::number(seconds, 'f', decimals) + " s");
   } else {
     overlay_->setHairline({});
@@ -417,21 +339,9 @@ void PlotView::resizeEvent(QResizeEvent* event) {
   changed();
 }
 
-// Units, above the axes.
 void PlotView::paintEvent(QPaintEvent* event) {
   QwtPlot::paintEvent(event);
-  const Theme& theme = Theme::instance();
-  const auto& axes = curves_.axes();
-  QPainter painter(this);
-  painter.setFont(theme.small());
-  const QRect area = canvas()->geometry();
-  for (std::size_t i = 0; i < kValueAxes.size() && i < axes.size(); ++i) {
-    const bool left = i == 0;
-    const QRect place = left ? QRect(2 * kGrid, 0, area.width(), kTop)
-                             : QRect(area.left(), 0, area.width() + kSide - kGrid, kTop);
-    painter.setPen(static_cast<const AxisLabels&>(*axisScaleDraw(kValueAxes[i])).color());
-    painter.drawText(place, (left ? Qt::AlignLeft : Qt::AlignRight), axes[i].unit);
-  }
+  axes_.paintUnits(curves_.axes());
 }
 
 void PlotView::dragEnterEvent(QDragEnterEvent* event) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <gcm_gui/plot/plot_axes.h>
 #include <gcm_gui/plot/series/cursors.h>
 #include <gcm_gui/plot/series/curve_set.h>
 #include <gcm_gui/plot/series/live_clock.h>
@@ -99,17 +100,15 @@ class PlotView : public QwtPlot {
   };
 
   void build();
-  void buildAxes();
   void takeTheme();
   void noticeSamples();
   void changed();
-  void updateTimeAxis();
-  void updateValueAxes();
   void updateLegend();
   void updateLive();
   void curvesChanged();
   [[nodiscard]] double columns() const;
 
+  PlotAxes axes_;
   CurveSet curves_;
   TimeWindow window_;
   Cursors cursors_;

@@ -3,6 +3,7 @@
 #include <gcm_gui/theme/theme.h>
 
 #include <QAbstractItemView>
+#include <QAbstractScrollArea>
 #include <QPainter>
 #include <QPolygonF>
 #include <QStyleOption>
@@ -98,7 +99,7 @@ void TendonStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* op
     case PE_IndicatorBranch:
       return DrawBranchArrow(*option, *painter);
     case PE_FrameFocusRect:
-      // In an item view the selection says where the focus is; a mouse needs no telling.
+      // Item views frame whole rows themselves; a mouse needs no telling.
       if (option->state.testFlag(State_KeyboardFocusChange) &&
           qobject_cast<const QAbstractItemView*>(widget) == nullptr) {
         DrawFocus(*option, *painter);
@@ -107,6 +108,18 @@ void TendonStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* op
     default:
       return QProxyStyle::drawPrimitive(element, option, painter, widget);
   }
+}
+
+bool HasKeyboardFocus(const QWidget& widget) {
+  return widget.hasFocus() && widget.window()->testAttribute(Qt::WA_KeyboardFocusChange);
+}
+
+void PaintFocus(const QAbstractScrollArea& area, const QRect& place) {
+  if (!HasKeyboardFocus(area)) return;
+  QStyleOption option;
+  option.rect = place;
+  QPainter painter(area.viewport());
+  DrawFocus(option, painter);
 }
 
 }  // namespace tendon::gui

@@ -2,6 +2,8 @@
 
 #include <QProxyStyle>
 
+class QAbstractScrollArea;
+
 namespace tendon::gui {
 
 /// What palette and style sheet cannot say: the height of rows, the arrows of trees, how wide
@@ -23,5 +25,12 @@ class TendonStyle : public QProxyStyle {
   void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                      const QWidget* widget) const override;
 };
+
+/// It has the focus, and it came there by a key: then it has to be shown where it is.
+[[nodiscard]] bool HasKeyboardFocus(const QWidget& widget);
+
+/// Frames `place` of the viewport while the area has the keyboard focus. To be called when the rest
+/// is painted.
+void PaintFocus(const QAbstractScrollArea& area, const QRect& place);
 
 }  // namespace tendon::gui

@@ -65,8 +65,8 @@ CataloguePanel::CataloguePanel(CatalogueFilter& filter, Selection& selection, Si
 void CataloguePanel::showCount() {
   const int all = filter_.catalogue().itemCount();
   const QString items = all == 0 ? QString() : CountText(all, QStringLiteral("item"));
-  count_->setText(filter_.active() ? QStringLiteral("%1 of %2").arg(filter_.matchCount()).arg(all)
-                                   : items);
+  // A filter also finds the numbers below columns, which do not count as items.
+  count_->setText(filter_.active() ? QStringLiteral("%1 found").arg(filter_.matchCount()) : items);
   tree_->setEmptyText(filter_.active() ? QStringLiteral("No row fits the filter.")
                                        : QStringLiteral("Nothing here yet."));
 }

@@ -1,4 +1,5 @@
 #include <gcm_gui/theme/metrics.h>
+#include <gcm_gui/theme/tendon_style.h>
 #include <gcm_gui/theme/theme.h>
 #include <gcm_gui/views/row_delegate.h>
 #include <gcm_gui/views/row_view.h>
@@ -52,6 +53,9 @@ void RowView::drawBranches(QPainter* painter, const QRect& rect, const QModelInd
 
 void RowView::paintEvent(QPaintEvent* event) {
   QTreeView::paintEvent(event);
+  const QRect row = visualRect(currentIndex().siblingAtColumn(0));
+  PaintFocus(*this, row.isEmpty() ? viewport()->rect()
+                                  : QRect(0, row.top(), viewport()->width(), row.height()));
   if (empty_text_.isEmpty() || model() == nullptr || model()->rowCount(rootIndex()) > 0) return;
   QPainter painter(viewport());
   painter.setFont(Theme::instance().text());
@@ -59,6 +63,11 @@ void RowView::paintEvent(QPaintEvent* event) {
   painter.drawText(viewport()->rect().adjusted(kInset, kInset, -kInset, -kInset),
                    static_cast<int>(Qt::AlignHCenter | Qt::AlignTop) | Qt::TextWordWrap,
                    empty_text_);
+}
+
+void RowView::currentChanged(const QModelIndex& current, const QModelIndex& previous) {
+  QTreeView::currentChanged(current, previous);
+  viewport()->update();  // the frame of the focus is as wide as the view
 }
 
 RowView* MakeRowList(QAbstractItemModel& model, const QString& name, const QString& empty_text) {

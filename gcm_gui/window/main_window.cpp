@@ -28,8 +28,10 @@
 
 #include <QAction>
 #include <QHeaderView>
+#include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
+#include <QPushButton>
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QVBoxLayout>
@@ -45,7 +47,7 @@ constexpr int kInspectorWidth = 312;
 constexpr int kStripHeight = 124;
 constexpr int kLeastCatalogueWidth = 208;
 constexpr int kLeastCentreWidth = 480;
-constexpr int kLeastInspectorWidth = 276;
+constexpr int kLeastInspectorWidth = 292;
 constexpr int kLeastStripHeight = 80;
 constexpr int kPlotsHeight = 268;
 constexpr int kLeastPlotsHeight = 120;
@@ -95,6 +97,9 @@ void MainWindow::buildViews() {
   QSplitter* centre = buildCentre();
   setCentralWidget(centre);
   buildPanels(*centre);
+  // From left to right: the catalogue before the middle, not behind it.
+  setTabOrder(&top_bar_->lastButton(), &catalogue_->filterField());
+  setTabOrder(&catalogue_->filterField(), &catalogue_->tree());
   const auto dress = [this] {
     QPalette colors = palette();
     colors.setColor(QPalette::Window, Theme::instance().color(Token::kCanvas));

@@ -10,8 +10,9 @@
 namespace tendon::gui {
 namespace {
 
-constexpr double kInnerRing = 11;
-constexpr double kOuterRing = 16;
+constexpr double kInnerRing = 10;
+constexpr double kOuterRing = 14;
+static_assert(kOuterRing + 1 < kPortInset, "the rings of a port would touch its name");
 constexpr double kBadge = 16;
 constexpr double kHalfPitch = kPortPitch / 2;
 
@@ -79,8 +80,8 @@ void PortItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget
   painter->setPen(theme.color(lively && !stale_ ? Token::kText : Token::kDim));
   const bool left = picture_.port.side == Side::kRequired;
   const QRectF text = left
-                          ? QRectF(kNodeInset, -kHalfPitch, node_width_, kPortPitch)
-                          : QRectF(-node_width_, -kHalfPitch, node_width_ - kNodeInset, kPortPitch);
+                          ? QRectF(kPortInset, -kHalfPitch, node_width_, kPortPitch)
+                          : QRectF(-node_width_, -kHalfPitch, node_width_ - kPortInset, kPortPitch);
   painter->drawText(text,
                     static_cast<int>((left ? Qt::AlignLeft : Qt::AlignRight)) | Qt::AlignVCenter |
                         Qt::TextSingleLine,
@@ -104,7 +105,7 @@ void PortItem::paintRings(QPainter& painter) const {
   painter.setBrush(Qt::NoBrush);
   if (role_ == Role::kChosen) {
     painter.setPen(QPen(theme.color(Token::kAccent), 2));
-    painter.drawEllipse(QPointF(), kInnerRing - 2, kInnerRing - 2);
+    painter.drawEllipse(QPointF(), kInnerRing - 1, kInnerRing - 1);
     return;
   }
   painter.setPen(QPen(theme.color(Token::kAccent, 0.8), 2));

@@ -28,8 +28,9 @@ QSizeF SizeOf(const NodePicture& node) {
   const double left = WidestName(node.required, text);
   const double right = WidestName(node.provided, text);
   const double between = left > 0 && right > 0 ? 2 * kNodeInset : 0;
-  const double content = std::max(strong.horizontalAdvance(node.name), left + between + right);
-  const double width = std::max(kLeastWidth, content + 2 * kNodeInset + kGrid);
+  const double content = std::max(strong.horizontalAdvance(node.name) + 2 * kNodeInset,
+                                  left + between + right + 2 * kPortInset);
+  const double width = std::max(kLeastWidth, content + kGrid);
   const auto rows = static_cast<double>(std::max(node.required.size(), node.provided.size()));
   return {std::ceil(width / kGrid) * kGrid, kNodeHead + rows * kPortPitch + kNodeTail};
 }

@@ -14,6 +14,7 @@ inline constexpr double kPortRadius = 5;
 inline constexpr double kNodeHead = 28;  ///< from a node's top to the room of its ports
 inline constexpr double kNodeTail = 6;
 inline constexpr double kNodeInset = 12;
+inline constexpr double kPortInset = 16;    ///< from a node's edge to a port's name, past its rings
 inline constexpr double kProcessHead = 28;  ///< from a process box's top to its nodes
 inline constexpr double kProcessInset = 14;
 

@@ -40,7 +40,8 @@ TopBar::TopBar(const CatalogueStore& store, const GcmLink& link, QWidget* parent
       link_pill_(new Pill),
       problem_pill_(new Pill),
       search_(new QPushButton(QStringLiteral("Search or run   Ctrl+K"))),
-      pause_(new QPushButton(QStringLiteral("Pause view"))) {
+      pause_(new QPushButton(QStringLiteral("Pause view"))),
+      theme_(new QPushButton) {
   setObjectName(QStringLiteral("topBar"));
   setAutoFillBackground(true);
   setFixedHeight(kTopBarHeight);
@@ -82,16 +83,15 @@ void TopBar::addButtons() {
   pause_->setToolTip(QStringLiteral("Stops what is drawn, never the data  (Space)"));
   pause_->setFocusPolicy(Qt::TabFocus);
   connect(pause_, &QPushButton::clicked, this, &TopBar::pauseRequested);
-  auto* theme = new QPushButton;
-  theme->setObjectName(QStringLiteral("theme"));
-  theme->setAccessibleName(QStringLiteral("Dark or light"));
-  theme->setToolTip(QStringLiteral("Dark or light"));
-  theme->setIcon(ThemeIcon(QStringLiteral("theme"), Token::kText));
-  theme->setFocusPolicy(Qt::TabFocus);
-  connect(theme, &QPushButton::clicked, &Theme::instance(), &Theme::toggle);
+  theme_->setObjectName(QStringLiteral("theme"));
+  theme_->setAccessibleName(QStringLiteral("Dark or light"));
+  theme_->setToolTip(QStringLiteral("Dark or light"));
+  theme_->setIcon(ThemeIcon(QStringLiteral("theme"), Token::kText));
+  theme_->setFocusPolicy(Qt::TabFocus);
+  connect(theme_, &QPushButton::clicked, &Theme::instance(), &Theme::toggle);
   row->addWidget(search_);
   row->addWidget(pause_);
-  row->addWidget(theme);
+  row->addWidget(theme_);
   showPaused(false);
 }
 

@@ -23,6 +23,8 @@ class TopBar : public QFrame {
   [[nodiscard]] QString linkText() const;
   /// Right of the logo; takes ownership.
   void addMenus(QWidget* menus);
+  /// The one at the right end, from which the Tab key leaves the bar.
+  [[nodiscard]] QPushButton& lastButton() const { return *theme_; }
 
  public Q_SLOTS:
   void showProblemCount(int count);
@@ -46,6 +48,7 @@ class TopBar : public QFrame {
   Pill* problem_pill_;
   QPushButton* search_;
   QPushButton* pause_;
+  QPushButton* theme_;
 };
 
 }  // namespace tendon::gui

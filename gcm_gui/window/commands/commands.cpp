@@ -11,7 +11,7 @@ Commands::Commands(QWidget& window)
     : QObject(&window), window_(window), bar_(new QMenuBar(&window)) {
   bar_->setObjectName(QStringLiteral("menus"));
   bar_->setNativeMenuBar(false);
-  bar_->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
+  bar_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);  // the last menus would go first
   menus_ = {bar_->addMenu(QStringLiteral("&System")), bar_->addMenu(QStringLiteral("&Plot")),
             bar_->addMenu(QStringLiteral("&View"))};
 }

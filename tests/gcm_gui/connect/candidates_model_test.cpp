@@ -66,7 +66,7 @@ TEST_F(CandidatesModelTest, WhatHasNothingOfItIsOnlyCounted) {
   mode_.start(kRobot);
 
   const QModelIndex last = Row(model_.rowCount({}) - 1);
-  EXPECT_TRUE(last.data().toString().endsWith(" more have nothing of it"))
+  EXPECT_TRUE(last.data().toString().endsWith(" more do not fit at all"))
       << last.data().toString().toStdString();
   EXPECT_FALSE(model_.portOf(last).has_value());
 }

@@ -101,6 +101,24 @@ TEST_F(CatalogueModelTest, AValueOpensItsColumnIntoFieldsAndElements) {
   EXPECT_EQ(keys[1], (CurveKey{"robot/arm/state.Joints.velocity[1]", "rad/s"}));
 }
 
+TEST_F(CatalogueModelTest, ADurationComesInTheUnitThatFits) {
+  SystemBuilder system = LookSystem(0);
+  Show(system);
+  ScriptedSignals source;
+  QObject::connect(&source, &SignalSource::valuesArrived, &model_, &CatalogueModel::showValues);
+  SendSummary(source, "robot/arm", {1000, 1e-3, 19.56e-6, 0, 0, 0});
+  const auto unit = [this](const QString& path) {
+    return model_.indexOf(path).siblingAtColumn(1).data(kUnitRole).toString();
+  };
+
+  const QString lateness = "robot/arm/state.CycleSummary.lateness";
+  EXPECT_EQ(Value(lateness + ".p50"), "19.6");
+  EXPECT_EQ(unit(lateness + ".p50"), "µs");
+  EXPECT_EQ(unit(lateness), "s");
+  EXPECT_EQ(unit(lateness + ".max"), "") << "told above";
+  EXPECT_EQ(model_.signalsBelow(lateness).front().unit, "s") << "plots keep that of the channel";
+}
+
 TEST_F(CatalogueModelTest, NewValuesChangeRowsButInsertNone) {
   SystemBuilder system = LookSystem(0);
   Show(system);

@@ -18,10 +18,18 @@ TEST(Text, NumbersAreShortAndShowFourDigits) {
 }
 
 TEST(Text, DurationsTakeTheUnitThatFits) {
-  EXPECT_EQ(DurationText(38e-6), "38 µs");
+  EXPECT_EQ(DurationText(420e-9), "420 ns");
+  EXPECT_EQ(DurationText(38e-6), "38.0 µs");
+  EXPECT_EQ(DurationText(-347e-6), "-347 µs");
   EXPECT_EQ(DurationText(1e-3), "1.000 ms");
   EXPECT_EQ(DurationText(0.0384), "38.40 ms");
   EXPECT_EQ(DurationText(2.5), "2.50 s");
+}
+
+TEST(Text, ADurationNeverShowsAThousandOfAUnit) {
+  EXPECT_EQ(DurationText(999.6e-9), "1.0 µs");
+  EXPECT_EQ(DurationText(999.6e-6), "1.000 ms");
+  EXPECT_EQ(DurationText(0.99996), "1.00 s");
 }
 
 TEST(Text, RatesComeFromPeriods) {
@@ -42,10 +50,27 @@ TEST(Text, AChannelIsShownAsItIsMeant) {
   PlotChannel boolean;
   boolean.schema = Schema(Schema::Kind::kBool);
 
-  EXPECT_EQ(ChannelText(enumeration, 1), "on");
-  EXPECT_EQ(ChannelText(enumeration, 7), "7");
-  EXPECT_EQ(ChannelText(boolean, 0), "false");
-  EXPECT_EQ(ChannelText(boolean, std::numeric_limits<double>::quiet_NaN()), "–");
+  EXPECT_EQ(QuantityOf(enumeration, 1).number, "on");
+  EXPECT_EQ(QuantityOf(enumeration, 7).number, "7");
+  EXPECT_EQ(QuantityOf(boolean, 0).number, "false");
+  EXPECT_EQ(QuantityOf(boolean, std::numeric_limits<double>::quiet_NaN()).number, "–");
+}
+
+TEST(Text, PartsOfASecondComeInTheUnitThatFits) {
+  PlotChannel seconds;
+  seconds.unit = "s";
+  PlotChannel angle;
+  angle.unit = "rad";
+  const auto text = [](const PlotChannel& channel, double value) {
+    const auto [number, unit] = QuantityOf(channel, value);
+    return number + ' ' + unit;
+  };
+
+  EXPECT_EQ(text(seconds, 1.956e-5), "19.6 µs");
+  EXPECT_EQ(text(seconds, 0.0384), "38.40 ms");
+  EXPECT_EQ(text(seconds, 0), "0 s");
+  EXPECT_EQ(text(seconds, 12), "12 s");
+  EXPECT_EQ(text(angle, 0.0384), "0.0384 rad");
 }
 
 }  // namespace

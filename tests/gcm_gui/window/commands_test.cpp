@@ -14,6 +14,7 @@
 #include <QMenuBar>
 #include <QPushButton>
 #include <QSet>
+#include <QTabBar>
 #include <QTest>
 
 #include "window/window_fixture.h"
@@ -50,6 +51,18 @@ TEST_F(CommandsTest, AMenuIsOpenedAndChosenFromByMouse) {
   QTest::keyClick(&window_, Qt::Key_Space);
   EXPECT_FALSE(window_.plots().isPaused());
   EXPECT_FALSE((*pause)->isChecked());
+}
+
+TEST_F(CommandsTest, InASmallWindowAllMenusAndThePlotsNameAreStillThere) {
+  window_.resize(1024, 700);
+  QCoreApplication::processEvents();
+  ASSERT_LE(window_.width(), 1024);
+
+  for (QAction* menu : bar().actions()) {
+    EXPECT_TRUE(bar().rect().contains(bar().actionGeometry(menu))) << qPrintable(menu->text());
+  }
+  const auto* tabs = window_.findChild<QTabBar*>("plotTabs");
+  EXPECT_GE(tabs->width(), tabs->tabRect(0).width());
 }
 
 TEST_F(CommandsTest, NoKeyIsGivenTwice) {
