@@ -1,8 +1,10 @@
 # What `cmake --install` puts where, so that find_package(tendon COMPONENTS core network ice eigen) finds it. Each part
-# is an install component of its own: core, network, ice, eigen, programs, plugins, gui.
+# is an install component of its own: core, network, ice, eigen, programs, plugins, gui. The target `installed` builds
+# all of it, and no tests.
 include(CMakePackageConfigHelpers)
 
 set(package lib/cmake/tendon)
+add_custom_target(installed)
 
 # tendon::NAME, its headers, and the file which describes it to find_package().
 function(install_library name)
@@ -17,6 +19,7 @@ foreach(name core network ice)
   if(TARGET tendon_${name})
     set_target_properties(tendon_${name} PROPERTIES INSTALL_RPATH $ORIGIN)
     install_library(${name})
+    add_dependencies(installed tendon_${name})
   endif()
 endforeach()
 install_library(eigen)
@@ -24,16 +27,19 @@ install_library(eigen)
 foreach(program lcm gcm tendon-probe)
   set_target_properties(${program} PROPERTIES INSTALL_RPATH $ORIGIN/../lib)
   install(TARGETS ${program} RUNTIME DESTINATION bin COMPONENT programs)
+  add_dependencies(installed ${program})
 endforeach()
 if(TARGET gcm-gui)
   set_target_properties(gcm-gui PROPERTIES INSTALL_RPATH $ORIGIN/../lib)
   install(TARGETS gcm-gui RUNTIME DESTINATION bin COMPONENT gui)
+  add_dependencies(installed gcm-gui)
 endif()
 
 get_property(plugins GLOBAL PROPERTY TENDON_PLUGINS)
 foreach(plugin ${plugins})
   set_target_properties(${plugin} PROPERTIES INSTALL_RPATH $ORIGIN/../..)
   install(TARGETS ${plugin} LIBRARY DESTINATION lib/tendon/components COMPONENT plugins)
+  add_dependencies(installed ${plugin})
 endforeach()
 
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/tendon-config.cmake.in

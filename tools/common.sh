@@ -104,5 +104,5 @@ configure_and_build() {
   logged "$log" in_place "$preset" cmake --preset "$preset" ||
     fail "Preset $preset cannot be configured; all of CMake's output is in build/$preset/configure.log."
   in_place "$preset" cmake --build --preset "$preset" "${targets[@]}" "${quiet[@]}" ||
-    fail "Preset $preset does not build; the compiler says why above."
+    fail "Preset $preset does not build; what is above says why."
 }

@@ -4,7 +4,15 @@
 
 declare -A process_ids=()
 process_order=()
-RUN_FOLDER=$(mktemp -d)  # logs, and what the processes leave behind
+
+# Before anything is started: makes RUN_FOLDER, for logs and for what the processes leave behind. However the script
+# ends, nothing is left of them or of it.
+begin_run() {
+  RUN_FOLDER=$(mktemp -d)
+  trap stop_all EXIT
+  trap 'exit 130' INT
+  trap 'exit 143' TERM HUP
+}
 
 # Settings, state and run-time folders of its own: each run begins like the first one.
 use_own_folders() {

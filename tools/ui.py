@@ -104,6 +104,8 @@ def main(file, verb, *words):
 
 
 if __name__ == "__main__":
+    if len(sys.argv) < 4:
+        sys.exit(__doc__)
     try:
         main(*sys.argv[1:])
     except Missing as missing:

@@ -5,12 +5,13 @@
 #include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 namespace tendon::benchmark {
 namespace {
 
 struct Options {
-  std::string json;
+  std::optional<std::string> json;
   std::vector<std::string> only;
   Effort effort;
 };
@@ -38,8 +39,11 @@ std::vector<Case> Choose(std::vector<Case> cases, const std::vector<std::string>
   return cases;
 }
 
-/// False when the file could not be written.
+/// False when the file cannot be written, which is tried before anything is measured.
 bool Report(const std::vector<Case>& cases, const Options& options) {
+  std::ofstream file;
+  if (options.json) file.open(*options.json);
+  if (!file) return false;
   nlohmann::json entries = nlohmann::json::array();
   PrintHeading(std::cout);
   for (const Case& one : cases) {
@@ -47,8 +51,7 @@ bool Report(const std::vector<Case>& cases, const Options& options) {
     PrintLine(std::cout, one, outcome);
     entries.push_back(ToJson(one, outcome));
   }
-  if (options.json.empty()) return true;
-  std::ofstream file(options.json);
+  if (!options.json) return true;
   file << entries.dump(2) << '\n';
   file.close();
   return file.good();
@@ -61,16 +64,18 @@ int Main(int argc, char** argv) {
       "release. A gate that is missed is printed, and no failure: machines are shared.");
   app.add_option("--json", options.json, "also writes the table to this file");
   app.add_option("--only", options.only, "the cases to measure: Q1,S3")->delimiter(',');
-  app.add_option("--repetitions", options.effort.repetitions, "undisturbed pairs a case")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  app.add_flag("--tiny", options.effort.is_tiny, "shows that the cases run, measures nothing");
+  CLI::Option* const repetitions =
+      app.add_option("--repetitions", options.effort.repetitions, "undisturbed pairs a case")
+          ->check(CLI::Range(1, 1000))
+          ->capture_default_str();
+  app.add_flag("--tiny", options.effort.is_tiny, "shows that the cases run, measures nothing")
+      ->excludes(repetitions);
   try {
     app.parse(argc, argv);
     if (options.effort.is_tiny) options.effort.repetitions = 1;
     const auto cases = Choose(AllCases(options.effort), options.only);
     if (Report(cases, options)) return 0;
-    std::cerr << "report: cannot write " << options.json << '\n';
+    std::cerr << "report: cannot write '" << *options.json << "'" << '\n';
     return 1;
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;

@@ -26,6 +26,11 @@ Run RunOnce(const Subject& subject) {
   return {nanoseconds, busy < kShare * subject.processors * wall.count()};
 }
 
+double Median(std::vector<double> values) {
+  constexpr double kHalf = 0.5;
+  return Quantile(std::move(values), kHalf);
+}
+
 double RatioOf(const Case& one, const Pair& pair) {
   if (!pair.floor) return pair.ours;
   return one.ratio == Ratio::kOfTimes ? pair.ours / *pair.floor : *pair.floor / pair.ours;
@@ -53,11 +58,11 @@ Outcome Summary(const Case& one, const std::vector<Pair>& pairs, int wanted) {
 
 }  // namespace
 
-double Median(std::vector<double> values) {
+double Quantile(std::vector<double> values, double share) {
   if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
+  const auto place = static_cast<std::ptrdiff_t>(static_cast<double>(values.size()) * share);
+  std::ranges::nth_element(values, values.begin() + place);
+  return values[static_cast<std::size_t>(place)];
 }
 
 std::function<std::optional<Pair>()> SideBySide(Subject ours, Subject floor) {

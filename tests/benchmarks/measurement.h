@@ -49,6 +49,7 @@ std::function<std::optional<Pair>()> SideBySide(Subject ours, Subject floor);
 /// seconds have passed: then all of them count. Nothing where this machine cannot tell.
 std::optional<Outcome> Measure(const Case& one, const Effort& effort);
 
-double Median(std::vector<double> values);
+/// The value that a share of them, 0.5 for half, does not exceed.
+double Quantile(std::vector<double> values, double share);
 
 }  // namespace tendon::benchmark

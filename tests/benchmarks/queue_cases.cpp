@@ -25,11 +25,19 @@ struct OurRing {
 /// made just before it is sent, as those of a cycle are, holds the producer up: the consumer waits.
 enum class Messages { kReady, kNew };
 
-/// What a message takes between two threads that never sleep: `produce(i)` in this one.
+/// What the producer writes for every message: in cache lines of its own, else the consumer has to
+/// fetch what happens to lie beside it on the stack.
+template <typename T>
+struct alignas(kSeparation) Apart {
+  T value{};
+};
+
+/// What a message takes between two threads that never sleep: `produce(i)` in this one. The
+/// consumer has a copy of `consume`, for the same reason.
 template <typename Produce, typename Consume>
 double BetweenTwoThreads(std::uint64_t messages, Produce produce, Consume consume) {
   std::atomic<bool> is_ready = false;
-  std::jthread consumer([&] {
+  std::jthread consumer([&is_ready, messages, consume] {
     const Seat seat(Processor::kSecond);
     is_ready = true;
     consume(messages);
@@ -40,36 +48,38 @@ double BetweenTwoThreads(std::uint64_t messages, Produce produce, Consume consum
 
 template <typename Ring, Messages kMessages>
 double Transfer(std::uint64_t messages) {
-  const auto ring = std::make_unique<Ring>();
-  Message sent{};
+  const auto owner = std::make_unique<Ring>();
+  Ring& ring = *owner;
+  Apart<Message> sent;
   return BetweenTwoThreads(
       messages,
       [&](std::uint64_t i) {
-        if constexpr (kMessages == Messages::kNew) sent[0] = static_cast<double>(i);
+        if constexpr (kMessages == Messages::kNew) sent.value[0] = static_cast<double>(i);
         Use(sent);
-        Insist([&] { return ring->Push(sent); });
+        Insist([&] { return ring.Push(sent.value); });
       },
-      [&](std::uint64_t wanted) {
+      [&ring](std::uint64_t wanted) {
         Message received{};
         for (std::uint64_t i = 0; i < wanted; ++i) {
-          Insist([&] { return ring->Pop(received); });
+          Insist([&] { return ring.Pop(received); });
           Use(received);
         }
       });
 }
 
 double TransferCommands(std::uint64_t commands) {
-  const auto wiring = std::make_unique<Wiring>();
-  Argument argument{};
+  const auto owner = std::make_unique<Wiring>();
+  Wiring& wiring = *owner;
+  Apart<Argument> argument;
   return BetweenTwoThreads(
       commands,
       [&](std::uint64_t i) {
-        argument[0] = static_cast<double>(i);
+        argument.value[0] = static_cast<double>(i);
         Use(argument);
-        Insist([&] { return static_cast<bool>(wiring->take(argument)); });
+        Insist([&] { return static_cast<bool>(wiring.take(argument.value)); });
       },
-      [&](std::uint64_t wanted) {
-        while (wiring->taken() < wanted) Insist([&] { return wiring->Execute() > 0; });
+      [&wiring](std::uint64_t wanted) {
+        while (wiring.taken() < wanted) Insist([&] { return wiring.Execute() > 0; });
       });
 }
 

@@ -41,7 +41,7 @@ nlohmann::json OrNull(const std::optional<T>& value) {
 }
 
 void PrintColumns(std::ostream& out, const std::array<std::string, 9>& cells) {
-  constexpr std::array<int, 8> kWidths{5, 52, 9, 9, 5, 9, 7, 8};
+  constexpr std::array<int, 8> kWidths{6, 52, 9, 9, 5, 9, 7, 8};
   for (std::size_t i = 0; i < kWidths.size(); ++i) {
     out << (i < 2 ? std::left : std::right) << std::setw(kWidths[i]) << cells[i] << ' ';
   }

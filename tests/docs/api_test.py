@@ -8,7 +8,7 @@ import tempfile
 
 SKIPPED = 77
 STRICT = """
-OUTPUT_DIRECTORY = {folder}
+OUTPUT_DIRECTORY = "{folder}"
 GENERATE_HTML = NO
 GENERATE_XML = YES
 EXTRACT_ALL = NO

@@ -10,7 +10,7 @@ def main(root):
     root = pathlib.Path(root)
     docs = root / "docs"
     wrong = []
-    folders = ("docs", "components", "core", "resources")
+    folders = ("docs", "components", "core", "resources", "tests")
     pages = [root / "README.md", *(page for folder in folders for page in (root / folder).rglob("*.md"))]
     for page in pages:
         for target in re.findall(r"\]\(([^)#\s]+)", page.read_text(encoding="utf-8")):

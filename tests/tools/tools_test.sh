@@ -17,10 +17,13 @@ eventually() {
   fail "waited 30 s in vain for: $*"
 }
 
-each_explains_itself() {
+each_explains_itself_and_leaves_nothing_behind() {
   local tool
+  mkdir "$folder/left"
   for tool in setup build check demo build-qwt; do
-    [[ $("$root/tools/$tool" --help) == "tools/$tool"* ]] || fail "tools/$tool --help does not say what it does"
+    [[ $(TMPDIR=$folder/left "$root/tools/$tool" --help) == "tools/$tool"* ]] ||
+      fail "tools/$tool --help does not say what it does"
+    [[ -z $(ls -A "$folder/left") ]] || fail "tools/$tool --help leaves a file behind"
   done
 }
 
@@ -98,7 +101,7 @@ a_free_port_can_be_listened_at() {
   python3 -c "import socket; socket.create_server(('127.0.0.1', $port))" || fail "port $port is not free"
 }
 
-each_explains_itself
+each_explains_itself_and_leaves_nothing_behind
 is_found_through_a_link
 what_is_no_option_is_refused
 a_preset_that_is_none_is_refused_and_leaves_no_folder
