@@ -36,8 +36,6 @@ Result<ExitCode> Connect(Context& context, const Ends& ends) {
   if (!provided) return provided.error();
   const auto client = context.Client();
   if (!client) return client.error();
-  const tendon::Catalog catalog = (*client)->catalog();
-  const auto provider = LookUpProcess(catalog, provided->process);
   const auto made = context.Ask<tendon::ConnectionDescription>(
       [&](tendon::GcmClient& asked, auto handler) {
         if (ends.replace) {
@@ -48,6 +46,8 @@ Result<ExitCode> Connect(Context& context, const Ends& ends) {
       },
       tendon::GcmClient::kOrdersOfAReplacement);
   if (!made) return made.error();
+  const tendon::Catalog catalog = (*client)->catalog();
+  const auto provider = LookUpProcess(catalog, provided->process);
   const bool is_unknown = !provider && made->state == tendon::ConnectionState::kPending;
   const std::string state(tendon::ToString(made->state));
   if (context.settings().json) {

@@ -6,6 +6,7 @@
 
 #include <QHeaderView>
 #include <QPainter>
+#include <QScrollBar>
 
 namespace tendon::gui {
 namespace {
@@ -28,6 +29,9 @@ RowView::RowView(QWidget* parent) : QTreeView(parent), delegate_(new RowDelegate
   header()->setStretchLastSection(false);
   header()->setMinimumSectionSize(kRowHeight);
   connect(&Theme::instance(), &Theme::changed, viewport(), qOverload<>(&QWidget::update));
+  // The frame around all rows, where the current one is out of sight, must not move along.
+  connect(verticalScrollBar(), &QScrollBar::valueChanged, viewport(),
+          qOverload<>(&QWidget::update));
 }
 
 void RowView::drawRow(QPainter* painter, const QStyleOptionViewItem& option,
@@ -54,8 +58,9 @@ void RowView::drawBranches(QPainter* painter, const QRect& rect, const QModelInd
 void RowView::paintEvent(QPaintEvent* event) {
   QTreeView::paintEvent(event);
   const QRect row = visualRect(currentIndex().siblingAtColumn(0));
-  PaintFocus(*this, row.isEmpty() ? viewport()->rect()
-                                  : QRect(0, row.top(), viewport()->width(), row.height()));
+  const bool is_seen = row.intersects(viewport()->rect());
+  PaintFocus(*this,
+             is_seen ? QRect(0, row.top(), viewport()->width(), row.height()) : viewport()->rect());
   if (empty_text_.isEmpty() || model() == nullptr || model()->rowCount(rootIndex()) > 0) return;
   QPainter painter(viewport());
   painter.setFont(Theme::instance().text());

@@ -64,7 +64,7 @@ class GcmClient::Implementation {
     link_->Stop();
     links_->Stop();
     timer_->Stop();
-    learners_.clear();
+    EndLearning();
     telemetry_.reset();
     outstanding_->WaitUntilNone(kLongest);
   }
@@ -88,6 +88,7 @@ class GcmClient::Implementation {
   /// changes.
   void LearnDisputedTypes(DoneHandler handler) {
     const std::scoped_lock lock(mutex_);
+    if (closing_) return;
     learners_.push_back(std::move(handler));
     if (learners_.size() > 1) return;
     const auto pause = std::max(next_look_ - SteadyClock().Now(), SteadyTime::duration(0));
@@ -116,6 +117,14 @@ class GcmClient::Implementation {
   [[nodiscard]] Hello Mine() const {
     const auto cookie = LoopbackCookie();  // without it, whoever is asked says what is missing
     return {.instance = os::RandomNumber(), .name = name_, .cookie = cookie ? *cookie : 0};
+  }
+
+  /// Those who wait hear that there will be no look; they may ask again, in vain.
+  void EndLearning() {
+    std::vector<DoneHandler> learners;
+    const std::scoped_lock lock(mutex_);
+    closing_ = true;
+    learners.swap(learners_);
   }
 
   void Look() {
@@ -151,6 +160,7 @@ class GcmClient::Implementation {
   std::unique_ptr<TelemetryClient> telemetry_;
   std::vector<DoneHandler> learners_;  // who waits for the next look
   SteadyTime next_look_{};             // not before
+  bool closing_ = false;
 };
 
 GcmClient::GcmClient(std::shared_ptr<Middleware> middleware, Options options,

@@ -49,7 +49,7 @@ void Mailbox::GiveUp(std::byte* argument) noexcept {
   class Nothing final : public Entry {
     void ExecuteSlot(std::byte* /*argument*/, std::size_t /*slot*/) override {}
   };
-  static Nothing nothing;
+  static Nothing& nothing = *new Nothing;  // a task may come upon it while the program ends
   Publish(argument, nothing);
 }
 

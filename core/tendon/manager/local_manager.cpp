@@ -62,7 +62,13 @@ Component& LocalManager::Add(std::unique_ptr<Component> component, ComponentOrig
     }
     added.Seal();
     added.SetStateObserver([this] { NotifyChanged(); });
-    entries_.push_back({std::move(component), std::move(origin)});
+    // The last of those who wait for its state may let it go without the lock, and those that run
+    // after it hear of it.
+    const auto destroy = [this](Component* one) {
+      const auto destroyed = Lock();
+      delete one;
+    };
+    entries_.push_back({{component.release(), destroy}, std::move(origin)});
     if (const auto* task = dynamic_cast<const Task*>(&added)) watchdog_.Watch(*task);
   }
   NotifyChanged();
@@ -80,7 +86,7 @@ Result<void> LocalManager::Remove(const std::string& component, Patience patienc
     DisconnectAll(component);
     (void)removed->Stop(kNoWait);
   }
-  const SteadyTime deadline = SteadyClock().Now() + patience;
+  const SteadyTime deadline = DeadlineAfter(patience);
   Result<void> stopped;
   if (!removed->is_at_rest()) stopped = removed->WaitFor(ComponentState::kFinished, patience);
   if (!removed->is_at_rest()) {
@@ -91,10 +97,7 @@ Result<void> LocalManager::Remove(const std::string& component, Patience patienc
   const auto taken = Retry(std::max(kNoWait, deadline - SteadyClock().Now()),
                            [&](SteadyTime last) { return TryTakeOut(removed, last); });
   if (!taken) return taken;
-  {
-    const auto lock = Lock();
-    removed.reset();  // those that run after it hear of it
-  }
+  removed.reset();
   NotifyChanged();
   return {};
 }
@@ -122,7 +125,7 @@ Result<void> LocalManager::TryTakeOut(const std::shared_ptr<Component>& componen
 Result<void> LocalManager::Retry(Patience patience,
                                  const std::function<Result<void>(SteadyTime)>& attempt) {
   constexpr std::chrono::milliseconds kAtOnce(20);
-  const SteadyTime deadline = SteadyClock().Now() + patience;
+  const SteadyTime deadline = DeadlineAfter(patience);
   while (true) {
     Result<void> done;
     bool is_last = false;
@@ -272,7 +275,7 @@ Result<void> LocalManager::WaitFor(const std::string& component, ComponentState 
 }
 
 Result<void> LocalManager::WaitForAll(ComponentState state, Patience patience) {
-  const SteadyTime deadline = SteadyClock().Now() + patience;
+  const SteadyTime deadline = DeadlineAfter(patience);
   for (const auto& one : InOrder()) {
     const auto reached = one->WaitFor(state, std::max(kNoWait, deadline - SteadyClock().Now()));
     if (!reached) return reached;
@@ -288,7 +291,7 @@ Result<void> LocalManager::Ask(const std::string& component, Request request, Co
 
 Result<void> LocalManager::AskAll(const Components& components, Request request,
                                   ComponentState wanted, Patience patience) {
-  const SteadyTime deadline = SteadyClock().Now() + patience;
+  const SteadyTime deadline = DeadlineAfter(patience);
   Result<void> outcome;
   for (const auto& one : components) {
     Result<void> done;

@@ -50,7 +50,16 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
       completions[*record].Free();
       return claimed;
     }
-    const std::uint64_t call = callers_->Enter(*record, deadline);
+    std::uint64_t call = 0;
+    const Status entered = Host::Contain(nullptr, [&]() -> Status {  // memory may be short
+      call = callers_->Enter(*record, deadline);
+      return Status::kQueued;
+    });
+    if (!entered) {
+      mailbox_.GiveUp(room);
+      completions[*record].Free();
+      return entered;
+    }
     completions.Assign(mailbox_.SlotOf(room), *record);
     mailbox_.Publish(room, awaited_);
     return Await(*record, call, deadline, out);
@@ -98,8 +107,10 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
     const Ending ending = completions[record].Await(is_over, deadline);
     const bool is_sent = callers_->Leave(call, ending);
     if (ending == Ending::kDone) {
-      const Status status = completions[record].status();
-      if (status) out = callers_->answer(record);
+      const Status status = Host::Contain(nullptr, [&] {
+        if (completions[record].status()) out = callers_->answer(record);
+        return completions[record].status();
+      });
       completions[record].Free();
       return status;
     }

@@ -69,15 +69,17 @@ bool ProvidedInterfaceProxy::OnCredit(const message::Credit& credit) {
   executed_.Set(credit.executed);
   outbox_.inbox().SetAccepting(credit.accepting);
   thread_->Notify();
+  bool is_news = false;
   {
     const std::scoped_lock lock(mutex_);
-    fault_ = credit.fault;
+    is_news = std::exchange(fault_, credit.fault) != credit.fault;
   }
   const bool is_faulted = !credit.fault.empty();
-  if (is_faulted == host_.is_faulted()) return false;
-  host_.SetFaulted(is_faulted);
-  interface_.SetSourceFaulted(is_faulted);
-  return true;
+  if (is_faulted != host_.is_faulted()) {
+    host_.SetFaulted(is_faulted);
+    interface_.SetSourceFaulted(is_faulted);
+  }
+  return is_news;
 }
 
 std::string ProvidedInterfaceProxy::fault() const {

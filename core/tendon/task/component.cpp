@@ -101,12 +101,12 @@ Result<void> Component::Start(Patience patience) {
     return resumed && patience > kNoWait ? WaitFor(ComponentState::kActive, patience) : resumed;
   }
   if ((*transition)->configures_first) {
+    if (!RunGuarded("Configure", [this] { Configure(); })) {
+      return WaitFor(ComponentState::kReady, kNoWait);  // says why not
+    }
     {
       const std::scoped_lock lock(mutex_);
       fault_.clear();
-    }
-    if (!RunGuarded("Configure", [this] { Configure(); })) {
-      return WaitFor(ComponentState::kReady, kNoWait);  // says why not
     }
     SetState(ComponentState::kReady);
   }
@@ -134,7 +134,7 @@ Result<void> Component::Stop(Patience patience) {
 
 Result<void> Component::WaitFor(ComponentState wanted, Patience patience) {
   constexpr std::chrono::milliseconds kBetweenLooks(10);
-  const SteadyTime deadline = SteadyClock().Now() + patience;
+  const SteadyTime deadline = DeadlineAfter(patience);
   std::unique_lock lock(mutex_);
   while (state() != wanted) {
     const std::string who = "component " + Quoted(name_) + " is ";

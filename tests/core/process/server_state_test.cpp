@@ -36,7 +36,7 @@ class Lamp final : public tendon::Component {
   tendon::VoidEvent dark_;
 };
 
-/// Blows when it is switched.
+/// Blows when it is switched; can be started anew while there are spare ones.
 class Fuse final : public tendon::PeriodicTask {
  public:
   explicit Fuse(std::string name) : PeriodicTask(std::move(name), 1ms) {
@@ -47,7 +47,12 @@ class Fuse final : public tendon::PeriodicTask {
   }
   ~Fuse() override { Join(); }
 
+  void Configure() override {
+    if (is_last) throw std::runtime_error("there is no spare one");
+  }
   void Run() override { ProcessQueuedCommands(); }
+
+  std::atomic<bool> is_last = false;
 
  private:
   void Blow() { throw std::runtime_error("too much current"); }
@@ -99,8 +104,9 @@ class ServerState : public NetworkTest {
   }
   bool EventuallySays(const std::string& reason) {
     return EventuallyTrue([&] {
-      const auto connection = desk->connections().back();  // those to other processes come last
-      return connection.state == ConnectionState::kPending && connection.reason == reason;
+      const auto all = desk->connections();  // those to other processes come last
+      return !all.empty() && all.back().state == ConnectionState::kPending &&
+             all.back().reason == reason;
     });
   }
   static std::string IsFaulted(const std::string& name, const tendon::Component& component) {
@@ -134,7 +140,7 @@ TEST_P(ServerState, AFaultedOneMakesItsConnectionsPendingUntilItWasStartedAnew) 
   Connect(kFuse);
   ASSERT_TRUE(EventuallyActive(*desk, 1));
   int count = 0;
-  ASSERT_TRUE(user->count(count));
+  ASSERT_TRUE(EventuallyTrue([&] { return bool(user->count(count)); }));
 
   ASSERT_EQ(user->change(), Status(Status::kQueued));
 
@@ -167,6 +173,25 @@ TEST_P(ServerState, AConnectionToOneThatIsFaultedAlreadySaysSo) {
 
   EXPECT_TRUE(EventuallySays(IsFaulted("fuse", *fuse)));
   EXPECT_EQ(user->dark.Wait(20s), Status(Status::kNotActive));
+}
+
+TEST_P(ServerState, AFaultedOneThatCannotBeStartedAnewSaysTheNewReasonToTheGcm) {
+  ASSERT_TRUE(robot->StartAll().ok());
+  Connect(kFuse);
+  ASSERT_TRUE(EventuallyActive(*desk, 1));
+  ASSERT_EQ(user->change(), Status(Status::kQueued));
+  ASSERT_TRUE(EventuallyTrue([this] { return !fuse->fault().empty(); }));
+  ASSERT_TRUE(EventuallySays(IsFaulted("fuse", *fuse)));
+  fuse->is_last = true;
+
+  ASSERT_FALSE(robot->Start("fuse").ok());
+
+  EXPECT_TRUE(EventuallyTrue([this] {
+    const auto catalog = gcm().catalog();
+    const auto* connection = catalog.FindConnection(kWanted);
+    return connection != nullptr && connection->reason == IsFaulted("fuse", *fuse) &&
+           connection->reason.find("there is no spare one") != std::string::npos;
+  }));
 }
 
 TEST_P(ServerState, AFaultedClientMakesItsConnectionPendingToo) {
