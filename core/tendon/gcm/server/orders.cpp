@@ -276,13 +276,13 @@ void Orders::GiveMake(const message::Wiring& wiring, ConnectDone done) {
 
 void Orders::GiveBreak(const InterfaceName& required, Done<None> done) {
   const auto heard = [locked = locked_, required, done = std::move(done)](Result<None> broken) {
+    bool is_gone = false;
     if (!broken && IsOutcomeUnknown(broken.error())) {
       locked([&](Orders& orders) {
-        const auto& catalog = orders.parts_.registry.catalog();
-        if (catalog.FindConnection(required) == nullptr) broken = None{};
+        is_gone = orders.parts_.registry.catalog().FindConnection(required) == nullptr;
       });
     }
-    done(std::move(broken));
+    done(is_gone ? None{} : std::move(broken));
   };
   Give<None>(message::kBreakConnection, required, message::Wire{required, {}}, heard);
 }
