@@ -46,6 +46,7 @@ ordered_json ToJson(const tendon::ComponentDescription& component) {
           {"library", component.library},
           {"state", ToString(component.state)},
           {"fault", component.fault},
+          {"fault_time", component.fault_time},
           {"period", component.period},
           {"provided", ListOf(component.provided)},
           {"required", ListOf(component.required)},

@@ -184,7 +184,10 @@ Table Facts(const Catalog& catalog, const Place& place) {
   table.Add({"class", component.class_name});
   if (!component.library.empty()) table.Add({"library", component.library});
   table.Add({"state", std::string(ToString(component.state))});
-  if (!component.fault.empty()) table.Add({"fault", component.fault});
+  if (!component.fault.empty()) {
+    table.Add({"fault", component.fault});
+    table.Add({"faulted at", tendon::WallTimeText(component.fault_time)});
+  }
   if (component.period > 0.0) {
     table.Add({"period", ordered_json(component.period).dump() + " s"});
   }

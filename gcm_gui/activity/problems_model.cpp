@@ -28,7 +28,7 @@ void AddProblemsOf(const ProcessEntry& entry, std::vector<Problem>& problems) {
     if (component.state != ComponentState::kFaulted) continue;
     const QString path = name + '/' + ToQString(component_name);
     problems.push_back({path, WithReason(path + QStringLiteral(" is faulted"), component.fault),
-                        StateMark::kFaulted, 0});
+                        StateMark::kFaulted, component.fault_time});
   }
   for (const auto& [id, connection] : entry.connections) {
     if (connection.state != ConnectionState::kFailed) continue;

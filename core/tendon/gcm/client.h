@@ -33,8 +33,9 @@ class GcmListener {
 /// not be called from a handler.
 class GcmClient {
  public:
-  /// Replace() and Undo() may take `timeout` so many times: the GCM gives one order after another.
-  static constexpr int kOrdersOfAReplacement = 2;
+  /// Replace() and Undo() may take `timeout` so many times: the GCM gives one order after another,
+  /// to break, to make, and where that fails to make again what was there.
+  static constexpr int kOrdersOfAReplacement = 3;
 
   /// Who asks, and whom.
   struct Options {

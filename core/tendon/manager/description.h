@@ -35,9 +35,10 @@ struct ComponentDescription {
   std::string class_name;
   std::string library;  ///< the plug-in's file name, or empty
   ComponentState state = ComponentState::kConstructed;
-  std::string fault;    ///< why it is faulted
-  std::string warning;  ///< what is wrong though it is active: "missed 8 x 10 ms"
-  double period = 0.0;  ///< s; 0 where it has none
+  std::string fault;            ///< why it is faulted
+  std::int64_t fault_time = 0;  ///< since when, ns since 1970 (for people); 0 while it is not
+  std::string warning;          ///< what is wrong though it is active: "missed 8 x 10 ms"
+  double period = 0.0;          ///< s; 0 where it has none
   std::vector<ProvidedDescription> provided;
   std::vector<RequiredDescription> required;
   std::vector<TableDescription> tables;
@@ -113,6 +114,7 @@ inline constexpr auto tendon::kPayload<tendon::ComponentDescription> = tendon::D
     tendon::Field{"library", &tendon::ComponentDescription::library},
     tendon::Field{"state", &tendon::ComponentDescription::state},
     tendon::Field{"fault", &tendon::ComponentDescription::fault},
+    tendon::Field{"fault_time", &tendon::ComponentDescription::fault_time, "ns"},
     tendon::Field{"warning", &tendon::ComponentDescription::warning},
     tendon::Field{"period", &tendon::ComponentDescription::period, "s"},
     tendon::Field{"provided", &tendon::ComponentDescription::provided},

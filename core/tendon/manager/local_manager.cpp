@@ -378,16 +378,18 @@ void LocalManager::NotifyChanged() const {
 
 ComponentDescription LocalManager::Describe(const Entry& entry) const {
   const Component& component = *entry.component;
-  ComponentDescription description{.name = component.name(),
-                                   .class_name = entry.origin.class_name,
-                                   .library = entry.origin.library,
-                                   .state = component.state(),
-                                   .fault = component.fault(),
-                                   .warning = watchdog_.WarningOf(component),
-                                   .period = component.period(),
-                                   .provided = component.provided(),
-                                   .required = component.required(),
-                                   .tables = {}};
+  ComponentDescription description{
+      .name = component.name(),
+      .class_name = entry.origin.class_name,
+      .library = entry.origin.library,
+      .state = component.state(),
+      .fault = component.fault(),
+      .fault_time = std::chrono::nanoseconds(component.fault_time().time_since_epoch()).count(),
+      .warning = watchdog_.WarningOf(component),
+      .period = component.period(),
+      .provided = component.provided(),
+      .required = component.required(),
+      .tables = {}};
   for (const StateTable* table : component.tables()) {
     TableDescription described{.name = table->name(), .length = table->length(), .columns = {}};
     for (const auto& column : table->columns()) {

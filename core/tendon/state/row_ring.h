@@ -37,14 +37,17 @@ class RowRing {
 
   /// Keeps at least `rows` rows of `row_words` words; their count is rounded up to a power of two,
   /// above `rows` because one row is always being replaced. Before the first row only; all memory
-  /// is allocated and touched here.
+  /// is allocated and touched here. Where there is not enough, std::bad_alloc, and the ring is as
+  /// it was.
   void Allocate(std::size_t rows, std::size_t row_words) {
     assert(next_tick() == 0);
-    mask_ = std::bit_ceil(rows + 1) - 1;
-    stride_ = StrideFor(row_words);
-    row_words_ = row_words;
-    const std::size_t words = (mask_ + 1) * stride_;
+    const std::size_t count = std::bit_ceil(rows + 1);
+    const std::size_t stride = StrideFor(row_words);
+    const std::size_t words = count * stride;
     memory_ = std::make_unique<Word[]>(words + kLineWords);
+    mask_ = count - 1;
+    stride_ = stride;
+    row_words_ = row_words;
     std::size_t space = (words + kLineWords) * sizeof(Word);
     void* first = memory_.get();
     rows_ = static_cast<Word*>(std::align(kCacheLine, words * sizeof(Word), first, space));

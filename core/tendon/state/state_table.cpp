@@ -33,8 +33,8 @@ void StateTable::SetLength(std::size_t rows) {
     throw ConfigurationError("state table '" + name_ + "' cannot keep " + std::to_string(rows) +
                              " rows: give 1 to " + std::to_string(kMaximumLength));
   }
+  if (is_prepared_) rows_.Allocate(rows, row_words_);
   length_ = rows;
-  if (is_prepared_) rows_.Allocate(length_, row_words_);
 }
 
 std::size_t StateTable::LengthFor(std::chrono::nanoseconds period) const noexcept {

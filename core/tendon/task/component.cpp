@@ -67,6 +67,11 @@ std::string Component::fault() const {
   return fault_;
 }
 
+std::chrono::system_clock::time_point Component::fault_time() const {
+  const std::scoped_lock lock(mutex_);
+  return fault_time_;
+}
+
 ProvidedInterface* Component::FindProvided(const std::string& name) const {
   return FindByName(provided_, name);
 }
@@ -107,6 +112,7 @@ Result<void> Component::Start(Patience patience) {
     {
       const std::scoped_lock lock(mutex_);
       fault_.clear();
+      fault_time_ = {};
     }
     SetState(ComponentState::kReady);
   }
@@ -224,6 +230,7 @@ void Component::EnterFault(const char* where, const std::string& reason) {
   {
     const std::scoped_lock lock(mutex_);
     fault_ = std::string(where) + ": " + reason;
+    fault_time_ = std::chrono::system_clock::now();
   }
   Log(LogLevel::kError, name_, "faulted in " + std::string(where) + ": " + reason);
   SetState(ComponentState::kFaulted);

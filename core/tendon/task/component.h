@@ -51,6 +51,8 @@ class Component {
   [[nodiscard]] ComponentState state() const noexcept { return state_.Get(); }
   /// Why it is faulted: the exception's message and where it was thrown. Any thread; allocates.
   [[nodiscard]] std::string fault() const;
+  /// When it faulted, by the wall clock; 1970 where it has not. Any thread.
+  [[nodiscard]] std::chrono::system_clock::time_point fault_time() const;
   /// s between two cycles, 0 where it has none.
   [[nodiscard]] virtual double period() const { return 0.0; }
   /// Empty unless it is a task.
@@ -146,9 +148,10 @@ class Component {
   std::map<std::string, SourcePlace> added_at_;
   Published<ComponentState> state_{ComponentState::kConstructed};
   Flag is_starting_;
-  mutable std::mutex mutex_;  // of fault_ and observer_, and of changes of the state
+  mutable std::mutex mutex_;  // of fault_, its time and observer_, and of changes of the state
   std::condition_variable changed_;
   std::string fault_;
+  std::chrono::system_clock::time_point fault_time_;
   std::function<void()> observer_;
 };
 

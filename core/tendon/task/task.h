@@ -138,7 +138,7 @@ class Task : public Component {
   std::uint64_t orders_seen_ = 0;
 
   Flag has_failed_outside_;
-  std::mutex outside_mutex_;  // of the next, of changes of leader_, and of counting orders_
+  std::mutex outside_mutex_;  // of the next
   std::string outside_reason_;
 
   Published<Task*> leader_;

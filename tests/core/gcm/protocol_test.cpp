@@ -29,8 +29,8 @@ TEST(Protocol, WhoChangesAMessageRaisesTheVersion) {
 
   // Another fingerprint belongs to another version: two programs that know different messages would
   // otherwise misread each other. Raise FrameHeader::kProtocolVersion, then put both down here.
-  EXPECT_EQ(FrameHeader::kProtocolVersion, 2);
-  EXPECT_EQ(ToString(messages), "47aefbb986b27f4a18355ff0ea2d922c");
+  EXPECT_EQ(FrameHeader::kProtocolVersion, 3);
+  EXPECT_EQ(ToString(messages), "ecbe971f55f570c3d4a37e6592cecb4b");
 }
 
 }  // namespace

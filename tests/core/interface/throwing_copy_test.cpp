@@ -144,6 +144,19 @@ TEST_P(AThrowingCopy, OfAnEventLosesThatEventAlone) {
   EXPECT_EQ(store_.arrived.lost(), 1U);
 }
 
+TEST_P(AThrowingCopy, OfAnAwaitedEventFailsThatWaitAlone) {
+  Fragile value;
+  store_.arrived(Fragile(1));
+  {
+    const ShortOfMemory memory;
+    EXPECT_EQ(arrived_.Wait(value, 0ms), Status::kFailed);
+  }
+  store_.arrived(Fragile(2));
+
+  EXPECT_EQ(arrived_.Wait(value, 0ms), Status::kDone);
+  EXPECT_EQ(value.number, 2);
+}
+
 INSTANTIATE_TEST_SUITE_P(, AThrowingCopy,
                          testing::Values(Callers::kOneThread, Callers::kManyThreads),
                          [](const auto& callers) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <new>
 
 namespace tendon {
 namespace {
@@ -124,6 +125,17 @@ TEST_F(RowRingTest, SaysThatTheRowOfAnOldTimeIsLost) {
   EXPECT_EQ(ring_.Find(oldest, tick), RowResult::kDone);
   EXPECT_EQ(tick, ring_.oldest_tick());
   EXPECT_EQ(ring_.Find(oldest - 1, tick), RowResult::kOvertaken);
+}
+
+TEST_F(RowRingTest, StaysAsItIsWhereMemoryDoesNotSuffice) {
+  constexpr std::size_t kTooMany = (std::size_t{1} << 59U) - 1;
+
+  EXPECT_THROW(ring_.Allocate(kTooMany, 8), std::bad_alloc);
+
+  for (std::uint64_t i = 0; i < 20; ++i) Write(ring_, i, 0);
+  EXPECT_EQ(Read(ring_, 19, words_), RowResult::kDone);
+  EXPECT_EQ(words_, (Words{19, 19, 19}));
+  EXPECT_EQ(Read(ring_, 10, words_), RowResult::kOvertaken);
 }
 
 TEST(RowRing, KnowsHowManyRowsFitIntoMemory) {

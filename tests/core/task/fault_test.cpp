@@ -51,8 +51,13 @@ struct Fault : testing::TestWithParam<FaultCase> {
 };
 
 TEST_P(Fault, NamesTheFunctionAndTheReasonAndLeavesTheOthersRunning) {
+  const auto before = std::chrono::system_clock::now();
+
   Provoke();
 
+  const auto told = std::chrono::nanoseconds(manager.components()[0].fault_time);
+  EXPECT_GE(told, before.time_since_epoch());
+  EXPECT_LE(told, std::chrono::system_clock::now().time_since_epoch());
   EXPECT_EQ(arm.fault(), std::string(GetParam().where) + ": cable cut");
   EXPECT_EQ(manager.components()[0].state, ComponentState::kFaulted);
   EXPECT_EQ(manager.components()[0].fault, arm.fault());
@@ -86,6 +91,7 @@ TEST_P(Fault, HealsWithARestart) {
 
   EXPECT_EQ(arm.state(), ComponentState::kActive);
   EXPECT_EQ(arm.fault(), "");
+  EXPECT_EQ(manager.components()[0].fault_time, 0);
   EXPECT_EQ(arm.configures, 2);
   EXPECT_TRUE(client.poke());
 }

@@ -110,8 +110,10 @@ class EventWaiter {
     wakeup_.WaitUntil([&] { return newest_.is_fresh() || is_over(); }, deadline);
     const T* newest = newest_.Take();
     if (newest == nullptr) return ending_.Get();
-    value = *newest;
-    return Status::kDone;
+    return Host::Contain(nullptr, [&]() -> Status {  // as in Execute()
+      value = *newest;
+      return Status::kDone;
+    });
   }
 
   Published<Status::Code> ending_{Status::kNotConnected};  // of a wait in which nothing comes

@@ -14,7 +14,7 @@ namespace tendon {
 struct BoundMember {
   CommandBase* command = nullptr;  ///< null for an optional one without a partner
   const Flag* enabled = nullptr;
-  const Host* server = nullptr;  ///< null where it is not known, as in another process
+  const Host* server = nullptr;  ///< null where nobody tells of faults, as for state tables
 
   /// Whether a call would reach a server now.
   [[nodiscard]] bool is_reached() const noexcept {

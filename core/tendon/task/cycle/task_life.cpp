@@ -1,8 +1,19 @@
 #include <tendon/task/cycle/task_life.h>
 
+#include <mutex>
 #include <utility>
 
 namespace tendon {
+namespace {
+
+/// Of who runs after whom, in all tasks: a mutex a task would be locked in one order by one chain
+/// and in the other by the next.
+std::mutex& LeadersMutex() {
+  static std::mutex& mutex = *new std::mutex;  // a task may end while the program does
+  return mutex;
+}
+
+}  // namespace
 
 void TaskLife::Obey(Task& task) {
   if (task.has_failed_outside_.Get()) EnterFaultFromOutside(task);
@@ -110,10 +121,10 @@ void TaskLife::EndWithLeader(Task& task) {
 }
 
 void TaskLife::CallThread(Task& task) {
-  const std::scoped_lock lock(task.outside_mutex_);  // as long as its leader is needed
-  if (Task* const leader = task.leader_.Get()) return CallThread(*leader);
-  task.orders_.Set(task.orders_.Get() + 1);
-  task.wakeup_.Notify();
+  const std::scoped_lock lock(LeadersMutex());  // as long as the leaders are needed
+  Task& root = RootOf(task);
+  root.orders_.Set(root.orders_.Get() + 1);
+  root.wakeup_.Notify();
 }
 
 void TaskLife::AddFollower(Task& leader, Task& task) {
@@ -148,7 +159,7 @@ Result<void> TaskLife::RemoveFollower(Task& leader, Task& task, SteadyTime deadl
 }
 
 void TaskLife::SetLeader(Task& task, Task* leader) {
-  const std::scoped_lock lock(task.outside_mutex_);
+  const std::scoped_lock lock(LeadersMutex());
   task.leader_.Set(leader);
 }
 
