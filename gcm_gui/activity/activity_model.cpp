@@ -39,7 +39,7 @@ bool IsStep(const Action& action) {
 StateMark MarkOf(const Action& action) {
   switch (action.outcome) {
     case Action::Outcome::kRunning:
-      return StateMark::kConnecting;
+      return StateMark::kPending;
     case Action::Outcome::kDone:
       return action.undone ? StateMark::kFinished : StateMark::kActive;
     case Action::Outcome::kRefused:

@@ -37,7 +37,7 @@ StateMark MarkOf(ComponentState state) {
 StateMark MarkOf(ConnectionState state) {
   switch (state) {
     case ConnectionState::kPending:
-      return StateMark::kConnecting;
+      return StateMark::kPending;
     case ConnectionState::kActive:
       return StateMark::kConnected;
     case ConnectionState::kFailed:

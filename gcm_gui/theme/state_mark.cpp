@@ -27,7 +27,7 @@ constexpr std::array<Look, kStateMarkCount> kLooks{{
     {"finished", Shape::kSquare, Token::kDim},
     {"faulted", Shape::kCross, Token::kBad},
     {"connected", Shape::kDisc, Token::kAccent},
-    {"connecting", Shape::kDashedRing, Token::kAccent},
+    {"pending", Shape::kDashedRing, Token::kAccent},
     {"not connected", Shape::kRing, Token::kAccent},
     {"refused", Shape::kCross, Token::kBad},
     {"warning", Shape::kTriangle, Token::kWarning},

@@ -18,7 +18,7 @@ enum class StateMark {
   kFinished,
   kFaulted,
   kConnected,
-  kConnecting,
+  kPending,
   kNotConnected,
   kRefused,
   kWarning,

@@ -27,7 +27,7 @@ class Pill : public QAbstractButton {
  private:
   [[nodiscard]] QSize sizeWith(const QString& dim) const;
 
-  StateMark mark_ = StateMark::kConnecting;
+  StateMark mark_ = StateMark::kPending;
   QString strong_;
   QString dim_;
 };

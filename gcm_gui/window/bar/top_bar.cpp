@@ -1,3 +1,4 @@
+#include <gcm_gui/models/state_of.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/theme/icon.h>
 #include <gcm_gui/theme/metrics.h>
@@ -14,20 +15,24 @@ namespace {
 
 constexpr int kLogo = 20;
 
+/// Of what is there: the catalogue remembers what is gone.
 QString Counts(const Catalog& catalogue) {
+  std::int64_t processes = 0;
   std::int64_t components = 0;
+  std::int64_t connections = 0;
   for (const auto& [name, entry] : catalogue.processes()) {
+    if (IsGone(entry.process.state)) continue;
+    ++processes;
     components += static_cast<std::int64_t>(entry.components.size());
+    connections += static_cast<std::int64_t>(entry.connections.size());
   }
   const auto count = [](std::int64_t number, const char* noun) {
     return QStringLiteral("%1 %2%3").arg(number).arg(QLatin1String(noun),
                                                      QLatin1String(number == 1 ? "" : "s"));
   };
-  return QStringList{QStringLiteral("%1 process%2")
-                         .arg(catalogue.processes().size())
-                         .arg(QLatin1String(catalogue.processes().size() == 1 ? "" : "es")),
-                     count(components, "component"),
-                     count(static_cast<std::int64_t>(catalogue.connections().size()), "connection")}
+  return QStringList{
+      QStringLiteral("%1 process%2").arg(processes).arg(QLatin1String(processes == 1 ? "" : "es")),
+      count(components, "component"), count(connections, "connection")}
       .join(QStringLiteral(" · "));
 }
 
@@ -105,7 +110,7 @@ void TopBar::showLink() {
   const QString age = AgeText(now_ - link_.since());
   switch (link_.state()) {
     case GcmLink::State::kSearching:
-      link_pill_->show(StateMark::kConnecting, QStringLiteral("No GCM found at ") + link_.address(),
+      link_pill_->show(StateMark::kPending, QStringLiteral("No GCM found at ") + link_.address(),
                        QStringLiteral("looking every second"));
       break;
     case GcmLink::State::kLost:

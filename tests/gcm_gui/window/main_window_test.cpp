@@ -43,11 +43,19 @@ QLabel* Label(const MainWindow& window, const char* name) {
 
 TEST_F(MainWindowTest, TheBarSaysHowTheGcmIsAndWhatItKnows) {
   EXPECT_EQ(window_.topBar().linkText(),
-            "Hosting the GCM on this machine 3 processes · 7 components · 3 connections");
+            "Hosting the GCM on this machine 2 processes · 6 components · 3 connections");
 
   link_.setUnreachable("127.0.0.1:10705 refused");
 
   EXPECT_TRUE(window_.topBar().linkText().startsWith("GCM lost"));
+}
+
+TEST_F(MainWindowTest, TheBarCountsWhatIsThereAndNotWhatIsGone) {
+  system_.Process("desk", ProcessState::kLeft);
+  Show();
+
+  EXPECT_EQ(window_.topBar().linkText(),
+            "Hosting the GCM on this machine 1 process · 3 components · 2 connections");
 }
 
 TEST_F(MainWindowTest, WithoutItsGcmTheWindowSaysThatWhatItShowsIsOld) {
