@@ -20,20 +20,37 @@ constexpr const char* kExitCodes =
 
 /// What to ask for help: the verb, if one was given.
 std::string HelpCommand(const CLI::App& app) {
-  const auto verbs = app.get_subcommands();
-  return verbs.empty() ? "gcm" : "gcm " + verbs[0]->get_name();
+  std::string command = app.get_name();
+  for (const CLI::App* verb : app.get_subcommands()) command += " " + HelpCommand(*verb);
+  return command;
 }
 
-/// The first word that is no option nor an option's value, if it is no verb.
-std::string UnknownVerb(const std::vector<std::string>& words, const CLI::App& app,
-                        const std::vector<std::string>& known) {
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (!words[i].starts_with('-')) {
-      const bool is_known = std::find(known.begin(), known.end(), words[i]) != known.end();
-      return is_known ? "" : words[i];
+std::vector<std::string> VerbsOf(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* verb : app.get_subcommands({})) names.push_back(verb->get_name());
+  return names;
+}
+
+/// "no verb 'conect'; did you mean 'connect'? gcm --help lists them", for the first word where a
+/// verb is expected, which is no option nor an option's value; nothing where it is one.
+std::string UnknownVerb(const std::vector<std::string>& words, const CLI::App& app) {
+  const CLI::App* part = &app;
+  std::string command = app.get_name();
+  for (std::size_t i = 0; i < words.size() && part->get_require_subcommand_min() > 0; ++i) {
+    if (words[i].starts_with('-')) {
+      const CLI::Option* option = app.get_option_no_throw(words[i]);
+      if (option != nullptr && option->get_expected_min() > 0) ++i;
+      continue;
     }
-    const CLI::Option* option = app.get_option_no_throw(words[i]);
-    if (option != nullptr && option->get_expected_min() > 0) ++i;
+    const auto named =
+        part->get_subcommands([&](const CLI::App* verb) { return verb->get_name() == words[i]; });
+    if (named.empty()) {
+      const std::string near = tendon::DidYouMean(words[i], VerbsOf(*part));
+      return "no verb '" + Plain(words[i]) + "'" + near + (near.empty() ? "; " : " ") + command +
+             " --help lists them";
+    }
+    part = named[0];
+    command += " " + words[i];
   }
   return "";
 }
@@ -48,6 +65,7 @@ void AddSettings(CLI::App& app, Settings& settings, int& timeout_ms) {
       ->check(CLI::IsMember(program::MiddlewareNames()))
       ->capture_default_str();
   app.add_flag("--json,--jsonl", settings.json, "print JSON: one document, or one a row");
+  app.add_flag("--read-only", settings.read_only, "ask as a viewer, to whom changes are denied");
   app.add_flag("--insecure", settings.insecure, "allow addresses off this machine, unencrypted");
 }
 
@@ -78,7 +96,8 @@ int Finish(const tendon::Result<program::ExitCode>& result, std::ostream& out, s
 
 std::vector<Verb> AllVerbs() {
   std::vector<Verb> all;
-  for (auto* group : {&LookVerbs, &DataVerbs, &ActVerbs, &WireVerbs, &ExplainVerbs, &ServeVerbs}) {
+  for (auto* group : {&LookVerbs, &DataVerbs, &ActVerbs, &WireVerbs, &ExplainVerbs, &LogVerbs,
+                      &CertVerbs, &ServeVerbs}) {
     auto verbs = group();
     std::move(verbs.begin(), verbs.end(), std::back_inserter(all));
   }
@@ -101,7 +120,6 @@ int RunCommandLine(const std::vector<std::string>& typed, std::ostream& out, std
   app.footer(kExitCodes);
   AddSettings(app, settings, timeout_ms);
 
-  std::vector<std::string> names;
   std::string chosen;
   Verb::Run run;
   for (const Verb& verb : AllVerbs()) {
@@ -112,12 +130,9 @@ int RunCommandLine(const std::vector<std::string>& typed, std::ostream& out, std
       run = runner;
       chosen = name;
     });
-    names.push_back(verb.name);
   }
-  if (const std::string unknown = UnknownVerb(words, app, names); !unknown.empty()) {
-    const std::string near = tendon::DidYouMean(unknown, names);
-    err << "gcm: no verb '" << Plain(unknown) << "'" << near << (near.empty() ? "; " : " ")
-        << "gcm --help lists them\n";
+  if (const std::string unknown = UnknownVerb(words, app); !unknown.empty()) {
+    err << "gcm: " << unknown << '\n';
     return program::kUsage;
   }
   try {

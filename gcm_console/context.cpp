@@ -22,13 +22,18 @@ tendon::Result<std::shared_ptr<tendon::Middleware>> Context::middleware() const 
   return program::MakeMiddleware(settings_.middleware, exposure);
 }
 
-tendon::Result<tendon::GcmClient*> Context::Client() {
+tendon::Result<tendon::GcmClient*> Context::Client(std::shared_ptr<tendon::GcmListener> listener) {
   if (client_) return client_.get();
   auto made = middleware();
   if (!made) return made.error();
   auto client = std::make_unique<tendon::GcmClient>(
-      *made, tendon::GcmClient::Options{
-                 .name = "gcm " + verb_, .address = settings_.gcm, .timeout = settings_.timeout});
+      *made,
+      tendon::GcmClient::Options{
+          .name = "gcm " + verb_,
+          .address = settings_.gcm,
+          .timeout = settings_.timeout,
+          .role = settings_.read_only ? tendon::Role::kViewer : tendon::Role::kOperator},
+      std::move(listener));
   const tendon::os::TerminationLetThrough impatient;
   if (auto watching = client->WaitUntilWatching(); !watching) return watching.error();
   client_ = std::move(client);

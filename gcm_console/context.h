@@ -19,6 +19,7 @@ struct Settings {
   std::chrono::milliseconds timeout = tendon::GcmClient::Options().timeout;
   bool json = false;
   bool insecure = false;
+  bool read_only = false;
 };
 
 /// Where a verb's output goes, and what it asks the GCM through.
@@ -46,8 +47,9 @@ class Context {
   }
 
   tendon::Result<std::shared_ptr<tendon::Middleware>> middleware() const;
-  /// A client that has seen the catalogue; made once.
-  tendon::Result<tendon::GcmClient*> Client();
+  /// A client that has seen the catalogue; made once, with the listener of the first call.
+  tendon::Result<tendon::GcmClient*> Client(
+      std::shared_ptr<tendon::GcmListener> listener = nullptr);
 
   /// One JSON document, with "schema": 1 as its first key.
   void PrintJson(const nlohmann::ordered_json& content) const;

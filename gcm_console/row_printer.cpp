@@ -2,6 +2,7 @@
 #include <tendon/gcm/client/json_field.h>
 #include <tendon/payload/json.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -18,16 +19,14 @@ void RowPrinter::OnSubscribed(const std::vector<tendon::Schema>& columns) {
   }
 }
 
-void RowPrinter::OnRows(const tendon::RowBatch& batch) {
+std::size_t RowPrinter::OnRows(const tendon::RowBatch& batch) {
   const std::scoped_lock lock(mutex_);
-  losses_.table += batch.lost_table;
-  losses_.network += batch.lost_network;
-  for (std::size_t row = 0; row < batch.count; ++row) {
-    if (rows_.size() >= kMostWaiting) {
-      ++losses_.viewer;
-      continue;
-    }
-    PrintedRow printed{.time_ns = batch.times[row], .tick = batch.ticks[row], .values = {}};
+  const std::size_t fit = std::min(batch.count, kMostWaiting - rows_.size());
+  for (std::size_t row = 0; row < fit; ++row) {
+    PrintedRow printed{.time_ns = batch.times[row],
+                       .clock_offset_ns = batch.clock_offset.count(),
+                       .tick = batch.ticks[row],
+                       .values = {}};
     for (std::size_t i = 0; i < wanted_.size(); ++i) {
       const auto value = Value(i, batch, row);
       if (!value && !mistake_) mistake_ = value.error();
@@ -35,6 +34,7 @@ void RowPrinter::OnRows(const tendon::RowBatch& batch) {
     }
     if (!mistake_) rows_.push_back(std::move(printed));
   }
+  return batch.count - fit;
 }
 
 void RowPrinter::OnStale(const tendon::Error& reason) {
@@ -45,11 +45,6 @@ void RowPrinter::OnStale(const tendon::Error& reason) {
 std::deque<PrintedRow> RowPrinter::Take() {
   const std::scoped_lock lock(mutex_);
   return std::exchange(rows_, {});
-}
-
-RowPrinter::Losses RowPrinter::losses() const {
-  const std::scoped_lock lock(mutex_);
-  return losses_;
 }
 
 std::string RowPrinter::TakeComplaint() {

@@ -16,6 +16,7 @@ namespace console {
 /// One row as it is printed: what was asked for, by path, as JSON text.
 struct PrintedRow {
   std::int64_t time_ns = 0;
+  std::int64_t clock_offset_ns = 0;  ///< see RowBatch
   std::uint64_t tick = 0;
   std::vector<std::pair<std::string, std::string>> values;
 };
@@ -26,13 +27,6 @@ class RowPrinter final : public tendon::RowSink {
  public:
   static constexpr std::size_t kMostWaiting = 100000;
 
-  struct Losses {
-    std::uint64_t table = 0;
-    std::uint64_t network = 0;
-    std::uint64_t viewer = 0;
-    [[nodiscard]] std::uint64_t all() const { return table + network + viewer; }
-  };
-
   /// `column` of each path says where in the subscription its column is.
   struct Wanted {
     tendon::Path path;
@@ -41,12 +35,11 @@ class RowPrinter final : public tendon::RowSink {
   explicit RowPrinter(std::vector<Wanted> wanted) : wanted_(std::move(wanted)) {}
 
   void OnSubscribed(const std::vector<tendon::Schema>& columns) override;
-  void OnRows(const tendon::RowBatch& batch) override;
+  std::size_t OnRows(const tendon::RowBatch& batch) override;
   void OnStale(const tendon::Error& reason) override;
 
   /// All rows since the last time.
   std::deque<PrintedRow> Take();
-  [[nodiscard]] Losses losses() const;
   /// That a path names nothing in its column; no rows come then.
   [[nodiscard]] std::optional<tendon::Error> mistake() const;
   /// Why there are none just now, once for each change; empty otherwise.
@@ -62,7 +55,6 @@ class RowPrinter final : public tendon::RowSink {
   std::vector<std::optional<tendon::PlotChannel>> numbers_;  // for paths of doubles, which are most
   std::optional<tendon::Error> mistake_;
   std::deque<PrintedRow> rows_;
-  Losses losses_;
   std::string complaint_;
 };
 

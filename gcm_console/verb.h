@@ -28,6 +28,8 @@ std::vector<Verb> DataVerbs();     // get watch
 std::vector<Verb> ActVerbs();      // call
 std::vector<Verb> WireVerbs();     // connect disconnect undo
 std::vector<Verb> ExplainVerbs();  // candidates explain
+std::vector<Verb> LogVerbs();      // log log-level
+std::vector<Verb> CertVerbs();     // cert
 std::vector<Verb> ServeVerbs();    // serve
 
 /// All of them: the one table that the program, its help and the window's console are made from.

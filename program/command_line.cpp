@@ -11,16 +11,15 @@
 namespace program {
 namespace {
 
-/// Of the program and of the verb that was given, without the dashes.
+/// Of the program and of the verbs that were given.
 std::vector<std::string> OptionNames(const CLI::App& app) {
   std::vector<std::string> names;
-  const auto add = [&names](const CLI::App& part) {
-    for (const CLI::Option* option : part.get_options()) {
-      for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-    }
-  };
-  add(app);
-  for (const CLI::App* part : app.get_subcommands()) add(*part);
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  for (const CLI::App* part : app.get_subcommands()) {
+    for (std::string& name : OptionNames(*part)) names.push_back(std::move(name));
+  }
   return names;
 }
 

@@ -2,6 +2,7 @@
 #include <gcm_console/row_printer.h>
 #include <gcm_console/verb.h>
 #include <program/command_line.h>
+#include <tendon/base/clock.h>
 #include <tendon/base/os/termination.h>
 #include <tendon/base/path.h>
 
@@ -52,9 +53,21 @@ Result<ExitCode> Get(Context& context, const std::string& text) {
 struct WatchOptions {
   std::vector<std::string> paths;
   double rate = 0.0;        // rows a second, 0: all
+  bool is_latest = false;   // those that wait are not wanted
   std::uint64_t count = 0;  // rows, 0: no end
   double seconds = 0.0;     // 0: no end
 };
+
+tendon::RowChoice ChoiceOf(const WatchOptions& options) {
+  tendon::RowChoice rows;
+  if (options.rate > 0.0) {
+    constexpr std::chrono::duration<double> kLongest = tendon::kLongestWait;
+    const std::chrono::duration<double> period(1.0 / options.rate);
+    rows.period = std::chrono::duration_cast<std::chrono::nanoseconds>(std::min(period, kLongest));
+  }
+  if (options.is_latest) rows.delivery = tendon::RowDelivery::kNewest;
+  return rows;
+}
 
 /// The one subscription that gives all paths, which must lie in one table.
 Result<tendon::TableSubscription> SubscriptionFor(const tendon::Catalog& catalog,
@@ -93,18 +106,13 @@ Result<tendon::TableSubscription> SubscriptionFor(const tendon::Catalog& catalog
   return subscription;
 }
 
-/// Prints rows, at most `rate` a second by the source's clock.
+/// Prints rows.
 class RowWriter {
  public:
   RowWriter(Context& context, const WatchOptions& options) : context_(context), options_(options) {}
 
   /// False once as many rows as wanted are printed, or when the output is gone.
   bool Write(const PrintedRow& row) {
-    if (options_.rate > 0.0 && printed_ > 0 &&
-        static_cast<double>(row.time_ns - last_time_) < 1e9 / options_.rate) {
-      return true;
-    }
-    last_time_ = row.time_ns;
     ++printed_;
     Print(row);
     return (options_.count == 0 || printed_ < options_.count) && context_.out().good();
@@ -118,8 +126,11 @@ class RowWriter {
       for (const auto& [path, value] : row.values) {
         values[path] = ordered_json::parse(value, nullptr, false);
       }
-      const ordered_json line = {
-          {"schema", 1}, {"time_ns", row.time_ns}, {"tick", row.tick}, {"values", values}};
+      const ordered_json line = {{"schema", 1},
+                                 {"time_ns", row.time_ns},
+                                 {"clock_offset_ns", row.clock_offset_ns},
+                                 {"tick", row.tick},
+                                 {"values", values}};
       context_.out() << line.dump() << '\n';
       return;
     }
@@ -130,15 +141,15 @@ class RowWriter {
 
   Context& context_;
   const WatchOptions& options_;
-  std::int64_t last_time_ = 0;
   std::uint64_t printed_ = 0;
 };
 
-void Summarize(const RowWriter& writer, const RowPrinter::Losses& losses, std::ostream& err) {
-  err << "gcm: " << writer.printed() << " rows, " << losses.all() << " lost";
-  if (losses.all() > 0) {
-    err << " (" << losses.table << " in the table, " << losses.network << " on the network, "
-        << losses.viewer << " here)";
+void Summarize(const RowWriter& writer, const tendon::RowCounts& counts, std::ostream& err) {
+  const std::uint64_t lost = counts.lost_table + counts.lost_network + counts.lost_viewer;
+  err << "gcm: " << writer.printed() << " rows, " << lost << " lost";
+  if (lost > 0) {
+    err << " (" << counts.lost_table << " in the table, " << counts.lost_network
+        << " on the network, " << counts.lost_viewer << " here)";
   }
   err << '\n';
 }
@@ -148,8 +159,9 @@ Result<ExitCode> Watch(Context& context, const WatchOptions& options) {
   const auto client = context.Client();
   if (!client) return client.error();
   std::vector<RowPrinter::Wanted> wanted;
-  const auto subscription = SubscriptionFor((*client)->catalog(), options.paths, wanted);
+  auto subscription = SubscriptionFor((*client)->catalog(), options.paths, wanted);
   if (!subscription) return subscription.error();
+  subscription->rows = ChoiceOf(options);
 
   const auto printer = std::make_shared<RowPrinter>(wanted);
   const auto id = (*client)->telemetry().Subscribe(*subscription, printer);
@@ -159,7 +171,9 @@ Result<ExitCode> Watch(Context& context, const WatchOptions& options) {
   bool interrupted = false;
   while (wants_more && !interrupted) {
     interrupted = tendon::os::TerminationAsked(20ms);
-    for (const PrintedRow& row : printer->Take()) {
+    auto rows = printer->Take();
+    if (options.is_latest && !rows.empty()) rows.erase(rows.begin(), rows.end() - 1);
+    for (const PrintedRow& row : rows) {
       wants_more = writer.Write(row);
       if (!wants_more) break;
     }
@@ -174,8 +188,9 @@ Result<ExitCode> Watch(Context& context, const WatchOptions& options) {
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
     if (options.seconds > 0.0 && passed.count() >= options.seconds) wants_more = false;
   }
+  const tendon::RowCounts counts = (*client)->telemetry().CountsOf(id);
   (*client)->telemetry().Unsubscribe(id);
-  Summarize(writer, printer->losses(), context.err());
+  Summarize(writer, counts, context.err());
   return interrupted ? program::kInterrupted : program::kOk;
 }
 
@@ -198,6 +213,8 @@ std::vector<Verb> DataVerbs() {
              ->required();
          app.add_option("--hz", options->rate, "at most so many rows a second (default: all)")
              ->check(&program::CheckPositive);
+         app.add_flag("--latest", options->is_latest,
+                      "only what is the newest when there is time to print it");
          app.add_option("--count", options->count, "end after so many rows")
              ->check(&program::CheckPositive);
          app.add_option("--for", options->seconds, "end after so long: 10s, 500ms, 2min")

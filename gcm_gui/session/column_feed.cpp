@@ -56,28 +56,32 @@ void ColumnFeed::resolve(const std::string& field, Tap& tap) const {
   }
 }
 
-void ColumnFeed::OnRows(const RowBatch& batch) {
+std::size_t ColumnFeed::OnRows(const RowBatch& batch) {
   const std::lock_guard lock(mutex_);
-  if (!schema_ || batch.count == 0) return;
+  if (!schema_ || batch.count == 0) return 0;
   const bool new_epoch = batch.epoch != epoch_;
   epoch_ = batch.epoch;
-  for (auto& [field, tap] : taps_) feed(tap, batch, new_epoch);
+  std::size_t left_out = 0;
+  for (auto& [field, tap] : taps_) left_out = std::max(left_out, feed(tap, batch, new_epoch));
   const auto row = batch.cell(batch.count - 1, 0);
   newest_row_.assign(row.begin(), row.end());
   fresh_ = true;
+  return left_out;
 }
 
-void ColumnFeed::feed(Tap& tap, const RowBatch& batch, bool new_epoch) const {
-  if (!tap.channel) return;
+std::size_t ColumnFeed::feed(Tap& tap, const RowBatch& batch, bool new_epoch) const {
+  if (!tap.channel) return 0;
   tap.stale.reset();
   if (new_epoch || tap.runs.empty()) tap.runs.push_back({new_epoch, {}});
   std::size_t waiting = 0;
   for (const Run& run : tap.runs) waiting += run.samples.size();
   std::vector<Sample>& samples = tap.runs.back().samples;
-  for (std::size_t row = 0; row < batch.count && waiting < kMostWaiting; ++row, ++waiting) {
+  const std::size_t fit = std::min(batch.count, kMostWaiting - std::min(waiting, kMostWaiting));
+  for (std::size_t row = 0; row < fit; ++row) {
     const double value = ReadChannel(*tap.channel, batch.cell(row, 0)).value_or(kNone);
-    samples.push_back({batch.times[row], batch.ticks[row], value});
+    samples.push_back({batch.times[row] - batch.clock_offset.count(), batch.ticks[row], value});
   }
+  return batch.count - fit;
 }
 
 void ColumnFeed::OnStale(const Error& reason) {

@@ -33,7 +33,7 @@ class ColumnFeed final : public RowSink {
   };
 
   void OnSubscribed(const std::vector<Schema>& columns) override;
-  void OnRows(const RowBatch& batch) override;
+  std::size_t OnRows(const RowBatch& batch) override;
   void OnStale(const Error& reason) override;
 
   /// `field` is what follows the column in a path: ".position[0]", or empty.
@@ -51,7 +51,8 @@ class ColumnFeed final : public RowSink {
   };
 
   void resolve(const std::string& field, Tap& tap) const;
-  void feed(Tap& tap, const RowBatch& batch, bool new_epoch) const;
+  /// How many rows there was no room for.
+  std::size_t feed(Tap& tap, const RowBatch& batch, bool new_epoch) const;
   [[nodiscard]] ChannelList shapeOf(const std::vector<std::byte>& row);
 
   std::mutex mutex_;

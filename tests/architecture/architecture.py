@@ -19,7 +19,7 @@ MAX_FILES = 20
 
 # Folders of core/tendon from the bottom up. A folder may include those of the rows below its own.
 CORE_ROWS = (("base",), ("lockfree", "payload"), ("state",), ("interface",), ("task",), ("manager",))
-NETWORK_ROWS = (("middleware",), ("proxy",), ("process",), ("gcm",))
+NETWORK_ROWS = (("security",), ("middleware",), ("proxy",), ("process",), ("gcm",))
 ROWS = (*CORE_ROWS, *NETWORK_ROWS, ("ice",))
 HEIGHT = {folder: height for height, row in enumerate(ROWS) for folder in row}
 CORE = {folder for row in CORE_ROWS for folder in row}
@@ -40,7 +40,7 @@ OPERATING_SYSTEM = re.compile(
     r"(sys|linux|netinet|arpa|net|mach|asm|bits)/"
     r"|(unistd|fcntl|poll|pthread|sched|semaphore|signal|dlfcn|netdb|ifaddrs|pwd|grp|dirent|termios|spawn"
     r"|execinfo|syslog|windows|winsock2|io)\.h$")
-ICE_HOMES = ("core/tendon/ice", "tests/core/ice")
+ICE_HOMES = ("core/tendon/ice", "tests/core/ice", "tests/benchmarks/remote")
 QT_HOMES = ("gcm_gui", "tests/gcm_gui", "tests/system")
 ATOMIC_HOMES = ("core/tendon/lockfree", "core/tendon/state", "core/tendon/base/os")
 

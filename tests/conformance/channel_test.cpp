@@ -213,11 +213,11 @@ TEST_P(ChannelContract, ACallFromAHandlerIsRefusedInsteadOfWaitingForItself) {
 TEST_P(ChannelContract, AMessageOverTheLimitIsRefusedAndTheChannelLives) {
   Connect(std::make_shared<Oracle>(), std::make_shared<Oracle>());
 
-  const auto answer = channel_->Call(kAsk, 0, Bytes(kMaxFrameSize), kLong);
+  const auto answer = channel_->Call(kAsk, 0, Bytes(kMaxBodySize + 1), kLong);
 
   ASSERT_FALSE(answer);
   EXPECT_EQ(answer.error().code, ErrorCode::kInvalid);
-  EXPECT_THAT(answer.error().message, HasSubstr("67108864"));
+  EXPECT_THAT(answer.error().message, HasSubstr("67 108 864 B"));
   EXPECT_TRUE(channel_->Call<Question>(kAsk, 0, Question{"still there?", 0}, kLong));
 }
 

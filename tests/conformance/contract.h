@@ -113,6 +113,8 @@ class ChannelContract : public Contract {
   std::shared_ptr<Channel> channel_;
 };
 
+class LargeMessageContract : public ChannelContract {};
+
 inline std::string NameOfKind(const testing::TestParamInfo<Kind>& info) { return info.param.name; }
 
 }  // namespace tendon::conformance

@@ -10,14 +10,14 @@ namespace {
 TEST_P(ChannelContract, AnotherProtocolVersionIsRefusedWithWhomToUpdate) {
   Start(Channel::Acceptor(HelloOf("robot"), [] { return std::make_shared<Oracle>(); }));
   Hello newer = HelloOf("desk");
-  newer.protocol_version = 3;
+  newer.protocol_version = 9;
   const auto client = std::make_shared<Oracle>();
 
   const auto channel = Channel::Open(*pair_.client, listener_->address(), newer, client, kPatience);
 
   ASSERT_FALSE(channel);
   EXPECT_EQ(channel.error().code, ErrorCode::kIncompatible);
-  EXPECT_EQ(channel.error().message, "robot speaks protocol 2, this program 3: update robot");
+  EXPECT_EQ(channel.error().message, "robot speaks protocol 3, this program 9: update robot");
   ASSERT_TRUE(client->Wait([](const Oracle& oracle) { return !oracle.closed_.empty(); }));
   EXPECT_EQ(client->closed_.size(), 1U);
   EXPECT_EQ(client->peer_, "");
@@ -25,7 +25,7 @@ TEST_P(ChannelContract, AnotherProtocolVersionIsRefusedWithWhomToUpdate) {
 
 TEST_P(ChannelContract, AnOlderProgramIsToldToUpdateItself) {
   Hello newer = HelloOf("robot");
-  newer.protocol_version = 3;
+  newer.protocol_version = 9;
   Start(Channel::Acceptor(newer, [] { return std::make_shared<Oracle>(); }));
 
   const auto channel = Channel::Open(*pair_.client, listener_->address(), HelloOf("desk"),
@@ -33,7 +33,7 @@ TEST_P(ChannelContract, AnOlderProgramIsToldToUpdateItself) {
 
   ASSERT_FALSE(channel);
   EXPECT_EQ(channel.error().message,
-            "robot speaks protocol 3, this program 2: update this program");
+            "robot speaks protocol 9, this program 3: update this program");
 }
 
 TEST_P(ChannelContract, AWrongCookieIsDeniedAndNoOpenIsHeard) {

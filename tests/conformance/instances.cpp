@@ -23,6 +23,7 @@ INSTANTIATE_TEST_SUITE_P(Plain, AddressContract, kKinds, NameOfKind);
 INSTANTIATE_TEST_SUITE_P(Plain, LifetimeContract, kKinds, NameOfKind);
 INSTANTIATE_TEST_SUITE_P(Plain, PortContract, testing::Values(Kind{"tcp", MakeTcp}), NameOfKind);
 INSTANTIATE_TEST_SUITE_P(Plain, ChannelContract, kKinds, NameOfKind);
+INSTANTIATE_TEST_SUITE_P(Plain, LargeMessageContract, kKinds, NameOfKind);
 
 }  // namespace
 }  // namespace tendon::conformance

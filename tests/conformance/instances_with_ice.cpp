@@ -16,6 +16,7 @@ INSTANTIATE_TEST_SUITE_P(WithIce, AddressContract, kIce, NameOfKind);
 INSTANTIATE_TEST_SUITE_P(WithIce, LifetimeContract, kIce, NameOfKind);
 INSTANTIATE_TEST_SUITE_P(WithIce, PortContract, kIce, NameOfKind);
 INSTANTIATE_TEST_SUITE_P(WithIce, ChannelContract, kIce, NameOfKind);
+INSTANTIATE_TEST_SUITE_P(WithIce, LargeMessageContract, kIce, NameOfKind);
 
 }  // namespace
 }  // namespace tendon::conformance

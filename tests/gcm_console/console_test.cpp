@@ -208,6 +208,25 @@ TEST_F(ConsoleTest, WatchPrintsEveryRowInOrder) {
   EXPECT_LE(missing, lost);  // a machine that stands still loses rows, but never in silence
 }
 
+TEST_F(ConsoleTest, WatchAtARatePrintsOneRowOfEachPeriod) {
+  for (const Program::Words& more : {Program::Words{}, {"--latest"}}) {
+    Program::Words words = {"watch", "robot/arm/state.Joints.position[0]", "--hz", "20", "--count",
+                            "5"};
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome watched = Gcm(words);
+
+    ASSERT_EQ(watched.exit_code, program::kOk) << watched.err;
+    EXPECT_THAT(watched.err, testing::StartsWith("gcm: 5 rows, "));
+    std::istringstream lines(watched.out);
+    std::int64_t time = 0;
+    std::string rest;
+    std::int64_t last = 0;
+    for (; std::getline(lines >> time, rest); last = time) {
+      EXPECT_GT(time / 50'000'000, last / 50'000'000) << watched.out;
+    }
+  }
+}
+
 TEST_F(ConsoleTest, WatchMakesItsRemarksWhereItIsTold) {
   const Outcome folder = RunProgram({"/bin/sh", "-c", "printf %s \"$XDG_RUNTIME_DIR\""});
   setenv("XDG_RUNTIME_DIR", folder.out.c_str(), 1);  // of the programs, where the cookie is
@@ -326,6 +345,29 @@ TEST_F(ConsoleTest, RefusalsHaveOneSentenceAndTheirExitCode) {
     EXPECT_EQ(outcome.out, "");
   }
   EXPECT_THAT(Gcm({"tree"}).out, HasSubstr("Robot  required  not connected"));
+}
+
+TEST_F(ConsoleTest, AskingAsAViewerShowsEverythingAndChangesNothing) {
+  EXPECT_THAT(Gcm({"--read-only", "ls"}).out, HasSubstr("robot\talive"));
+  EXPECT_EQ(Gcm({"--read-only", "watch", "robot/arm/state.Joints", "--count", "1"}).exit_code,
+            program::kOk);
+
+  for (const Program::Words& words :
+       {Program::Words{"--read-only", "connect", "desk/teleoperation/Robot", "robot/arm/Control"},
+        {"--read-only", "disconnect", "desk/supervisor/Robot"},
+        {"--read-only", "call", "robot/arm/Control.Stop"},
+        {"--read-only", "undo"}}) {
+    const Outcome outcome = Gcm(words);
+    EXPECT_EQ(outcome.exit_code, program::kDenied) << words[1];
+    EXPECT_THAT(outcome.err, HasSubstr("is for an operator, and 'gcm " + words[1] +
+                                       "' is a viewer here: ask again as an operator"));
+  }
+
+  const auto says = [](const Program& program, const std::string& line) {
+    return EventuallyTrue([&] { return program.err().find(line) != std::string::npos; });
+  };
+  EXPECT_TRUE(says(*robot, "call a command arm/Control.Stop: refused")) << robot->err();
+  EXPECT_TRUE(says(*gcm, "): undo: refused")) << gcm->err();
 }
 
 TEST_F(ConsoleTest, AProcessThatDiesIsLostAndComesBack) {

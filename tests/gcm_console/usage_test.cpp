@@ -76,6 +76,9 @@ TEST_F(UsageTest, WithoutAGcmEveryVerbSaysHowToStartOne) {
                                              {"watch", "a/b/c.d"},
                                              {"call", "a/b/c.d"},
                                              {"undo"},
+                                             {"log"},
+                                             {"log", "--follow"},
+                                             {"log-level", "a", "info"},
                                              {"disconnect", "a/b/C"},
                                              {"connect", "a/b/C", "d/e/F"}};
   for (Program::Words words : verbs) {

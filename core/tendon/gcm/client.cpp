@@ -52,7 +52,8 @@ class GcmClient::Implementation {
             client::GcmLink::Events{std::move(listener),
                                     [this](const auto& processes) { OnMoved(processes); }},
             timer_)),
-        links_(std::make_shared<client::ProcessLinks>(*middleware_, Resolver(link_), options.name)),
+        links_(std::make_shared<client::ProcessLinks>(*middleware_, Resolver(link_), options.name,
+                                                      options.role)),
         caller_(std::make_shared<client::Caller>(links_, timer_, options.timeout)) {
     link_->Start();
   }
@@ -208,6 +209,14 @@ void GcmClient::GetHistory(std::function<void(Result<message::History>)> handler
 
 void GcmClient::Forget(const std::string& process, DoneHandler handler) {
   implementation_->link().Request<None>(message::kForget, message::Forget{process},
+                                        [done = implementation_->Guarded(std::move(handler))](
+                                            const auto& answer) { done(Ignored(answer)); });
+}
+
+void GcmClient::WatchLog() { implementation_->link().WatchLog(); }
+
+void GcmClient::SetLogLevel(const std::string& process, LogLevel level, DoneHandler handler) {
+  implementation_->link().Request<None>(message::kSetLogLevel, message::SetLogLevel{process, level},
                                         [done = implementation_->Guarded(std::move(handler))](
                                             const auto& answer) { done(Ignored(answer)); });
 }

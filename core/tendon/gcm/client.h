@@ -3,8 +3,10 @@
 #include <tendon/gcm/catalog.h>
 #include <tendon/gcm/messages.h>
 #include <tendon/process/telemetry_client.h>
+#include <tendon/security/role.h>
 
 #include <chrono>
+#include <cstdint>
 #include <functional>
 #include <future>
 #include <memory>
@@ -13,6 +15,13 @@
 #include <vector>
 
 namespace tendon {
+
+/// The next records of the log of all processes, oldest first.
+struct LogBatch {
+  std::vector<message::LogRecord> records;
+  std::uint64_t lost = 0;   ///< records before these that the GCM could not keep until we read
+  bool is_current = false;  ///< what the GCM had when it was asked is here
+};
 
 /// What a viewer hears from a GCM, in a thread of the middleware or the client's own; must not
 /// block. The window turns each into a queued signal.
@@ -25,6 +34,8 @@ class GcmListener {
   virtual void OnChanges(const std::vector<CatalogChange>& changes) = 0;
   /// The GCM cannot be reached; the client tries again by itself, every second.
   virtual void OnGcmLost(const Error& reason) = 0;
+  /// After GcmClient::WatchLog(). Texts and sources are printable.
+  virtual void OnLog(const LogBatch& /*batch*/) {}
 };
 
 /// A viewer's end: watches a GCM's catalogue, asks it for changes of the system, and talks to the
@@ -43,6 +54,9 @@ class GcmClient {
     std::string address;          ///< of the GCM
     /// Longer than the GCM waits for a process, so that it can say what that has answered.
     std::chrono::milliseconds timeout{2000};
+    /// Gives up what is not in it: to a viewer, whatever would change something is denied, by the
+    /// GCM and by each process.
+    Role role = Role::kOperator;
   };
 
   /// Does not wait for the GCM: see WaitUntilWatching().
@@ -74,6 +88,13 @@ class GcmClient {
   void GetHistory(std::function<void(Result<message::History>)> handler);
   /// Removes a tombstone.
   void Forget(const std::string& process, DoneHandler handler);
+
+  /// The listener hears the log of all processes as long as the client lives: first the newest
+  /// records, which the GCM has kept, then each within some 100 ms. After the link broke it goes on
+  /// where it was; a GCM that was started anew has what was logged in the meantime.
+  void WatchLog();
+  /// What is below `level` the process drops from now on. kNotFound, kFailed where it is gone.
+  void SetLogLevel(const std::string& process, LogLevel level, DoneHandler handler);
 
   /// Calls a command of any process by its path: `argument` is JSON (empty for none), the answer is
   /// JSON ("" for none). Reads, qualified reads, void and write commands alike.

@@ -18,9 +18,9 @@ class Server;
 }
 
 /// The global component manager: LCMs join it under their names and keep it informed; viewers watch
-/// its catalogue and ask it to connect and disconnect. It carries no data. What it knows it is told
-/// by the LCMs: killed and started anew it knows the same again when they have joined again, and
-/// nothing that runs was disturbed. Only the history of steps is kept in a file.
+/// its catalogue and its log, and ask it to connect and disconnect. It carries no data. What it
+/// knows it is told by the LCMs: killed and started anew it knows the same again when they have
+/// joined again, and nothing that runs was disturbed. Only the history of steps is kept in a file.
 ///
 /// Thread safety: all functions at any time. One thread of its own, and the middleware's.
 class GlobalManager {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <tendon/gcm/catalog.h>
+#include <tendon/process/log/messages.h>
 #include <tendon/process/membership_messages.h>
 
 #include <cstdint>
@@ -19,8 +20,9 @@ inline constexpr auto kDisconnect = static_cast<MessageType>(0x312);  // Wire ->
 inline constexpr auto kUndo = static_cast<MessageType>(0x313);        // None -> HistoryEntry
 inline constexpr auto kHistory = static_cast<MessageType>(0x314);     // None -> History
 inline constexpr auto kForget = static_cast<MessageType>(0x315);      // Forget -> None
-inline constexpr auto kReplace = static_cast<MessageType>(0x316);  // Wire -> ConnectionDescription
-// From the GCM.
+inline constexpr auto kReplace = static_cast<MessageType>(0x316);   // Wire -> ConnectionDescription
+inline constexpr auto kWatchLog = static_cast<MessageType>(0x342);  // WatchLog -> LogWatched
+// From the GCM, besides process/log/messages.h.
 inline constexpr auto kChanges = static_cast<MessageType>(0x320);  // notice to a viewer: Changes
 
 /// The catalogue as changes on an empty one (Catalog::At(base)).
@@ -34,6 +36,19 @@ struct Snapshot {
 /// kWatch again.
 struct Changes {
   std::vector<CatalogChange> changes;
+};
+
+/// The records of all processes from now on, and first those that the GCM has kept.
+struct WatchLog {
+  std::uint64_t gcm_instance = 0;  ///< of the GCM whose records the viewer has, or 0
+  std::uint64_t after = 0;         ///< it has all of them before this one
+};
+
+/// The answer to WatchLog; the records follow, as LogRecords.
+struct LogWatched {
+  std::uint64_t gcm_instance = 0;
+  std::uint64_t begin = 0;  ///< number of the first
+  std::uint64_t end = 0;    ///< of the one that the GCM will have next
 };
 
 /// A tombstone to be removed.
@@ -70,6 +85,17 @@ inline constexpr auto tendon::kPayload<tendon::message::Snapshot> = tendon::Desc
 template <>
 inline constexpr auto tendon::kPayload<tendon::message::Changes> = tendon::Describe(
     "tendon.Changes", tendon::Field{"changes", &tendon::message::Changes::changes});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::WatchLog> = tendon::Describe(
+    "tendon.WatchLog", tendon::Field{"gcm_instance", &tendon::message::WatchLog::gcm_instance},
+    tendon::Field{"after", &tendon::message::WatchLog::after});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::LogWatched> = tendon::Describe(
+    "tendon.LogWatched", tendon::Field{"gcm_instance", &tendon::message::LogWatched::gcm_instance},
+    tendon::Field{"begin", &tendon::message::LogWatched::begin},
+    tendon::Field{"end", &tendon::message::LogWatched::end});
 
 template <>
 inline constexpr auto tendon::kPayload<tendon::message::Forget> =

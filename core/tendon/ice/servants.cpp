@@ -34,7 +34,7 @@ bool EndpointServant::ice_invoke(std::pair<const Ice::Byte*, const Ice::Byte*> p
   if (!link) {
     throw Ice::ObjectNotExistException("tendon", 0, current.id, current.facet, current.operation);
   }
-  answer = EncodeNothing();
+  if (current.requestId != 0) answer = EncodeNothing();
   if (current.operation == "ice_ping") return true;
   const bool is_frame = current.operation == "frame";
   const bool is_part = current.operation == "part";

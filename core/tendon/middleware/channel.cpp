@@ -38,8 +38,7 @@ Error WhyNotSent(Status status, const std::string& peer, std::size_t size) {
       return {ErrorCode::kFailed, peer + " does not keep up: " + std::to_string(kSendWindow) +
                                       " bytes wait to be sent to it; try again later"};
     case Status::kInvalid:
-      return {ErrorCode::kInvalid, "a message of " + std::to_string(size) + " bytes exceeds " +
-                                       std::to_string(kMaxFrameSize)};
+      return ExceedsMaxPayload("a message", size);
     default:
       return {ErrorCode::kUnreachable, peer + " is not connected"};
   }
@@ -61,8 +60,10 @@ Responder::~Responder() {
       Error{ErrorCode::kFailed, "the request was dropped without an answer; see the peer's log"});
 }
 
-void Responder::Reply(std::span<const std::byte> body) {
-  if (const auto channel = std::exchange(channel_, {}).lock()) channel->SendReply(request_, body);
+void Responder::Reply(std::span<const std::byte> body, Lane lane) {
+  if (const auto channel = std::exchange(channel_, {}).lock()) {
+    channel->SendReply(request_, body, lane);
+  }
 }
 
 void Responder::Refuse(const Error& error) {
@@ -169,7 +170,9 @@ void Channel::OnFrame(std::span<const std::byte> frame) {
     case Stage::kGreeting:
       return CallGuarded(link_->peer(), [&] { OnGreeting(*header, body); });
     case Stage::kOpen:
-      return OnMessage(*header, body);
+      OnMessage(*header, body);
+      TellTaken();
+      return parts_.Resume(*link_);
     case Stage::kClosed:
       return;
   }
@@ -224,6 +227,10 @@ void Channel::OnMessage(const FrameHeader& header, std::span<const std::byte> bo
     case MessageType::kProof:
     case MessageType::kWelcome:
       return Fail({ErrorCode::kInvalid, peer_.name + " said Hello twice"});
+    case MessageType::kPart:
+      return OnPart(header, body);
+    case MessageType::kPartsTaken:
+      return OnPartsTaken(body);
     default:
       break;
   }
@@ -232,6 +239,33 @@ void Channel::OnMessage(const FrameHeader& header, std::span<const std::byte> bo
     handler_->OnRequest(shared_from_this(), header, body,
                         Responder(weak_from_this(), header.request));
   });
+}
+
+void Channel::OnPart(const FrameHeader& header, std::span<const std::byte> part) {
+  using Progress = PartAssembly::Progress;
+  Bytes frame;
+  Progress progress = Progress::kNonsense;
+  CallGuarded(peer_.name, [&] { progress = assembly_.Add(header.handle, part, frame); });
+  if (progress == Progress::kMoreToCome) return;
+  const auto whole = ReadFrameHeader(frame, kMaxBodySize + FrameHeader::kSize);
+  if (!whole || whole->type == MessageType::kPart || whole->type == MessageType::kPartsTaken) {
+    return Fail({ErrorCode::kInvalid, peer_.name + " sent parts of what is no message"});
+  }
+  TellTaken();  // who handles it may take a while
+  OnMessage(*whole, std::span(frame).subspan(FrameHeader::kSize));
+}
+
+void Channel::OnPartsTaken(std::span<const std::byte> body) {
+  const auto taken = DecodeBody<std::uint64_t>(body);
+  if (taken && parts_.OnTaken(*link_, *taken)) return;
+  Fail({ErrorCode::kInvalid, peer_.name + " has taken more than was sent to it"});
+}
+
+/// Again with whatever arrives next, where the link has no room.
+void Channel::TellTaken() {
+  const std::uint64_t taken = assembly_.taken();
+  if (taken == told_taken_) return;
+  if (Send(MessageType::kPartsTaken, 0, 0, EncodeBody(taken), kOwnLane)) told_taken_ = taken;
 }
 
 void Channel::OnClosed(const Error& reason) {
@@ -243,6 +277,8 @@ void Channel::OnClosed(const Error& reason) {
   const Error why = *reason_;
   changed_.notify_all();
   lock.unlock();
+  assembly_.Clear();
+  parts_.Close();
   requests_.FinishAll(
       {ErrorCode::kUnreachable, peer + " did not answer: " + why.message + "; outcome unknown"});
   CallGuarded(peer, [&] { handler_->OnClosed(shared_from_this(), why); });
@@ -250,24 +286,24 @@ void Channel::OnClosed(const Error& reason) {
 }
 
 Status Channel::Send(MessageType type, std::uint64_t request, std::uint32_t handle,
-                     std::span<const std::byte> body) {
-  if (body.size() > kMaxFrameSize - FrameHeader::kSize) return Status::kInvalid;
-  constexpr std::size_t kKept = std::size_t{1} << 20U;
-  thread_local Bytes frame;
+                     std::span<const std::byte> body, Lane lane) {
+  if (body.size() > kMaxBodySize) return Status::kInvalid;
   FrameHeader header;
   header.version = mine_.protocol_version;
   header.type = type;
   header.request = request;
   header.size = static_cast<std::uint32_t>(body.size());
   header.handle = handle;
+  if (parts_.MustTake(lane, FrameHeader::kSize + body.size())) {
+    return parts_.Add(*link_, lane, header, body);
+  }
+  thread_local Bytes frame;
   WriteFrame(header, body, frame);
-  const Status status = link_->Send(frame);
-  if (frame.capacity() > kKept) Bytes().swap(frame);
-  return status;
+  return link_->Send(frame);
 }
 
-void Channel::SendReply(std::uint64_t request, std::span<const std::byte> body) {
-  const Status sent = Send(MessageType::kReply, request, 0, body);
+void Channel::SendReply(std::uint64_t request, std::span<const std::byte> body, Lane lane) {
+  const Status sent = Send(MessageType::kReply, request, 0, body, lane);
   if (sent || sent == Status::kNotConnected) return;
   const Error why = WhyNotSent(sent, PeerName(), body.size());
   Log(LogLevel::kWarning, "channel", "an answer was lost: " + why.message);
@@ -279,20 +315,26 @@ void Channel::SendRefusal(std::uint64_t request, const Error& error) {
   (void)Send(MessageType::kRefusal, request, 0, EncodeBody(error));
 }
 
-Status Channel::Notify(MessageType type, std::uint32_t handle, std::span<const std::byte> body) {
-  return is_open() ? Send(type, 0, handle, body) : Status::kNotConnected;
+Status Channel::Notify(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
+                       Lane lane) {
+  return is_open() ? Send(type, 0, handle, body, lane) : Status::kNotConnected;
+}
+
+Lane Channel::NewLane() {
+  const std::scoped_lock lock(mutex_);
+  return ++last_lane_;
 }
 
 void Channel::Request(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
                       std::chrono::milliseconds timeout, ReplyHandler handler) {
-  Start(type, handle, body, timeout, std::move(handler));
+  Start(type, handle, body, timeout, std::move(handler), kCommonLane);
 }
 
 Status Channel::TryRequest(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
-                           std::chrono::milliseconds timeout, ReplyHandler handler) {
+                           std::chrono::milliseconds timeout, ReplyHandler handler, Lane lane) {
   const std::uint64_t request = is_open() ? requests_.Add(timeout, handler) : 0;
   if (request == 0) return Status::kNotConnected;
-  const Status sent = Send(type, request, handle, body);
+  const Status sent = Send(type, request, handle, body, lane);
   if (!sent) requests_.Withdraw(request);
   return sent;
 }
@@ -300,15 +342,15 @@ Status Channel::TryRequest(MessageType type, std::uint32_t handle, std::span<con
 bool Channel::IsThreadOfMiddleware() noexcept { return calls_from_middleware > 0; }
 
 Result<Bytes> Channel::Call(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
-                            std::chrono::milliseconds timeout) {
+                            std::chrono::milliseconds timeout, Lane lane) {
   if (IsThreadOfMiddleware()) {
     return Error{ErrorCode::kFailed, "a call to " + PeerName() + " would wait for its own thread"};
   }
   const auto answer = std::make_shared<Handover<Result<Bytes>>>();
   const SteadyTime deadline = SteadyClock().Now() + timeout;
-  const std::uint64_t request = Start(type, handle, body, timeout, [answer](Result<Bytes> outcome) {
-    answer->Give(std::move(outcome));
-  });
+  const std::uint64_t request = Start(
+      type, handle, body, timeout,
+      [answer](Result<Bytes> outcome) { answer->Give(std::move(outcome)); }, lane);
   if (auto outcome = answer->WaitUntil(deadline)) return *std::move(outcome);
   const Error none = NoAnswer(PeerName(), timeout);
   requests_.Finish(request, none);
@@ -317,13 +359,13 @@ Result<Bytes> Channel::Call(MessageType type, std::uint32_t handle, std::span<co
 
 std::uint64_t Channel::Start(MessageType type, std::uint32_t handle,
                              std::span<const std::byte> body, std::chrono::milliseconds timeout,
-                             ReplyHandler handler) {
+                             ReplyHandler handler, Lane lane) {
   const std::uint64_t request = is_open() ? requests_.Add(timeout, handler) : 0;
   if (request == 0) {
     handler(WhyNotSent(Status::kNotConnected, PeerName(), body.size()));
     return 0;
   }
-  const Status sent = Send(type, request, handle, body);
+  const Status sent = Send(type, request, handle, body, lane);
   if (!sent) requests_.Finish(request, WhyNotSent(sent, PeerName(), body.size()));
   return request;
 }

@@ -5,6 +5,10 @@
 #include <tendon/middleware/handshake/handshake.h>
 #include <tendon/middleware/hello.h>
 #include <tendon/middleware/middleware.h>
+#include <tendon/middleware/parts/lane.h>
+#include <tendon/middleware/parts/part_assembly.h>
+#include <tendon/middleware/parts/part_sender.h>
+#include <tendon/middleware/parts/payload_limit.h>
 #include <tendon/middleware/pending_requests.h>
 #include <tendon/middleware/responder.h>
 
@@ -49,6 +53,9 @@ class ChannelHandler {
 /// Two-way talk with one peer process, on one link, after both said Hello: notices, which are one
 /// way, and requests, which are answered exactly once.
 ///
+/// A body may have kMaxBodySize. What is too large for one piece is sent in parts, between which
+/// other messages pass, unless they are of the same lane.
+///
 /// A channel lives until it is closed, by either end, or its middleware is destroyed. Thread-safe.
 class Channel final : public std::enable_shared_from_this<Channel>, private LinkHandler {
   struct Key {};
@@ -69,9 +76,13 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
                              Strangers strangers = Strangers::kRefused);
 
   /// One way; never blocks. Refusals as of Link::Send().
-  Status Notify(MessageType type, std::uint32_t handle, std::span<const std::byte> body);
+  Status Notify(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
+                Lane lane = kCommonLane);
   template <Message T>
-  Status Notify(MessageType type, std::uint32_t handle, const T& value);
+  Status Notify(MessageType type, std::uint32_t handle, const T& value, Lane lane = kCommonLane);
+
+  /// One that nobody else has, for messages of this end.
+  [[nodiscard]] Lane NewLane();
 
   using ReplyHandler = PendingRequests::Handler;
 
@@ -83,7 +94,8 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   /// The same, but of what cannot be sent now the handler is not called. Refusals as of
   /// Link::Send().
   Status TryRequest(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
-                    std::chrono::milliseconds timeout, ReplyHandler handler);
+                    std::chrono::milliseconds timeout, ReplyHandler handler,
+                    Lane lane = kCommonLane);
   template <Payload Answer, Message T>
   void Request(MessageType type, std::uint32_t handle, const T& value,
                std::chrono::milliseconds timeout, std::function<void(Result<Answer>)> handler);
@@ -93,7 +105,7 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
 
   /// Asks and waits. Refused in a thread of the middleware, which would wait for itself.
   Result<Bytes> Call(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
-                     std::chrono::milliseconds timeout);
+                     std::chrono::milliseconds timeout, Lane lane = kCommonLane);
   template <Payload Answer, Message T>
   Result<Answer> Call(MessageType type, std::uint32_t handle, const T& value,
                       std::chrono::milliseconds timeout);
@@ -126,15 +138,18 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   Result<void> Greet(const std::shared_ptr<Link>& link, SteadyTime deadline);
   void OnGreeting(const FrameHeader& header, std::span<const std::byte> body);
   void OnMessage(const FrameHeader& header, std::span<const std::byte> body);
+  void OnPart(const FrameHeader& header, std::span<const std::byte> part);
+  void OnPartsTaken(std::span<const std::byte> body);
+  void TellTaken();
   void Opened(Hello peer);
   void Fail(const Error& reason);
 
   Status Send(MessageType type, std::uint64_t request, std::uint32_t handle,
-              std::span<const std::byte> body);
-  void SendReply(std::uint64_t request, std::span<const std::byte> body);
+              std::span<const std::byte> body, Lane lane = kCommonLane);
+  void SendReply(std::uint64_t request, std::span<const std::byte> body, Lane lane);
   void SendRefusal(std::uint64_t request, const Error& error);
   std::uint64_t Start(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
-                      std::chrono::milliseconds timeout, ReplyHandler handler);
+                      std::chrono::milliseconds timeout, ReplyHandler handler, Lane lane);
   [[nodiscard]] std::string PeerName() const;
   [[nodiscard]] std::shared_ptr<LinkHandler> AsLinkHandler();
 
@@ -142,20 +157,24 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   const bool is_acceptor_;
   std::shared_ptr<ChannelHandler> handler_;  // used in the middleware's thread only
   std::optional<Handshake> handshake_;       // likewise, once there is a link
+  PartAssembly assembly_;                    // likewise
+  std::uint64_t told_taken_ = 0;             // likewise
   PendingRequests requests_;
+  PartSender parts_;
 
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::shared_ptr<Link> link_;
   Hello peer_;  // constant from kOpen on
   Stage stage_ = Stage::kGreeting;
-  bool greeted_ = false;         // after OnOpen()
+  bool greeted_ = false;  // after OnOpen()
+  Lane last_lane_ = kCommonLane;
   std::optional<Error> reason_;  // why it is closed, or about to be
 };
 
 template <Message T>
-Status Channel::Notify(MessageType type, std::uint32_t handle, const T& value) {
-  return Notify(type, handle, std::span<const std::byte>(EncodeBody(value)));
+Status Channel::Notify(MessageType type, std::uint32_t handle, const T& value, Lane lane) {
+  return Notify(type, handle, std::span<const std::byte>(EncodeBody(value)), lane);
 }
 
 template <Payload Answer, Message T>

@@ -18,6 +18,8 @@ enum class MessageType : std::uint16_t {
   kRefusal = 4,  ///< answers a request: its body is an Error
   kChallenge = 5,
   kProof = 6,
+  kPart = 7,        ///< the next bytes of a frame too large for one piece; `handle` tells which
+  kPartsTaken = 8,  ///< u64: bytes of parts that have been taken since the link stands
   // Those of the layers above have the messages.h of their folders: proxy from 0x100 on, process
   // from 0x200, gcm from 0x300.
 };

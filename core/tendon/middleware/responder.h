@@ -1,6 +1,7 @@
 #pragma once
 
 #include <tendon/middleware/body.h>
+#include <tendon/middleware/parts/lane.h>
 
 #include <cstdint>
 #include <memory>
@@ -21,7 +22,7 @@ class Responder {
   Responder& operator=(const Responder&) = delete;
   ~Responder();
 
-  void Reply(std::span<const std::byte> body);
+  void Reply(std::span<const std::byte> body, Lane lane = kCommonLane);
   void Refuse(const Error& error);
 
   /// Reply() or Refuse().

@@ -2,6 +2,7 @@
 
 #include <tendon/middleware/frame.h>
 #include <tendon/payload/fingerprint.h>
+#include <tendon/process/telemetry/row_choice.h>
 
 #include <chrono>
 #include <cstddef>
@@ -27,6 +28,8 @@ inline constexpr auto kRows =
     static_cast<MessageType>(0x204);  // notice: frame's handle, see RowsHeader
 inline constexpr auto kRowsEnded =
     static_cast<MessageType>(0x205);  // notice: frame's handle; Error: why no more rows come
+// From a viewer that wants the newest row only: it has taken the last, the next may be sent.
+inline constexpr auto kRowTaken = static_cast<MessageType>(0x206);  // notice: empty; frame's handle
 
 /// Which payload types' schemas are wanted.
 struct GetSchemas {
@@ -59,12 +62,14 @@ struct Subscribe {
   std::string component;
   std::string table;  ///< "state" or "state-NAME"
   std::vector<std::string> columns;
+  RowChoice rows;
 };
 
 /// The answer to Subscribe.
 struct Subscribed {
   std::uint32_t handle = 0;          ///< of the frames of this subscription
-  std::uint64_t epoch = 0;           ///< new at each subscription and each start of the process
+  std::uint64_t epoch = 0;           ///< StateTable::epoch(): ticks of another mean other rows
+  std::uint64_t first_tick = 0;      ///< of the first row that may come
   std::vector<std::string> schemas;  ///< Schema::Text() of each column, in the order asked for
 };
 
@@ -79,10 +84,13 @@ struct Subscribed {
 ///     the cells whose sizes differ, each at a multiple of 8
 ///
 /// A row is a multiple of 8 bytes long; all rows of a batch are equally long.
+///
+/// A viewer that was refused rows and hears of no others gets an empty batch, so that it can count.
 struct RowsHeader {
   std::uint64_t rows_before = 0;  ///< sent before in this subscription: a hole is a loss on the way
-  std::uint64_t lost_table =
-      0;  ///< overwritten before they could be gathered, since the last batch
+  /// Overwritten before they could be gathered, since the last batch.
+  std::uint64_t lost_table = 0;
+  std::uint64_t next_tick = 0;  ///< up to it, all rows are in this batch or were before
   std::uint32_t rows = 0;
   std::uint32_t columns = 0;
 };
@@ -114,17 +122,20 @@ template <>
 inline constexpr auto tendon::kPayload<tendon::message::Subscribe> = tendon::Describe(
     "tendon.Subscribe", tendon::Field{"component", &tendon::message::Subscribe::component},
     tendon::Field{"table", &tendon::message::Subscribe::table},
-    tendon::Field{"columns", &tendon::message::Subscribe::columns});
+    tendon::Field{"columns", &tendon::message::Subscribe::columns},
+    tendon::Field{"rows", &tendon::message::Subscribe::rows});
 
 template <>
 inline constexpr auto tendon::kPayload<tendon::message::Subscribed> = tendon::Describe(
     "tendon.Subscribed", tendon::Field{"handle", &tendon::message::Subscribed::handle},
     tendon::Field{"epoch", &tendon::message::Subscribed::epoch},
+    tendon::Field{"first_tick", &tendon::message::Subscribed::first_tick},
     tendon::Field{"schemas", &tendon::message::Subscribed::schemas});
 
 template <>
 inline constexpr auto tendon::kPayload<tendon::message::RowsHeader> = tendon::Describe(
     "tendon.RowsHeader", tendon::Field{"rows_before", &tendon::message::RowsHeader::rows_before},
     tendon::Field{"lost_table", &tendon::message::RowsHeader::lost_table},
+    tendon::Field{"next_tick", &tendon::message::RowsHeader::next_tick},
     tendon::Field{"rows", &tendon::message::RowsHeader::rows},
     tendon::Field{"columns", &tendon::message::RowsHeader::columns});

@@ -30,6 +30,9 @@ struct ProcessOptions {
 /// the required interface otherwise; while the other process is not there it is pending, and it is
 /// made again whenever that returns. Killing the GCM disturbs no connection.
 ///
+/// What its program logs goes to the GCM, too, which may be asked to set the level: so many records
+/// of each source as LogLimiter lets through.
+///
 /// Thread safety: as LocalManager. Threads: two of its own, and the middleware's.
 class Process final : public LocalManager, private ProcessHost {
  public:

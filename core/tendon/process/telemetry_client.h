@@ -4,7 +4,10 @@
 #include <tendon/middleware/hello.h>
 #include <tendon/middleware/middleware.h>
 #include <tendon/payload/schema.h>
+#include <tendon/process/telemetry/row_choice.h>
 
+#include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -16,13 +19,22 @@ namespace tendon {
 
 /// Rows of one state table, in order, as they arrived in one batch. Valid during the call.
 struct RowBatch {
-  std::uint64_t epoch = 0;  ///< new when the source was restarted or re-subscribed
-  std::uint64_t lost_table =
-      0;  ///< rows overwritten before they could be gathered, since the last batch
-  std::uint64_t lost_network = 0;  ///< rows sent that did not arrive, since the last batch
-  std::size_t count = 0;
-  std::span<const std::uint64_t> ticks;  ///< of each row: grows by one without loss
+  std::uint64_t epoch = 0;  ///< new when the source was restarted; its ticks count from 0 again
+  /// Rows overwritten before they could be gathered, since the last batch.
+  std::uint64_t lost_table = 0;
+  /// Rows of ours that were refused a place on the link, or written while there was none, since the
+  /// last batch.
+  std::uint64_t lost_network = 0;
+  std::size_t count = 0;                 ///< may be 0, where there is only a loss to be told
+  std::span<const std::uint64_t> ticks;  ///< of each row: of every row, grows by one without loss
   std::span<const std::int64_t> times;   ///< of each row, ns on the source's steady clock
+  /// Taken off a row's time, it gives the time on this process' steady clock: so the rows of
+  /// several hosts fit on one axis. The same for all rows of a batch; from batch to batch it
+  /// follows the estimate by at most 500 ppm, and no row comes to lie before the last. 0 on one
+  /// host.
+  std::chrono::nanoseconds clock_offset{0};
+  /// How far the estimate may be off; the largest value before there is one.
+  std::chrono::nanoseconds clock_uncertainty = std::chrono::nanoseconds::max();
   /// Column c of row r: its CDR body, as the column's schema says.
   std::function<std::span<const std::byte>(std::size_t row, std::size_t column)> cell;
 };
@@ -33,21 +45,36 @@ class RowSink {
   virtual ~RowSink() = default;
   /// The subscription stands; the columns' schemas in the order asked for. Again after healing.
   virtual void OnSubscribed(const std::vector<Schema>& columns) = 0;
-  virtual void OnRows(const RowBatch& batch) = 0;
+  /// Returns for how many of the rows there was no room here: they are lost in the viewer.
+  virtual std::size_t OnRows(const RowBatch& batch) = 0;
   /// No rows for now: the process is gone or refused; the client keeps trying.
   virtual void OnStale(const Error& reason) = 0;
 };
 
-/// Which columns of which table: "robot", "arm", "state", {"Joints"}.
+/// Which rows of which columns of which table: "robot", "arm", "state", {"Joints"}.
 struct TableSubscription {
   std::string process;
   std::string component;
   std::string table;  ///< its interface's name: "state" or "state-NAME"
   std::vector<std::string> columns;
+  RowChoice rows = {};  ///< every row unless said otherwise
 };
 
-/// Subscribes to state tables of any process; every row arrives, in batches of 20 to 50 ms. Heals
-/// by itself when a process comes back. Thread-safe.
+/// What has become of the rows of a subscription since it was made. Of every row, received +
+/// lost_table + lost_network is the number that was written since the source's last start, also
+/// while the link was down, once the next batch has come. With a period, rows that were not chosen
+/// are not counted, nor what was written while the link was down.
+struct RowCounts {
+  std::uint64_t received = 0;  ///< handed to the sink, among them lost_viewer
+  std::uint64_t lost_table = 0;
+  std::uint64_t lost_network = 0;
+  std::uint64_t lost_viewer = 0;
+
+  bool operator==(const RowCounts&) const = default;
+};
+
+/// Subscribes to state tables of any process; rows arrive in batches of 20 to 50 ms. Heals by
+/// itself when a process comes back. Thread-safe.
 class TelemetryClient {
  public:
   virtual ~TelemetryClient() = default;
@@ -57,6 +84,8 @@ class TelemetryClient {
   virtual void Unsubscribe(Id id) = 0;
   /// The process has come back or moved: its subscriptions are tried again at once.
   virtual void Retry(const std::string& process) { static_cast<void>(process); }
+  /// Zeroes where there is no such subscription. Not from a sink's function.
+  [[nodiscard]] virtual RowCounts CountsOf(Id id) const = 0;
 };
 
 /// Where a process is reached now; the error says why it is not. Called off the middleware's

@@ -1,15 +1,22 @@
 #pragma once
 
+#include <tendon/base/clock.h>
 #include <tendon/middleware/channel.h>
 #include <tendon/process/worker.h>
 
+#include <functional>
 #include <memory>
 
 namespace tendon {
 
+/// Hears when a question was sent and its answer arrived, by our clock, and what the other process'
+/// steady clock showed in between. In a thread of the middleware.
+using HearTime = std::function<void(SteadyTime sent, SteadyTime there, SteadyTime arrived)>;
+
 /// Asks the process at the other end twice a second whether it lives, as long as the channel is
 /// open, and closes the channel when there was no answer for 1.5 s: a process that hangs, or has
 /// been cut off, does not close it. `worker` sees to the time.
-void WatchOver(const std::shared_ptr<Worker>& worker, const std::shared_ptr<Channel>& channel);
+void WatchOver(const std::shared_ptr<Worker>& worker, const std::shared_ptr<Channel>& channel,
+               const HearTime& hear_time = nullptr);
 
 }  // namespace tendon

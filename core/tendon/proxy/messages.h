@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 /// What travels between two processes with a connection between them. The opener is the process of
 /// the required interface. Each struct is the body of a frame; requests are answered, notices are
@@ -20,7 +21,7 @@ inline constexpr auto kCloseInterface = static_cast<MessageType>(0x101);  // not
 inline constexpr auto kCommands = static_cast<MessageType>(0x102);
 // request, a function's handle: the argument -> the result, and behind it one byte of Status::Code
 inline constexpr auto kRead = static_cast<MessageType>(0x103);
-inline constexpr auto kPing = static_cast<MessageType>(0x104);  // request: None -> None
+inline constexpr auto kPing = static_cast<MessageType>(0x104);  // request: None -> Pong
 // request, a function's handle: the argument, and behind it u64, for how many ns the caller waits
 // -> as kRead, once the component has executed it, or will not
 inline constexpr auto kWait = static_cast<MessageType>(0x105);
@@ -30,6 +31,13 @@ inline constexpr auto kEvents = static_cast<MessageType>(0x110);
 inline constexpr auto kCredit = static_cast<MessageType>(0x111);  // notice: Credit
 // notice: Error; the provided interface is gone
 inline constexpr auto kInterfaceClosed = static_cast<MessageType>(0x112);
+// From both.
+inline constexpr auto kEventsLost = static_cast<MessageType>(0x120);  // notice: EventsLost
+
+/// The answer to kPing.
+struct Pong {
+  std::int64_t time = 0;  ///< when it was given, ns on the answering process' steady clock
+};
 
 /// A connection is wanted.
 struct OpenInterface {
@@ -57,7 +65,19 @@ struct Credit {
   bool operator==(const Credit&) const = default;
 };
 
+/// How many events this end has lost, by event handler, since the connection was opened: the end
+/// that raises them, because they could not be sent; the one that handles them, on arrival.
+struct EventsLost {
+  std::vector<std::uint64_t> lost;
+
+  bool operator==(const EventsLost&) const = default;
+};
+
 }  // namespace tendon::message
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::Pong> =
+    tendon::Describe("tendon.Pong", tendon::Field{"time", &tendon::message::Pong::time, "ns"});
 
 template <>
 inline constexpr auto tendon::kPayload<tendon::message::OpenInterface> = tendon::Describe(
@@ -79,3 +99,7 @@ inline constexpr auto tendon::kPayload<tendon::message::Credit> =
     tendon::Describe("tendon.Credit", tendon::Field{"executed", &tendon::message::Credit::executed},
                      tendon::Field{"accepting", &tendon::message::Credit::accepting},
                      tendon::Field{"fault", &tendon::message::Credit::fault});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::EventsLost> = tendon::Describe(
+    "tendon.EventsLost", tendon::Field{"lost", &tendon::message::EventsLost::lost});

@@ -3,6 +3,7 @@
 #include <tendon/proxy/waiting/begun_calls.h>
 
 #include <algorithm>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -11,18 +12,18 @@ namespace {
 
 /// No more calls are added to a batch of so many bytes.
 constexpr std::size_t kFullBatch = std::size_t{32} << 10U;
-/// Of one argument, so that it fits behind a batch that is almost full.
-constexpr std::size_t kMostBytes =
-    kMaxFrameSize - FrameHeader::kSize - kFullBatch - CallBatch::kOverhead;
+static_assert(kMaxPayload + kFullBatch + CallBatch::kOverhead <= kMaxBodySize,
+              "the largest argument fits behind a batch that is almost full");
 
 class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
  public:
   QueuedCommandProxy(Outbox& outbox, const MemberDescription& command, std::uint32_t handle,
-                     Mailbox& mailbox)
+                     SharedCounter<>& refused, Mailbox& mailbox)
       : CommandBase(layout::kNone, layout::kNone),
         outbox_(outbox),
         must_wait_(WaitsForServer(command.signature.kind)),
         handle_(handle),
+        refused_(refused),
         mailbox_(mailbox),
         callers_(std::make_shared<AwaitedCalls<>>(mailbox.completions())),
         pool_(mailbox.storage()) {}
@@ -31,7 +32,11 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
     if (must_wait_) return Status::kUnsupported;
     std::byte* room = nullptr;
     const Status claimed = Claim(in, room);
-    if (claimed) mailbox_.Publish(room, *this);
+    if (claimed) {
+      mailbox_.Publish(room, *this);
+    } else {
+      refused_.Add();
+    }
     return claimed;
   }
 
@@ -88,7 +93,10 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
   /// kQueued, and room with the argument; or why not.
   Status Claim(std::span<const std::byte> in, std::byte*& room) {
     if (!outbox_.is_open()) return Status::kNotConnected;
-    if (in.size() > kMostBytes) return Status::kInvalid;
+    if (in.size() > kMaxPayload) {
+      outbox_.RefusePayload(handle_, in.size());
+      return Status::kInvalid;
+    }
     room = mailbox_.Claim();
     if (room == nullptr) return mailbox_.refusal();
     const Status copied = Host::Contain(nullptr, [&]() -> Status {  // memory may be short
@@ -130,6 +138,7 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
   Outbox& outbox_;
   const bool must_wait_;
   const std::uint32_t handle_;
+  SharedCounter<>& refused_;  // of the offer
   Mailbox& mailbox_;
   const std::shared_ptr<AwaitedCalls<>> callers_;
   Awaited awaited_{*this};
@@ -138,8 +147,14 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
 
 }  // namespace
 
-Outbox::Outbox(std::shared_ptr<Channel> channel, MessageType type, Wakeup<>& wakeup)
-    : channel_(std::move(channel)), type_(type), inbox_(&wakeup) {
+Outbox::Outbox(std::shared_ptr<Channel> channel, MessageType type, Wakeup<>& wakeup,
+               std::string interface)
+    : channel_(std::move(channel)),
+      type_(type),
+      lane_(channel_->NewLane()),
+      wakeup_(wakeup),
+      refused_payloads_(std::move(interface)),
+      inbox_(&wakeup) {
   inbox_.SetAccepting(true);
 }
 
@@ -148,14 +163,20 @@ void Outbox::Close() {
   inbox_.SetAccepting(false);
 }
 
+void Outbox::RefusePayload(std::uint32_t handle, std::size_t size) noexcept {
+  refused_payloads_.Note(handle, size);
+  wakeup_.Notify();
+}
+
 std::size_t Outbox::Send(std::size_t limit) {
   const Status no_room = Status::kQueueFull;
+  refused_payloads_.Tell();
   std::size_t sent = 0;
   while (true) {
     if (!is_held_up()) Collect(limit - sent);
     if (!is_held_up()) return sent;
     if (!batch_.empty()) {
-      if (channel_->Notify(type_, 0, batch_.body()) == no_room) return sent;
+      if (channel_->Notify(type_, 0, batch_.body(), lane_) == no_room) return sent;
       sent += batch_.calls();
       batch_.Clear();
     }
@@ -164,6 +185,16 @@ std::size_t Outbox::Send(std::size_t limit) {
     if (asked == no_room) return sent;
     if (asked) ++sent;
     question_.reset();
+  }
+}
+
+void Outbox::SendRest(std::chrono::milliseconds patience) {
+  constexpr std::chrono::milliseconds kUntilLinkHasRoom(1);
+  const SteadyTime deadline = SteadyClock().Now() + patience;
+  while (is_held_up()) {
+    (void)Send(batch_.calls() + (question_ ? 1 : 0));
+    if (!is_held_up() || SteadyClock().Now() >= deadline) return;
+    std::this_thread::sleep_for(kUntilLinkHasRoom);
   }
 }
 
@@ -188,14 +219,21 @@ Status Outbox::Ask(Question& question) {
       message::kWait, question.handle, body, std::chrono::ceil<std::chrono::milliseconds>(left),
       [callers = question.callers, call = question.call](Result<Bytes> answer) {
         callers->End(call, std::move(answer));
-      });
+      },
+      lane_);
   body.resize(size);
   if (!asked) question.callers->NotSent(question.call);
   return asked;
 }
 
+QueuedOfferProxy::QueuedOfferProxy(MemberDescription description, Outbox& outbox,
+                                   std::uint32_t handle)
+    : Offer(std::move(description)), outbox_(outbox), handle_(handle) {
+  outbox_.refused_payloads().Add(handle_, this->description().name);
+}
+
 std::unique_ptr<CommandBase> QueuedOfferProxy::Bind(Mailbox* mailbox) const {
-  return std::make_unique<QueuedCommandProxy>(outbox_, description(), handle_, *mailbox);
+  return std::make_unique<QueuedCommandProxy>(outbox_, description(), handle_, refused_, *mailbox);
 }
 
 }  // namespace tendon

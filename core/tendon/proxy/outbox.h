@@ -2,14 +2,18 @@
 
 #include <tendon/interface/inbox.h>
 #include <tendon/interface/offer.h>
+#include <tendon/lockfree/counter.h>
 #include <tendon/lockfree/flag.h>
 #include <tendon/middleware/channel.h>
 #include <tendon/proxy/call_batch.h>
+#include <tendon/proxy/reports/refused_payloads.h>
 #include <tendon/proxy/waiting/awaited_calls.h>
 
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 
 namespace tendon {
 
@@ -19,7 +23,9 @@ namespace tendon {
 /// mailbox fills up, and its callers are told.
 class Outbox {
  public:
-  Outbox(std::shared_ptr<Channel> channel, MessageType type, Wakeup<>& wakeup);
+  /// `interface` is whose members are called, for the log.
+  Outbox(std::shared_ptr<Channel> channel, MessageType type, Wakeup<>& wakeup,
+         std::string interface);
 
   /// Where the calls wait; it has one mailbox.
   [[nodiscard]] Inbox& inbox() { return inbox_; }
@@ -28,8 +34,18 @@ class Outbox {
   void Close();
   [[nodiscard]] bool is_open() const noexcept { return is_open_.Get(); }
 
+  /// In which calls are sent, in order: what else must keep it goes there as well.
+  [[nodiscard]] Lane lane() const { return lane_; }
+
+  /// Any thread, that of a caller too: a value of a member was refused, for it is too large.
+  void RefusePayload(std::uint32_t handle, std::size_t size) noexcept;
+  [[nodiscard]] RefusedPayloads& refused_payloads() { return refused_payloads_; }
+
   /// Network thread: sends what waits, at most `limit` calls; returns how many it sent.
   std::size_t Send(std::size_t limit);
+  /// Instead of the network thread, once that does no work here any more: sends what it has taken
+  /// and could not send, for at most `patience`.
+  void SendRest(std::chrono::milliseconds patience);
   /// Network thread: whether the link was full; try again soon.
   [[nodiscard]] bool is_held_up() const { return !batch_.empty() || question_; }
 
@@ -54,6 +70,9 @@ class Outbox {
 
   const std::shared_ptr<Channel> channel_;
   const MessageType type_;
+  const Lane lane_;
+  Wakeup<>& wakeup_;
+  RefusedPayloads refused_payloads_;
   Flag is_open_{true};
   Inbox inbox_;
   // Of the network thread: taken, but not sent.
@@ -66,14 +85,17 @@ class Outbox {
 /// that keep their capacity.
 class QueuedOfferProxy final : public Offer {
  public:
-  QueuedOfferProxy(MemberDescription description, Outbox& outbox, std::uint32_t handle)
-      : Offer(std::move(description)), outbox_(outbox), handle_(handle) {}
+  QueuedOfferProxy(MemberDescription description, Outbox& outbox, std::uint32_t handle);
 
   [[nodiscard]] std::unique_ptr<CommandBase> Bind(Mailbox* mailbox) const override;
+
+  /// How many calls were not accepted: no room, too large, or nobody to send them to.
+  [[nodiscard]] std::uint64_t refused() const noexcept { return refused_.value(); }
 
  private:
   Outbox& outbox_;
   std::uint32_t handle_;
+  mutable SharedCounter<> refused_;
 };
 
 }  // namespace tendon

@@ -23,7 +23,8 @@ ProvidedInterfaceProxy::ProvidedInterfaceProxy(std::shared_ptr<NetworkThread> th
                                                std::chrono::milliseconds read_deadline)
     : thread_(std::move(thread)),
       handle_(remote.opened.handle),
-      outbox_(remote.channel, message::kCommands, thread_->wakeup()),
+      outbox_(remote.channel, message::kCommands, thread_->wakeup(), ToString(remote.name)),
+      loss_report_(remote.channel, handle_),
       interface_(remote.opened.description.name, &outbox_.inbox(), &host_),
       credit_(remote.opened.credit) {
   AddCommands(remote, required, read_deadline);
@@ -44,8 +45,10 @@ void ProvidedInterfaceProxy::AddCommands(const Remote& remote, const RequiredDes
       interface_.AddOffer(std::make_unique<QueuedOfferProxy>(*command, outbox_, handle));
     } else {
       interface_.AddOffer(std::make_unique<ReadOfferProxy>(
-          *command, ReadOfferProxy::Remote{
-                        .channel = remote.channel, .handle = handle, .deadline = read_deadline}));
+          *command, ReadOfferProxy::Remote{.channel = remote.channel,
+                                           .handle = handle,
+                                           .deadline = read_deadline,
+                                           .refused_payloads = &outbox_.refused_payloads()}));
     }
   }
 }
@@ -62,7 +65,16 @@ void ProvidedInterfaceProxy::AddEvents(const ProvidedDescription& provided,
 }
 
 void ProvidedInterfaceProxy::OnEvent(std::size_t handler, std::span<const std::byte> value) {
-  if (handler < events_.size() && events_[handler]) events_[handler]->Raise(value);
+  if (handler >= events_.size() || !events_[handler]) return;
+  const std::uint64_t lost = events_[handler]->lost();
+  events_[handler]->Raise(value);
+  if (events_[handler]->lost() != lost) thread_->Notify();
+}
+
+void ProvidedInterfaceProxy::OnEventsLost(const message::EventsLost& events) {
+  for (std::size_t i = 0; i < std::min(events_.size(), events.lost.size()); ++i) {
+    if (events_[i]) events_[i]->SetLostThere(events.lost[i]);
+  }
 }
 
 bool ProvidedInterfaceProxy::OnCredit(const message::Credit& credit) {
@@ -93,6 +105,10 @@ bool ProvidedInterfaceProxy::Work(SteadyTime now, SteadyTime& next) {
   const std::uint64_t sent = outbox_.Send(credit_ - std::min(under_way, credit_));
   sent_ += sent;
   if (outbox_.is_held_up()) next = std::min(next, now + kUntilLinkHasRoom);
+  for (std::size_t i = 0; i < events_.size(); ++i) {
+    if (events_[i]) loss_report_.Set(i, events_[i]->lost_here());
+  }
+  loss_report_.Tell(now, next);
   return sent > 0;
 }
 

@@ -5,6 +5,7 @@
 #include <tendon/proxy/messages.h>
 #include <tendon/proxy/network_thread.h>
 #include <tendon/proxy/outbox.h>
+#include <tendon/proxy/reports/loss_report.h>
 
 #include <chrono>
 #include <memory>
@@ -25,6 +26,7 @@ class ProvidedInterfaceProxy final : public NetworkJob {
   struct Remote {
     std::shared_ptr<Channel> channel;
     message::InterfaceOpened opened;
+    InterfaceName name{};  ///< for the log
   };
   /// Offers what `required` can use of the remote interface. ConfigurationError where its
   /// description makes no sense.
@@ -35,16 +37,23 @@ class ProvidedInterfaceProxy final : public NetworkJob {
   [[nodiscard]] ProvidedInterface& interface() { return interface_; }
   /// Of the other end.
   [[nodiscard]] std::uint32_t handle() const { return handle_; }
+  /// In which calls are sent.
+  [[nodiscard]] Lane lane() const { return outbox_.lane(); }
 
   // In threads of the middleware, one at a time.
 
   /// `handler` is the event handler's place in the required interface.
   void OnEvent(std::size_t handler, std::span<const std::byte> value);
+  /// Those that were lost over there are lost here, too.
+  void OnEventsLost(const message::EventsLost& events);
   /// Whether the component over there has faulted, or is no longer.
   bool OnCredit(const message::Credit& credit);
 
   /// Any thread: why the component over there is faulted, or empty.
   [[nodiscard]] std::string fault() const;
+  /// Once the network thread works for it no more: sends what that has taken and could not send,
+  /// for at most `patience`.
+  void SendRest(std::chrono::milliseconds patience) { outbox_.SendRest(patience); }
   /// Any thread: the peer is gone; calls are refused with kNotConnected from now on.
   void Sever() { outbox_.Close(); }
 
@@ -58,6 +67,7 @@ class ProvidedInterfaceProxy final : public NetworkJob {
   const std::shared_ptr<NetworkThread> thread_;
   const std::uint32_t handle_;
   Outbox outbox_;
+  LossReport loss_report_;
   std::vector<std::unique_ptr<EventProxy>> events_;  // by handler; null where it has no event
   Host host_{[](const auto& /*reason*/) {}};         // the component over there; runs nothing here
   ProvidedInterface interface_;

@@ -1,6 +1,9 @@
 #include <tendon/proxy/messages.h>
 #include <tendon/proxy/read_proxy.h>
 
+#include <string>
+#include <utility>
+
 namespace tendon {
 namespace {
 
@@ -19,24 +22,32 @@ Status ToStatus(const Error& error) {
 
 class ReadCommandProxy final : public CommandBase {
  public:
-  explicit ReadCommandProxy(ReadOfferProxy::Remote remote)
-      : CommandBase(layout::kNone, layout::kNone), remote_(std::move(remote)) {}
+  ReadCommandProxy(std::string name, ReadOfferProxy::Remote remote)
+      : CommandBase(layout::kNone, layout::kNone),
+        name_(std::move(name)),
+        remote_(std::move(remote)) {}
 
   Status ExecuteEncoded(std::span<const std::byte> in, std::vector<std::byte>& out) override {
-    auto answer = remote_.channel->Call(message::kRead, remote_.handle, in, remote_.deadline);
+    if (in.size() > kMaxPayload) {
+      remote_.refused_payloads->Log(name_, in.size());
+      return Status::kInvalid;
+    }
+    auto answer =
+        remote_.channel->Call(message::kRead, remote_.handle, in, remote_.deadline, kOwnLane);
     if (!answer) return ToStatus(answer.error());
     out = *std::move(answer);
     return TakeStatus(out);
   }
 
  private:
+  const std::string name_;
   const ReadOfferProxy::Remote remote_;
 };
 
 }  // namespace
 
 std::unique_ptr<CommandBase> ReadOfferProxy::Bind(Mailbox* /*mailbox*/) const {
-  return std::make_unique<ReadCommandProxy>(remote_);
+  return std::make_unique<ReadCommandProxy>(description().name, remote_);
 }
 
 std::optional<Status> StatusOfRefusal(const Error& error) {

@@ -3,6 +3,7 @@
 #include <tendon/interface/offer.h>
 #include <tendon/lockfree/flag.h>
 #include <tendon/middleware/channel.h>
+#include <tendon/proxy/reports/refused_payloads.h>
 
 #include <chrono>
 #include <cstdint>
@@ -20,6 +21,7 @@ class ReadOfferProxy final : public Offer {
     std::shared_ptr<Channel> channel;
     std::uint32_t handle = 0;
     std::chrono::milliseconds deadline{0};
+    RefusedPayloads* refused_payloads = nullptr;  ///< of the interface
   };
   ReadOfferProxy(MemberDescription description, Remote remote)
       : Offer(std::move(description)), remote_(std::move(remote)) {}

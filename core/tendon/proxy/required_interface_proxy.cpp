@@ -8,12 +8,12 @@
 namespace tendon {
 namespace {
 
-/// As kRead and kWait are answered.
+/// As kWait is answered.
 void Answer(Status status, const Bytes& result, Responder& responder) {
   Bytes answer;
   if (status) answer = result;
   AppendStatus(status, answer);
-  responder.Reply(answer);
+  responder.Reply(answer, kOwnLane);
 }
 
 }  // namespace
@@ -25,14 +25,18 @@ RequiredInterfaceProxy::RequiredInterfaceProxy(std::shared_ptr<NetworkThread> th
       channel_(std::move(channel)),
       handle_(open.handle),
       capacity_(open.capacity),
-      outbox_(channel_, message::kEvents, thread_->wakeup()),
+      outbox_(channel_, message::kEvents, thread_->wakeup(), ToString(open.provided)),
+      loss_report_(channel_, handle_),
       interface_(open.description.name, &outbox_.inbox()) {
   for (const MemberDescription& function : open.description.functions) {
     functions_.push_back(std::make_unique<FunctionProxy>(interface_, function));
+    function_names_.push_back(function.name);
   }
   std::uint32_t handle = handle_;
   for (const MemberDescription& handler : open.description.event_handlers) {
-    interface_.AddOffer(std::make_unique<QueuedOfferProxy>(handler, outbox_, ++handle));
+    auto offer = std::make_unique<QueuedOfferProxy>(handler, outbox_, ++handle);
+    handlers_.push_back(offer.get());
+    interface_.AddOffer(std::move(offer));
   }
   interface_.SetMailboxCapacity(capacity_);
   interface_.Seal();
@@ -85,9 +89,19 @@ void RequiredInterfaceProxy::OnRead(std::size_t function, std::span<const std::b
   if (function >= functions_.size() || CanBeAwaited(functions_[function]->kind())) {
     return responder.Refuse({ErrorCode::kInvalid, "no such read in " + interface_.name()});
   }
-  const Status status = (*functions_[function])(argument, answer_);
+  Status status = (*functions_[function])(argument, answer_);
+  if (!CanBeSent(function, answer_)) {
+    answer_.clear();
+    status = Status::kFailed;
+  }
   AppendStatus(status, answer_);
-  responder.Reply(answer_);
+  responder.Reply(answer_, kOwnLane);
+}
+
+bool RequiredInterfaceProxy::CanBeSent(std::size_t function, const Bytes& answer) {
+  if (answer.size() <= kMaxPayload) return true;
+  outbox_.refused_payloads().Log(function_names_[function], answer.size());
+  return false;
 }
 
 void RequiredInterfaceProxy::OnWait(std::size_t function, std::span<const std::byte> question,
@@ -97,9 +111,11 @@ void RequiredInterfaceProxy::OnWait(std::size_t function, std::span<const std::b
     return responder.Refuse({ErrorCode::kInvalid, "no such command in " + interface_.name()});
   }
   const SteadyTime deadline = SteadyClock().Now() + *timeout;
-  const BegunCalls::Done done = [shared = std::make_shared<Responder>(std::move(responder))](
+  const BegunCalls::Done done = [this, function,
+                                 shared = std::make_shared<Responder>(std::move(responder))](
                                     Status status, const Bytes& result) {
-    Answer(status, result, *shared);
+    const bool can_be_sent = CanBeSent(function, result);
+    Answer(can_be_sent ? status : Status::kFailed, result, *shared);
   };
   CommandBase* command = nullptr;
   std::size_t call = 0;
@@ -116,12 +132,26 @@ void RequiredInterfaceProxy::OnWait(std::size_t function, std::span<const std::b
   thread_->Notify();
 }
 
+void RequiredInterfaceProxy::OnEventsLost(const message::EventsLost& events) {
+  std::uint64_t lost = 0;
+  for (const std::uint64_t one : events.lost) lost += one;
+  lost_there_.Set(lost);
+}
+
+std::uint64_t RequiredInterfaceProxy::lost_events() const {
+  std::uint64_t lost = lost_there_.Get();
+  for (const QueuedOfferProxy* handler : handlers_) lost += handler->refused();
+  return lost;
+}
+
 bool RequiredInterfaceProxy::Work(SteadyTime now, SteadyTime& next) {
   constexpr std::chrono::milliseconds kUntilLinkHasRoom(1);
   constexpr std::size_t kCallsInARow = 1024;
   const std::size_t sent = outbox_.Send(kCallsInARow);
   if (outbox_.is_held_up()) next = std::min(next, now + kUntilLinkHasRoom);
   SendCredit(now, next);
+  for (std::size_t i = 0; i < handlers_.size(); ++i) loss_report_.Set(i, handlers_[i]->refused());
+  loss_report_.Tell(now, next);
   return sent > 0;
 }
 

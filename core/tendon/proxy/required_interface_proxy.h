@@ -6,6 +6,7 @@
 #include <tendon/proxy/messages.h>
 #include <tendon/proxy/network_thread.h>
 #include <tendon/proxy/outbox.h>
+#include <tendon/proxy/reports/loss_report.h>
 #include <tendon/proxy/waiting/begun_calls.h>
 
 #include <functional>
@@ -30,6 +31,11 @@ class RequiredInterfaceProxy final : public NetworkJob {
   /// Of the other end.
   [[nodiscard]] std::uint32_t handle() const { return handle_; }
   [[nodiscard]] std::uint32_t capacity() const { return capacity_; }
+  /// In which events are sent.
+  [[nodiscard]] Lane lane() const { return outbox_.lane(); }
+  /// Any thread: how many events have not reached the handlers over there, whichever end has lost
+  /// them; of those the other end has lost, as many as it has told of.
+  [[nodiscard]] std::uint64_t lost_events() const;
 
   /// The component that is connected here.
   struct Server {
@@ -49,10 +55,13 @@ class RequiredInterfaceProxy final : public NetworkJob {
   void OnRead(std::size_t function, std::span<const std::byte> argument, Responder responder);
   /// Answers when the call was executed, or will not be.
   void OnWait(std::size_t function, std::span<const std::byte> question, Responder responder);
+  void OnEventsLost(const message::EventsLost& events);
 
   bool Work(SteadyTime now, SteadyTime& next) override;
 
  private:
+  /// If not, that is logged: nobody hears the answer of a call that was executed.
+  bool CanBeSent(std::size_t function, const Bytes& answer);
   void CountReceived();
   [[nodiscard]] bool IsAccepting() const;
   [[nodiscard]] std::string Fault() const;
@@ -63,9 +72,13 @@ class RequiredInterfaceProxy final : public NetworkJob {
   const std::uint32_t handle_;
   const std::uint32_t capacity_;
   Outbox outbox_;
+  LossReport loss_report_;
+  Published<std::uint64_t> lost_there_{0};
   RequiredInterface interface_;
   std::vector<std::unique_ptr<FunctionProxy>> functions_;
-  Bytes answer_;  // of the middleware's thread
+  std::vector<std::string> function_names_;
+  std::vector<const QueuedOfferProxy*> handlers_;  // of events
+  Bytes answer_;                                   // of the middleware's thread
 
   std::mutex mutex_;  // of what follows
   const Connection* connection_ = nullptr;

@@ -264,6 +264,13 @@ void FakeProcess::Report(const std::vector<CatalogChange>& changes) {
   }
 }
 
+Status FakeProcess::SendLog(const message::LogRecords& records) {
+  std::unique_lock lock(state_->mutex);
+  const auto channel = state_->gcm;
+  lock.unlock();
+  return channel ? channel->Notify(message::kLogRecords, 0, records) : Status::kNotConnected;
+}
+
 void FakeProcess::set_manners(Manners manners) {
   const std::scoped_lock lock(state_->mutex);
   state_->manners = manners;

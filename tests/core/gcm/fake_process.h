@@ -52,6 +52,7 @@ class FakeProcess {
   /// Breaks the link, but knows its session.
   void BreakLink();
   void Report(const std::vector<CatalogChange>& changes);
+  Status SendLog(const message::LogRecords& records);
 
   void set_manners(Manners manners);
   [[nodiscard]] const ProcessDescription& description() const;

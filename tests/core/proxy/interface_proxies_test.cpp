@@ -1,182 +1,9 @@
-#include <gtest/gtest.h>
-#include <tendon/middleware/loopback.h>
-#include <tendon/proxy/provided_interface_proxy.h>
-#include <tendon/proxy/required_interface_proxy.h>
-
-#include <atomic>
-#include <future>
-#include <mutex>
+#include "core/proxy/interface_proxies.h"
 
 #include "support/wait.h"
 
+namespace tendon {
 namespace {
-
-using tendon::Bytes;
-using tendon::Channel;
-using tendon::CommandKind;
-using tendon::Connection;
-using tendon::EncodeBody;
-using tendon::FrameHeader;
-using tendon::Hello;
-using tendon::LoopbackMiddleware;
-using tendon::None;
-using tendon::Status;
-
-constexpr std::uint32_t kClientHandle = 10;
-constexpr std::uint32_t kServerHandle = 20;
-
-/// The client's end of the channel.
-struct ClientEnd final : tendon::ChannelHandler {
-  void OnNotice(const std::shared_ptr<Channel>& /*channel*/, const FrameHeader& header,
-                std::span<const std::byte> body) override {
-    if (header.type == tendon::message::kCredit) {
-      EXPECT_EQ(header.handle, kClientHandle);
-      proxy->OnCredit(*tendon::DecodeBody<tendon::message::Credit>(body));
-    } else if (header.type == tendon::message::kEvents) {
-      tendon::ForEachCall(body, [this](std::uint32_t handle, std::span<const std::byte> value) {
-        proxy->OnEvent(handle - kClientHandle - 1, value);
-      });
-    }
-  }
-  std::shared_ptr<tendon::ProvidedInterfaceProxy> proxy;
-};
-
-/// The server's.
-struct ServerEnd final : tendon::ChannelHandler {
-  void OnOpen(const std::shared_ptr<Channel>& opened, const Hello& /*peer*/) override {
-    channel.set_value(opened);
-  }
-  void OnNotice(const std::shared_ptr<Channel>& /*channel*/, const FrameHeader& header,
-                std::span<const std::byte> body) override {
-    ASSERT_EQ(header.type, tendon::message::kCommands);
-    const std::scoped_lock turn(gate);
-    tendon::ForEachCall(body, [this](std::uint32_t handle, std::span<const std::byte> argument) {
-      proxy->OnCommand(handle - kServerHandle - 1, argument);
-    });
-  }
-  void OnRequest(const std::shared_ptr<Channel>& /*channel*/, const FrameHeader& header,
-                 std::span<const std::byte> body, tendon::Responder responder) override {
-    const std::uint32_t function = header.handle - kServerHandle - 1;
-    if (header.type == tendon::message::kRead) {
-      return proxy->OnRead(function, body, std::move(responder));
-    }
-    ASSERT_EQ(header.type, tendon::message::kWait);
-    if (is_silent) {
-      unanswered.push_back(std::move(responder));
-      ++heard;
-      return;
-    }
-    proxy->OnWait(function, body, std::move(responder));
-  }
-  std::mutex gate;  // while it is locked no more frames are taken from the link
-  std::atomic<bool> is_silent{false};
-  std::atomic<int> heard{0};
-  std::vector<tendon::Responder> unanswered;
-  std::promise<std::shared_ptr<Channel>> channel;
-  std::shared_ptr<tendon::RequiredInterfaceProxy> proxy;
-};
-
-/// A required and a provided interface, and between them the two proxies and a channel. The test
-/// executes what waits in the inboxes.
-class InterfaceProxies : public testing::Test {
- protected:
-  InterfaceProxies() {
-    server_inbox.SetAccepting(true);
-    client_inbox.SetAccepting(true);
-    provided.AddCommandWrite(&InterfaceProxies::Push, this, "Push");
-    provided.AddCommandWrite(&InterfaceProxies::Load, this, "Load");
-    provided.AddCommandRead(&InterfaceProxies::Count, this, "Count", tendon::kThreadSafe);
-    provided.AddEvent(pushed, "Pushed");
-    required.AddFunction(push, "Push");
-    required.AddFunction(load, "Load");
-    required.AddFunction(count, "Count");
-    required.AddFunction(missing, "Missing", tendon::Need::kOptional);
-    required.AddEventHandlerWrite(&InterfaceProxies::OnPushed, this, "Pushed");
-    OpenChannel();
-    MakeServer();
-    MakeClient();
-  }
-  ~InterfaceProxies() override {
-    client_connection.reset();
-    thread->Remove(*client_end->proxy);
-    server_end->proxy->EndCredit();
-    server_connection.reset();
-    thread->Remove(*server_end->proxy);
-    channel->Close();
-    listener.reset();
-  }
-
-  void OpenChannel() {
-    const Hello hello{.name = "test", .cookie = 1};
-    auto listening =
-        server.Listen("127.0.0.1:0", Channel::Acceptor(hello, [this] { return server_end; }));
-    ASSERT_TRUE(listening.ok());
-    listener = *std::move(listening);
-    auto opened =
-        Channel::Open(client, listener->address(), hello, client_end, std::chrono::seconds(20));
-    ASSERT_TRUE(opened.ok()) << opened.error().message;
-    channel = *opened;
-  }
-  void MakeServer() {
-    server_end->proxy = std::make_shared<tendon::RequiredInterfaceProxy>(
-        thread, server_end->channel.get_future().get(),
-        tendon::message::OpenInterface{
-            .description = required.description(), .handle = kClientHandle, .capacity = 4});
-    auto made = Connection::Make(server_end->proxy->interface(), provided, "client", "server");
-    ASSERT_TRUE(made.ok()) << made.error().message;
-    server_connection = *std::move(made);
-  }
-  void MakeClient() {
-    required.SetMailboxCapacity(4);
-    client_end->proxy = std::make_shared<tendon::ProvidedInterfaceProxy>(
-        thread, Remote(), required.description(), required.read_deadline());
-    auto made = Connection::Make(required, client_end->proxy->interface(), "client", "server");
-    ASSERT_TRUE(made.ok()) << made.error().message;
-    client_connection = *std::move(made);
-    (void)server_end->proxy->BeginCredit(
-        *server_connection, {.interface = &provided, .fault = [] { return std::string(); }});
-    thread->Add(*client_end->proxy);
-    thread->Add(*server_end->proxy);
-  }
-  tendon::ProvidedInterfaceProxy::Remote Remote() {
-    return {.channel = channel,
-            .opened = {.handle = kServerHandle,
-                       .credit = server_end->proxy->capacity(),
-                       .accepting = true,
-                       .description = provided.description()}};
-  }
-
-  void Push(int number) { numbers.push_back(number); }
-  void Load(const std::vector<double>& values) { loads.push_back(values.size()); }
-  void Count(int& answer) const { answer = 17; }
-  void OnPushed(int number) { heard.push_back(number); }
-
-  std::vector<int> numbers;
-  std::vector<std::size_t> loads;
-  std::vector<int> heard;
-
-  tendon::Inbox server_inbox;
-  tendon::ProvidedInterface provided{"Control", &server_inbox};
-  tendon::WriteEvent<int> pushed;
-
-  tendon::Inbox client_inbox;
-  tendon::RequiredInterface required{"Robot", &client_inbox};
-  tendon::WriteFunction<int> push;
-  tendon::WriteFunction<std::vector<double>> load;
-  tendon::ReadFunction<int> count;
-  tendon::VoidFunction missing;
-
-  std::shared_ptr<tendon::LoopbackNetwork> network = std::make_shared<tendon::LoopbackNetwork>();
-  LoopbackMiddleware server{network};
-  LoopbackMiddleware client{network};
-  std::shared_ptr<tendon::NetworkThread> thread = std::make_shared<tendon::NetworkThread>();
-  std::shared_ptr<ServerEnd> server_end = std::make_shared<ServerEnd>();
-  std::shared_ptr<ClientEnd> client_end = std::make_shared<ClientEnd>();
-  std::unique_ptr<tendon::Listener> listener;
-  std::shared_ptr<Channel> channel;
-  std::unique_ptr<Connection> server_connection;
-  std::unique_ptr<Connection> client_connection;
-};
 
 TEST_F(InterfaceProxies, SendNoMoreThanTheServerHasRoomForAndLoseNothing) {
   int accepted = 0;
@@ -253,6 +80,32 @@ TEST_F(InterfaceProxies, KeepWhatALinkHasNoRoomFor) {
   EXPECT_EQ(accepted, 30);
 }
 
+TEST_F(InterfaceProxies, SendInLanesOfTheirOwn) {
+  Wakeup<> wakeup;
+  const Outbox other(channel, message::kCommands, wakeup, "other");
+
+  EXPECT_NE(client_end->proxy->lane(), kCommonLane);
+  EXPECT_NE(client_end->proxy->lane(), other.lane());
+  EXPECT_NE(server_end->proxy->lane(), kCommonLane);
+}
+
+TEST_F(InterfaceProxies, SendWhatALinkHadNoRoomForWhenTheConnectionEnds) {
+  const std::vector<double> big(700'000);
+  std::unique_lock closed(server_end->gate);  // holds up the first; the second fills the link
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(load(big), Status(Status::kQueued));
+  EXPECT_TRUE(EventuallyTrue([&] { return client_connection->waiting() == 0; }));
+  thread->Remove(*client_end->proxy);
+
+  client_end->proxy->SendRest(std::chrono::milliseconds(0));  // there still is no room
+  closed.unlock();
+  client_end->proxy->SendRest(std::chrono::seconds(20));
+
+  EXPECT_TRUE(EventuallyTrue([&] {
+    server_inbox.ExecuteQueued();
+    return loads.size() == 3;
+  }));
+}
+
 TEST_F(InterfaceProxies, AnswerReadsAtOnce) {
   int answer = 0;
   EXPECT_EQ(count(answer), Status(Status::kDone));
@@ -275,12 +128,12 @@ TEST_F(InterfaceProxies, BringEventsInOrder) {
 }
 
 TEST_F(InterfaceProxies, DoNotMixUpCommandsAndReads) {
-  const auto read_of_a_write = channel->Call(tendon::message::kRead, kServerHandle + 1,
-                                             EncodeBody(5), std::chrono::seconds(20));
-  tendon::CallBatch calls;
+  const auto read_of_a_write =
+      channel->Call(message::kRead, kServerHandle + 1, EncodeBody(5), std::chrono::seconds(20));
+  CallBatch calls;
   calls.Add(kServerHandle + 3, EncodeBody(None{}));
   calls.Add(kServerHandle + 99, EncodeBody(None{}));
-  EXPECT_TRUE(channel->Notify(tendon::message::kCommands, 0, calls.body()));
+  EXPECT_TRUE(channel->Notify(message::kCommands, 0, calls.body()));
 
   EXPECT_FALSE(read_of_a_write.ok());
   EXPECT_EQ(push(6), Status(Status::kQueued));
@@ -297,10 +150,10 @@ TEST_F(InterfaceProxies, AreNotMadeFromNonsense) {
   auto remote = Remote();
   remote.opened.description.commands.front().name = "no name";
 
-  EXPECT_THROW(tendon::RequiredInterfaceProxy(thread, channel, {.description = description}),
-               tendon::ConfigurationError);
-  EXPECT_THROW(tendon::ProvidedInterfaceProxy(thread, remote, description, std::chrono::seconds(1)),
-               tendon::ConfigurationError);
+  EXPECT_THROW(RequiredInterfaceProxy(thread, channel, {.description = description}),
+               ConfigurationError);
+  EXPECT_THROW(ProvidedInterfaceProxy(thread, remote, description, std::chrono::seconds(1)),
+               ConfigurationError);
 }
 
 TEST_F(InterfaceProxies, AWaitEndsWhenTheServerHasExecutedTheCall) {
@@ -387,11 +240,10 @@ TEST_F(InterfaceProxies, AWaitIsNotEndedByAWordThatTheCallIsQueued) {
 }
 
 TEST_F(InterfaceProxies, AWaitThatALinkHasNoRoomForIsSentWholeOnceThereIs) {
-  tendon::Wakeup<> wakeup;
-  tendon::Outbox outbox(channel, tendon::message::kCommands, wakeup);
-  const tendon::QueuedOfferProxy offer(provided.description().commands[1], outbox,
-                                       kServerHandle + 2);
-  tendon::Mailbox& mailbox = outbox.inbox().Open(4, {}, tendon::Callers::kManyThreads);
+  Wakeup<> wakeup;
+  Outbox outbox(channel, message::kCommands, wakeup, "server");
+  const QueuedOfferProxy offer(provided.description().commands[1], outbox, kServerHandle + 2);
+  Mailbox& mailbox = outbox.inbox().Open(4, {}, Callers::kManyThreads);
   const auto command = offer.Bind(&mailbox);
   const Bytes big = EncodeBody(std::vector<double>(700'000));
   Bytes nothing;
@@ -421,3 +273,4 @@ TEST_F(InterfaceProxies, AWaitThatALinkHasNoRoomForIsSentWholeOnceThereIs) {
 }
 
 }  // namespace
+}  // namespace tendon

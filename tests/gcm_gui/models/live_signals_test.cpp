@@ -24,6 +24,7 @@ class ScriptedTelemetry final : public TelemetryClient {
     return last_id_;
   }
   void Unsubscribe(Id id) override { entries.erase(id); }
+  [[nodiscard]] RowCounts CountsOf(Id /*id*/) const override { return {}; }
 
   std::map<Id, Entry> entries;
 
@@ -32,7 +33,8 @@ class ScriptedTelemetry final : public TelemetryClient {
 };
 
 /// Sends rows of two doubles, `position[0..1]`, whose first is the tick.
-void SendRows(RowSink& sink, std::uint64_t epoch, std::uint64_t first, std::size_t count) {
+void SendRows(RowSink& sink, std::uint64_t epoch, std::uint64_t first, std::size_t count,
+              std::chrono::nanoseconds clock_offset = {}) {
   std::vector<std::uint64_t> ticks;
   std::vector<std::int64_t> times;
   std::vector<std::vector<std::byte>> cells;
@@ -48,6 +50,7 @@ void SendRows(RowSink& sink, std::uint64_t epoch, std::uint64_t first, std::size
   batch.count = count;
   batch.ticks = ticks;
   batch.times = times;
+  batch.clock_offset = clock_offset;
   batch.cell = [&](std::size_t row, std::size_t) { return std::span<const std::byte>(cells[row]); };
   sink.OnRows(batch);
 }
@@ -104,6 +107,17 @@ TEST_F(LiveSignalsTest, EveryRowArrivesInOrderWithItsTickAndTime) {
     EXPECT_EQ(rows[i].time_ns, static_cast<std::int64_t>((100 + i) * 1'000'000));
     EXPECT_DOUBLE_EQ(rows[i].value, static_cast<double>(100 + i));
   }
+}
+
+TEST_F(LiveSignalsTest, RowsOfAnotherHostLieOnTheAxisOfThisOne) {
+  live_.subscribe(first_);
+  Sink().OnSubscribed({PositionSchema()});
+
+  SendRows(Sink(), 1, 5000, 1, std::chrono::seconds(2));
+  live_.drain();
+
+  ASSERT_EQ(rows_[first_].size(), 1u);
+  EXPECT_EQ(rows_[first_][0].time_ns, 3'000'000'000);
 }
 
 TEST_F(LiveSignalsTest, ANewEpochIsToldBetweenTheRowsBeforeAndAfter) {

@@ -1,8 +1,10 @@
 #include <tendon/base/os/process.h>
 #include <tendon/gcm/client/gcm_link.h>
 #include <tendon/gcm/lookup.h>
+#include <tendon/process/access/guarded_handler.h>
 
 #include <map>
+#include <utility>
 
 namespace tendon::client {
 namespace {
@@ -50,24 +52,32 @@ std::string Briefly(const std::string& reason) {
 /// Of one attempt to have a channel.
 class GcmLink::Handler final : public ChannelHandler {
  public:
-  explicit Handler(std::weak_ptr<GcmLink> link) : link_(std::move(link)) {}
+  explicit Handler(std::weak_ptr<GcmLink> link, Role role) : link_(std::move(link)), role_(role) {}
 
   void OnOpen(const SharedChannel& channel, const Hello& /*peer*/) override {
+    LowerRole(*channel, role_);
     if (const auto link = link_.lock()) link->Opened(channel);
   }
   void OnNotice(const SharedChannel& channel, const FrameHeader& header,
                 std::span<const std::byte> body) override {
-    const auto link = link_.lock();
-    if (!link || header.type != message::kChanges) return;
-    const auto changes = DecodeBody<message::Changes>(body);
-    changes ? link->Receive(channel, *changes) : channel->Close();
+    if (header.type == message::kChanges) Receive<message::Changes>(channel, body);
+    if (header.type == message::kLogRecords) Receive<message::LogRecords>(channel, body);
   }
   void OnClosed(const SharedChannel& channel, const Error& reason) override {
     if (const auto link = link_.lock()) link->Closed(channel, reason);
   }
 
  private:
+  template <Message T>
+  void Receive(const SharedChannel& channel, std::span<const std::byte> body) {
+    const auto link = link_.lock();
+    if (!link) return;
+    const auto decoded = DecodeBody<T>(body);
+    decoded ? link->Receive(channel, *decoded) : channel->Close();
+  }
+
   const std::weak_ptr<GcmLink> link_;
+  const Role role_;
 };
 
 GcmLink::GcmLink(Middleware& middleware, GcmClient::Options options, Events events,
@@ -112,7 +122,7 @@ void GcmLink::Open() {
     Lost(cookie.error());
   } else {
     const Hello mine{.instance = os::RandomNumber(), .name = options_.name, .cookie = *cookie};
-    const auto handler = std::make_shared<Handler>(weak_from_this());
+    const auto handler = std::make_shared<Handler>(weak_from_this(), options_.role);
     const auto channel =
         Channel::Open(middleware_, options_.address, mine, handler, options_.timeout);
     if (channel) return;  // the handler goes on
@@ -122,12 +132,25 @@ void GcmLink::Open() {
 }
 
 void GcmLink::Opened(const SharedChannel& channel) {
+  bool wants_log = false;
   {
     const std::scoped_lock lock(mutex_);
     if (stopped_) return channel->Close();
     channel_ = channel;
+    wants_log = wants_log_;
   }
   Watch(channel);
+  if (wants_log) WatchLog(channel);
+}
+
+void GcmLink::WatchLog() {
+  SharedChannel channel;
+  {
+    const std::scoped_lock lock(mutex_);
+    if (std::exchange(wants_log_, true)) return;
+    channel = channel_;
+  }
+  if (channel) WatchLog(channel);
 }
 
 void GcmLink::Closed(const SharedChannel& channel, const Error& reason) {
@@ -149,6 +172,16 @@ void GcmLink::Watch(const SharedChannel& channel) {
                            if (!snapshot) return channel->Close();
                            self->Receive(channel, *snapshot);
                          });
+}
+
+void GcmLink::WatchLog(const SharedChannel& channel) {
+  Ask<message::LogWatched>(*timer_, channel, message::kWatchLog, log_.Wanted(), options_.timeout,
+                           [weak = weak_from_this(), channel](const auto& watched) {
+                             const auto self = weak.lock();
+                             if (!self) return;
+                             if (!watched) return channel->Close();
+                             self->TellLog(channel, [&] { return self->log_.Begin(*watched); });
+                           });
 }
 
 void GcmLink::Receive(const SharedChannel& channel, const message::Snapshot& snapshot) {
@@ -194,6 +227,23 @@ void GcmLink::Receive(const SharedChannel& channel, const message::Changes& chan
     if (!moved.empty()) events_.on_moved(moved);
   });
   if (has_hole) Watch(channel);
+}
+
+void GcmLink::Receive(const SharedChannel& channel, const message::LogRecords& records) {
+  TellLog(channel, [&] { return log_.Take(records); });
+}
+
+/// `take` makes the batch, unless the channel is an old one.
+template <typename Take>
+void GcmLink::TellLog(const SharedChannel& channel, Take&& take) {
+  {
+    const std::scoped_lock lock(mutex_);
+    if (channel_ != channel) return;
+  }
+  const LogBatch batch = take();
+  Tell([&] {
+    if (events_.listener) events_.listener->OnLog(batch);
+  });
 }
 
 /// Asks the GCM for a sign of life, again and again: a link may hang without breaking.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <tendon/gcm/client.h>
+#include <tendon/gcm/client/log_feed.h>
 #include <tendon/middleware/channel.h>
 #include <tendon/process/ask.h>
 #include <tendon/process/worker.h>
@@ -40,6 +41,8 @@ class GcmLink final : public std::enable_shared_from_this<GcmLink> {
   void Stop();
 
   Result<void> WaitUntilWatching();
+  /// From now on the listener hears the log.
+  void WatchLog();
 
   /// Calls `read(catalog)` under the lock: be short.
   template <typename Read>
@@ -61,8 +64,12 @@ class GcmLink final : public std::enable_shared_from_this<GcmLink> {
   void Opened(const SharedChannel& channel);
   void Closed(const SharedChannel& channel, const Error& reason);
   void Watch(const SharedChannel& channel);
+  void WatchLog(const SharedChannel& channel);
+  template <typename Take>
+  void TellLog(const SharedChannel& channel, Take&& take);
   void Receive(const SharedChannel& channel, const message::Snapshot& snapshot);
   void Receive(const SharedChannel& channel, const message::Changes& changes);
+  void Receive(const SharedChannel& channel, const message::LogRecords& records);
   void Renew(const std::weak_ptr<Channel>& weak);
   void Lost(const Error& reason);
   [[nodiscard]] Error NoGcm() const;
@@ -80,8 +87,10 @@ class GcmLink final : public std::enable_shared_from_this<GcmLink> {
   std::condition_variable changed_;
   SharedChannel channel_;   // while it is open
   bool is_waiting_ = true;  // for a snapshot: changes are of no use
+  bool wants_log_ = false;
   Catalog catalog_;
   std::optional<Error> lost_;  // why there is no channel
+  LogFeed log_;
   Worker opener_{"client-gcm"};
 };
 

@@ -1,5 +1,6 @@
 #include <tendon/base/os/process.h>
 #include <tendon/gcm/client/process_links.h>
+#include <tendon/process/access/guarded_handler.h>
 
 #include <utility>
 
@@ -12,7 +13,12 @@ constexpr std::chrono::milliseconds kOpenTimeout(1000);
 
 class ProcessLinks::Handler final : public ChannelHandler {
  public:
-  explicit Handler(std::weak_ptr<ProcessLinks> links) : links_(std::move(links)) {}
+  explicit Handler(std::weak_ptr<ProcessLinks> links, Role role)
+      : links_(std::move(links)), role_(role) {}
+
+  void OnOpen(const SharedChannel& channel, const Hello& /*peer*/) override {
+    LowerRole(*channel, role_);
+  }
 
   void OnClosed(const SharedChannel& channel, const Error& /*reason*/) override {
     if (const auto links = links_.lock()) links->Closed(channel.get());
@@ -20,10 +26,11 @@ class ProcessLinks::Handler final : public ChannelHandler {
 
  private:
   const std::weak_ptr<ProcessLinks> links_;
+  const Role role_;
 };
 
-ProcessLinks::ProcessLinks(Middleware& middleware, Resolve resolve, std::string name)
-    : middleware_(middleware), resolve_(std::move(resolve)), name_(std::move(name)) {}
+ProcessLinks::ProcessLinks(Middleware& middleware, Resolve resolve, std::string name, Role role)
+    : middleware_(middleware), resolve_(std::move(resolve)), name_(std::move(name)), role_(role) {}
 
 void ProcessLinks::With(const std::string& process, Use use) {
   std::unique_lock lock(mutex_);
@@ -86,7 +93,7 @@ Result<ProcessLinks::SharedChannel> ProcessLinks::TryOpen(const std::string& pro
   const auto cookie = LoopbackCookie();
   if (!cookie) return cookie.error();
   const Hello mine{.instance = os::RandomNumber(), .name = name_, .cookie = *cookie};
-  const auto handler = std::make_shared<Handler>(weak_from_this());
+  const auto handler = std::make_shared<Handler>(weak_from_this(), role_);
   const std::string who = "process '" + process + "' does not answer at " + there->address;
   auto channel = Channel::Open(middleware_, there->address, mine, handler, kOpenTimeout);
   if (!channel) return Error{channel.error().code, who + ": " + channel.error().message};

@@ -3,6 +3,7 @@
 #include <tendon/middleware/channel.h>
 #include <tendon/process/description.h>
 #include <tendon/process/worker.h>
+#include <tendon/security/role.h>
 
 #include <cstdint>
 #include <functional>
@@ -24,8 +25,8 @@ class ProcessLinks final : public std::enable_shared_from_this<ProcessLinks> {
   /// Where a process is now; the error says why it is nowhere.
   using Resolve = std::function<Result<ProcessDescription>(const std::string& process)>;
 
-  /// The middleware outlives Stop().
-  ProcessLinks(Middleware& middleware, Resolve resolve, std::string name);
+  /// The middleware outlives Stop(). In the processes, we have `role` at most.
+  ProcessLinks(Middleware& middleware, Resolve resolve, std::string name, Role role);
 
   /// Calls `use` with an open channel or the reason why there is none: at once, or in the thread
   /// that opens it.
@@ -48,6 +49,7 @@ class ProcessLinks final : public std::enable_shared_from_this<ProcessLinks> {
   Middleware& middleware_;
   const Resolve resolve_;
   const std::string name_;
+  const Role role_;
   std::mutex mutex_;
   bool stopped_ = false;
   std::map<std::string, Place> places_;

@@ -120,4 +120,11 @@ Result<void> TakeIn(CatalogChange& change, const std::string& process) {
   return Invalid("a change of this kind is about exactly one thing");
 }
 
+void TakeIn(message::LogRecords& batch) {
+  for (message::LogRecord& record : batch.records) {
+    record.source = Printable(record.source, kLongestWord);
+    record.text = Printable(record.text);
+  }
+}
+
 }  // namespace tendon::server

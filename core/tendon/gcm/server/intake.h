@@ -1,6 +1,7 @@
 #pragma once
 
 #include <tendon/base/result.h>
+#include <tendon/process/log/messages.h>
 #include <tendon/process/membership_messages.h>
 
 #include <string>
@@ -19,5 +20,7 @@ Result<void> TakeIn(message::Join& join);
 
 /// One step of a Report of `process`: about itself, with exactly what its kind needs.
 Result<void> TakeIn(CatalogChange& change, const std::string& process);
+
+void TakeIn(message::LogRecords& batch);
 
 }  // namespace tendon::server

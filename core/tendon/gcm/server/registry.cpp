@@ -201,6 +201,11 @@ void Registry::ClearTombstones(SteadyTime now) {
   for (const std::string& name : old) Remove(name);
 }
 
+const ProcessDescription* Registry::FindMember(Session session) const {
+  const auto found = members_.find(session);
+  return found == members_.end() ? nullptr : &catalog_.FindProcess(found->second.name)->process;
+}
+
 std::shared_ptr<Channel> Registry::ChannelOf(const std::string& process) const {
   const Member* member = FindByName(process);
   return member == nullptr ? nullptr : member->channel;

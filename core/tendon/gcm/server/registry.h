@@ -59,6 +59,8 @@ class Registry {
   std::vector<std::shared_ptr<Channel>> Tick();
 
   [[nodiscard]] const Catalog& catalog() const { return catalog_; }
+  /// Of a member, as the catalogue has it; null when the membership is over.
+  [[nodiscard]] const ProcessDescription* FindMember(Session session) const;
   /// Of a member, else null.
   [[nodiscard]] std::shared_ptr<Channel> ChannelOf(const std::string& process) const;
   [[nodiscard]] std::vector<std::shared_ptr<Channel>> channels() const;

@@ -1,6 +1,10 @@
 #include <tendon/base/log.h>
 #include <tendon/base/printable.h>
+#include <tendon/gcm/lookup.h>
+#include <tendon/gcm/server/intake.h>
 #include <tendon/gcm/server/server.h>
+#include <tendon/process/access/guarded_handler.h>
+#include <tendon/process/ask.h>
 
 #include <map>
 #include <string_view>
@@ -47,6 +51,24 @@ bool ChangesProcesses(const std::vector<CatalogChange>& changes) {
 /// What the program at the other end calls itself.
 std::string NameOf(const Channel& channel) { return Printable(channel.peer().name, 64); }
 
+/// What a request is about, for the audit log.
+std::string ObjectOf(MessageType type, std::span<const std::byte> body) {
+  if (type == message::kForget) {
+    const auto forget = DecodeBody<message::Forget>(body);
+    return forget ? forget->process : std::string();
+  }
+  if (type == message::kSetLogLevel) {
+    const auto order = DecodeBody<message::SetLogLevel>(body);
+    return order ? order->process : std::string();
+  }
+  const bool has_ends =
+      type == message::kConnect || type == message::kReplace || type == message::kDisconnect;
+  const auto wire = has_ends ? DecodeBody<message::Wire>(body) : Result(message::Wire());
+  if (!has_ends || !wire) return {};
+  const bool has_provided = type != message::kDisconnect;
+  return ToString(wire->required) + (has_provided ? " " + ToString(wire->provided) : "");
+}
+
 /// Answers whatever the result is of.
 auto AnswerOf(const std::shared_ptr<Responder>& responder) {
   return [responder](const auto& result) { responder->Answer(result); };
@@ -55,12 +77,12 @@ auto AnswerOf(const std::shared_ptr<Responder>& responder) {
 }  // namespace
 
 /// One channel, of an LCM or a viewer.
-class Server::Peer final : public ChannelHandler {
+class Server::Peer final : public GuardedHandler {
  public:
   explicit Peer(std::shared_ptr<Server> server) : server_(std::move(server)) {}
 
-  void OnRequest(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
-                 std::span<const std::byte> body, Responder responder) override {
+  void OnAllowedRequest(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
+                        std::span<const std::byte> body, Responder responder) override {
     if (const Serve serve = ServeOf(header.type)) {
       const auto shared = std::make_shared<Responder>(std::move(responder));
       return ((*server_).*serve)({*this, channel, body, shared});
@@ -69,13 +91,19 @@ class Server::Peer final : public ChannelHandler {
                                                std::to_string(static_cast<unsigned>(header.type))});
   }
 
-  void OnNotice(const std::shared_ptr<Channel>& /*channel*/, const FrameHeader& header,
-                std::span<const std::byte> body) override {
+  void OnAllowedNotice(const std::shared_ptr<Channel>& /*channel*/, const FrameHeader& header,
+                       std::span<const std::byte> body) override {
     if (header.type == message::kReport) server_->Report(*this, body);
+    if (header.type == message::kLogRecords) server_->TakeLog(*this, body);
   }
 
   void OnClosed(const std::shared_ptr<Channel>& channel, const Error& reason) override {
     server_->Closed(*this, channel, reason);
+  }
+
+  [[nodiscard]] std::string ObjectOf(const FrameHeader& header,
+                                     std::span<const std::byte> body) const override {
+    return server::ObjectOf(header.type, body);
   }
 
   Session session = 0;  // under the server's lock; 0: not a member
@@ -123,8 +151,18 @@ void Server::Tick() {
       outbox_.Add([channel] { channel->Close(); });
     }
     if (std::exchange(peers_owed_, false)) SendPeers();
-    outbox_.Add([this] { watchers_.Pump(); });
+    outbox_.Add([this] {
+      watchers_.Pump();
+      WriteOwnLog();
+    });
   });
+}
+
+/// In an action of the outbox; also sends watchers what their links had no room for.
+void Server::WriteOwnLog() {
+  auto records = own_log_.Take(LogQueue::kCapacity, SteadyClock().Now());
+  for (message::LogRecord& record : records) log_book_.AddOwn(std::move(record));
+  log_book_.Pump();
 }
 
 void Server::KeepTicking() {
@@ -146,16 +184,30 @@ void Server::Locked(Action&& action) {
 
 void Server::Publish() {
   if (auto changes = registry_.TakeChanges(); !changes.empty()) {
-    if (ChangesProcesses(changes)) SendPeers();
+    if (ChangesProcesses(changes)) TellPeers();
     outbox_.Add([this, changes = std::move(changes)] {
       watchers_.Publish(changes);
       LogProcesses(changes);
+      for (const CatalogChange& change : changes) {
+        if (change.kind == CatalogChange::Kind::kProcessRemoved) log_book_.Forget(change.process);
+      }
     });
   }
   for (const message::Wire& wire : registry_.TakeDueHandBacks()) orders_->HandBack(wire);
 }
 
+/// At once, unless they were told only just now: of many that come or are late together the others
+/// hear once a tick, not once each, or a herd would keep the GCM and itself too busy to renew.
+void Server::TellPeers() {
+  if (SteadyClock().Now() - peers_told_ < kTick) {
+    peers_owed_ = true;
+  } else {
+    SendPeers();
+  }
+}
+
 void Server::SendPeers() {
+  peers_told_ = SteadyClock().Now();
   const auto body = std::make_shared<const Bytes>(EncodeBody(registry_.peers()));
   for (const auto& channel : registry_.channels()) {
     outbox_.Add([this, channel, body] {
@@ -176,11 +228,12 @@ void Server::Answer(const Request& request, Result<T> result) {
 
 Server::Serve Server::ServeOf(MessageType type) {
   static const std::map<MessageType, Serve> kServes = {
-      {message::kJoin, &Server::Join},       {message::kRenew, &Server::Renew},
-      {message::kLeave, &Server::Leave},     {message::kWatch, &Server::Watch},
-      {message::kConnect, &Server::Connect}, {message::kDisconnect, &Server::Disconnect},
-      {message::kUndo, &Server::Undo},       {message::kHistory, &Server::Tell},
-      {message::kForget, &Server::Forget},   {message::kReplace, &Server::Replace}};
+      {message::kJoin, &Server::Join},         {message::kRenew, &Server::Renew},
+      {message::kLeave, &Server::Leave},       {message::kWatch, &Server::Watch},
+      {message::kConnect, &Server::Connect},   {message::kDisconnect, &Server::Disconnect},
+      {message::kUndo, &Server::Undo},         {message::kHistory, &Server::Tell},
+      {message::kForget, &Server::Forget},     {message::kReplace, &Server::Replace},
+      {message::kWatchLog, &Server::WatchLog}, {message::kSetLogLevel, &Server::SetLogLevel}};
   const auto found = kServes.find(type);
   return found == kServes.end() ? nullptr : found->second;
 }
@@ -264,6 +317,45 @@ void Server::Forget(const Request& request) {
   Locked([&] { Answer(request, registry_.Forget(forget->process)); });
 }
 
+void Server::WatchLog(const Request& request) {
+  const auto watch = DecodeBody<message::WatchLog>(request.body);
+  if (!watch) return request.responder->Refuse(watch.error());
+  const bool goes_on = watch->gcm_instance == options_.instance;
+  Locked([&] {
+    outbox_.Add([this, channel = request.channel, responder = request.responder,
+                 after = goes_on ? watch->after : 0] {
+      if (!channel->is_open()) return;
+      message::LogWatched watched = log_book_.Watch(channel, after);
+      watched.gcm_instance = options_.instance;
+      responder->Answer(Result(watched));
+      log_book_.Pump();
+    });
+  });
+}
+
+void Server::SetLogLevel(const Request& request) {
+  const auto order = DecodeBody<message::SetLogLevel>(request.body);
+  if (!order) return request.responder->Refuse(order.error());
+  Locked([&] {
+    const auto entry = LookUpProcess(registry_.catalog(), order->process);
+    if (!entry) return Answer<None>(request, entry.error());
+    const auto present = RequirePresent((*entry)->process);
+    if (!present) return Answer(request, present);
+    outbox_.Add([this, channel = registry_.ChannelOf(order->process), order = *order,
+                 who = NameOf(*request.channel), responder = request.responder] {
+      Ask<None>(worker_, channel, message::kSetLogLevel, order, options_.order_timeout,
+                [order, who, responder](const auto& done) {
+                  if (done) {
+                    Log(LogLevel::kInfo, "gcm",
+                        who + " has set the log level of process '" + order.process + "' to " +
+                            std::string(ToString(order.level)));
+                  }
+                  responder->Answer(done);
+                });
+    });
+  });
+}
+
 void Server::Report(const Peer& peer, std::span<const std::byte> body) {
   auto report = DecodeBody<message::Report>(body);
   Locked([&] {
@@ -276,11 +368,30 @@ void Server::Report(const Peer& peer, std::span<const std::byte> body) {
   });
 }
 
+void Server::TakeLog(const Peer& peer, std::span<const std::byte> body) {
+  if (body.size() > message::kLargestLogBatch) return;
+  auto batch = DecodeBody<message::LogRecords>(body);
+  if (!batch) return Log(LogLevel::kWarning, "gcm", "not understood: " + batch.error().message);
+  TakeIn(*batch);
+  Locked([&] {
+    const ProcessDescription* process = registry_.FindMember(peer.session);
+    if (process == nullptr) return;
+    outbox_.Add([this, name = process->name, instance = process->instance,
+                 records = *std::move(batch)]() mutable {
+      log_book_.Add(name, instance, std::move(records));
+      log_book_.Pump();
+    });
+  });
+}
+
 void Server::Closed(Peer& peer, const SharedChannel& channel, const Error& reason) {
   Locked([&] {
     registry_.End(std::exchange(peer.session, 0), ProcessState::kLost,
                   "its connection broke: " + Printable(reason.message, 256));
-    outbox_.Add([this, key = channel.get()] { watchers_.Remove(key); });
+    outbox_.Add([this, key = channel.get()] {
+      watchers_.Remove(key);
+      log_book_.Remove(key);
+    });
   });
 }
 

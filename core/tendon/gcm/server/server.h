@@ -1,10 +1,14 @@
 #pragma once
 
+#include <tendon/base/clock.h>
+#include <tendon/gcm/server/log_book.h>
 #include <tendon/gcm/server/orders.h>
 #include <tendon/gcm/server/outbox.h>
 #include <tendon/gcm/server/registry.h>
 #include <tendon/gcm/server/watchers.h>
 #include <tendon/middleware/channel.h>
+#include <tendon/process/log/log_queue.h>
+#include <tendon/process/log/log_tap.h>
 
 #include <chrono>
 #include <filesystem>
@@ -13,6 +17,7 @@
 #include <mutex>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace tendon::server {
@@ -55,9 +60,10 @@ class Server final : public std::enable_shared_from_this<Server> {
   template <typename Action>
   void Locked(Action&& action);
   void Publish();
+  void TellPeers();
   void SendPeers();
   void KeepTicking();
-  void Pump();
+  void WriteOwnLog();
 
   /// Each serves one type of request.
   using Serve = void (Server::*)(const Request&);
@@ -72,7 +78,10 @@ class Server final : public std::enable_shared_from_this<Server> {
   void Undo(const Request& request);
   void Tell(const Request& request);
   void Forget(const Request& request);
+  void WatchLog(const Request& request);
+  void SetLogLevel(const Request& request);
   void Report(const Peer& peer, std::span<const std::byte> body);
+  void TakeLog(const Peer& peer, std::span<const std::byte> body);
   void Closed(Peer& peer, const SharedChannel& channel, const Error& reason);
 
   template <typename T>
@@ -82,12 +91,18 @@ class Server final : public std::enable_shared_from_this<Server> {
   History history_;
   Outbox outbox_;
   Watchers watchers_;  // only in actions of the outbox
+  LogBook log_book_;   // likewise
+  LogQueue own_log_;
   mutable std::mutex mutex_;
   Registry registry_;
   std::unique_ptr<Orders> orders_;
   bool stopped_ = false;
   bool peers_owed_ = false;
+  SteadyTime peers_told_{};
   Worker worker_{"gcm"};
+  LogTap own_tap_{[this](LogLevel level, std::string_view source, std::string_view text) {
+    own_log_.Add(level, source, text);
+  }};
 };
 
 }  // namespace tendon::server

@@ -48,6 +48,9 @@ void PeerLink::OnNotice(const std::shared_ptr<Channel>& /*channel*/, const Frame
     const auto credit = DecodeBody<message::Credit>(body);
     if (!credit || !proxy->OnCredit(*credit)) return;
     worker_->Post([self = shared_from_this()] { self->listener_.OnServerChanged(); });
+  } else if (header.type == message::kEventsLost) {
+    const auto events = DecodeBody<message::EventsLost>(body);
+    if (events) proxy->OnEventsLost(*events);
   } else if (header.type == message::kInterfaceClosed) {
     proxy->Sever();
     worker_->Post([self = shared_from_this(), handle = header.handle,

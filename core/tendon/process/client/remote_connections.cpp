@@ -22,13 +22,14 @@ bool IsFinal(const Error& error) {
 
 Result<std::shared_ptr<ProvidedInterfaceProxy>> MakeProxy(
     const std::shared_ptr<NetworkThread>& network, const std::shared_ptr<Channel>& channel,
-    const Result<message::InterfaceOpened>& answer, const RequiredDescription& required,
-    std::chrono::milliseconds read_deadline) {
+    const Result<message::InterfaceOpened>& answer, const InterfaceName& provided,
+    const RequiredDescription& required, std::chrono::milliseconds read_deadline) {
   if (!answer) return answer.error();
   try {
     return std::make_shared<ProvidedInterfaceProxy>(
-        network, ProvidedInterfaceProxy::Remote{.channel = channel, .opened = *answer}, required,
-        read_deadline);
+        network,
+        ProvidedInterfaceProxy::Remote{.channel = channel, .opened = *answer, .name = provided},
+        required, read_deadline);
   } catch (const ConfigurationError& error) {
     (void)channel->Notify(message::kCloseInterface, answer->handle, Bytes());
     return Error{ErrorCode::kInvalid, channel->peer().name + " answered nonsense: " + error.what()};
@@ -141,9 +142,10 @@ void RemoteConnections::Request(ConnectionId id, const std::shared_ptr<PeerLink>
   link->channel()->Request<message::InterfaceOpened>(
       message::kOpenInterface, 0, open, kAsLongAsTheLink,
       [this, worker = context_.worker, network = context_.network, attempt, read_deadline,
+       provided = open.provided,
        description = open.description](const Result<message::InterfaceOpened>& answer) {
-        const auto proxy =
-            MakeProxy(network, attempt.link->channel(), answer, description, read_deadline);
+        const auto proxy = MakeProxy(network, attempt.link->channel(), answer, provided,
+                                     description, read_deadline);
         if (proxy) attempt.link->handles().Put(attempt.handle, *proxy);
         worker->Post([this, attempt, proxy] { Finish(attempt, proxy); });
       });
@@ -173,7 +175,7 @@ void RemoteConnections::Finish(const Attempt& attempt, const Opened& opened) {
     const bool is_void = found == entries_.end() || found->second.attempt != attempt.number;
     if (is_void) {
       attempt.link->handles().Remove(attempt.handle);
-      if (opened) CloseThere(attempt.link->channel(), (*opened)->handle());
+      if (opened) CloseThere(attempt.link->channel(), (*opened)->handle(), (*opened)->lane());
       return;
     }
     Entry& entry = found->second;
@@ -201,7 +203,7 @@ Result<void> RemoteConnections::Bind(Entry& entry,
                                   ToString(description.provided))
                : required.error();
   if (!connection) {
-    CloseThere(entry.link->channel(), proxy->handle());
+    CloseThere(entry.link->channel(), proxy->handle(), proxy->lane());
     return connection.error();
   }
   entry.connection = *std::move(connection);
@@ -297,20 +299,22 @@ void RemoteConnections::TakeDown(Entry& entry, std::chrono::milliseconds patienc
   entry.connection.reset();
   if (entry.proxy) {
     context_.proxies.Remove(entry.description.provided, *entry.proxy);
-    CloseThere(entry.link->channel(), entry.proxy->handle());
+    entry.proxy->SendRest(patience);
+    CloseThere(entry.link->channel(), entry.proxy->handle(), entry.proxy->lane());
   }
   if (entry.link) entry.link->handles().Remove(entry.handle);
   entry.proxy.reset();
   entry.link.reset();
 }
 
-/// What the peer is not told stays connected there: again, where the link has no room.
-void RemoteConnections::CloseThere(const std::shared_ptr<Channel>& channel, std::uint32_t handle) {
+/// Behind the calls that were sent. What the peer is not told stays connected there: again, where
+/// the link has no room.
+void RemoteConnections::CloseThere(const std::shared_ptr<Channel>& channel, std::uint32_t handle,
+                                   Lane lane) {
   constexpr std::chrono::milliseconds kUntilLinkHasRoom(20);
-  const Status told = channel->Notify(message::kCloseInterface, handle, Bytes());
+  const Status told = channel->Notify(message::kCloseInterface, handle, Bytes(), lane);
   if (told != Status(Status::kQueueFull)) return;
-  context_.worker->PostAfter(kUntilLinkHasRoom,
-                             [this, channel, handle] { CloseThere(channel, handle); });
+  context_.worker->PostAfter(kUntilLinkHasRoom, [=, this] { CloseThere(channel, handle, lane); });
 }
 
 bool RemoteConnections::Has(const InterfaceName& required) const {

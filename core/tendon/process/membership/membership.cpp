@@ -1,6 +1,7 @@
 #include <tendon/base/log.h>
 #include <tendon/base/os/process.h>
 #include <tendon/process/ask.h>
+#include <tendon/process/log/messages.h>
 #include <tendon/process/membership/membership.h>
 #include <tendon/process/schema_exchange.h>
 
@@ -54,6 +55,10 @@ class Membership::GcmHandler final : public ChannelHandler {
         membership.Report();
         shared->Answer(broken);
       });
+    } else if (header.type == message::kSetLogLevel) {
+      const auto order = DecodeBody<message::SetLogLevel>(body);
+      if (order) SetLogLevel(order->level);
+      shared->Answer(order ? Result<void>() : order.error());
     } else if (header.type == message::kGetSchemas) {
       AnswerSchemas(body, *shared);
     } else {
@@ -81,7 +86,7 @@ class Membership::GcmHandler final : public ChannelHandler {
 };
 
 Membership::Membership(ProcessContext& context, MembershipDelegate& delegate, Options options)
-    : context_(context), delegate_(delegate), options_(std::move(options)) {
+    : context_(context), delegate_(delegate), options_(std::move(options)), log_(context_.network) {
   context_.network->Add(*this);
 }
 
@@ -97,6 +102,7 @@ void Membership::Leave() {
     const std::scoped_lock lock(mutex_);
     channel = std::exchange(channel_, nullptr);
   }
+  log_.Finish();
   if (channel) (void)channel->Call<None>(message::kLeave, 0, None{}, kLeaveTimeout);
   if (channel) channel->Close();
   if (candidate_) candidate_->Close();
@@ -163,13 +169,13 @@ void Membership::Finish(const std::shared_ptr<Channel>& channel, ProcessContent 
 void Membership::SetJoined(std::shared_ptr<Channel> channel) {
   {
     const std::scoped_lock lock(mutex_);
-    channel_ = std::move(channel);
+    channel_ = channel;
     failure_.reset();
     last_renewed_->Set(SteadyClock().Now());
     next_renewal_ = last_renewed_->Get() + kBetweenRenewals;
   }
   changed_.notify_all();
-  context_.network->Notify();
+  log_.SetChannel(std::move(channel));  // wakes the network thread
 }
 
 void Membership::Fail(const Error& error) {
@@ -190,6 +196,7 @@ void Membership::OnClosed(const std::shared_ptr<Channel>& channel, const Error& 
     channel_ = nullptr;
     failure_ = Error{ErrorCode::kUnreachable, "the GCM was lost: " + reason.message};
   }
+  log_.SetChannel(nullptr);
   Log("the GCM at " + options_.gcm + " was lost (" + reason.message +
       "); running on, and looking for it");
   pause_ = {};

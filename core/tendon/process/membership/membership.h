@@ -3,6 +3,7 @@
 #include <tendon/lockfree/flag.h>
 #include <tendon/middleware/channel.h>
 #include <tendon/process/context.h>
+#include <tendon/process/log/log_forwarder.h>
 #include <tendon/process/membership/differences.h>
 #include <tendon/process/membership_messages.h>
 
@@ -29,9 +30,10 @@ class MembershipDelegate {
   virtual Result<void> BreakConnection(const InterfaceName& required) = 0;
 };
 
-/// The process as a member of a GCM: joins, keeps it informed, renews the lease four times a
-/// second, and joins again when the GCM was lost, was started anew, or has given us up. Without a
-/// GCM, or when the name is somebody else's, the process runs on, and it is tried again.
+/// The process as a member of a GCM: joins, keeps it informed, sends it what is logged, renews the
+/// lease four times a second, and joins again when the GCM was lost, was started anew, or has given
+/// us up. Without a GCM, or when the name is somebody else's, the process runs on, and it is tried
+/// again.
 class Membership final : private NetworkJob {
  public:
   /// Which GCM to join, and as what.
@@ -73,6 +75,7 @@ class Membership final : private NetworkJob {
   ProcessContext& context_;
   MembershipDelegate& delegate_;
   Options options_;
+  LogForwarder log_;
 
   // Of the worker.
   std::shared_ptr<Channel> candidate_;  // has been asked to let us join

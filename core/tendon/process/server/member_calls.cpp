@@ -10,7 +10,10 @@ namespace tendon {
 class MemberCalls::Target {
  public:
   Target(const Offer& offer, ProvidedInterface& provided, const std::string& name)
-      : description_(offer.description()), enabled_(offer.enabled()), required_("call", nullptr) {
+      : description_(offer.description()),
+        interface_(name),
+        enabled_(offer.enabled()),
+        required_("call", nullptr) {
     if (!CanBeAwaited(description_.signature.kind)) {
       read_ = offer.Bind(nullptr);
       return;
@@ -30,11 +33,8 @@ class MemberCalls::Target {
     const std::scoped_lock lock(mutex_);
     static const Bytes nothing = EncodeBody(None{});
     if (argument.empty() && description_.signature.in == FingerprintOf<None>()) argument = nothing;
-    const BegunCalls::Done done = [responder, answers = Answers()](Status status,
-                                                                   const Bytes& result) {
-      message::Called called{.status = static_cast<std::uint8_t>(status.code()), .answer = {}};
-      if (status && answers) called.answer = result;
-      responder->Answer(Result(called));
+    const BegunCalls::Done done = [this, responder](Status status, const Bytes& result) {
+      Finish(status, result, *responder);
     };
     Bytes result;
     CommandBase* command = nullptr;
@@ -66,7 +66,16 @@ class MemberCalls::Target {
   }
 
  private:
-  [[nodiscard]] bool Answers() const { return description_.signature.out != FingerprintOf<None>(); }
+  void Finish(Status status, const Bytes& result, Responder& responder) const {
+    if (result.size() > kMaxPayload) {
+      const std::string what = "the answer of '" + description_.name + "'";
+      return responder.Refuse(ExceedsMaxPayload(what, result.size(), interface_));
+    }
+    const bool answers = description_.signature.out != FingerprintOf<None>();
+    message::Called called{.status = static_cast<std::uint8_t>(status.code()), .answer = {}};
+    if (status && answers) called.answer = result;
+    responder.Reply(EncodeBody(called), kOwnLane);
+  }
 
   /// `command` is set where the caller waits for the component.
   Status Begin(std::span<const std::byte> argument, Bytes& result, NetworkThread& network,
@@ -80,6 +89,7 @@ class MemberCalls::Target {
   }
 
   const MemberDescription description_;
+  const std::string interface_;
   const Flag& enabled_;  // of the component
   std::mutex mutex_;
   std::unique_ptr<CommandBase> read_;

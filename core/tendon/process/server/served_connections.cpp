@@ -99,8 +99,8 @@ void ServedConnections::RemoveComponent(const std::string& component) {
       [&](const Entry& entry) {
         if (entry.component != component) return false;
         Channel& channel = *entry.client->channel;
-        const Status told =
-            channel.Notify(message::kInterfaceClosed, entry.proxy->handle(), reason);
+        const Status told = channel.Notify(message::kInterfaceClosed, entry.proxy->handle(), reason,
+                                           entry.proxy->lane());
         // A client that is not told would call into nothing for ever; it opens the channel again.
         if (told == Status(Status::kQueueFull)) channel.Close();
         return true;

@@ -4,18 +4,23 @@
 #include <utility>
 
 namespace tendon {
+namespace {
+
+message::Pong PongOfNow() { return {.time = SteadyClock().Now().time_since_epoch().count()}; }
+
+}  // namespace
 
 void Session::OnOpen(const SharedChannel& channel, const Hello& /*peer*/) {
   client_->channel = channel;
 }
 
-void Session::OnRequest(const SharedChannel& channel, const FrameHeader& header, Body body,
-                        Responder responder) {
+void Session::OnAllowedRequest(const SharedChannel& channel, const FrameHeader& header, Body body,
+                               Responder responder) {
   const MessageType type = header.type;
   if (type == message::kRead || type == message::kWait) {
     return Call(header, body, std::move(responder));
   }
-  if (type == message::kPing) return responder.Answer(Result<void>());
+  if (type == message::kPing) return responder.Answer(Result<message::Pong>(PongOfNow()));
   if (type == message::kOpenInterface) return OpenInterface(body, std::move(responder));
   if (type == message::kGetSchemas) return AnswerSchemas(body, responder);
   if (type == message::kCallMember) return CallMember(body, std::move(responder));
@@ -23,13 +28,17 @@ void Session::OnRequest(const SharedChannel& channel, const FrameHeader& header,
   ChannelHandler::OnRequest(channel, header, body, std::move(responder));
 }
 
-void Session::OnNotice(const SharedChannel& channel, const FrameHeader& header, Body body) {
+void Session::OnAllowedNotice(const SharedChannel& channel, const FrameHeader& header, Body body) {
   const std::uint32_t handle = header.handle;
   if (header.type == message::kCommands) {
     ForEachCall(body, [this](std::uint32_t function, Body argument) {
       const auto [proxy, offset] = client_->handles.Find(function);
       if (proxy && offset > 0) proxy->OnCommand(offset - 1, argument);
     });
+  } else if (header.type == message::kEventsLost) {
+    const auto [proxy, offset] = client_->handles.Find(handle);
+    const auto events = DecodeBody<message::EventsLost>(body);
+    if (proxy && offset == 0 && events) proxy->OnEventsLost(*events);
   } else if (header.type == message::kCloseInterface) {
     services_.context.worker->Post([&services = services_, client = client_, handle] {
       services.connections.Close(client, handle);
@@ -38,7 +47,23 @@ void Session::OnNotice(const SharedChannel& channel, const FrameHeader& header, 
     services_.context.worker->Post([&services = services_, channel, handle] {
       services.telemetry.Unsubscribe(channel, handle);
     });
+  } else if (header.type == message::kRowTaken) {
+    services_.context.worker->Post([&services = services_, channel, handle] {
+      services.telemetry.OnRowTaken(channel, handle);
+    });
   }
+}
+
+std::string Session::ObjectOf(const FrameHeader& header, Body body) const {
+  if (header.type == message::kCallMember) {
+    const auto call = DecodeBody<message::CallMember>(body);
+    return call ? call->component + "/" + call->interface + "." + call->member : std::string();
+  }
+  if (header.type == message::kOpenInterface) {
+    const auto open = DecodeBody<message::OpenInterface>(body);
+    return open ? ToString(open->provided) + " for " + ToString(open->required) : std::string();
+  }
+  return {};
 }
 
 void Session::OnClosed(const SharedChannel& /*channel*/, const Error& /*reason*/) {

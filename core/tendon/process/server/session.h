@@ -1,12 +1,14 @@
 #pragma once
 
 #include <tendon/middleware/channel.h>
+#include <tendon/process/access/guarded_handler.h>
 #include <tendon/process/server/member_calls.h>
 #include <tendon/process/server/served_connections.h>
 #include <tendon/process/telemetry/telemetry_server.h>
 
 #include <memory>
 #include <span>
+#include <string>
 
 namespace tendon {
 
@@ -20,7 +22,7 @@ struct Services {
 
 /// One channel that another process or a viewer has opened: passes on what arrives. Commands and
 /// reads are executed in the middleware's thread; whatever might wait goes to the worker.
-class Session final : public ChannelHandler {
+class Session final : public GuardedHandler {
  public:
   explicit Session(Services& services) : services_(services) {}
 
@@ -29,9 +31,10 @@ class Session final : public ChannelHandler {
   using Body = std::span<const std::byte>;
 
   void OnOpen(const SharedChannel& channel, const Hello& peer) override;
-  void OnRequest(const SharedChannel& channel, const FrameHeader& header, Body body,
-                 Responder responder) override;
-  void OnNotice(const SharedChannel& channel, const FrameHeader& header, Body body) override;
+  void OnAllowedRequest(const SharedChannel& channel, const FrameHeader& header, Body body,
+                        Responder responder) override;
+  void OnAllowedNotice(const SharedChannel& channel, const FrameHeader& header, Body body) override;
+  [[nodiscard]] std::string ObjectOf(const FrameHeader& header, Body body) const override;
   void OnClosed(const SharedChannel& channel, const Error& reason) override;
 
   void Call(const FrameHeader& header, Body body, Responder responder);

@@ -9,7 +9,7 @@
 namespace tendon {
 namespace {
 
-constexpr std::size_t kHeaderSize = 24;
+constexpr std::size_t kHeaderSize = 32;
 constexpr std::size_t kStampSize = 16;  // tick and time
 constexpr std::size_t kReferenceSize = 8;
 
@@ -67,13 +67,10 @@ void RowBatchWriter::AddCell(std::span<const std::byte> cell) {
   loose_.resize(Padded(loose_.size()));
 }
 
-std::span<const std::byte> RowBatchWriter::Finish(std::uint64_t rows_before,
-                                                  std::uint64_t lost_table) {
+std::span<const std::byte> RowBatchWriter::Finish(message::RowsHeader header) {
   if (!is_joined_) JoinLooseCells();
-  const message::RowsHeader header{.rows_before = rows_before,
-                                   .lost_table = lost_table,
-                                   .rows = static_cast<std::uint32_t>(rows_),
-                                   .columns = static_cast<std::uint32_t>(sizes_.size())};
+  header.rows = static_cast<std::uint32_t>(rows_);
+  header.columns = static_cast<std::uint32_t>(sizes_.size());
   EncodeTo(header, std::span(body_).first(kHeaderSize));
   return body_;
 }

@@ -25,8 +25,9 @@ class RowBatchWriter {
   [[nodiscard]] std::size_t rows() const { return rows_; }
   /// Bytes that the body will have.
   [[nodiscard]] std::size_t size() const { return body_.size() + loose_.size(); }
-  /// The body, with the counts that differ from viewer to viewer.
-  std::span<const std::byte> Finish(std::uint64_t rows_before, std::uint64_t lost_table);
+  /// The body. Of the header, `rows` and `columns` are filled in; the rest may differ from viewer
+  /// to viewer.
+  std::span<const std::byte> Finish(message::RowsHeader header);
 
  private:
   void JoinLooseCells();

@@ -65,10 +65,22 @@ Result<void> RowSource::Open() {
   {
     const std::scoped_lock lock(mutex_);
     standing_.clear();  // what stood on the channel before is asked for again
+    clock_ = {};        // a process that has moved has another
   }
   for (Item& item : items_) item.stage = Stage::kWanted;
-  WatchOver(worker_, channel_);
+  MeasureClock();
   return {};
+}
+
+/// Each sign of life tells the time, the first before any rows come.
+void RowSource::MeasureClock() {
+  WatchOver(worker_, channel_,
+            [weak = weak_from_this()](SteadyTime sent, SteadyTime there, SteadyTime arrived) {
+              const auto self = weak.lock();
+              if (!self) return;
+              const std::scoped_lock lock(self->mutex_);
+              self->clock_.Add(sent, there, arrived);
+            });
 }
 
 void RowSource::Ask(Item& item) {
@@ -76,26 +88,36 @@ void RowSource::Ask(Item& item) {
   const TableSubscription& wanted = item.subscription->wanted();
   tendon::Ask<message::Subscribed>(
       *worker_, channel_, message::kSubscribe,
-      message::Subscribe{
-          .component = wanted.component, .table = wanted.table, .columns = wanted.columns},
+      message::Subscribe{.component = wanted.component,
+                         .table = wanted.table,
+                         .columns = wanted.columns,
+                         .rows = wanted.rows},
       kAnswerTimeout,
       [self = shared_from_this(), channel = channel_,
        subscription = item.subscription](const Result<message::Subscribed>& answer) {
-        if (answer) {  // before its first rows arrive
-          const std::scoped_lock lock(self->mutex_);
-          self->standing_[{channel.get(), answer->handle}] = subscription;
-        }
         auto outcome = answer;
-        if (answer) {
-          if (const auto begun = subscription->Begin(*answer); !begun) {
-            self->EndThere(*channel, answer->handle);
-            outcome = begun.error();
-          }
+        if (answer) {  // before its first rows arrive
+          const auto begun = self->Begin(*channel, subscription, *answer);
+          if (!begun) outcome = begun.error();
         }
         self->worker_->Post([self, channel, subscription, outcome] {
           self->OnAnswer(channel, subscription, outcome);
         });
       });
+}
+
+Result<void> RowSource::Begin(Channel& channel,
+                              const std::shared_ptr<RowSubscription>& subscription,
+                              const message::Subscribed& subscribed) {
+  const auto beginning = subscription->Begin(subscribed);
+  if (!beginning) {
+    EndThere(channel, subscribed.handle);
+    return beginning.error();
+  }
+  const std::scoped_lock lock(mutex_);
+  standing_[{&channel, subscribed.handle}] = {.subscription = subscription,
+                                              .beginning = *beginning};
+  return {};
 }
 
 void RowSource::OnAnswer(const std::shared_ptr<Channel>& channel,
@@ -132,12 +154,23 @@ void RowSource::OnNotice(const std::shared_ptr<Channel>& channel, const FrameHea
     });
     return;
   }
-  if (header.type != message::kRows) return;
+  if (header.type == message::kRows) OnRows(*channel, header.handle, body);
+}
+
+void RowSource::OnRows(Channel& channel, std::uint32_t handle, std::span<const std::byte> body) {
   std::unique_lock lock(mutex_);
-  const auto found = standing_.find({channel.get(), header.handle});
-  const auto subscription = found == standing_.end() ? nullptr : found->second;
+  const auto found = standing_.find({&channel, handle});
+  const bool is_known = found != standing_.end();  // or its answer is yet to come, or it has ended
+  const Standing standing = is_known ? found->second : Standing{};
+  const ClockOffset clock = clock_;
   lock.unlock();
-  if (subscription) subscription->Deliver(body);
+  bool must_tell = true;
+  if (is_known) {
+    standing.subscription->Deliver(standing.beginning, body, clock);
+    must_tell = standing.subscription->wanted().rows.delivery == RowDelivery::kNewest;
+  }
+  // Not told, the process would send no more; on a new channel it is asked again.
+  if (must_tell && !channel.Notify(message::kRowTaken, handle, Bytes())) channel.Close();
 }
 
 void RowSource::OnClosed(const std::shared_ptr<Channel>& channel, const Error& reason) {
@@ -146,7 +179,7 @@ void RowSource::OnClosed(const std::shared_ptr<Channel>& channel, const Error& r
     const std::scoped_lock lock(mutex_);
     std::erase_if(standing_, [&](const auto& one) {
       if (one.first.first != channel.get()) return false;
-      interrupted.push_back(one.second);
+      interrupted.push_back(one.second.subscription);
       return true;
     });
   }
@@ -185,7 +218,7 @@ RowSource::Item* RowSource::Find(const std::shared_ptr<RowSubscription>& subscri
 std::shared_ptr<RowSubscription> RowSource::Take(const Channel* channel, std::uint32_t handle) {
   const std::scoped_lock lock(mutex_);
   const auto node = standing_.extract({channel, handle});
-  return node ? node.mapped() : nullptr;
+  return node ? node.mapped().subscription : nullptr;
 }
 
 }  // namespace tendon

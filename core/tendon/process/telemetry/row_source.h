@@ -2,6 +2,7 @@
 
 #include <tendon/middleware/channel.h>
 #include <tendon/process/messages.h>
+#include <tendon/process/telemetry/clock_offset.h>
 #include <tendon/process/telemetry/row_subscription.h>
 #include <tendon/process/worker.h>
 
@@ -46,6 +47,10 @@ class RowSource final : public ChannelHandler, public std::enable_shared_from_th
     Stage stage = Stage::kWanted;
     std::uint32_t handle = 0;
   };
+  struct Standing {
+    std::shared_ptr<RowSubscription> subscription;
+    std::uint64_t beginning = 0;
+  };
 
   void OnNotice(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
                 std::span<const std::byte> body) override;
@@ -53,7 +58,12 @@ class RowSource final : public ChannelHandler, public std::enable_shared_from_th
 
   void Pursue();
   Result<void> Open();
+  void MeasureClock();
   void Ask(Item& item);
+  /// In the middleware's thread.
+  Result<void> Begin(Channel& channel, const std::shared_ptr<RowSubscription>& subscription,
+                     const message::Subscribed& subscribed);
+  void OnRows(Channel& channel, std::uint32_t handle, std::span<const std::byte> body);
   void OnAnswer(const std::shared_ptr<Channel>& channel,
                 const std::shared_ptr<RowSubscription>& subscription,
                 const Result<message::Subscribed>& answer);
@@ -73,7 +83,8 @@ class RowSource final : public ChannelHandler, public std::enable_shared_from_th
 
   std::mutex mutex_;  // of what the middleware's thread uses
   // By channel, too: the end of an old one may be heard when the next is open already.
-  std::map<std::pair<const Channel*, std::uint32_t>, std::shared_ptr<RowSubscription>> standing_;
+  std::map<std::pair<const Channel*, std::uint32_t>, Standing> standing_;
+  ClockOffset clock_;  // of the process at the other end
 };
 
 }  // namespace tendon

@@ -38,6 +38,14 @@ class ChannelTelemetryClient final : public TelemetryClient {
         [this, subscription = node.mapped()] { SourceOf(*subscription).Remove(subscription); });
   }
 
+  [[nodiscard]] RowCounts CountsOf(Id id) const override {
+    std::unique_lock lock(mutex_);
+    const auto found = subscriptions_.find(id);
+    const auto subscription = found == subscriptions_.end() ? nullptr : found->second;
+    lock.unlock();
+    return subscription ? subscription->counts() : RowCounts{};
+  }
+
   void Retry(const std::string& process) override {
     worker_->Post([this, process] {
       const auto found = sources_.find(process);
@@ -57,7 +65,7 @@ class ChannelTelemetryClient final : public TelemetryClient {
   const RowSource::Access access_;
   const std::shared_ptr<Worker> worker_ = std::make_shared<Worker>("telemetry");
   std::map<std::string, std::shared_ptr<RowSource>> sources_;  // of the worker
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   std::map<Id, std::shared_ptr<RowSubscription>> subscriptions_;
   Id last_id_ = 0;
 };

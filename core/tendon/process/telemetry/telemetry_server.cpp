@@ -1,4 +1,3 @@
-#include <tendon/base/os/process.h>
 #include <tendon/process/telemetry/telemetry_server.h>
 
 #include <algorithm>
@@ -28,16 +27,21 @@ void TelemetryServer::Subscribe(const std::shared_ptr<Channel>& channel,
                                 const message::Subscribe& wanted, Responder& responder) {
   const auto structure = context_.host.LockStructure();
   const auto source = LookUp(wanted);
+  if (wanted.rows.period.count() < 0) {
+    return responder.Refuse({ErrorCode::kInvalid, "the period of rows must not be below zero"});
+  }
   if (!source) return responder.Refuse(source.error());
   message::Subscribed subscribed;
-  subscribed.epoch = os::RandomNumber();
+  subscribed.epoch = source->table->epoch();
   for (const std::size_t column : source->columns) {
     subscribed.schemas.push_back(source->table->columns()[column]->schema().TextWithHelp());
   }
   const std::scoped_lock lock(mutex_);
+  TableFeed& feed = FeedOf(wanted.component, *source->table);
   subscribed.handle = ++last_handle_;
+  subscribed.first_tick = feed.next_tick();
   responder.Reply(EncodeBody(subscribed));
-  FeedOf(wanted.component, *source).Add(channel, subscribed.handle);
+  feed.Add(source->columns, wanted.rows, channel, subscribed.handle);
   context_.network->Notify();
 }
 
@@ -66,17 +70,20 @@ Result<TelemetryServer::Source> TelemetryServer::LookUp(const message::Subscribe
   return source;
 }
 
-TableFeed& TelemetryServer::FeedOf(const std::string& component, const Source& source) {
-  const auto found = std::find_if(feeds_.begin(), feeds_.end(), [&](const TableFeed& feed) {
-    return feed.IsOf(*source.table, source.columns);
-  });
-  if (found != feeds_.end()) return *found;
-  return feeds_.emplace_back(component, *source.table, source.columns);
+TableFeed& TelemetryServer::FeedOf(const std::string& component, const StateTable& table) {
+  const auto found = std::find_if(feeds_.begin(), feeds_.end(),
+                                  [&](const TableFeed& feed) { return feed.IsOf(table); });
+  return found != feeds_.end() ? *found : feeds_.emplace_back(component, table);
 }
 
 void TelemetryServer::Unsubscribe(const std::shared_ptr<Channel>& channel, std::uint32_t handle) {
   const std::scoped_lock lock(mutex_);
   for (TableFeed& feed : feeds_) feed.Remove(*channel, handle);
+}
+
+void TelemetryServer::OnRowTaken(const std::shared_ptr<Channel>& channel, std::uint32_t handle) {
+  const std::scoped_lock lock(mutex_);
+  for (TableFeed& feed : feeds_) feed.OnRowTaken(*channel, handle);
 }
 
 void TelemetryServer::RemoveComponent(const std::string& component) {

@@ -15,7 +15,7 @@
 namespace tendon {
 
 /// Sends the rows of this process' state tables to viewers: every 20 ms what was written since,
-/// gathered by the network thread, once for all who watch the same columns.
+/// gathered by the network thread, once for all who watch the same table.
 ///
 /// Without a remark, functions are called on the worker.
 class TelemetryServer final : public NetworkJob {
@@ -23,10 +23,12 @@ class TelemetryServer final : public NetworkJob {
   explicit TelemetryServer(ProcessContext& context);
   ~TelemetryServer() override;
 
-  /// Answers before the first row is sent. Refusals: kNotFound with a suggestion.
+  /// Answers before the first row is sent. Refusals: kNotFound with a suggestion; kInvalid for a
+  /// period below zero.
   void Subscribe(const std::shared_ptr<Channel>& channel, const message::Subscribe& wanted,
                  Responder& responder);
   void Unsubscribe(const std::shared_ptr<Channel>& channel, std::uint32_t handle);
+  void OnRowTaken(const std::shared_ptr<Channel>& channel, std::uint32_t handle);
 
   /// Any thread: before the component goes; its viewers are told.
   void RemoveComponent(const std::string& component);
@@ -40,7 +42,7 @@ class TelemetryServer final : public NetworkJob {
   };
 
   [[nodiscard]] Result<Source> LookUp(const message::Subscribe& wanted) const;
-  TableFeed& FeedOf(const std::string& component, const Source& source);
+  TableFeed& FeedOf(const std::string& component, const StateTable& table);
 
   ProcessContext& context_;
   std::mutex mutex_;  // taken after the manager's lock

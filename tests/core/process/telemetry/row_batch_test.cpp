@@ -23,7 +23,7 @@ Bytes SampleBody() {
   writer.AddCell(Filled(12, 4));
   writer.AddCell({});
   writer.AddCell(Filled(8, 5));
-  return Copy(writer.Finish(100, 7));
+  return Copy(writer.Finish({.rows_before = 100, .lost_table = 7, .next_tick = 7}));
 }
 
 TEST(RowBatch, IsReadAsItWasWritten) {
@@ -34,6 +34,7 @@ TEST(RowBatch, IsReadAsItWasWritten) {
   ASSERT_TRUE(reader);
   EXPECT_EQ(reader->header().rows_before, 100U);
   EXPECT_EQ(reader->header().lost_table, 7U);
+  EXPECT_EQ(reader->header().next_tick, 7U);
   EXPECT_EQ(reader->header().rows, 2U);
   EXPECT_EQ(reader->header().columns, 3U);
   EXPECT_EQ(reader->tick(0), 5U);
@@ -53,7 +54,7 @@ TEST(RowBatch, CanBeWrittenAgainAndForOtherViewers) {
     writer.BeginRow(1, 2);
     writer.AddCell(Filled(5, round));
     for (std::uint64_t viewer = 0; viewer < 2; ++viewer) {
-      const Bytes body = Copy(writer.Finish(viewer, 0));
+      const Bytes body = Copy(writer.Finish({.rows_before = viewer}));
       const auto reader = RowBatchReader::Open(body);
       ASSERT_TRUE(reader);
       EXPECT_EQ(reader->header().rows_before, viewer);
@@ -65,7 +66,7 @@ TEST(RowBatch, CanBeWrittenAgainAndForOtherViewers) {
 
 TEST(RowBatch, MayHaveNoRowsAndNoColumns) {
   RowBatchWriter writer({});
-  const Bytes body = Copy(writer.Finish(3, 4));
+  const Bytes body = Copy(writer.Finish({}));
 
   const auto reader = RowBatchReader::Open(body);
 

@@ -1,10 +1,8 @@
 #include <gmock/gmock.h>
-#include <tendon/base/os/process.h>
-#include <tendon/process/telemetry_client.h>
 
 #include <condition_variable>
 
-#include "support/network_test.h"
+#include "core/process/telemetry/viewing.h"
 #include "support/plant.h"
 
 namespace {
@@ -31,7 +29,7 @@ class Sink final : public tendon::RowSink {
     columns_ = columns;
     ++subscribed_;
   }
-  void OnRows(const RowBatch& batch) override {
+  std::size_t OnRows(const RowBatch& batch) override {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return !is_blocked_; });
     epochs_.insert(batch.epoch);
@@ -44,6 +42,9 @@ class Sink final : public tendon::RowSink {
         if (cell.size() < 1024) rows_.back().cells.emplace_back(cell.begin(), cell.end());
       }
     }
+    clock_offset_ = batch.clock_offset;
+    clock_uncertainty_ = batch.clock_uncertainty;
+    return 0;
   }
   void OnStale(const Error& reason) override {
     const std::scoped_lock lock(mutex_);
@@ -68,6 +69,8 @@ class Sink final : public tendon::RowSink {
   std::uint64_t lost_table() const { return Get(lost_table_); }
   std::uint64_t lost_network() const { return Get(lost_network_); }
   std::size_t epochs() const { return Get(epochs_).size(); }
+  std::chrono::nanoseconds clock_offset() const { return Get(clock_offset_); }
+  std::chrono::nanoseconds clock_uncertainty() const { return Get(clock_uncertainty_); }
   void Forget() {
     const std::scoped_lock lock(mutex_);
     rows_.clear();
@@ -89,6 +92,8 @@ class Sink final : public tendon::RowSink {
   std::string stale_;
   std::uint64_t lost_table_ = 0;
   std::uint64_t lost_network_ = 0;
+  std::chrono::nanoseconds clock_offset_{-1};
+  std::chrono::nanoseconds clock_uncertainty_{-1};
   bool is_blocked_ = false;
 };
 
@@ -112,7 +117,7 @@ class Camera final : public tendon::PeriodicTask {
   std::array<double, 8192> image_{};
 };
 
-class Telemetry : public NetworkTest {
+class Telemetry : public ViewingTest {
  protected:
   Telemetry() { StartRobot(); }
 
@@ -120,22 +125,6 @@ class Telemetry : public NetworkTest {
     robot = Start("robot");
     plant = &robot->Add<Plant>("plant");
     ASSERT_TRUE(robot->StartAll().ok());
-  }
-  /// A viewer of its own.
-  std::unique_ptr<tendon::TelemetryClient> View() {
-    return tendon::MakeTelemetryClient(
-        NewMiddleware(),
-        [this](const std::string& process) -> tendon::Result<std::string> {
-          const tendon::Catalog catalog = gcm().catalog();
-          const auto* entry = catalog.FindProcess(process);
-          if (entry != nullptr && entry->process.state == tendon::ProcessState::kAlive) {
-            return entry->process.address;
-          }
-          return Error{tendon::ErrorCode::kNotFound, "process '" + process + "' is not there"};
-        },
-        {.instance = tendon::os::RandomNumber(),
-         .name = "viewer",
-         .cookie = *tendon::LoopbackCookie()});
   }
 
   std::unique_ptr<tendon::Process> robot;
@@ -210,6 +199,74 @@ TEST_P(Telemetry, BringsTheSameRowsToSeveralViewers) {
     ExpectWithoutHoles(sink->rows());
     EXPECT_EQ(sink->lost_table() + sink->lost_network(), 0U);
   }
+}
+
+TEST_P(Telemetry, WithAPeriodBringsARowOfEach) {
+  using std::chrono::milliseconds;
+  const auto sink = std::make_shared<Sink>();
+  const auto viewer = View();
+  TableSubscription wanted = kWanted;
+  wanted.rows.period = milliseconds(20);
+
+  viewer->Subscribe(wanted, sink);
+
+  ASSERT_TRUE(EventuallyTrue([&] { return sink->count() >= 20; }));
+  const auto rows = sink->rows();
+  const auto period = std::chrono::nanoseconds(wanted.rows.period).count();
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    EXPECT_GT(rows[i].time / period, rows[i - 1].time / period) << "at row " << i;
+  }
+  EXPECT_EQ(sink->lost_table() + sink->lost_network(), 0U);
+}
+
+TEST_P(Telemetry, OfTheNewestRowOnlyKeepsNoneForAViewerThatIsBusy) {
+  const auto sink = std::make_shared<Sink>();
+  const auto other = std::make_shared<Sink>();
+  const auto viewer = View();
+  const auto watcher = View();
+  TableSubscription wanted = kWanted;
+  wanted.rows.delivery = tendon::RowDelivery::kNewest;
+  const auto id = viewer->Subscribe(wanted, sink);
+  watcher->Subscribe(kWanted, other);
+  ASSERT_TRUE(EventuallyTrue([&] { return sink->count() >= 2; }));
+
+  sink->Block(true);
+  const std::size_t before = other->count();
+  ASSERT_TRUE(EventuallyTrue([&] { return other->count() > before + 500; }));
+  const std::uint64_t written = other->rows().back().tick;
+  sink->Forget();
+  sink->Block(false);
+
+  ASSERT_TRUE(EventuallyTrue([&] { return sink->count() >= 3; }));
+  const auto rows = sink->rows();
+  EXPECT_GE(rows.at(1).tick, written);  // the first was on its way
+  const tendon::RowCounts counts = viewer->CountsOf(id);
+  EXPECT_EQ(counts.lost_table + counts.lost_network + counts.lost_viewer, 0U);
+}
+
+TEST_P(Telemetry, RefusesAPeriodBelowZero) {
+  const auto sink = std::make_shared<Sink>();
+  const auto viewer = View();
+  TableSubscription wanted = kWanted;
+  wanted.rows.period = std::chrono::milliseconds(-1);
+
+  viewer->Subscribe(wanted, sink);
+
+  EXPECT_TRUE(EventuallyTrue([&] { return !sink->stale().empty(); }));
+  EXPECT_THAT(sink->stale(), HasSubstr("below zero"));
+}
+
+TEST_P(Telemetry, KnowsThatTheClocksOfOneHostAreOne) {
+  const auto sink = std::make_shared<Sink>();
+  const auto viewer = View();
+
+  viewer->Subscribe(kWanted, sink);
+
+  EXPECT_TRUE(EventuallyTrue([&] {
+    return sink->clock_uncertainty() >= std::chrono::nanoseconds(0) &&
+           sink->clock_uncertainty() < std::chrono::hours(1);
+  }));
+  EXPECT_EQ(sink->clock_offset(), std::chrono::nanoseconds(0));
 }
 
 TEST_P(Telemetry, LetsAViewerThatStopsReadingLoseRowsAndNobodyElse) {

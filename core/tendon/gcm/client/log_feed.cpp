@@ -1,0 +1,27 @@
+#include <tendon/gcm/client/log_feed.h>
+
+#include <utility>
+
+namespace tendon::client {
+
+message::WatchLog LogFeed::Wanted() const {
+  const std::scoped_lock lock(mutex_);
+  return {gcm_instance_, next_};
+}
+
+LogBatch LogFeed::Begin(const message::LogWatched& watched) {
+  const std::scoped_lock lock(mutex_);
+  gcm_instance_ = watched.gcm_instance;
+  next_ = watched.begin;
+  current_ = watched.end;
+  return {.records = {}, .lost = 0, .is_current = next_ >= current_};
+}
+
+LogBatch LogFeed::Take(message::LogRecords batch) {
+  const std::scoped_lock lock(mutex_);
+  const std::uint64_t lost = batch.before > next_ ? batch.before - next_ : 0;
+  next_ = batch.before + batch.records.size();
+  return {.records = std::move(batch.records), .lost = lost, .is_current = next_ >= current_};
+}
+
+}  // namespace tendon::client

@@ -1,0 +1,77 @@
+#include <tendon/gcm/server/log_book.h>
+#include <tendon/gcm/text/wall_time.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace tendon::server {
+namespace {
+
+constexpr const char* kOwnName = "gcm";
+constexpr std::uint64_t kMostInBatch = 256;
+
+message::LogRecord MissingRecords(const std::string& process, std::uint64_t count) {
+  return {.time = WallTime(),
+          .level = LogLevel::kWarning,
+          .process = process,
+          .source = "log",
+          .text = std::to_string(count) + " records are lost on their way"};
+}
+
+}  // namespace
+
+void LogBook::Add(const std::string& process, std::uint64_t instance, message::LogRecords batch) {
+  const auto [known, is_new] = senders_.try_emplace(process);
+  Sender& sender = known->second;
+  if (!is_new && sender.instance == instance && batch.before > sender.next) {
+    Write(MissingRecords(process, batch.before - sender.next));
+  }
+  sender = {instance, batch.before + batch.records.size()};
+  for (message::LogRecord& record : batch.records) {
+    record.process = process;
+    Write(std::move(record));
+  }
+}
+
+void LogBook::AddOwn(message::LogRecord record) {
+  record.process = kOwnName;
+  Write(std::move(record));
+}
+
+message::LogWatched LogBook::Watch(const std::shared_ptr<Channel>& channel, std::uint64_t after) {
+  const std::uint64_t begin = after == 0 ? first_ : std::min(after, end_);
+  watchers_[channel.get()] = {channel, begin};
+  return {.gcm_instance = 0, .begin = begin, .end = end_};
+}
+
+void LogBook::Pump() {
+  Batch batch;
+  for (auto& [key, watcher] : watchers_) Pump(watcher, batch);
+}
+
+void LogBook::Pump(Watcher& watcher, Batch& batch) const {
+  while (watcher.next < end_) {
+    const std::uint64_t begin = std::max(watcher.next, first_);
+    if (batch.body.empty() || batch.begin != begin) batch = BatchFrom(begin);
+    if (!watcher.channel->Notify(message::kLogRecords, 0, batch.body)) return;
+    watcher.next = batch.end;
+  }
+}
+
+LogBook::Batch LogBook::BatchFrom(std::uint64_t number) const {
+  const std::uint64_t end = std::min(end_, number + kMostInBatch);
+  const auto from = records_.begin() + static_cast<std::ptrdiff_t>(number - first_);
+  const auto to = records_.begin() + static_cast<std::ptrdiff_t>(end - first_);
+  return {number, end, EncodeBody(message::LogRecords{number, {from, to}})};
+}
+
+void LogBook::Write(message::LogRecord record) {
+  if (records_.size() == kKept) {
+    records_.pop_front();
+    ++first_;
+  }
+  records_.push_back(std::move(record));
+  ++end_;
+}
+
+}  // namespace tendon::server

@@ -1,0 +1,108 @@
+#include <tendon/middleware/parts/part_sender.h>
+
+#include <algorithm>
+
+namespace tendon {
+
+bool PartSender::MustTake(Lane lane, std::size_t size) {
+  if (size > kMaxPieceSize) return true;
+  if (!is_busy_.Get()) return false;
+  const std::scoped_lock lock(mutex_);
+  return lanes_.contains(lane);
+}
+
+Status PartSender::Add(Link& link, Lane lane, const FrameHeader& header,
+                       std::span<const std::byte> body) {
+  const std::size_t size = FrameHeader::kSize + body.size();
+  if (const Status reserved = Reserve(size); !reserved) return reserved;
+  Frame frame;
+  WriteFrame(header, body, frame.bytes);  // without the lock, for it may be large
+  const std::scoped_lock lock(mutex_);
+  if (is_closed_) return Status::kNotConnected;
+  frame.number = ++last_number_;
+  // Lanes of channels count up from 1; those of single messages down from the other end.
+  if (lane == kOwnLane) lane = kOwnLane - frame.number;
+  lanes_[lane].push_back(std::move(frame));
+  is_busy_.Set(true);
+  SendParts(link);
+  return Status::kQueued;
+}
+
+Status PartSender::Reserve(std::size_t size) {
+  const std::scoped_lock lock(mutex_);
+  if (is_closed_) return Status::kNotConnected;
+  std::size_t& waiting = IsHuge(size) ? huge_waiting_ : waiting_;
+  if (waiting != 0 && waiting + size > kSendWindow) return Status::kQueueFull;
+  waiting += size;
+  return Status::kQueued;
+}
+
+void PartSender::Release(std::size_t size) { (IsHuge(size) ? huge_waiting_ : waiting_) -= size; }
+
+bool PartSender::OnTaken(Link& link, std::uint64_t bytes) {
+  const std::scoped_lock lock(mutex_);
+  if (bytes < taken_ || bytes > sent_) return false;
+  taken_ = bytes;
+  for (; !on_way_.empty() && on_way_.front().end <= taken_; on_way_.pop_front()) {
+    Release(on_way_.front().size);
+  }
+  SendParts(link);
+  return true;
+}
+
+void PartSender::Resume(Link& link) {
+  if (!is_busy_.Get()) return;
+  const std::scoped_lock lock(mutex_);
+  SendParts(link);
+}
+
+/// One part of each lane in turn.
+void PartSender::SendParts(Link& link) {
+  while (!lanes_.empty() && sent_ - taken_ < kPartsAhead) {
+    auto lane = lanes_.upper_bound(last_lane_);
+    if (lane == lanes_.end()) lane = lanes_.begin();
+    Frame& frame = lane->second.front();
+    if (!SendPart(link, frame)) return;
+    last_lane_ = lane->first;
+    if (frame.sent < frame.bytes.size()) continue;
+    on_way_.push_back({.end = sent_, .size = frame.bytes.size()});
+    lane->second.pop_front();
+    if (lane->second.empty()) lanes_.erase(lane);
+  }
+  if (lanes_.empty()) {
+    is_busy_.Set(false);
+    part_ = {};
+  }
+}
+
+Status PartSender::SendPart(Link& link, Frame& frame) {
+  const std::size_t size = std::min(kPartSize, frame.bytes.size() - frame.sent);
+  FrameHeader header;
+  header.type = MessageType::kPart;
+  header.version = ReadFrameHeader(frame.bytes, frame.bytes.size())->version;
+  header.size = static_cast<std::uint32_t>(size);
+  header.handle = frame.number;
+  WriteFrame(header, std::span(frame.bytes).subspan(frame.sent, size), part_);
+  const Status sent = link.Send(part_);
+  if (!sent) return sent;
+  frame.sent += size;
+  sent_ += size;
+  return sent;
+}
+
+void PartSender::Close() {
+  const std::scoped_lock lock(mutex_);
+  is_closed_ = true;
+  is_busy_.Set(false);
+  lanes_.clear();
+  on_way_.clear();
+  waiting_ = huge_waiting_ = 0;
+  part_ = {};
+}
+
+std::size_t PartSender::waiting() const {
+  const std::scoped_lock lock(mutex_);
+  return waiting_ + huge_waiting_;
+}
+
+}  // namespace tendon

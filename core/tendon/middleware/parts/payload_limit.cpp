@@ -1,0 +1,27 @@
+#include <tendon/middleware/parts/payload_limit.h>
+
+#include <string>
+
+namespace tendon {
+namespace {
+
+/// "67 108 864 B"
+std::string InBytes(std::size_t size) {
+  std::string digits = std::to_string(size);
+  for (std::size_t left = digits.size(); left > 3;) {
+    left -= 3;
+    digits.insert(left, 1, ' ');
+  }
+  return digits + " B";
+}
+
+}  // namespace
+
+Error ExceedsMaxPayload(std::string_view what, std::size_t size, std::string_view owner) {
+  std::string sentence(what);
+  sentence += " of " + InBytes(size) + " exceeds max_payload " + InBytes(kMaxPayload);
+  if (!owner.empty()) sentence += " of " + std::string(owner);
+  return {ErrorCode::kInvalid, sentence};
+}
+
+}  // namespace tendon

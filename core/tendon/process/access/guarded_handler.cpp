@@ -1,0 +1,86 @@
+#include <tendon/base/log.h>
+#include <tendon/base/printable.h>
+#include <tendon/process/access/guarded_handler.h>
+
+#include <algorithm>
+#include <chrono>
+#include <string>
+#include <utility>
+
+namespace tendon {
+namespace {
+
+constexpr const char* kAudit = "audit";
+constexpr LogLimiter::Rate kRate{.burst = 50, .interval = std::chrono::milliseconds(100)};
+
+std::string ActOf(const Right* right, MessageType type) {
+  if (right != nullptr) return std::string(right->act);
+  return "message " + std::to_string(static_cast<unsigned>(type));
+}
+
+}  // namespace
+
+GuardedHandler::GuardedHandler() : limiter_(kRate) {}
+
+GuardedHandler::~GuardedHandler() { WriteSuppressed(SteadyTime::max()); }
+
+void GuardedHandler::OnRequest(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
+                               std::span<const std::byte> body, Responder responder) {
+  if (const auto refusal = Refusal(*channel, header, body)) return responder.Refuse(*refusal);
+  OnAllowedRequest(channel, header, body, std::move(responder));
+}
+
+void GuardedHandler::OnNotice(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
+                              std::span<const std::byte> body) {
+  if (header.type == message::kLowerRole) {
+    const auto wanted = DecodeBody<std::uint8_t>(body);
+    // What is not understood leaves nothing above the least.
+    const bool is_operator = wanted && *wanted == static_cast<std::uint8_t>(Role::kOperator);
+    role_ = std::min(role_, is_operator ? Role::kOperator : Role::kViewer);
+    return;
+  }
+  if (!Refusal(*channel, header, body)) OnAllowedNotice(channel, header, body);
+}
+
+/// Nothing where it may go on.
+std::optional<Error> GuardedHandler::Refusal(const Channel& channel, const FrameHeader& header,
+                                             std::span<const std::byte> body) {
+  const Right* right = FindRight(static_cast<std::uint16_t>(header.type));
+  const bool is_allowed = right != nullptr && Includes(role_, right->role);
+  if (is_allowed && right->audit == Audit::kRefusals) return std::nullopt;
+  const std::string who = Printable(channel.peer().name, 64);
+  const std::string act = ActOf(right, header.type);
+  std::string object = Printable(ObjectOf(header, body), 256);
+  if (!object.empty()) object.insert(0, " ");
+  Write(is_allowed ? LogLevel::kInfo : LogLevel::kWarning,
+        who + " (" + std::string(ToString(role_)) + ", " + channel.peer_address() + "): " + act +
+            object + ": " + (is_allowed ? "allowed" : "refused"));
+  if (is_allowed) return std::nullopt;
+  if (right == nullptr) return Error{ErrorCode::kDenied, act + " is not allowed to anybody"};
+  const std::string needed(ToString(right->role));
+  return Error{ErrorCode::kDenied, "'" + act + "' is for an " + needed + ", and '" + who +
+                                       "' is a " + std::string(ToString(role_)) +
+                                       " here: ask again as an " + needed};
+}
+
+void GuardedHandler::Write(LogLevel level, const std::string& line) {
+  const SteadyTime now = SteadyClock().Now();
+  WriteSuppressed(now);
+  if (limiter_.Admit(kAudit, level, now)) Log(level, kAudit, line);
+}
+
+void GuardedHandler::WriteSuppressed(SteadyTime now) {
+  if (!limiter_.owes()) return;
+  for (const LogLimiter::Suppressed& one : limiter_.TakeSuppressed(now)) {
+    Log(one.level, kAudit, "and " + std::to_string(one.count) + " more of one program");
+  }
+}
+
+void LowerRole(Channel& channel, Role role) {
+  if (role == Role::kOperator) return;
+  const bool is_said =
+      static_cast<bool>(channel.Notify(message::kLowerRole, 0, static_cast<std::uint8_t>(role)));
+  if (!is_said) channel.Close();
+}
+
+}  // namespace tendon

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <tendon/base/log.h>
+#include <tendon/middleware/frame.h>
+#include <tendon/payload/payload.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tendon {
+
+template <>
+inline constexpr auto kPayload<LogLevel> = DescribeEnum("tendon.LogLevel",
+                                                        Enumerator{"debug", LogLevel::kDebug},
+                                                        Enumerator{"info", LogLevel::kInfo},
+                                                        Enumerator{"warning", LogLevel::kWarning},
+                                                        Enumerator{"error", LogLevel::kError});
+
+[[nodiscard]] constexpr std::string_view ToString(LogLevel level) noexcept { return NameOf(level); }
+
+}  // namespace tendon
+
+/// What processes log, on its way to a GCM and from there to its viewers. Each struct is the body
+/// of a frame.
+namespace tendon::message {
+
+// notice, from an LCM to its GCM and from that to a viewer that watches the log: LogRecords
+inline constexpr auto kLogRecords = static_cast<MessageType>(0x340);
+// request, from a viewer to its GCM and from that to the LCM: SetLogLevel -> None
+inline constexpr auto kSetLogLevel = static_cast<MessageType>(0x341);
+
+/// Bytes of the largest kLogRecords that a GCM reads.
+inline constexpr std::size_t kLargestLogBatch = std::size_t{1} << 20U;
+
+/// One line for people.
+struct LogRecord {
+  std::int64_t time = 0;  ///< ns since 1970, by the clock of the process' host
+  LogLevel level = LogLevel::kInfo;
+  std::string process;  ///< empty from an LCM: the GCM knows it
+  std::string source;   ///< a component's or a part's name
+  std::string text;
+
+  bool operator==(const LogRecord&) const = default;
+};
+
+/// The next records, oldest first.
+struct LogRecords {
+  /// How many the sender has sent before, or, from a GCM, had before: a hole is a loss.
+  std::uint64_t before = 0;
+  std::vector<LogRecord> records;
+};
+
+/// What is below `level` is dropped, in the whole process, until it is set again.
+struct SetLogLevel {
+  std::string process;
+  LogLevel level = LogLevel::kInfo;
+};
+
+}  // namespace tendon::message
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::LogRecord> = tendon::Describe(
+    "tendon.LogRecord", tendon::Field{"time", &tendon::message::LogRecord::time, "ns"},
+    tendon::Field{"level", &tendon::message::LogRecord::level},
+    tendon::Field{"process", &tendon::message::LogRecord::process},
+    tendon::Field{"source", &tendon::message::LogRecord::source},
+    tendon::Field{"text", &tendon::message::LogRecord::text});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::LogRecords> = tendon::Describe(
+    "tendon.LogRecords", tendon::Field{"before", &tendon::message::LogRecords::before},
+    tendon::Field{"records", &tendon::message::LogRecords::records});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::SetLogLevel> = tendon::Describe(
+    "tendon.SetLogLevel", tendon::Field{"process", &tendon::message::SetLogLevel::process},
+    tendon::Field{"level", &tendon::message::SetLogLevel::level});

@@ -1,0 +1,63 @@
+#include <tendon/process/telemetry/clock_offset.h>
+
+#include <algorithm>
+
+namespace tendon {
+namespace {
+
+using std::chrono::nanoseconds;
+
+constexpr nanoseconds::rep kDrift = 10'000;  // a clock gains at most one in so many on another
+constexpr nanoseconds::rep kSlew = 2'000;    // a correction changes by one in so many
+constexpr std::chrono::milliseconds kStep(128);
+
+}  // namespace
+
+SteadyTime ClockOffset::Sensible(SteadyTime time) {
+  constexpr SteadyTime kLatest(std::chrono::hours(24 * 365 * 50));
+  return std::clamp(time, SteadyTime(), kLatest);
+}
+
+void ClockOffset::Add(SteadyTime sent, SteadyTime there, SteadyTime arrived) {
+  if (arrived < sent || there != Sensible(there)) return;
+  const nanoseconds bound = (arrived - sent + nanoseconds(1)) / 2;
+  const nanoseconds offset = there - (sent + (arrived - sent) / 2);
+  if (const Estimate before = Best(arrived); before.uncertainty != kUnknown) {
+    const nanoseconds apart = std::chrono::abs(offset - before.offset);
+    if (apart > before.uncertainty + bound) count_ = 0;
+  }
+  const bool is_first = since_ == SteadyTime();
+  answers_[count_ % answers_.size()] = {.offset = offset, .bound = bound, .arrived = arrived};
+  ++count_;
+
+  offset_ = SlewedAt(there);
+  since_ = std::max(since_, there);
+  target_ = At(arrived).offset;
+  if (is_first || std::chrono::abs(target_ - offset_) > kStep) {
+    offset_ = target_;
+    since_ = there;
+  }
+}
+
+ClockOffset::Estimate ClockOffset::At(SteadyTime now) const {
+  Estimate best = Best(now);
+  if (std::chrono::abs(best.offset) <= best.uncertainty) best.offset = nanoseconds(0);
+  return best;
+}
+
+ClockOffset::Estimate ClockOffset::Best(SteadyTime now) const {
+  Estimate best;
+  for (std::size_t i = 0; i < std::min(count_, answers_.size()); ++i) {
+    const Answer& answer = answers_[i];
+    const nanoseconds aged = answer.bound + std::max(now - answer.arrived, nanoseconds(0)) / kDrift;
+    if (aged < best.uncertainty) best = {.offset = answer.offset, .uncertainty = aged};
+  }
+  return best;
+}
+
+nanoseconds ClockOffset::SlewedAt(SteadyTime there) const {
+  const nanoseconds farthest = std::max(Sensible(there) - since_, nanoseconds(0)) / kSlew;
+  return offset_ + std::clamp(target_ - offset_, -farthest, farthest);
+}
+
+}  // namespace tendon

@@ -1,0 +1,230 @@
+#include <tendon/base/name.h>
+#include <tendon/base/os/private_file.h>
+#include <tendon/base/os/process.h>
+#include <tendon/base/printable.h>
+#include <tendon/security/authority_folder.h>
+#include <tendon/security/certificate_authority.h>
+#include <tendon/security/openssl/making.h>
+#include <tendon/security/openssl/pem.h>
+
+#include <algorithm>
+#include <optional>
+#include <system_error>
+
+namespace tendon {
+namespace {
+
+namespace fs = std::filesystem;
+using std::chrono::sys_seconds;
+
+constexpr std::chrono::years kLifeOfAuthority(10);
+
+sys_seconds Now() {
+  return std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
+}
+
+/// While it exists, nobody else changes a CA.
+class Lock {
+ public:
+  explicit Lock(const AuthorityFolder& folder) : file_(folder.lock()) {
+    const std::string mine = std::to_string(os::RandomNumber());
+    const auto held = os::ReadOrMakePrivateFile(file_, mine);
+    is_held_ = held && *held == mine;
+    if (!held) why_ = held.error();
+  }
+  Lock(const Lock&) = delete;
+  Lock& operator=(const Lock&) = delete;
+  ~Lock() {
+    std::error_code ignored;
+    if (is_held_) fs::remove(file_, ignored);
+  }
+
+  [[nodiscard]] Result<void> Held() const {
+    if (is_held_) return {};
+    if (why_) return *why_;
+    return Error{ErrorCode::kFailed,
+                 "another program is changing this CA: try again; where none "
+                 "runs, one was stopped half-way: remove " +
+                     file_.string()};
+  }
+
+ private:
+  const fs::path file_;
+  bool is_held_ = false;
+  std::optional<Error> why_;
+};
+
+/// What a CA signs with.
+struct Authority {
+  openssl::CertificateHandle certificate;
+  openssl::Key key;
+
+  [[nodiscard]] openssl::Signer signer() const { return {*certificate, *key}; }
+};
+
+Result<Authority> Read(const AuthorityFolder& folder) {
+  auto certificate = ReadAuthority(folder);
+  if (!certificate) return certificate.error();
+  auto key = ReadPrivateKey(folder.key());
+  if (!key) return key.error();
+  if (X509_check_private_key(certificate->get(), key->get()) != 1) {
+    return Error{ErrorCode::kInvalid, folder.key().string() + " does not belong to " +
+                                          folder.certificate().string() +
+                                          ": restore both from one copy"};
+  }
+  return Authority{.certificate = *std::move(certificate), .key = *std::move(key)};
+}
+
+Result<void> Check(const CertificateAuthority::Request& request, sys_seconds last) {
+  if (auto name = CheckName("certificate", request.name); !name) return name;
+  if (request.validity < std::chrono::days(1)) {
+    return Error{ErrorCode::kInvalid, "a certificate is valid for at least 1 day"};
+  }
+  if (Now() + request.validity > last) {
+    return Error{ErrorCode::kInvalid, "valid for " + std::to_string(request.validity.count()) +
+                                          " days it would outlive its CA, which ends on " +
+                                          DateText(last) + ": give fewer days"};
+  }
+  for (const std::string& host : request.hosts) {
+    if (openssl::IsHost(host)) continue;
+    return Error{ErrorCode::kInvalid, "host '" + Printable(host, 64) +
+                                          "': expected a name such as robot.local or an address"};
+  }
+  return {};
+}
+
+Result<void> RequireFree(const fs::path& file) {
+  std::error_code reason;
+  if (fs::symlink_status(file, reason).type() == fs::file_type::not_found) return {};
+  return Error{ErrorCode::kExists, file.string() +
+                                       " is there already, and is not overwritten: choose another "
+                                       "folder with --out, or remove it"};
+}
+
+/// The certificates of a name that were issued, and the names of all.
+struct Found {
+  std::vector<openssl::CertificateHandle> certificates;
+  std::vector<std::string> names;
+};
+
+Found Find(const AuthorityFolder& folder, const std::string& name) {
+  Found found;
+  std::error_code reason;
+  for (const auto& entry : fs::directory_iterator(folder.issued(), reason)) {
+    const auto text = ReadSmallFile(entry.path());
+    auto certificate = text ? openssl::ReadCertificate(*text) : nullptr;
+    if (!certificate) continue;
+    const auto described = openssl::Describe(*certificate);
+    if (!described) continue;
+    found.names.push_back(described->name);
+    if (described->name == name) found.certificates.push_back(std::move(certificate));
+  }
+  return found;
+}
+
+}  // namespace
+
+Result<CertificateAuthority> CertificateAuthority::Init(const fs::path& folder) {
+  const AuthorityFolder files{folder};
+  std::error_code reason;
+  if (fs::exists(files.certificate(), reason) || fs::exists(files.key(), reason)) {
+    return Error{ErrorCode::kExists,
+                 "there is a CA in " + folder.string() +
+                     " already; a new one would make all its certificates worthless: use it, or "
+                     "choose another folder with --ca"};
+  }
+  if (fs::exists(folder, reason) && !fs::is_empty(folder, reason)) {
+    return Error{ErrorCode::kExists,
+                 folder.string() + " holds other files: choose another folder with --ca"};
+  }
+  if (auto made = MakePrivateFolder(folder); !made) return made.error();
+  fs::permissions(folder, fs::perms::owner_all, reason);
+  if (auto made = MakePrivateFolder(files.issued()); !made) return made.error();
+  const Lock lock(files);
+  if (auto held = lock.Held(); !held) return held.error();
+
+  const openssl::Key key = openssl::MakeKey();
+  const sys_seconds last = Now() + kLifeOfAuthority;
+  const auto certificate = openssl::MakeAuthority(*key, last);
+  const auto revoked = openssl::MakeRevocationList(nullptr, {}, {*certificate, *key});
+  if (auto done = WriteKey(files.key(), *key); !done) return done.error();
+  if (auto done = WritePrivateFile(files.revoked(), openssl::PemOf(*revoked)); !done) {
+    return done.error();
+  }
+  if (auto done = WritePrivateFile(files.certificate(), openssl::PemOf(*certificate)); !done) {
+    return done.error();
+  }
+  return CertificateAuthority(folder, last);
+}
+
+Result<CertificateAuthority> CertificateAuthority::Open(const fs::path& folder) {
+  const auto authority = Read({folder});
+  if (!authority) return authority.error();
+  return CertificateAuthority(folder,
+                              openssl::TimeOf(X509_get0_notAfter(authority->certificate.get())));
+}
+
+Result<CertificateAuthority::Issued> CertificateAuthority::Issue(const Request& request,
+                                                                 const fs::path& out) const {
+  const AuthorityFolder files{folder_};
+  if (auto good = Check(request, not_after_); !good) return good.error();
+  const auto authority = Read(files);
+  if (!authority) return authority.error();
+  if (auto made = MakePrivateFolder(out); !made) return made.error();
+  Issued issued{.certificate_file = out / (request.name + ".crt"),
+                .key_file = out / (request.name + ".key")};
+  const Lock lock(files);
+  if (auto held = lock.Held(); !held) return held.error();
+  for (const fs::path& file : {issued.certificate_file, issued.key_file}) {
+    if (auto is_free = RequireFree(file); !is_free) return is_free.error();
+  }
+
+  const openssl::Key key = openssl::MakeKey();
+  const auto certificate =
+      openssl::MakeCertificate(request, *key, Now() + request.validity, authority->signer());
+  const std::string text = openssl::PemOf(*certificate);
+  const fs::path copy = files.issued() / (openssl::SerialOf(*certificate) + ".crt");
+  // The copy first: nothing leaves the CA that it could not revoke.
+  if (auto done = WritePrivateFile(copy, text); !done) return done.error();
+  if (auto done = WriteKey(issued.key_file, *key); !done) return done.error();
+  if (auto done = WritePrivateFile(issued.certificate_file, text); !done) return done.error();
+  auto described = openssl::Describe(*certificate);
+  if (!described) return described.error();
+  issued.certificate = *std::move(described);
+  return issued;
+}
+
+Result<std::vector<std::string>> CertificateAuthority::Revoke(const std::string& name) const {
+  const AuthorityFolder files{folder_};
+  const auto authority = Read(files);
+  if (!authority) return authority.error();
+  const Lock lock(files);
+  if (auto held = lock.Held(); !held) return held.error();
+  const auto former = ReadRevoked(files);
+  if (!former) return former.error();
+  const Found found = Find(files, name);
+  if (found.certificates.empty()) {
+    return Error{ErrorCode::kNotFound, "the CA in " + folder_.string() +
+                                           " has issued no certificate to '" + Printable(name, 64) +
+                                           "'" + DidYouMean(name, found.names)};
+  }
+  std::vector<const X509*> fresh;
+  std::vector<std::string> serials;
+  for (const auto& certificate : found.certificates) {
+    X509_REVOKED* entry = nullptr;
+    if (X509_CRL_get0_by_cert(former->get(), &entry, certificate.get()) == 1) continue;
+    fresh.push_back(certificate.get());
+    serials.push_back(openssl::SerialOf(*certificate));
+  }
+  if (fresh.empty()) {
+    return Error{ErrorCode::kExists, "all certificates of '" + name + "' are revoked already"};
+  }
+  const auto list = openssl::MakeRevocationList(former->get(), fresh, authority->signer());
+  if (auto done = WritePrivateFile(files.revoked(), openssl::PemOf(*list)); !done) {
+    return done.error();
+  }
+  std::sort(serials.begin(), serials.end());
+  return serials;
+}
+
+}  // namespace tendon

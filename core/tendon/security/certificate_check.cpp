@@ -1,0 +1,126 @@
+#include <openssl/err.h>
+#include <openssl/x509_vfy.h>
+#include <tendon/security/authority_folder.h>
+#include <tendon/security/certificate_check.h>
+#include <tendon/security/openssl/pem.h>
+
+#include <ctime>
+#include <system_error>
+
+namespace tendon {
+namespace {
+
+namespace fs = std::filesystem;
+using std::chrono::sys_seconds;
+
+constexpr const char* kIssueAnother = ": issue another with gcm cert issue";
+
+/// What X509_verify_cert() has against it, in our words.
+Error NotGood(const fs::path& file, int reason, X509& certificate, const fs::path& authority) {
+  const auto denied = [&file](const std::string& why) {
+    return Error{ErrorCode::kDenied, file.string() + " " + why};
+  };
+  switch (reason) {
+    case X509_V_ERR_CERT_HAS_EXPIRED:
+      return denied("expired on " + DateText(openssl::TimeOf(X509_get0_notAfter(&certificate))) +
+                    kIssueAnother);
+    case X509_V_ERR_CERT_NOT_YET_VALID:
+      return denied("is good from " + DateText(openssl::TimeOf(X509_get0_notBefore(&certificate))) +
+                    " on: is this machine's clock right?");
+    case X509_V_ERR_CRL_NOT_YET_VALID:
+      return denied("cannot be checked: " + AuthorityFolder{authority}.revoked().string() +
+                    " is of a later time: is this machine's clock right?");
+    case X509_V_ERR_INVALID_PURPOSE:
+      return denied("is the certificate of a CA, or not made for links (clientAuth)" +
+                    std::string(kIssueAnother));
+    case X509_V_ERR_CERT_REVOKED:
+      return denied("was revoked (serial " + openssl::SerialOf(certificate) + ")" + kIssueAnother);
+    case X509_V_ERR_UNABLE_TO_GET_ISSUER_CERT_LOCALLY:
+    case X509_V_ERR_DEPTH_ZERO_SELF_SIGNED_CERT:
+    case X509_V_ERR_SELF_SIGNED_CERT_IN_CHAIN:
+    case X509_V_ERR_UNABLE_TO_VERIFY_LEAF_SIGNATURE:
+    case X509_V_ERR_CERT_SIGNATURE_FAILURE:
+      return denied("was not issued by the CA in " + authority.string() +
+                    ": issue one there, or name the right CA with --ca");
+    default:
+      return denied("cannot be trusted: " + std::string(X509_verify_cert_error_string(reason)));
+  }
+}
+
+/// 0, or why the chain up to the CA does not hold.
+int VerifyChain(X509& certificate, X509& authority, X509_CRL& revoked, sys_seconds now) {
+  const openssl::Handle<X509_STORE, X509_STORE_free> store(X509_STORE_new());
+  const openssl::Handle<X509_STORE_CTX, X509_STORE_CTX_free> context(X509_STORE_CTX_new());
+  openssl::Require(store && context && X509_STORE_add_cert(store.get(), &authority) == 1 &&
+                       X509_STORE_add_crl(store.get(), &revoked) == 1 &&
+                       X509_STORE_CTX_init(context.get(), store.get(), &certificate, nullptr) == 1,
+                   "a verification");
+  X509_VERIFY_PARAM* rules = X509_STORE_CTX_get0_param(context.get());
+  X509_VERIFY_PARAM_set_time(rules, static_cast<std::time_t>(now.time_since_epoch().count()));
+  openssl::Require(
+      X509_VERIFY_PARAM_set_flags(rules, X509_V_FLAG_CRL_CHECK | X509_V_FLAG_X509_STRICT) == 1 &&
+          X509_VERIFY_PARAM_set_purpose(rules, X509_PURPOSE_SSL_CLIENT) == 1,
+      "a verification");
+  const bool holds = X509_verify_cert(context.get()) == 1;
+  const int reason = holds ? X509_V_OK : X509_STORE_CTX_get_error(context.get());
+  ERR_clear_error();
+  return !holds && reason == X509_V_OK ? X509_V_ERR_UNSPECIFIED : reason;
+}
+
+/// The private key beside a certificate: nothing where there is none.
+Result<std::optional<fs::path>> FindKey(const fs::path& file, const X509& certificate) {
+  fs::path key_file = file;
+  key_file.replace_extension(".key");
+  std::error_code reason;
+  if (!fs::exists(key_file, reason)) return std::optional<fs::path>();
+  const auto key = ReadPrivateKey(key_file);
+  if (!key) return key.error();
+  if (X509_check_private_key(&certificate, key->get()) == 1) return std::optional(key_file);
+  ERR_clear_error();
+  return Error{ErrorCode::kDenied, key_file.string() + " does not belong to " + file.string() +
+                                       ": put the two that were issued together there"};
+}
+
+std::string WarningOf(const Certificate& certificate, sys_seconds now) {
+  const auto left = certificate.not_after - now;
+  if (left >= kExpiresSoon) return {};
+  const auto days = std::chrono::floor<std::chrono::days>(left).count();
+  return "expires on " + DateText(certificate.not_after) + ", in " + std::to_string(days) +
+         (days == 1 ? " day" : " days") + kIssueAnother;
+}
+
+}  // namespace
+
+Result<CheckedCertificate> CheckCertificate(const fs::path& file, const fs::path& authority,
+                                            sys_seconds now) {
+  const auto text = ReadSmallFile(file);
+  if (!text) return text.error();
+  if (text->find("PRIVATE KEY-----") != text->npos) {
+    return Error{ErrorCode::kInvalid,
+                 file.string() +
+                     " holds a private key: check the certificate beside it, and keep "
+                     "the key in a file of its own"};
+  }
+  const auto certificate = openssl::ReadCertificate(*text);
+  if (!certificate || text->size() > kMaxCertificateSize) {
+    return Error{ErrorCode::kInvalid, file.string() + " is no certificate (PEM)"};
+  }
+  const auto issuer = ReadAuthority({authority});
+  if (!issuer) return issuer.error();
+  const auto revoked = ReadRevoked({authority});
+  if (!revoked) return revoked.error();
+  const int reason = VerifyChain(*certificate, **issuer, **revoked, now);
+  if (reason != X509_V_OK) return NotGood(file, reason, *certificate, authority);
+
+  auto described = openssl::Describe(*certificate);
+  if (!described) {
+    return Error{ErrorCode::kDenied, file.string() + ": " + described.error().message};
+  }
+  auto key = FindKey(file, *certificate);
+  if (!key) return key.error();
+  std::string warning = WarningOf(*described, now);
+  return CheckedCertificate{
+      .certificate = *std::move(described), .key = *std::move(key), .warning = std::move(warning)};
+}
+
+}  // namespace tendon

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <openssl/bio.h>
+#include <openssl/bn.h>
+#include <openssl/evp.h>
+#include <openssl/x509.h>
+#include <openssl/x509v3.h>
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+namespace tendon::openssl {
+
+template <auto kFree>
+struct Freed {
+  template <typename T>
+  void operator()(T* object) const {
+    kFree(object);
+  }
+};
+
+/// Objects of the library that are freed with their owners.
+template <typename T, auto kFree>
+using Handle = std::unique_ptr<T, Freed<kFree>>;
+
+using Key = Handle<EVP_PKEY, EVP_PKEY_free>;
+using CertificateHandle = Handle<X509, X509_free>;
+using RevocationList = Handle<X509_CRL, X509_CRL_free>;
+using Number = Handle<ASN1_INTEGER, ASN1_INTEGER_free>;
+using Time = Handle<ASN1_TIME, ASN1_TIME_free>;
+
+/// For calls that fail for want of memory or by a mistake of ours: throws std::runtime_error.
+inline void Require(bool succeeded, const char* what) {
+  if (!succeeded) throw std::runtime_error(std::string("OpenSSL failed: ") + what);
+}
+
+}  // namespace tendon::openssl

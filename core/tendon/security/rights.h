@@ -1,0 +1,73 @@
+#pragma once
+
+#include <tendon/security/role.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace tendon {
+
+/// Which lines of the audit log a message leads to. Those that come with every cycle of a
+/// connection lead to none where they are allowed: opening the interface did.
+enum class Audit : std::uint8_t { kRefusals, kAll };
+
+/// What it takes to send a message of one type to a process that serves others.
+struct Right {
+  std::uint16_t type;    ///< MessageType
+  std::string_view act;  ///< for people
+  Role role;
+  Audit audit;
+};
+
+/// All there are, by type: what is not here is denied to everybody. The messages that a process
+/// gets on channels that it opened itself are none of these: it has chosen whom it listens to.
+inline constexpr auto kRights = std::to_array<Right>({
+    // proxy/messages.h
+    {0x100, "open an interface", Role::kOperator, Audit::kAll},
+    {0x101, "close an interface", Role::kOperator, Audit::kRefusals},
+    {0x102, "queue commands", Role::kOperator, Audit::kRefusals},
+    {0x103, "execute a read command", Role::kOperator, Audit::kRefusals},
+    {0x104, "ask for a sign of life", Role::kViewer, Audit::kRefusals},
+    {0x105, "execute a command and wait", Role::kOperator, Audit::kRefusals},
+    {0x120, "report lost events", Role::kOperator, Audit::kRefusals},
+    // process/messages.h
+    {0x200, "read schemas", Role::kViewer, Audit::kRefusals},
+    {0x201, "call a command", Role::kOperator, Audit::kAll},
+    {0x202, "watch a state table", Role::kViewer, Audit::kRefusals},
+    {0x203, "end a subscription", Role::kViewer, Audit::kRefusals},
+    {0x206, "take a row", Role::kViewer, Audit::kRefusals},
+    // process/membership_messages.h
+    {0x300, "join", Role::kOperator, Audit::kAll},
+    {0x301, "report a change", Role::kOperator, Audit::kRefusals},
+    {0x302, "ask for a sign of life", Role::kViewer, Audit::kRefusals},
+    {0x303, "leave", Role::kOperator, Audit::kAll},
+    // gcm/messages.h
+    {0x310, "watch the catalogue", Role::kViewer, Audit::kRefusals},
+    {0x311, "connect", Role::kOperator, Audit::kAll},
+    {0x312, "disconnect", Role::kOperator, Audit::kAll},
+    {0x313, "undo", Role::kOperator, Audit::kAll},
+    {0x314, "read the history", Role::kViewer, Audit::kRefusals},
+    {0x315, "forget a process", Role::kOperator, Audit::kAll},
+    {0x316, "replace a connection", Role::kOperator, Audit::kAll},
+    // process/log/messages.h, gcm/messages.h
+    {0x340, "log", Role::kOperator, Audit::kRefusals},
+    {0x341, "set a log level", Role::kOperator, Audit::kAll},
+    {0x342, "watch the log", Role::kViewer, Audit::kRefusals},
+});
+
+static_assert(std::ranges::is_sorted(kRights, std::ranges::less_equal{}, &Right::type) &&
+                  std::ranges::adjacent_find(kRights, {}, &Right::type) == kRights.end(),
+              "each type has one right, and is found by halving");
+
+/// Null for what nobody may do.
+[[nodiscard]] constexpr const Right* FindRight(std::uint16_t type) {
+  const auto* const found = std::ranges::lower_bound(kRights, type, {}, &Right::type);
+  return found != kRights.end() && found->type == type ? found : nullptr;
+}
+
+/// Whether the one role includes the other.
+[[nodiscard]] constexpr bool Includes(Role role, Role needed) noexcept { return role >= needed; }
+
+}  // namespace tendon

@@ -1,0 +1,193 @@
+#include <gcm_console/report.h>
+#include <gcm_console/verb.h>
+#include <tendon/base/os/process.h>
+#include <tendon/security/certificate_authority.h>
+#include <tendon/security/certificate_check.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+namespace console {
+namespace {
+
+namespace fs = std::filesystem;
+using program::ExitCode;
+using tendon::CertificateAuthority;
+using tendon::Result;
+
+/// Of the acts of `gcm cert`; each uses some.
+struct Arguments {
+  std::string authority;  ///< the folder; empty for the usual one
+  std::string name;
+  std::string file;
+  std::string role;
+  std::string out = ".";
+  std::vector<std::string> hosts;
+  int days = 365;
+  bool is_process = false;
+
+  [[nodiscard]] fs::path Authority() const {
+    return authority.empty() ? tendon::os::StateFolder() / "ca" : fs::path(authority);
+  }
+};
+
+nlohmann::ordered_json JsonOf(const tendon::Certificate& certificate) {
+  return {{"name", certificate.name},
+          {"role", ToString(certificate.role)},
+          {"holder", ToString(certificate.holder)},
+          {"serial", certificate.serial},
+          {"not_before", tendon::DateText(certificate.not_before)},
+          {"not_after", tendon::DateText(certificate.not_after)}};
+}
+
+/// `more` is what follows: titles and texts.
+void PrintText(Context& context, const tendon::Certificate& certificate,
+               const std::vector<std::vector<std::string>>& more) {
+  Table table({"WHAT", "VALUE"});
+  table.Add({"name", certificate.name});
+  table.Add({"role", std::string(ToString(certificate.role))});
+  table.Add({"holder", std::string(ToString(certificate.holder))});
+  table.Add({"serial", certificate.serial});
+  table.Add({"valid until", tendon::DateText(certificate.not_after)});
+  for (const auto& row : more) table.Add(row);
+  table.Print(context.out(), context.columns());
+}
+
+Result<ExitCode> Init(Context& context, const Arguments& arguments) {
+  const auto authority = CertificateAuthority::Init(arguments.Authority());
+  if (!authority) return authority.error();
+  const std::string folder = authority->folder().string();
+  const std::string last = tendon::DateText(authority->not_after());
+  if (context.settings().json) {
+    context.PrintJson({{"folder", folder}, {"not_after", last}});
+  } else {
+    context.out() << "CA in " << Plain(folder) << ", valid until " << last << '\n';
+  }
+  return program::kOk;
+}
+
+Result<ExitCode> Issue(Context& context, const Arguments& arguments) {
+  const auto role = tendon::ParseRole(arguments.role);
+  if (!role) return role.error();
+  const auto authority = CertificateAuthority::Open(arguments.Authority());
+  if (!authority) return authority.error();
+  const auto holder = arguments.is_process ? tendon::Holder::kProcess : tendon::Holder::kPerson;
+  const auto issued = authority->Issue({.name = arguments.name,
+                                        .role = *role,
+                                        .holder = holder,
+                                        .hosts = arguments.hosts,
+                                        .validity = std::chrono::days(arguments.days)},
+                                       arguments.out);
+  if (!issued) return issued.error();
+  const std::string file = issued->certificate_file.string();
+  const std::string key = issued->key_file.string();
+  if (context.settings().json) {
+    auto content = JsonOf(issued->certificate);
+    content["certificate"] = file;
+    content["key"] = key;
+    context.PrintJson(content);
+  } else {
+    PrintText(context, issued->certificate, {{"certificate", Plain(file)}, {"key", Plain(key)}});
+  }
+  return program::kOk;
+}
+
+Result<ExitCode> Check(Context& context, const Arguments& arguments) {
+  const auto now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
+  const auto checked = tendon::CheckCertificate(arguments.file, arguments.Authority(), now);
+  if (!checked) return checked.error();
+  if (context.settings().json) {
+    auto content = JsonOf(checked->certificate);
+    content["key"] = checked->key ? nlohmann::ordered_json(checked->key->string()) : nullptr;
+    content["warning"] = checked->warning;
+    context.PrintJson(content);
+  } else {
+    PrintText(context, checked->certificate,
+              {{"key", checked->key ? Plain(checked->key->string()) : "elsewhere"}});
+  }
+  if (!checked->warning.empty()) {
+    context.err() << "gcm: " << Plain(arguments.file) << ' ' << checked->warning << '\n';
+  }
+  return program::kOk;
+}
+
+Result<ExitCode> Revoke(Context& context, const Arguments& arguments) {
+  const auto authority = CertificateAuthority::Open(arguments.Authority());
+  if (!authority) return authority.error();
+  const auto revoked = authority->Revoke(arguments.name);
+  if (!revoked) return revoked.error();
+  const std::string list = (authority->folder() / "crl.pem").string();
+  if (context.settings().json) {
+    context.PrintJson({{"name", arguments.name}, {"revoked", *revoked}, {"list", list}});
+  } else {
+    for (const std::string& serial : *revoked) {
+      context.out() << arguments.name << "  revoked  " << serial << '\n';
+    }
+    context.err() << "gcm: other hosts learn of it from a copy of " << Plain(list) << '\n';
+  }
+  return program::kOk;
+}
+
+void AddIssueOptions(CLI::App& app, Arguments& arguments) {
+  app.add_option("name", arguments.name, "whose: of a process, the name by which it joins")
+      ->required();
+  app.add_option("--role", arguments.role, "viewer or operator")->required();
+  const auto* process =
+      app.add_flag("--process", arguments.is_process, "for an LCM or a GCM, not for a person");
+  app.add_option("--host", arguments.hosts, "a name or address at which the process listens")
+      ->needs(const_cast<CLI::Option*>(process))
+      ->allow_extra_args(false);
+  app.add_option("--days", arguments.days, "how long it is valid")
+      ->check(CLI::Range(1, 3650))
+      ->capture_default_str();
+  app.add_option("--out", arguments.out, "folder of NAME.crt and NAME.key")->capture_default_str();
+}
+
+/// One of `gcm cert ...`.
+struct Act {
+  const char* name;
+  const char* summary;
+  void (*add_options)(CLI::App& app, Arguments& arguments);
+  Result<ExitCode> (*run)(Context& context, const Arguments& arguments);
+};
+
+constexpr Act kActs[] = {{"init", "make a CA", [](CLI::App&, Arguments&) {}, &Init},
+                         {"issue", "make a key and a certificate", &AddIssueOptions, &Issue},
+                         {"check", "say whose a certificate is, and whether it is good",
+                          [](CLI::App& app, Arguments& arguments) {
+                            app.add_option("file", arguments.file,
+                                           "NAME.crt; its key is NAME.key beside it")
+                                ->required();
+                          },
+                          &Check},
+                         {"revoke", "make all certificates of a name worthless",
+                          [](CLI::App& app, Arguments& arguments) {
+                            app.add_option("name", arguments.name, "whose")->required();
+                          },
+                          &Revoke}};
+
+Verb::Run Prepare(CLI::App& app) {
+  const auto chosen = std::make_shared<const Act*>(nullptr);
+  const auto arguments = std::make_shared<Arguments>();
+  app.require_subcommand(1);
+  for (const Act& act : kActs) {
+    CLI::App* part = app.add_subcommand(act.name, act.summary);
+    part->fallthrough();
+    part->add_option("--ca", arguments->authority, "the CA's folder (default: one of the user's)");
+    act.add_options(*part, *arguments);
+    part->callback([chosen, &act] { *chosen = &act; });
+  }
+  return [chosen, arguments](Context& context) { return (*chosen)->run(context, *arguments); };
+}
+
+}  // namespace
+
+std::vector<Verb> CertVerbs() {
+  return {{"cert", "make and check the certificates of people and processes", &Prepare}};
+}
+
+}  // namespace console

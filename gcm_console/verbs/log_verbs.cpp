@@ -1,0 +1,197 @@
+#include <gcm_console/report.h>
+#include <gcm_console/verb.h>
+#include <tendon/base/os/termination.h>
+#include <tendon/base/path.h>
+#include <tendon/gcm/text/wall_time.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace console {
+namespace {
+
+using program::ExitCode;
+using tendon::Error;
+using tendon::ErrorCode;
+using tendon::LogLevel;
+using tendon::Result;
+using tendon::message::LogRecord;
+using namespace std::chrono_literals;
+
+struct LogOptions {
+  bool follow = false;
+  std::string level = "debug";  // and above
+  std::string from = "**";
+};
+
+std::vector<std::string> LevelNames() {
+  std::vector<std::string> names;
+  for (const auto& one : tendon::kPayload<LogLevel>.enumerators) names.emplace_back(one.name);
+  return names;
+}
+
+/// Of one of these names.
+LogLevel LevelOf(const std::string& name) {
+  for (const auto& one : tendon::kPayload<LogLevel>.enumerators) {
+    if (one.name == name) return one.value;
+  }
+  return LogLevel::kDebug;
+}
+
+/// Keeps what arrives until the printing thread takes it.
+class LogInbox final : public tendon::GcmListener {
+ public:
+  static constexpr std::size_t kMostWaiting = 100000;
+
+  struct Content {
+    std::deque<LogRecord> records;
+    std::uint64_t lost = 0;
+    bool is_current = false;
+    std::string complaint;
+  };
+
+  void OnSnapshot(const tendon::Catalog& /*catalog*/) override {}
+  void OnChanges(const std::vector<tendon::CatalogChange>& /*changes*/) override {}
+  void OnGcmLost(const Error& reason) override {
+    const std::scoped_lock lock(mutex_);
+    content_.complaint = reason.message;
+  }
+  void OnLog(const tendon::LogBatch& batch) override {
+    const std::scoped_lock lock(mutex_);
+    content_.lost += batch.lost;
+    content_.is_current = batch.is_current;
+    for (const LogRecord& record : batch.records) {
+      if (content_.records.size() < kMostWaiting) {
+        content_.records.push_back(record);
+      } else {
+        ++content_.lost;
+      }
+    }
+  }
+
+  /// What has come since the last time.
+  Content Take() {
+    const std::scoped_lock lock(mutex_);
+    return std::exchange(content_, {.is_current = content_.is_current});
+  }
+
+ private:
+  std::mutex mutex_;
+  Content content_;
+};
+
+bool IsWanted(const LogRecord& record, const LogOptions& options) {
+  return record.level >= LevelOf(options.level) &&
+         (tendon::MatchesGlob(options.from, record.process) ||
+          tendon::MatchesGlob(options.from, record.process + "/" + record.source));
+}
+
+std::string TimeText(std::int64_t time) {
+  constexpr std::int64_t kMillisecond = 1'000'000;
+  std::string milliseconds = std::to_string(1000 + time / kMillisecond % 1000);
+  milliseconds.front() = '.';
+  return tendon::WallTimeText(time) + milliseconds;
+}
+
+void Print(const LogRecord& record, const Context& context) {
+  if (context.settings().json) {
+    const nlohmann::ordered_json line = {{"schema", 1},
+                                         {"time_ns", record.time},
+                                         {"level", ToString(record.level)},
+                                         {"process", record.process},
+                                         {"source", record.source},
+                                         {"text", record.text}};
+    context.out() << line.dump() << '\n';
+    return;
+  }
+  const bool is_of_process = record.source == record.process;
+  context.out() << TimeText(record.time) << '\t' << ToString(record.level) << '\t'
+                << Plain(record.process) << (is_of_process ? "" : "/" + Plain(record.source))
+                << '\t' << Plain(record.text) << '\n';
+}
+
+void Remark(const LogInbox::Content& content, std::ostream& err) {
+  if (content.lost > 0) {
+    err << "gcm: " << content.lost << " records are lost: they came faster than they were read\n";
+  }
+  if (!content.complaint.empty()) err << "gcm: " << Plain(content.complaint) << '\n';
+}
+
+Result<ExitCode> ShowLog(Context& context, const LogOptions& options) {
+  if (options.follow) tendon::os::HoldTerminationSignals();
+  const auto inbox = std::make_shared<LogInbox>();
+  const auto client = context.Client(inbox);
+  if (!client) return client.error();
+  (*client)->WatchLog();
+  const auto begin = std::chrono::steady_clock::now();
+  while (true) {
+    const bool is_interrupted = tendon::os::TerminationAsked(20ms);
+    const LogInbox::Content content = inbox->Take();
+    for (const LogRecord& record : content.records) {
+      if (IsWanted(record, options)) Print(record, context);
+    }
+    context.out().flush();
+    Remark(content, context.err());
+    if (is_interrupted) return program::kInterrupted;
+    if (!context.out().good() || (content.is_current && !options.follow)) return program::kOk;
+    if (options.follow || std::chrono::steady_clock::now() - begin < context.settings().timeout) {
+      continue;
+    }
+    return Error{ErrorCode::kTimeout, "the GCM has not sent all of its log in time"};
+  }
+}
+
+struct LevelOrder {
+  std::string process;
+  std::string level;
+};
+
+Result<ExitCode> SetLevel(Context& context, const LevelOrder& order) {
+  const auto set = context.Ask<void>([&](tendon::GcmClient& client, auto handler) {
+    client.SetLogLevel(order.process, LevelOf(order.level), handler);
+  });
+  if (!set) return set.error();
+  if (context.settings().json) {
+    context.PrintJson({{"process", order.process}, {"level", order.level}});
+  } else {
+    context.out() << order.process << "  logs " << order.level << " and above\n";
+  }
+  return program::kOk;
+}
+
+}  // namespace
+
+std::vector<Verb> LogVerbs() {
+  return {
+      {"log", "print what the processes log: time, level, process/source, text",
+       [](CLI::App& app) -> Verb::Run {
+         auto options = std::make_shared<LogOptions>();
+         app.add_flag("-f,--follow", options->follow, "go on with what is logged from now on");
+         app.add_option("--level", options->level, "this one and those above (default: all)")
+             ->check(CLI::IsMember(LevelNames()));
+         app.add_option("--from", options->from,
+                        "process or process/source, with * and ** (default: all)");
+         return [options](Context& context) { return ShowLog(context, *options); };
+       }},
+      {"log-level", "set from which level on a process logs, until it ends",
+       [](CLI::App& app) -> Verb::Run {
+         auto order = std::make_shared<LevelOrder>();
+         app.add_option("process", order->process, "which process")->required();
+         app.add_option("level", order->level, "debug, info, warning or error")
+             ->required()
+             ->check(CLI::IsMember(LevelNames()));
+         return [order](Context& context) { return SetLevel(context, *order); };
+       }},
+  };
+}
+
+}  // namespace console

@@ -1,0 +1,189 @@
+#include <gmock/gmock.h>
+#include <tendon/base/log.h>
+#include <tests/core/gcm/bench.h>
+
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace tendon {
+namespace {
+
+using message::LogRecord;
+using testing::ElementsAre;
+
+using Texts = std::vector<std::string>;
+
+/// Keeps what it is told.
+class LogReader final : public GcmListener {
+ public:
+  void OnSnapshot(const Catalog& /*catalog*/) override {}
+  void OnChanges(const std::vector<CatalogChange>& /*changes*/) override {}
+  void OnGcmLost(const Error& /*reason*/) override {}
+  void OnLog(const LogBatch& batch) override {
+    const std::scoped_lock lock(mutex_);
+    records_.insert(records_.end(), batch.records.begin(), batch.records.end());
+    is_current_ = batch.is_current;
+  }
+
+  [[nodiscard]] std::vector<LogRecord> OfRobot() const {
+    const std::scoped_lock lock(mutex_);
+    std::vector<LogRecord> some;
+    for (const LogRecord& record : records_) {
+      if (record.process == "robot") some.push_back(record);
+    }
+    return some;
+  }
+  [[nodiscard]] Texts texts() const {
+    Texts texts;
+    for (const LogRecord& record : OfRobot()) texts.push_back(record.text);
+    return texts;
+  }
+  [[nodiscard]] std::size_t count() const {
+    const std::scoped_lock lock(mutex_);
+    return records_.size();
+  }
+  [[nodiscard]] bool is_current() const {
+    const std::scoped_lock lock(mutex_);
+    return is_current_;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::vector<LogRecord> records_;
+  bool is_current_ = false;
+};
+
+LogRecord Record(const std::string& text) {
+  return {.time = 1234, .level = LogLevel::kWarning, .process = {}, .source = "arm", .text = text};
+}
+
+class LogWatching : public test::Bench {
+ protected:
+  std::unique_ptr<GcmClient> Read(const std::shared_ptr<LogReader>& reader) {
+    auto client = Watch(reader);
+    client->WatchLog();
+    return client;
+  }
+  static bool EventuallyReads(const LogReader& reader, const Texts& texts) {
+    return EventuallyTrue([&] { return reader.texts() == texts; });
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(Over, LogWatching, testing::Values("loopback", "tcp"),
+                         test::NameOfParameter);
+
+TEST_P(LogWatching, EveryViewerReadsWhatAProcessLogs) {
+  const auto one = std::make_shared<LogReader>();
+  const auto two = std::make_shared<LogReader>();
+  const auto first = Read(one);
+  const auto second = Read(two);
+  const auto robot = Join("robot", {});
+
+  ASSERT_TRUE(robot->SendLog({0, {Record("a"), Record("b")}}));
+
+  EXPECT_TRUE(EventuallyReads(*one, {"a", "b"}));
+  EXPECT_TRUE(EventuallyReads(*two, {"a", "b"}));
+  EXPECT_EQ(one->OfRobot()[0], (LogRecord{1234, LogLevel::kWarning, "robot", "arm", "a"}));
+}
+
+TEST_P(LogWatching, ANewViewerReadsWhatWasLoggedBefore) {
+  const auto robot = Join("robot", {});
+  ASSERT_TRUE(robot->SendLog({0, {Record("a"), Record("b")}}));
+  ASSERT_TRUE(robot->Leave());  // answered after the records were taken
+
+  const auto reader = std::make_shared<LogReader>();
+  const auto client = Read(reader);
+
+  ASSERT_TRUE(EventuallyTrue([&] { return reader->is_current(); }));
+  EXPECT_THAT(reader->texts(), ElementsAre("a", "b"));
+}
+
+TEST_P(LogWatching, WhatWasSentOnALinkThatBrokeIsMissedAloud) {
+  const auto reader = std::make_shared<LogReader>();
+  const auto client = Read(reader);
+  const auto robot = Join("robot", {});
+  ASSERT_TRUE(robot->SendLog({0, {Record("a")}}));
+  ASSERT_TRUE(EventuallyReads(*reader, {"a"}));
+  robot->BreakLink();
+  ASSERT_TRUE(robot->Join(address_));
+
+  ASSERT_TRUE(robot->SendLog({6, {Record("g")}}));
+
+  ASSERT_TRUE(EventuallyReads(*reader, {"a", "5 records are lost on their way", "g"}));
+  EXPECT_EQ(reader->OfRobot()[1].source, "log");
+}
+
+TEST_P(LogWatching, AProcessThatIsStartedAnewMissesNothing) {
+  const auto reader = std::make_shared<LogReader>();
+  const auto client = Read(reader);
+  auto robot = Join("robot", {});
+  ASSERT_TRUE(robot->SendLog({0, {Record("a")}}));
+  ASSERT_TRUE(EventuallyReads(*reader, {"a"}));
+  robot.reset();
+  ASSERT_TRUE(EventuallyTrue([&] { return StateOf("robot") == ProcessState::kLost; }));
+
+  robot = Join("robot", {});
+  ASSERT_TRUE(robot->SendLog({7, {Record("h")}}));
+
+  EXPECT_TRUE(EventuallyReads(*reader, {"a", "h"}));
+}
+
+TEST_P(LogWatching, TextsFromOutsideAreMadeFitForATerminal) {
+  const auto reader = std::make_shared<LogReader>();
+  const auto client = Read(reader);
+  const auto robot = Join("robot", {});
+  LogRecord record = Record("red \x1b[31m alert");
+  record.process = "somebody else";
+  record.source = "a\nb" + std::string(100000, 'x');
+
+  ASSERT_TRUE(robot->SendLog({0, {record, Record(std::string(100000, 'x'))}}));
+
+  ASSERT_TRUE(EventuallyTrue([&] { return reader->OfRobot().size() == 2; }));
+  const auto records = reader->OfRobot();
+  EXPECT_EQ(records[0].text, "red \\x1b[31m alert");
+  EXPECT_THAT(records[0].source, testing::StartsWith("a\\x0abxxx"));
+  EXPECT_LT(records[0].source.size(), 300U);
+  EXPECT_LT(records[1].text.size(), 5000U);
+}
+
+TEST_P(LogWatching, WhatIsNoBatchHarmsNobody) {
+  const auto reader = std::make_shared<LogReader>();
+  const auto client = Read(reader);
+  const auto robot = Join("robot", {});
+  LogRecord record = Record("a");
+  record.level = LogLevel{17};
+  ASSERT_TRUE(robot->SendLog({0, {record}}));
+  ASSERT_TRUE(robot->SendLog({0, {Record(std::string(message::kLargestLogBatch, 'x'))}}));
+
+  ASSERT_TRUE(robot->SendLog({0, {Record("b")}}));
+
+  EXPECT_TRUE(EventuallyReads(*reader, {"b"}));
+}
+
+TEST_P(LogWatching, WhoHasLeftLogsNothingUnderItsName) {
+  const auto reader = std::make_shared<LogReader>();
+  const auto client = Read(reader);
+  const auto robot = Join("robot", {});
+  ASSERT_TRUE(robot->Leave());
+  ASSERT_TRUE(robot->SendLog({0, {Record("a")}}));
+  ASSERT_TRUE(robot->Renew());  // answered after the record was looked at
+
+  const auto again = Join("robot", {});
+  ASSERT_TRUE(again->SendLog({0, {Record("b")}}));
+
+  EXPECT_TRUE(EventuallyReads(*reader, {"b"}));
+}
+
+TEST_P(LogWatching, TheGcmItselfIsRead) {
+  const auto reader = std::make_shared<LogReader>();
+  const auto client = Read(reader);
+
+  Log(LogLevel::kInfo, "gcm", "I am here");
+
+  EXPECT_TRUE(EventuallyTrue([&] { return reader->count() > 0; }));
+}
+
+}  // namespace
+}  // namespace tendon

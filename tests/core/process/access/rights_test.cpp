@@ -1,0 +1,65 @@
+#include <gtest/gtest.h>
+#include <tendon/gcm/messages.h>
+#include <tendon/process/access/guarded_handler.h>
+#include <tendon/process/membership_messages.h>
+#include <tendon/process/messages.h>
+#include <tendon/proxy/messages.h>
+#include <tendon/security/rights.h>
+
+#include <cstdint>
+#include <set>
+
+namespace tendon {
+namespace {
+
+using Types = std::set<MessageType>;
+
+/// What a viewer may send.
+const Types kLooks = {message::kPing,        message::kGetSchemas, message::kSubscribe,
+                      message::kUnsubscribe, message::kRowTaken,   message::kRenew,
+                      message::kWatch,       message::kHistory,    message::kWatchLog};
+
+/// What an operator may send besides.
+const Types kActs = {message::kOpenInterface, message::kCloseInterface, message::kCommands,
+                     message::kRead,          message::kWait,           message::kEventsLost,
+                     message::kCallMember,    message::kJoin,           message::kReport,
+                     message::kLeave,         message::kConnect,        message::kDisconnect,
+                     message::kUndo,          message::kForget,         message::kReplace,
+                     message::kLogRecords,    message::kSetLogLevel};
+
+/// By name: a number in the table that belongs to another message would show here.
+TEST(Rights, AreThoseOfTheMessages) {
+  for (unsigned number = 0; number <= UINT16_MAX; ++number) {
+    const auto type = static_cast<MessageType>(number);
+    const Right* right = FindRight(static_cast<std::uint16_t>(number));
+    if (kLooks.contains(type)) {
+      ASSERT_NE(right, nullptr) << number;
+      EXPECT_EQ(right->role, Role::kViewer) << number;
+    } else if (kActs.contains(type)) {
+      ASSERT_NE(right, nullptr) << number;
+      EXPECT_EQ(right->role, Role::kOperator) << number;
+    } else {
+      EXPECT_EQ(right, nullptr) << number << ": what nobody thought of is denied";
+    }
+  }
+}
+
+TEST(Rights, WhatChangesTheSystemIsWrittenDown) {
+  const Types written = {message::kOpenInterface, message::kCallMember, message::kJoin,
+                         message::kLeave,         message::kConnect,    message::kDisconnect,
+                         message::kUndo,          message::kForget,     message::kReplace,
+                         message::kSetLogLevel};
+  for (const Right& right : kRights) {
+    EXPECT_EQ(right.audit == Audit::kAll, written.contains(static_cast<MessageType>(right.type)))
+        << right.act;
+  }
+}
+
+TEST(Rights, OfAnOperatorIncludeThoseOfAViewer) {
+  EXPECT_TRUE(Includes(Role::kOperator, Role::kViewer));
+  EXPECT_TRUE(Includes(Role::kViewer, Role::kViewer));
+  EXPECT_FALSE(Includes(Role::kViewer, Role::kOperator));
+}
+
+}  // namespace
+}  // namespace tendon

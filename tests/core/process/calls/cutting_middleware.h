@@ -1,0 +1,91 @@
+#pragma once
+
+#include <tendon/middleware/middleware.h>
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// A middleware of which the links that it has opened can be cut, as if somebody had pulled the
+/// cable: what was sent before may arrive, nothing passes afterwards, and the ends hear of it.
+class CuttingMiddleware final : public tendon::Middleware {
+ public:
+  /// Links to `spared` are never cut.
+  CuttingMiddleware(std::shared_ptr<tendon::Middleware> below, std::string spared)
+      : below_(std::move(below)), spared_(std::move(spared)) {}
+
+  void Cut() {
+    std::vector<std::shared_ptr<Cable>> cables;
+    {
+      const std::scoped_lock lock(mutex_);
+      cables.swap(cables_);
+    }
+    for (const auto& cable : cables) {
+      cable->is_cut = true;
+      cable->link->Close();
+    }
+  }
+
+  [[nodiscard]] std::string_view name() const override { return below_->name(); }
+  tendon::Result<std::unique_ptr<tendon::Listener>> Listen(const std::string& address,
+                                                           tendon::AcceptLink accept) override {
+    return below_->Listen(address, std::move(accept));
+  }
+  tendon::Result<std::shared_ptr<tendon::Link>> Open(const std::string& address,
+                                                     std::shared_ptr<tendon::LinkHandler> handler,
+                                                     std::chrono::milliseconds timeout) override {
+    if (address == spared_) return below_->Open(address, std::move(handler), timeout);
+    auto cable = std::make_shared<Cable>();
+    auto opened = below_->Open(address, std::make_shared<Ear>(cable, std::move(handler)), timeout);
+    if (!opened) return opened;
+    cable->link = *std::move(opened);
+    const std::scoped_lock lock(mutex_);
+    cables_.push_back(cable);
+    return std::shared_ptr<tendon::Link>(std::make_shared<Mouth>(std::move(cable)));
+  }
+
+ private:
+  struct Cable {
+    std::atomic<bool> is_cut{false};
+    std::shared_ptr<tendon::Link> link;
+  };
+
+  /// What arrives.
+  class Ear final : public tendon::LinkHandler {
+   public:
+    Ear(std::shared_ptr<Cable> cable, std::shared_ptr<tendon::LinkHandler> handler)
+        : cable_(std::move(cable)), handler_(std::move(handler)) {}
+    void OnFrame(std::span<const std::byte> frame) override {
+      if (!cable_->is_cut) handler_->OnFrame(frame);
+    }
+    void OnClosed(const tendon::Error& reason) override { handler_->OnClosed(reason); }
+
+   private:
+    const std::shared_ptr<Cable> cable_;
+    const std::shared_ptr<tendon::LinkHandler> handler_;
+  };
+
+  /// What is sent.
+  class Mouth final : public tendon::Link {
+   public:
+    explicit Mouth(std::shared_ptr<Cable> cable) : cable_(std::move(cable)) {}
+    tendon::Status Send(std::span<const std::byte> frame) override {
+      return cable_->is_cut ? tendon::Status::kQueued : cable_->link->Send(frame);
+    }
+    void Admit() override { cable_->link->Admit(); }
+    void Close() override { cable_->link->Close(); }
+    [[nodiscard]] std::string peer() const override { return cable_->link->peer(); }
+    [[nodiscard]] std::string local() const override { return cable_->link->local(); }
+
+   private:
+    const std::shared_ptr<Cable> cable_;
+  };
+
+  const std::shared_ptr<tendon::Middleware> below_;
+  const std::string spared_;
+  std::mutex mutex_;
+  std::vector<std::shared_ptr<Cable>> cables_;
+};

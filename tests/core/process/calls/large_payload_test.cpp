@@ -1,0 +1,212 @@
+#include <gmock/gmock.h>
+#include <tendon/base/log.h>
+#include <tendon/middleware/parts/payload_limit.h>
+#include <tendon/task/periodic_task.h>
+
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "support/network_test.h"
+
+namespace {
+
+using namespace std::chrono_literals;
+using tendon::Status;
+using testing::Contains;
+using testing::HasSubstr;
+
+using Cloud = std::vector<std::uint8_t>;
+
+const tendon::InterfaceName kCloud("robot", "arm", "Cloud");
+const tendon::InterfaceName kViewer("desk", "viewer", "Cloud");
+
+constexpr std::size_t kPoints = std::size_t{20} << 20U;  // more than may wait on a link
+constexpr std::size_t kTooMany = tendon::kMaxPayload + tendon::kMaxPayload / 10'000;
+
+/// Takes clouds and gives them back.
+class Arm final : public tendon::PeriodicTask {
+ public:
+  explicit Arm(std::string name) : PeriodicTask(std::move(name), 1ms) {
+    auto& cloud = AddProvidedInterface("Cloud");
+    cloud.AddCommandWrite(&Arm::Store, this, "cloud");
+    cloud.AddCommandWrite(&Arm::Count, this, "Count");
+    cloud.AddCommandQualifiedRead(&Arm::Points, this, "Points", tendon::kThreadSafe);
+    cloud.AddCommandWriteReturn(&Arm::Grow, this, "Grow");
+    cloud.AddEvent(stored, "Stored");
+  }
+  ~Arm() override { Join(); }
+
+  void Run() override { ProcessQueuedCommands(); }
+
+  [[nodiscard]] std::vector<std::string> log() const {
+    const std::scoped_lock lock(mutex_);
+    return log_;
+  }
+
+  tendon::WriteEvent<Cloud> stored;
+
+ private:
+  void Store(const Cloud& cloud) {
+    Log("stored " + std::to_string(cloud.size()));
+    stored(cloud);
+  }
+  void Count(int number) { Log("counted " + std::to_string(number)); }
+  void Points(const std::uint64_t& size, Cloud& cloud) const { cloud.assign(size, 7); }
+  void Grow(const Cloud& cloud, Cloud& grown) {
+    grown = cloud;
+    grown.push_back(8);
+  }
+  void Log(std::string line) {
+    const std::scoped_lock lock(mutex_);
+    log_.push_back(std::move(line));
+  }
+
+  mutable std::mutex mutex_;
+  std::vector<std::string> log_;
+};
+
+/// Has no thread: the test calls its functions, and executes the events that have arrived.
+class Viewer final : public tendon::Component {
+ public:
+  explicit Viewer(std::string name)
+      : Component(std::move(name), std::make_unique<tendon::Inbox>()) {
+    auto& arm = AddRequiredInterface("Cloud");
+    arm.AddFunction(store, "cloud");
+    arm.AddFunction(count, "Count");
+    arm.AddFunction(points, "Points");
+    arm.AddFunction(grow, "Grow");
+    arm.AddEventHandlerWrite(&Viewer::OnStored, this, "Stored");
+    arm.SetMailboxCapacity(4);
+    arm.SetReadDeadline(20s);
+  }
+
+  void Process() { inbox()->ExecuteQueued(); }
+
+  tendon::WriteFunction<Cloud> store;
+  tendon::WriteFunction<int> count;
+  tendon::QualifiedReadFunction<std::uint64_t, Cloud> points;
+  tendon::WriteReturnFunction<Cloud, Cloud> grow;
+  std::vector<std::size_t> stored;
+
+ private:
+  void OnStored(const Cloud& cloud) { stored.push_back(cloud.size()); }
+};
+
+/// What this program has logged since it was cleared last.
+class Logged {
+ public:
+  static void Clear() {
+    const std::scoped_lock lock(list().mutex);
+    list().lines.clear();
+  }
+  static std::vector<std::string> all() {
+    const std::scoped_lock lock(list().mutex);
+    return list().lines;
+  }
+
+ private:
+  struct List {
+    List() {
+      tendon::AddLogSink([this](auto /*level*/, auto /*source*/, std::string_view message) {
+        const std::scoped_lock lock(mutex);
+        lines.emplace_back(message);
+      });
+    }
+    std::mutex mutex;
+    std::vector<std::string> lines;
+  };
+  static List& list() {
+    static List list;
+    return list;
+  }
+};
+
+class LargePayload : public NetworkTest {
+ protected:
+  LargePayload() {
+    Logged::Clear();
+    arm = &robot->Add<Arm>("arm");
+    viewer = &desk->Add<Viewer>("viewer");
+    EXPECT_TRUE(robot->StartAll().ok());
+    EXPECT_TRUE(desk->StartAll().ok());
+    const auto id = desk->Connect(kViewer, kCloud);
+    EXPECT_TRUE(id.ok()) << id.error().message;
+    EXPECT_TRUE(EventuallyActive(*desk, 1));
+  }
+
+  std::unique_ptr<tendon::Process> robot = Start("robot");
+  std::unique_ptr<tendon::Process> desk = Start("desk");
+  Arm* arm = nullptr;
+  Viewer* viewer = nullptr;
+};
+
+TEST_P(LargePayload, IsCarriedByEveryKindOfCommandAndByEvents) {
+  const Cloud cloud(kPoints, 7);
+
+  EXPECT_EQ(viewer->store(cloud), Status(Status::kQueued));
+  EXPECT_TRUE(EventuallyTrue([&] {
+    viewer->Process();
+    return viewer->stored.size() == 1;
+  }));
+  Cloud answer;
+  EXPECT_EQ(viewer->points(kPoints, answer), Status(Status::kDone));
+  EXPECT_EQ(answer, cloud);
+  EXPECT_EQ(viewer->grow.Wait(cloud, answer, 20s), Status(Status::kDone));
+
+  EXPECT_EQ(answer.size(), kPoints + 1);
+  EXPECT_EQ(viewer->stored, std::vector{kPoints});
+}
+
+TEST_P(LargePayload, KeepsItsPlaceAmongTheCallsOfItsConnection) {
+  const Cloud cloud(kPoints);
+
+  EXPECT_EQ(viewer->count(1), Status(Status::kQueued));
+  EXPECT_EQ(viewer->store(cloud), Status(Status::kQueued));
+  EXPECT_EQ(viewer->count(2), Status(Status::kQueued));
+
+  const std::vector<std::string> expected{"counted 1", "stored " + std::to_string(kPoints),
+                                          "counted 2"};
+  EXPECT_TRUE(EventuallyTrue([&] { return arm->log().size() == expected.size(); }));
+  EXPECT_EQ(arm->log(), expected);
+}
+
+TEST_P(LargePayload, IsExecutedAlthoughItsConnectionWasEndedMeanwhile) {
+  EXPECT_EQ(viewer->store(Cloud(kPoints)), Status(Status::kQueued));
+
+  ASSERT_TRUE(desk->Disconnect(kViewer).ok());
+
+  EXPECT_TRUE(EventuallyTrue([&] { return robot->proxies().empty(); }));
+  EXPECT_EQ(arm->log(), std::vector{"stored " + std::to_string(kPoints)});
+}
+
+TEST_P(LargePayload, OverTheLimitIsRefusedAtTheSenderAndTheConnectionLives) {
+  const auto before = desk->connections();
+
+  EXPECT_EQ(viewer->store(Cloud(kTooMany)), Status(Status::kInvalid));
+
+  EXPECT_TRUE(EventuallyTrue([] {
+    return testing::Matches(
+        Contains(HasSubstr("'cloud' of 67 115 578 B exceeds max_payload "
+                           "67 108 864 B of robot/arm/Cloud")))(Logged::all());
+  }));
+  EXPECT_EQ(desk->connections(), before);
+  EXPECT_EQ(viewer->count(1), Status(Status::kQueued));
+  EXPECT_TRUE(EventuallyTrue([&] { return arm->log() == std::vector<std::string>{"counted 1"}; }));
+}
+
+TEST_P(LargePayload, AnAnswerOverTheLimitFailsAndTheConnectionLives) {
+  Cloud answer;
+
+  EXPECT_EQ(viewer->points(kTooMany, answer), Status(Status::kFailed));
+
+  EXPECT_THAT(Logged::all(), Contains(HasSubstr("'Points' of 67 115 578 B exceeds max_payload")));
+  EXPECT_EQ(viewer->points(10, answer), Status(Status::kDone));
+  EXPECT_EQ(answer, Cloud(10, 7));
+}
+
+INSTANTIATE_TEST_SUITE_P(Over, LargePayload, testing::ValuesIn(NetworkKinds()), NameOfNetwork);
+
+}  // namespace

@@ -1,0 +1,187 @@
+#include <gtest/gtest.h>
+#include <tendon/process/telemetry/row_batch.h>
+#include <tendon/process/telemetry/row_subscription.h>
+
+namespace tendon {
+namespace {
+
+using namespace std::chrono_literals;
+using std::chrono::nanoseconds;
+
+/// Remembers the last batch, and has room for so many rows of each.
+class Sink final : public RowSink {
+ public:
+  void OnSubscribed(const std::vector<Schema>& /*columns*/) override {}
+  std::size_t OnRows(const RowBatch& batch) override {
+    last = batch;
+    return batch.count - std::min(batch.count, room);
+  }
+  void OnStale(const Error& /*reason*/) override {}
+
+  RowBatch last;  ///< but for its rows
+  std::size_t room = 1000;
+};
+
+/// A viewer of a table without columns, and what its process would send.
+class Viewer {
+ public:
+  explicit Viewer(RowChoice rows = {})
+      : subscription(
+            {.process = "robot", .component = "arm", .table = "state", .columns = {}, .rows = rows},
+            sink) {}
+
+  /// It stands, also again.
+  void Stand(std::uint64_t epoch, std::uint64_t first_tick) {
+    beginning = *subscription.Begin({.handle = 1, .epoch = epoch, .first_tick = first_tick});
+    rows_before = 0;
+    next_tick = first_tick;
+  }
+  /// The next rows are written; what the viewer is not sent is counted as its process does.
+  void Send(std::uint64_t rows, SteadyTime first = SteadyTime(1s), nanoseconds period = 1ms) {
+    RowBatchWriter writer({});
+    for (std::uint64_t row = 0; row < rows; ++row) {
+      writer.BeginRow(next_tick + row, (first + row * period).time_since_epoch().count());
+    }
+    next_tick += rows;
+    subscription.Deliver(beginning,
+                         writer.Finish({.rows_before = rows_before,
+                                        .lost_table = std::exchange(overwritten, 0),
+                                        .next_tick = next_tick}),
+                         clock);
+    rows_before += rows;
+  }
+  void Refuse(std::uint64_t rows) {
+    rows_before += rows;
+    next_tick += rows;
+  }
+  void Overwrite(std::uint64_t rows) {
+    overwritten += rows;
+    next_tick += rows;
+  }
+
+  std::shared_ptr<Sink> sink = std::make_shared<Sink>();
+  RowSubscription subscription;
+  ClockOffset clock;
+  std::uint64_t beginning = 0;
+  std::uint64_t rows_before = 0;
+  std::uint64_t next_tick = 0;
+  std::uint64_t overwritten = 0;
+};
+
+TEST(RowSubscription, CountsApartWhatIsLostInTheTableOnTheNetworkAndHere) {
+  Viewer viewer;
+  viewer.Stand(1, 100);
+
+  viewer.Send(10);
+  viewer.Refuse(3);
+  viewer.Overwrite(5);
+  viewer.sink->room = 8;
+  viewer.Send(12);
+
+  EXPECT_EQ(viewer.sink->last.lost_table, 5U);
+  EXPECT_EQ(viewer.sink->last.lost_network, 3U);
+  EXPECT_EQ(viewer.subscription.counts(),
+            (RowCounts{.received = 22, .lost_table = 5, .lost_network = 3, .lost_viewer = 4}));
+}
+
+TEST(RowSubscription, ThatIsMadeAgainCountsWhatWasWrittenInBetween) {
+  Viewer viewer;
+  viewer.Stand(1, 100);
+  viewer.Send(10);
+
+  viewer.Stand(1, 150);
+  EXPECT_EQ(viewer.subscription.counts().lost_network, 40U);
+  viewer.Send(5);
+
+  EXPECT_EQ(viewer.sink->last.lost_network, 40U);
+  EXPECT_EQ(viewer.sink->last.epoch, 1U);
+  viewer.Send(5);
+  EXPECT_EQ(viewer.sink->last.lost_network, 0U);
+  EXPECT_EQ(viewer.subscription.counts(), (RowCounts{.received = 20, .lost_network = 40}));
+}
+
+TEST(RowSubscription, OfATableThatWasStartedAnewBeginsAnew) {
+  Viewer viewer;
+  viewer.Stand(1, 100);
+  viewer.Send(10);
+
+  viewer.Stand(2, 150);
+  viewer.Send(5);
+
+  EXPECT_EQ(viewer.sink->last.epoch, 2U);
+  EXPECT_EQ(viewer.subscription.counts(), (RowCounts{.received = 15}));
+}
+
+TEST(RowSubscription, WithAPeriodDoesNotTakeWhatWasNotChosenForLost) {
+  Viewer viewer({.period = 10ms});
+  viewer.Stand(1, 100);
+  viewer.Send(10);
+
+  viewer.Stand(1, 150);
+
+  EXPECT_EQ(viewer.subscription.counts(), (RowCounts{.received = 10}));
+}
+
+TEST(RowSubscription, PassesOverWhatWasOnItsWayWhenItWasMadeAgain) {
+  Viewer viewer;
+  viewer.Stand(1, 100);
+  viewer.Send(10);
+  const std::uint64_t before = viewer.beginning;
+  viewer.Stand(1, 150);
+
+  viewer.beginning = before;
+  viewer.Send(7);
+
+  EXPECT_EQ(viewer.subscription.counts(), (RowCounts{.received = 10, .lost_network = 40}));
+}
+
+TEST(RowSubscription, TellsTheOffsetOfTheSourcesClock) {
+  Viewer viewer;
+  viewer.Stand(1, 0);
+  viewer.Send(1, SteadyTime(1h));
+  EXPECT_EQ(viewer.sink->last.clock_uncertainty, nanoseconds::max());
+
+  const SteadyTime now = SteadyClock().Now();
+  viewer.clock.Add(now - 2ms, now + 1h, now);
+  viewer.Send(10, now + 1h);
+
+  EXPECT_EQ(viewer.sink->last.clock_offset, 1h + 1ms);
+  EXPECT_GE(viewer.sink->last.clock_uncertainty, 1ms);
+  EXPECT_LT(viewer.sink->last.clock_uncertainty, 1min);
+}
+
+TEST(RowSubscription, NeverCorrectsARowToBeforeTheLast) {
+  Viewer viewer;
+  viewer.Stand(1, 0);
+  viewer.clock.Add(SteadyTime(1s), SteadyTime(1h), SteadyTime(1s));
+  SteadyTime row(1h);
+  viewer.Send(100'000, row, 10us);
+  row += 100'000 * 10us;
+  const SteadyTime before = row - 10us - viewer.sink->last.clock_offset;
+
+  // The other clock has gained: half a millisecond of that would be made up for at once, and the
+  // next row is 10 us later.
+  viewer.clock.Add(SteadyTime(1s), SteadyTime(1h + 10ms), SteadyTime(1s));
+  for (const SteadyTime next : {row, row + 10us}) {
+    viewer.Send(1, next);
+    EXPECT_EQ(next - viewer.sink->last.clock_offset, before);
+  }
+  viewer.Send(1, row + 2s);
+  EXPECT_EQ(viewer.sink->last.clock_offset, 1h - 1s + 1495us);
+}
+
+TEST(RowSubscription, OfImpossibleTimesIsNoReasonToFall) {
+  Viewer viewer;
+  viewer.Stand(1, 0);
+  viewer.clock.Add(SteadyTime(1s), SteadyTime(1h), SteadyTime(1s));
+
+  for (const SteadyTime time : {SteadyTime::min(), SteadyTime::max(), SteadyTime(1h)}) {
+    viewer.Send(1, time);
+    viewer.Send(0, time);
+  }
+
+  EXPECT_EQ(viewer.subscription.counts().received, 3U);
+}
+
+}  // namespace
+}  // namespace tendon

@@ -1,0 +1,135 @@
+#include <tendon/task/periodic_task.h>
+
+#include <array>
+#include <atomic>
+#include <cstdlib>
+#include <mutex>
+
+#include "core/process/telemetry/viewing.h"
+#include "support/wait.h"
+
+namespace {
+
+using namespace std::chrono_literals;
+using tendon::RowCounts;
+
+/// Writes twenty rows of 264 bytes each millisecond, as long as it may.
+class Spate final : public tendon::PeriodicTask {
+ public:
+  static constexpr std::uint64_t kRate = 20'000;
+
+  explicit Spate(std::string name) : PeriodicTask(std::move(name), 1ms) {
+    state_table().Add(values_, "Values");
+    state_table().SetLength(1U << 15U);
+    state_table().AdvanceOnlyByHand();
+  }
+  ~Spate() override { Join(); }
+
+  void Run() override {
+    for (int row = 0; row < 20 && written() < most_.load(); ++row) {
+      ++values_.front();
+      state_table().Advance(tendon::SteadyClock().Now());
+    }
+  }
+
+  /// Until it has written so many altogether.
+  void Allow(std::uint64_t rows) { most_ = rows; }
+  [[nodiscard]] std::uint64_t written() { return state_table().next_tick(); }
+
+ private:
+  std::array<double, 32> values_{};
+  std::atomic<std::uint64_t> most_{0};
+};
+
+/// Counts what it hears, and can be made to hold whoever tells it.
+class Counter final : public tendon::RowSink {
+ public:
+  void OnSubscribed(const std::vector<tendon::Schema>& /*columns*/) override { stands_ = true; }
+  std::size_t OnRows(const tendon::RowBatch& batch) override {
+    received_ += batch.count;
+    lost_ += batch.lost_table + batch.lost_network;
+    const std::scoped_lock held(gate);
+    return 0;
+  }
+  void OnStale(const tendon::Error& /*reason*/) override {}
+
+  [[nodiscard]] bool stands() const { return stands_.load(); }
+  [[nodiscard]] std::uint64_t received() const { return received_.load(); }
+  [[nodiscard]] std::uint64_t lost() const { return lost_.load(); }
+
+  std::mutex gate;
+
+ private:
+  std::atomic<bool> stands_{false};
+  std::atomic<std::uint64_t> received_{0};
+  std::atomic<std::uint64_t> lost_{0};
+};
+
+/// One program of many, to a process the slowest of which is stopped.
+class SlowViewer : public ViewingTest {
+ protected:
+  struct Viewer {
+    std::unique_ptr<tendon::TelemetryClient> client;
+    std::shared_ptr<Counter> sink = std::make_shared<Counter>();
+    tendon::TelemetryClient::Id id = 0;
+
+    [[nodiscard]] RowCounts counts() const { return client->CountsOf(id); }
+  };
+
+  SlowViewer() : robot(Start("robot")), spate(&robot->Add<Spate>("spate")) {
+    EXPECT_TRUE(robot->StartAll().ok());
+  }
+
+  Viewer Watch() {
+    Viewer viewer{.client = View()};
+    viewer.id = viewer.client->Subscribe({"robot", "spate", "state", {"Values"}}, viewer.sink);
+    EXPECT_TRUE(EventuallyTrue([&] { return viewer.sink->stands(); }));
+    return viewer;
+  }
+
+  /// So many more rows, as fast as the source writes and those who keep up can take them, however
+  /// slow this machine is.
+  void Write(std::uint64_t rows, const std::vector<const Viewer*>& quick) {
+    constexpr std::uint64_t kAhead = 10'000;  // less than the table and the link hold
+    const std::uint64_t end = spate->written() + rows;
+    const auto all_taken = [&] {
+      std::uint64_t taken = end;
+      for (const Viewer* viewer : quick) taken = std::min(taken, viewer->sink->received());
+      spate->Allow(std::min(end, taken + kAhead));
+      return taken == end;
+    };
+    ASSERT_TRUE(EventuallyTrue(all_taken, 10min));
+  }
+
+  std::unique_ptr<tendon::Process> robot;
+  Spate* spate;
+};
+
+TEST_P(SlowViewer, LosesItsOwnRowsOnlyAndKnowsOfEachWhileTheOthersHearThemAll) {
+  const std::uint64_t seconds = std::getenv("TENDON_FULL_FAULTS") == nullptr ? 5 : 60;
+  const Viewer first = Watch();
+  const Viewer stopped = Watch();
+  const Viewer second = Watch();
+  Write(Spate::kRate / 10, {&first, &stopped, &second});
+
+  {
+    const std::scoped_lock held(stopped.sink->gate);
+    Write(seconds * Spate::kRate, {&first, &second});
+  }
+  Write(Spate::kRate / 10, {&first, &second});
+
+  const std::uint64_t sent = spate->written();
+  EXPECT_EQ(first.counts(), (RowCounts{.received = sent}));
+  EXPECT_EQ(second.counts(), (RowCounts{.received = sent}));
+  EXPECT_TRUE(EventuallyTrue([&] {
+    const RowCounts counts = stopped.counts();
+    return counts.received + counts.lost_table + counts.lost_network == sent;
+  })) << stopped.counts().received
+      << " + " << stopped.counts().lost_network << " of " << sent;
+  EXPECT_GT(stopped.counts().lost_network, 0U);
+  EXPECT_EQ(stopped.counts().lost_table, 0U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Over, SlowViewer, testing::ValuesIn(NetworkKinds()), NameOfNetwork);
+
+}  // namespace

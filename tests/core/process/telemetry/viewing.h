@@ -1,0 +1,31 @@
+#pragma once
+
+#include <tendon/base/os/process.h>
+#include <tendon/process/telemetry_client.h>
+
+#include <memory>
+#include <string>
+
+#include "support/network_test.h"
+
+/// Processes and their GCM, and viewers that find them.
+class ViewingTest : public NetworkTest {
+ protected:
+  /// A viewer of its own.
+  std::unique_ptr<tendon::TelemetryClient> View() {
+    return tendon::MakeTelemetryClient(
+        NewMiddleware(),
+        [this](const std::string& process) -> tendon::Result<std::string> {
+          const tendon::Catalog catalog = gcm().catalog();
+          const auto* entry = catalog.FindProcess(process);
+          if (entry != nullptr && entry->process.state == tendon::ProcessState::kAlive) {
+            return entry->process.address;
+          }
+          return tendon::Error{tendon::ErrorCode::kNotFound,
+                               "process '" + process + "' is not there"};
+        },
+        {.instance = tendon::os::RandomNumber(),
+         .name = "viewer",
+         .cookie = *tendon::LoopbackCookie()});
+  }
+};

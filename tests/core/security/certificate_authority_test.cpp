@@ -1,0 +1,167 @@
+#include <gmock/gmock.h>
+#include <tendon/security/certificate_authority.h>
+
+#include <fstream>
+#include <iterator>
+#include <vector>
+
+#include "core/security/authority.h"
+
+namespace tendon {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+class CertificateAuthorityTest : public AuthorityTest {};
+
+void ExpectRefused(const auto& result, ErrorCode code, const std::string& sentence) {
+  ASSERT_FALSE(result.ok()) << sentence;
+  EXPECT_EQ(result.error().code, code) << result.error().message;
+  EXPECT_THAT(result.error().message, HasSubstr(sentence));
+}
+
+TEST_F(CertificateAuthorityTest, NobodyElseCanLookIntoItsFolder) {
+  ASSERT_TRUE(authority.ok()) << authority.error().message;
+  Issue({.name = "robot", .holder = Holder::kProcess});
+  ASSERT_TRUE(authority->Revoke("robot").ok());
+
+  EXPECT_EQ(ModeOf(folder), 0700U);
+  std::size_t files = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    EXPECT_EQ(ModeOf(entry.path()), entry.is_directory() ? 0700U : 0600U) << entry.path();
+    files += entry.is_directory() ? 0U : 1U;
+  }
+  EXPECT_EQ(files, 4U);  // and no lock is left
+  EXPECT_EQ(ModeOf(out / "robot.key"), 0600U);
+}
+
+TEST_F(CertificateAuthorityTest, LastsTenYears) {
+  EXPECT_GT(authority->not_after(), Now() + std::chrono::days(3651));
+  EXPECT_LE(authority->not_after(), Now() + std::chrono::years(10));
+}
+
+TEST_F(CertificateAuthorityTest, IsNeverMadeOverAnotherOne) {
+  const std::string key = home.Read("ca/ca.key");
+
+  ExpectRefused(CertificateAuthority::Init(folder), ErrorCode::kExists, "there is a CA in");
+
+  EXPECT_EQ(home.Read("ca/ca.key"), key);
+}
+
+TEST_F(CertificateAuthorityTest, IsNotMadeAmongOtherFiles) {
+  home.Write("letter", "");
+
+  ExpectRefused(CertificateAuthority::Init(home.path()), ErrorCode::kExists, "holds other files");
+}
+
+TEST_F(CertificateAuthorityTest, IssuesACertificateThatSaysWhoAndWhat) {
+  const auto issued =
+      Issue({.name = "anna", .role = Role::kOperator, .validity = std::chrono::days(7)});
+
+  const auto read = ParseCertificate(home.Read("out/anna.crt"));
+  ASSERT_TRUE(read.ok()) << read.error().message;
+  EXPECT_EQ(*read, issued.certificate);
+  EXPECT_EQ(read->name, "anna");
+  EXPECT_EQ(read->role, Role::kOperator);
+  EXPECT_EQ(read->holder, Holder::kPerson);
+  EXPECT_LT(read->not_before, Now());
+  EXPECT_GT(read->not_after, Now() + std::chrono::days(6));
+  EXPECT_LE(read->not_after, Now() + std::chrono::days(7));
+  EXPECT_GE(read->serial.size(), 30U);
+}
+
+TEST_F(CertificateAuthorityTest, TwoCertificatesOfANameDifferInSerialAndKey) {
+  const auto first = Issue({.name = "robot"});
+  const auto second = authority->Issue({.name = "robot"}, home.path() / "next");
+
+  ASSERT_TRUE(second.ok()) << second.error().message;
+  EXPECT_NE(first.certificate.serial, second->certificate.serial);
+  EXPECT_NE(home.Read("out/robot.key"), home.Read("next/robot.key"));
+}
+
+TEST_F(CertificateAuthorityTest, OverwritesNothing) {
+  Issue({.name = "robot"});
+  const std::string key = home.Read("out/robot.key");
+
+  ExpectRefused(authority->Issue({.name = "robot"}, out), ErrorCode::kExists,
+                "robot.crt is there already, and is not overwritten: choose another folder");
+  fs::remove(out / "robot.crt");
+  ExpectRefused(authority->Issue({.name = "robot"}, out), ErrorCode::kExists,
+                "robot.key is there already");
+
+  EXPECT_EQ(home.Read("out/robot.key"), key);
+  EXPECT_FALSE(fs::exists(out / "robot.crt"));
+}
+
+TEST_F(CertificateAuthorityTest, RefusesWhatACertificateCannotSay) {
+  const std::vector<std::pair<Request, std::string>> cases = {
+      {{.name = ""}, "certificate name is empty"},
+      {{.name = "../robot"}, "certificate name '../robot' has '.' at 1"},
+      {{.name = "robot\n"}, "certificate name"},
+      {{.name = std::string(65, 'a')}, "max 64"},
+      {{.name = "a", .hosts = {""}}, "host ''"},
+      {{.name = "a", .hosts = {"b,DNS:evil"}}, "host 'b,DNS:evil'"},
+      {{.name = "a", .hosts = {"*.local"}}, "host '*.local'"},
+      {{.name = "a", .validity = std::chrono::days(0)}, "at least 1 day"},
+      {{.name = "a", .validity = std::chrono::days(3660)}, "would outlive its CA"},
+  };
+  for (const auto& [request, sentence] : cases) {
+    ExpectRefused(authority->Issue(request, out), ErrorCode::kInvalid, sentence);
+  }
+  EXPECT_FALSE(fs::exists(out));
+}
+
+TEST_F(CertificateAuthorityTest, RevokesAllOfAName) {
+  const auto first = Issue({.name = "robot"});
+  const auto second = authority->Issue({.name = "robot"}, home.path() / "next");
+  Issue({.name = "desk"});
+  ASSERT_TRUE(second.ok()) << second.error().message;
+
+  const auto revoked = authority->Revoke("robot");
+
+  ASSERT_TRUE(revoked.ok()) << revoked.error().message;
+  EXPECT_THAT(*revoked,
+              testing::UnorderedElementsAre(first.certificate.serial, second->certificate.serial));
+  ExpectRefused(authority->Revoke("robot"), ErrorCode::kExists, "are revoked already");
+}
+
+TEST_F(CertificateAuthorityTest, KnowsWhomItHasIssuedNothing) {
+  Issue({.name = "robot"});
+
+  ExpectRefused(authority->Revoke("robto"), ErrorCode::kNotFound, "did you mean 'robot'?");
+}
+
+TEST_F(CertificateAuthorityTest, IsNotUsedWithAKeyThatOthersCanRead) {
+  fs::permissions(folder / "ca.key", fs::perms(0640));
+
+  const auto opened = CertificateAuthority::Open(folder);
+
+  ExpectRefused(opened, ErrorCode::kDenied, "can be read by others (mode 0640): chmod 600 ");
+  ExpectRefused(authority->Issue({.name = "robot"}, out), ErrorCode::kDenied, "ca.key");
+}
+
+TEST_F(CertificateAuthorityTest, IsNotUsedWithAnotherOnesKey) {
+  ASSERT_TRUE(CertificateAuthority::Init(home.path() / "other").ok());
+  fs::copy_file(home.path() / "other" / "ca.key", folder / "ca.key",
+                fs::copy_options::overwrite_existing);
+
+  ExpectRefused(CertificateAuthority::Open(folder), ErrorCode::kInvalid, "does not belong to");
+}
+
+TEST_F(CertificateAuthorityTest, ThatIsNotThereIsMissed) {
+  ExpectRefused(CertificateAuthority::Open(home.path() / "nowhere"), ErrorCode::kNotFound,
+                "make one with gcm cert init, or name its folder with --ca");
+}
+
+TEST_F(CertificateAuthorityTest, IsChangedByOneAtATime) {
+  home.Write("ca/lock", "somebody");
+  fs::permissions(folder / "lock", fs::perms(0600));
+
+  ExpectRefused(authority->Issue({.name = "robot"}, out), ErrorCode::kFailed, "try again");
+  ExpectRefused(authority->Revoke("robot"), ErrorCode::kFailed, "remove " + folder.string());
+  EXPECT_EQ(home.Read("ca/lock"), "somebody");
+}
+
+}  // namespace
+}  // namespace tendon

@@ -1,0 +1,128 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <program/exit_code.h>
+
+#include <csignal>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "gcm_console/system_fixture.h"
+
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
+
+class LogTest : public SystemFixture {
+ protected:
+  void SetUp() override { StartGcm(); }
+
+  /// A process with nothing in it but this component.
+  std::unique_ptr<Program> StartOne(const std::string& process, const std::string& component,
+                                    const std::string& class_name, const std::string& library) {
+    const std::string file = (home.path() / (process + ".json")).string();
+    std::ofstream(file) << R"({"version": 1, "name": ")" << process
+                        << R"(", "processes": [{"name": ")" << process
+                        << R"(", "components": [{"name": ")" << component << R"(", "class": ")"
+                        << class_name << R"(", "library": ")" << library << R"("}]}]})";
+    return StartLcm(process, file);
+  }
+  [[nodiscard]] std::unique_ptr<Program> Follow(Program::Words words = {}) const {
+    words.insert(words.begin(),
+                 {Binary("gcm"), "--gcm", address, "--timeout", kPatience, "log", "--follow"});
+    return std::make_unique<Program>(words);
+  }
+};
+
+TEST_F(LogTest, ShowsWhatTheProcessesHaveLogged) {
+  const auto robot = StartLcm("robot", demo);
+  ASSERT_TRUE(EventuallySays({"log"}, "\tinfo\trobot\truns 2 components")) << robot->err();
+  ASSERT_TRUE(EventuallySays({"log"}, "\tinfo\tgcm\tprocess 'robot' is there"));
+
+  const Outcome from = Gcm({"log", "--from", "gcm"});
+  EXPECT_EQ(from.exit_code, program::kOk) << from.err;
+  EXPECT_THAT(from.out, HasSubstr("process 'robot' is there"));
+  EXPECT_THAT(from.out, Not(HasSubstr("runs 2 components")));
+  EXPECT_THAT(Gcm({"log", "--from", "ro*/robot"}).out, HasSubstr("runs 2 components"));
+  EXPECT_THAT(Gcm({"log", "--level", "error"}).out, Not(HasSubstr("\tinfo\t")));
+
+  std::istringstream lines(Gcm({"--json", "log", "--from", "robot"}).out);
+  std::string line;
+  while (std::getline(lines, line)) {
+    const json record = json::parse(line);
+    EXPECT_EQ(record["schema"], 1);
+    EXPECT_EQ(record["process"], "robot");
+    EXPECT_NE(record["text"], "");
+    EXPECT_THAT(record["level"], testing::AnyOf("debug", "info", "warning", "error"));
+    EXPECT_GT(record["time_ns"], std::int64_t{1'600'000'000} * 1'000'000'000);
+  }
+}
+
+TEST_F(LogTest, FollowsWhileProcessesAndGcmsComeAndGo) {
+  const auto follow = Follow();
+  const auto heard = [&](const std::string& text) {
+    return EventuallyTrue([&] { return follow->out().find(text) != std::string::npos; });
+  };
+  const auto robot = StartLcm("robot", demo);
+  ASSERT_TRUE(heard("\trobot\truns 2 components")) << follow->err();
+
+  gcm->Signal(SIGKILL);
+  ASSERT_TRUE(EventuallyTrue([&] { return follow->err().find("no GCM at") != std::string::npos; }));
+  StartGcm();
+  const auto desk = StartLcm("desk", demo);
+
+  EXPECT_TRUE(heard("\tdesk\truns 3 components")) << follow->err();
+  EXPECT_TRUE(heard("running on, and looking for it")) << follow->err();
+  follow->Signal(SIGINT);
+  EXPECT_EQ(follow->Wait(), program::kInterrupted);
+}
+
+TEST_F(LogTest, SurvivesOneThatSaysAHundredThousandLinesASecond) {
+  const auto chatter = StartOne("hall", "chatterbox", "Chatterbox", "chatterbox");
+  ASSERT_TRUE(EventuallySays({"log", "--from", "hall/chatterbox"}, "suppressed "))
+      << chatter->err().substr(0, 1000);
+
+  // Others are heard, by who follows and by who asks.
+  const auto follow = Follow({"--from", "robot"});
+  const auto robot = StartLcm("robot", demo);
+  EXPECT_TRUE(EventuallyTrue([&] {
+    return follow->out().find("runs 2 components") != std::string::npos;
+  })) << follow->err();
+  EXPECT_TRUE(EventuallySays({"ls"}, "hall\talive"));
+}
+
+TEST_F(LogTest, LevelsAreSetFromAfar) {
+  const auto chatter = StartOne("hall", "chatterbox", "Chatterbox", "chatterbox");
+  const Program::Words log = {"log", "--from", "hall/chatterbox"};
+  ASSERT_TRUE(EventuallySays(log, "another thing"));
+
+  const Outcome set = Gcm({"log-level", "hall", "error"});
+  EXPECT_EQ(set.exit_code, program::kOk) << set.err;
+  EXPECT_EQ(set.out, "hall  logs error and above\n");
+  EXPECT_TRUE(EventuallyTrue([&] { return Gcm(log).out == Gcm(log).out; }));
+  EXPECT_TRUE(EventuallySays({"log", "--from", "gcm"},
+                             "gcm log-level has set the log level of process 'hall' to error"));
+
+  const std::string silent = Gcm(log).out;
+  const json answer = json::parse(Gcm({"--json", "log-level", "hall", "info"}).out);
+  EXPECT_EQ(answer["process"], "hall");
+  EXPECT_EQ(answer["level"], "info");
+  EXPECT_TRUE(EventuallyTrue([&] { return Gcm(log).out != silent; }));
+}
+
+TEST_F(LogTest, RefusalsSayWhatToDo) {
+  const auto robot = StartLcm("robot", demo);
+  ASSERT_TRUE(EventuallySays({"ls"}, "robot\talive"));
+
+  const Outcome misspelt = Gcm({"log-level", "robt", "debug"});
+  EXPECT_EQ(misspelt.exit_code, program::kNotFound);
+  EXPECT_THAT(misspelt.err, HasSubstr("did you mean 'robot'?"));
+  const Outcome loud = Gcm({"log-level", "robot", "loud"});
+  EXPECT_EQ(loud.exit_code, program::kUsage);
+  EXPECT_THAT(loud.err, HasSubstr("{debug,info,warning,error}"));
+  EXPECT_EQ(Gcm({"log", "--level", "loud"}).exit_code, program::kUsage);
+}
+
+}  // namespace
