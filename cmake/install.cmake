@@ -1,6 +1,6 @@
 # What `cmake --install` puts where, so that find_package(tendon COMPONENTS core network ice eigen) finds it. Each part
-# is an install component of its own: core, network, ice, eigen, programs, plugins, gui. The target `installed` builds
-# all of it, and no tests.
+# is an install component of its own: core, network, ice, eigen, programs, plugins, gui, python. The target `installed`
+# builds all of it, and no tests.
 include(CMakePackageConfigHelpers)
 
 set(package lib/cmake/tendon)
@@ -48,3 +48,11 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/tendon-config-version.cma
   COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/tendon-config.cmake ${PROJECT_BINARY_DIR}/tendon-config-version.cmake
   DESTINATION ${package} COMPONENT core)
+
+# The contract lies in the package as a link, which is followed.
+if(TARGET tendon_ice)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/resources/python/tendon DESTINATION share/tendon/python COMPONENT python
+    FILES_MATCHING PATTERN "*.py" PATTERN messages.txt PATTERN __pycache__ EXCLUDE)
+  install(FILES ${PROJECT_SOURCE_DIR}/core/tendon/ice/slice/tendon.ice
+    DESTINATION share/tendon/python/tendon/middleware COMPONENT python)
+endif()

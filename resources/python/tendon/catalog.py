@@ -1,0 +1,157 @@
+"""All that is known of a system, and names that people type looked up in it."""
+
+from __future__ import annotations
+
+from typing import Any, Iterable
+
+from .errors import Failed, Invalid, NotFound, Unreachable, did_you_mean
+from .paths import Path
+
+MOST_LISTED = 8
+
+Description = dict[str, Any]
+"""One of the descriptions of tendon/process/description.h, its fields by name."""
+
+
+class Process:
+    """A process and what it holds."""
+
+    def __init__(self, description: Description) -> None:
+        self.description = description
+        self.components: dict[str, Description] = {}
+        self.connections: dict[int, Description] = {}  # those it owns, by id
+
+
+class Catalog:
+    """Built of numbered changes. Not thread-safe."""
+
+    def __init__(self, revision: int = 0) -> None:
+        self.revision = revision
+        self.processes: dict[str, Process] = {}
+
+    def copy(self) -> Catalog:
+        """Another one, to which changes can be applied; descriptions are never changed."""
+        other = Catalog(self.revision)
+        for name, process in self.processes.items():
+            entry = other.processes[name] = Process(process.description)
+            entry.components = dict(process.components)
+            entry.connections = dict(process.connections)
+        return other
+
+    def apply(self, change: dict[str, Any]) -> bool:
+        """Applies the next change; False, and nothing happens, when its revision does not follow or
+        it makes no sense: the catalogue must then be asked for anew."""
+        if change["revision"] != self.revision + 1:
+            return False
+        name = change["process"]
+        if change["kind"] == "process":
+            applied = self._apply_process(name, change["processes"])
+        elif name not in self.processes:
+            applied = False
+        elif change["kind"] == "process_removed":
+            applied = self.processes.pop(name) is not None
+        else:
+            applied = _apply_to(self.processes[name], change)
+        self.revision += applied
+        return applied
+
+    def process(self, name: str) -> Process:
+        """By its name."""
+        if name not in self.processes:
+            raise _not_found("process", name, name, self.processes)
+        return self.processes[name]
+
+    def present(self, name: str) -> Description:
+        """A process that can be talked to."""
+        process = self.process(name).description
+        if process["state"] not in ("alive", "suspect"):
+            state = "has left" if process["state"] == "left" else "is lost"
+            reason = f" ({process['reason']})" if process["reason"] else ""
+            raise Failed(f"process '{name}' {state}{reason}; start it again first")
+        if not process["address"]:
+            raise Unreachable(f"process '{name}' does not listen")
+        return process
+
+    def component(self, path: Path) -> Description:
+        """Of a path."""
+        components = self.process(path.process).components
+        if path.component not in components:
+            full = f"{path.process}/{path.component}"
+            raise _not_found("component", full, path.component, components)
+        return components[path.component]
+
+    def command(self, path: Path) -> Description:
+        """The tendon.MemberDescription of a command, or of a column as the read command it is."""
+        if not path.member:
+            raise Invalid(f"'{'/'.join(filter(None, path))}' names no command: "
+                          "expected process/component/interface.member")
+        component = self.component(path)
+        provided = _named(component["provided"])
+        tables = _named(component["tables"])
+        if path.interface in provided:
+            commands = _named(provided[path.interface]["commands"])
+        elif path.interface in tables:
+            commands = {column["name"]: _read_of(column)
+                        for column in tables[path.interface]["columns"]}
+        else:
+            full = path.command.rpartition(".")[0]
+            raise _not_found("provided interface", full, path.interface, {**provided, **tables})
+        if path.member not in commands:
+            raise _not_found("command", path.command, path.member, commands)
+        return commands[path.member]
+
+    def table(self, path: Path) -> Description:
+        """The tendon.TableDescription of "robot/arm", whose table is "state", or of
+        "robot/arm/state-Fast"."""
+        tables = _named(self.component(path)["tables"])
+        name = path.interface or "state"
+        if name not in tables:
+            full = f"{path.process}/{path.component}/{name}"
+            raise _not_found("state table", full, name, tables)
+        return tables[name]
+
+    def _apply_process(self, name: str, described: list[Description]) -> bool:
+        if len(described) != 1 or described[0]["name"] != name:
+            return False
+        process = self.processes.get(name)
+        if process is None or process.description["instance"] != described[0]["instance"]:
+            process = self.processes[name] = Process(described[0])
+        process.description = described[0]
+        return True
+
+
+def _apply_to(process: Process, change: dict[str, Any]) -> bool:
+    kind = change["kind"]
+    if kind == "component" and len(change["components"]) == 1:
+        component = change["components"][0]
+        process.components[component["name"]] = component
+        return True
+    if kind == "connection" and len(change["connections"]) == 1:
+        connection = change["connections"][0]
+        process.connections[connection["id"]] = connection
+        return True
+    if kind == "component_removed":
+        return process.components.pop(change["component"], None) is not None
+    if kind == "connection_removed":
+        return process.connections.pop(change["connection"], None) is not None
+    return False
+
+
+def _read_of(column: Description) -> Description:
+    return {"name": column["name"], "out_type": column["type"],
+            "signature": {"kind": "read", "out": column["fingerprint"]}}
+
+
+def _named(elements: Iterable[Description]) -> dict[str, Description]:
+    return {element["name"]: element for element in elements}
+
+
+def _not_found(what: str, full: str, name: str, candidates: Iterable[str]) -> NotFound:
+    """With a similar name, else what there is, if it is not too much to read."""
+    names = list(candidates)
+    hint = did_you_mean(name, names)
+    if not names:
+        hint = "; there is none"
+    elif not hint and len(names) <= MOST_LISTED:
+        hint = "; there is " + ", ".join(f"'{one}'" for one in names)
+    return NotFound(f"no {what} '{full}'{hint}")

@@ -1,0 +1,77 @@
+"""What goes wrong, as exceptions. Each carries one sentence: what, where, and what to do next."""
+
+from __future__ import annotations
+
+import difflib
+from typing import Iterable
+
+
+class Error(Exception):
+    """Why a request was refused; what is caught is mostly one of the classes below."""
+
+    code = "FAILED"
+
+    def __init__(self, message: str) -> None:
+        super().__init__(message)
+        self.message = message
+
+
+class Failed(Error):
+    """The operation was refused or failed."""
+
+
+class Invalid(Error):
+    """An argument, an address, a path or a message is malformed."""
+
+    code = "INVALID"
+
+
+class Unreachable(Error):
+    """Nobody answers at an address, or not any more."""
+
+    code = "UNREACHABLE"
+
+
+class NotFound(Error):
+    """No such process, component, interface, member or field."""
+
+    code = "NOT_FOUND"
+
+
+class Exists(Error):
+    """The name is taken, or the required interface is connected already."""
+
+    code = "EXISTS"
+
+
+class Incompatible(Error):
+    """Two ends do not fit."""
+
+    code = "INCOMPATIBLE"
+
+
+class TimedOut(Error):
+    """No answer in time; the outcome is unknown."""
+
+    code = "TIMEOUT"
+
+
+class Denied(Error):
+    """The caller may not do this."""
+
+    code = "DENIED"
+
+
+_CLASSES = (Failed, Invalid, Unreachable, NotFound, Exists, Incompatible, TimedOut, Denied)
+_BY_CODE = {one.code: one for one in _CLASSES}
+
+
+def error_of(code: str, message: str) -> Error:
+    """The exception for a code of tendon.ErrorCode; Failed for one that is not known here."""
+    return _BY_CODE.get(code, Failed)(message)
+
+
+def did_you_mean(name: str, candidates: Iterable[str]) -> str:
+    """"; did you mean 'arm'?" or, when nothing is near, the empty string."""
+    near = difflib.get_close_matches(name, list(candidates), n=1)
+    return f"; did you mean '{near[0]}'?" if near else ""

@@ -1,0 +1,123 @@
+"""The link to a GCM and the catalogue that it tells."""
+
+from __future__ import annotations
+
+import threading
+import time
+from typing import Any
+
+from . import messages
+from .catalog import Catalog
+from .errors import Error, Invalid, TimedOut, Unreachable
+from .messages import MessageType
+from .middleware.address import parse_address
+from .middleware.frame import Header
+from .middleware.ice import Network
+from .middleware.link import Link, reading
+
+
+class GcmLink:
+    """Watches one GCM; when that has gone, the next question looks for it anew. Thread-safe."""
+
+    def __init__(self, network: Network, address: str, name: str, timeout: float) -> None:
+        self._network = network
+        self._address = parse_address(address)
+        self._name = name
+        self._timeout = timeout
+        self._opening = threading.Lock()
+        self._link: Link | None = None
+        self._changed = threading.Condition()
+        self._catalog = Catalog()  # is replaced, never changed
+        self._changes = 0
+
+    def request(self, message_type: MessageType, name: str, value: Any, answer: str) -> Any:
+        """Asks the GCM, which may ask a process in turn."""
+        return self._open().request(message_type, messages.encode(name, value), self._timeout,
+                                    reading(answer))
+
+    def fresh(self) -> Catalog:
+        """The catalogue with all that the GCM has told until now; a question to it makes sure."""
+        try:
+            self._ask_for_life()
+        except Unreachable:
+            self._ask_for_life()  # of one that has come back, or that we did not keep up with
+        return self._catalog
+
+    def known(self) -> Catalog:
+        """The catalogue as it was heard last: processes can be talked to without a GCM."""
+        link = self._link
+        if link is None or not link.is_open:
+            try:
+                self._open()
+            except Error:
+                pass
+        return self._catalog
+
+    @property
+    def changes(self) -> int:
+        """How many times the catalogue has changed, or the GCM was lost."""
+        with self._changed:
+            return self._changes
+
+    def wait_for_change(self, since: int, deadline: float) -> bool:
+        """Until `changes` is another number; False when it is not by the deadline."""
+        with self._changed:
+            return self._changed.wait_for(lambda: self._changes != since,
+                                          max(0.0, deadline - time.monotonic()))
+
+    def _ask_for_life(self) -> None:
+        self._open().request(MessageType.RENEW, messages.encode("None"), self._timeout)
+
+    def _open(self) -> Link:
+        with self._opening:
+            if self._link is not None and self._link.is_open:
+                return self._link
+            try:
+                self._link = Link(self._network, self._address, self._name, self._timeout,
+                                  self._on_notice, self._on_closed)
+                self._link.request(MessageType.WATCH, messages.encode("None"), self._timeout,
+                                   self._on_snapshot)
+                return self._link
+            except Error as why:
+                if self._link is not None:
+                    self._link.close()
+                if not isinstance(why, (Unreachable, TimedOut)):
+                    raise
+                raise Unreachable(f"no GCM at {self._address} ({_briefly(str(why))}); "
+                                  "start one with: gcm serve") from None
+
+    def _on_snapshot(self, body: bytes) -> None:
+        """In the thread of Ice, as what follows."""
+        snapshot = messages.decode("Snapshot", body)
+        catalog = Catalog(snapshot["base"])
+        if not all(map(catalog.apply, snapshot["changes"])):
+            raise Invalid(f"the GCM at {self._address} sent a catalogue that makes no sense")
+        self._replace(catalog)
+
+    def _on_notice(self, header: Header, body: bytes) -> None:
+        if header.type != MessageType.CHANGES:
+            return
+        catalog = self._catalog.copy()
+        try:
+            fits = all(map(catalog.apply, messages.decode("Changes", body)["changes"]))
+        except Invalid:
+            fits = False
+        if fits:
+            self._replace(catalog)
+        elif self._link is not None:
+            self._link.close()  # we were too slow: the next question asks for all of it
+
+    def _on_closed(self, _reason: Error) -> None:
+        self._replace(self._catalog)
+
+    def _replace(self, catalog: Catalog) -> None:
+        with self._changed:
+            self._catalog = catalog
+            self._changes += 1
+            self._changed.notify_all()
+
+
+def _briefly(reason: str) -> str:
+    """"nobody answers at 127.0.0.1:10705 (Connection refused)" without what is said anyway."""
+    _, found, inner = reason.partition(" (")
+    return inner.removesuffix(")") if found and reason.startswith("nobody ") else reason

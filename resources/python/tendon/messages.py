@@ -1,0 +1,66 @@
+"""What travels: the numbers of the messages and the schemas of their bodies, which messages.txt
+holds as the C++ prints them (a test compares the two)."""
+
+from __future__ import annotations
+
+import enum
+from pathlib import Path
+from typing import Any
+
+from .errors import Error, Failed, Invalid, error_of
+from .payload.schema import Number, Schema, Structure
+from .payload.schema_text import parse_all
+
+
+class MessageType(enum.IntEnum):
+    """Those of the protocol that a viewer sends or hears."""
+
+    HELLO = 1
+    WELCOME = 2
+    REPLY = 3
+    REFUSAL = 4
+    CHALLENGE = 5
+    PROOF = 6
+    PART = 7
+    PARTS_TAKEN = 8
+    # To a process.
+    GET_SCHEMAS = 0x200
+    CALL_MEMBER = 0x201
+    SUBSCRIBE = 0x202
+    UNSUBSCRIBE = 0x203
+    # From a process.
+    ROWS = 0x204
+    ROWS_ENDED = 0x205
+    # To a GCM.
+    RENEW = 0x302
+    WATCH = 0x310
+    CONNECT = 0x311
+    DISCONNECT = 0x312
+    # From a GCM.
+    CHANGES = 0x320
+
+
+SCHEMAS: dict[str, Schema] = {
+    **parse_all(Path(__file__).with_name("messages.txt").read_text(encoding="utf-8")),
+    "tendon.None": Structure("tendon.None", ()),
+    "tendon.PartsTaken": Number("uint64"),
+}
+
+
+def encode(name: str, value: Any = None) -> bytes:
+    """The body of a message: encode("Wire", {...})."""
+    return SCHEMAS[f"tendon.{name}"].encode(value)
+
+
+def decode(name: str, body: bytes) -> Any:
+    """A message from its body, which may come from anybody."""
+    return SCHEMAS[f"tendon.{name}"].decode(body)
+
+
+def read_refusal(body: bytes, peer: str) -> Error:
+    """The body of a refusal as the exception to be raised."""
+    try:
+        refused = decode("Error", body)
+    except Invalid:
+        return Failed(f"{peer} refused, and its reason cannot be read")
+    return error_of(str(refused["code"]), refused["message"])

@@ -1,0 +1,131 @@
+"""How the opener of a link proves that it knows this user's cookie, without saying it:
+
+    opener     HELLO      Greeting
+    acceptor   CHALLENGE  Challenge: its greeting and its proof
+    opener     PROOF      Proof
+    acceptor   WELCOME
+"""
+
+from __future__ import annotations
+
+import hashlib
+import hmac
+import os
+import secrets
+import stat
+import struct
+import tempfile
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from .. import messages
+from ..errors import Denied, Error, Incompatible, Invalid
+from ..messages import MessageType
+from ..payload.schema import Field, Number, String, Structure
+from .frame import PROTOCOL_VERSION, Header
+
+OPENER, ACCEPTOR = 0, 1
+MAX_COOKIE = 256  # bytes of its file
+
+
+def runtime_folder() -> Path:
+    """Where this user's cookie is."""
+    chosen = os.environ.get("XDG_RUNTIME_DIR")
+    if not chosen:
+        return Path(tempfile.gettempdir()) / f"tendon-{os.getuid()}"
+    return Path(chosen) / "tendon"
+
+
+def loopback_cookie() -> int:
+    """The secret of this user on this machine: a file of mode 0600, made by the first program of
+    Tendon. Raises Denied where there is none yet, or others may read it."""
+    file = runtime_folder() / "cookie"
+    try:
+        descriptor = os.open(file, os.O_RDONLY | os.O_CLOEXEC | os.O_NOFOLLOW)
+    except FileNotFoundError:
+        raise Denied(f"there is no {file}: no program of Tendon runs as this user; "
+                     "start one with: gcm serve") from None
+    except OSError as failure:
+        raise Denied(f"{file}: {failure.strerror}") from None
+    with open(descriptor, "rb") as opened:
+        status = os.fstat(descriptor)
+        if (status.st_uid != os.geteuid() or status.st_mode & 0o077
+                or not stat.S_ISREG(status.st_mode)):
+            raise Denied(f"{file} must be a file of yours that nobody else can read (mode 0600): "
+                         "remove it, then start again")
+        text = opened.read(MAX_COOKIE)
+    try:
+        cookie = int(text, 16)
+    except ValueError:
+        cookie = 0
+    if not 0 < cookie < 1 << 64:
+        raise Invalid(f"{file} is damaged: remove it, then start again")
+    return cookie
+
+
+class Answer(NamedTuple):
+    """What is to be sent."""
+
+    type: MessageType
+    body: bytes
+
+
+class Opener:
+    """The opener's half. `address` is where it finds the acceptor; `peer` is the acceptor's
+    greeting once that has proved itself."""
+
+    def __init__(self, name: str, address: str, cookie: int) -> None:
+        self._mine = {"protocol_version": PROTOCOL_VERSION, "instance": secrets.randbits(64),
+                      "name": name, "nonce": secrets.token_bytes(16)}
+        self._address = address
+        self._cookie = cookie
+        self.peer: dict[str, Any] = {}
+        self.is_welcome = False
+
+    def greet(self) -> Answer:
+        """What is said first."""
+        return Answer(MessageType.HELLO, messages.encode("Greeting", self._mine))
+
+    def take(self, header: Header, body: bytes) -> Answer | None:
+        """What the peer's next frame is answered with; nothing once `is_welcome`. Raises the
+        reason when we are not."""
+        if header.type == MessageType.REFUSAL:
+            raise messages.read_refusal(body, self._address)
+        if header.version != PROTOCOL_VERSION:
+            raise self._versions_differ(header.version)
+        if self.peer:
+            if header.type != MessageType.WELCOME:
+                raise Invalid(f"{self._address} answered the proof with something else")
+            self.is_welcome = True
+            return None
+        if header.type != MessageType.CHALLENGE:
+            raise Invalid(f"{self._address} answered the Hello with something else")
+        return self._on_challenge(messages.decode("Challenge", body))
+
+    def _on_challenge(self, challenge: dict[str, Any]) -> Answer:
+        greeting = challenge["greeting"]
+        its_proof = self._proof(ACCEPTOR, greeting)
+        if not hmac.compare_digest(challenge["proof"], its_proof):
+            raise Denied(f"{greeting['name']} does not know '{self._mine['name']}': both must run "
+                         "as the same user of this machine")
+        self.peer = greeting
+        proof = {"proof": self._proof(OPENER, greeting), "session": 0}
+        return Answer(MessageType.PROOF, messages.encode("Proof", proof))
+
+    def _proof(self, role: int, acceptor: dict[str, Any]) -> bytes:
+        covered = _COVERED.encode({"role": role, "opener": self._mine, "acceptor": acceptor,
+                                   "address": self._address, "session": 0})
+        return hmac.new(struct.pack("<Q", self._cookie), covered, hashlib.sha256).digest()
+
+    def _versions_differ(self, its_version: int) -> Error:
+        behind = "this program" if its_version > PROTOCOL_VERSION else self._address
+        return Incompatible(f"{self._address} speaks protocol {its_version}, this program "
+                            f"{PROTOCOL_VERSION}: update {behind}")
+
+
+# What a proof covers: each part is preceded by its size, so that none runs into the next.
+_GREETING = messages.SCHEMAS["tendon.Greeting"]
+_COVERED = Structure("tendon.Covered", (
+    Field("role", Number("uint8")), Field("opener", _GREETING), Field("acceptor", _GREETING),
+    Field("address", String()),
+    Field("session", Number("uint64"))))

@@ -1,0 +1,216 @@
+"""Frames over ZeroC Ice, by the contract in tendon.ice. Nothing else in this package knows Ice."""
+
+from __future__ import annotations
+
+import struct
+import threading
+import time
+from pathlib import Path
+from typing import Any, Callable
+
+import Ice
+
+from ..errors import Error, Failed, Invalid, TimedOut, Unreachable
+from .address import Address
+from .frame import MAX_FRAME_SIZE, MAX_PIECE_SIZE, Header, Pieces
+
+Ice.loadSlice("", [str(Path(__file__).with_name("tendon.ice").resolve())])
+_CONTRACT = Ice.openModule("tendon")  # the contract's module has this package's name: same place
+_IDENTITY = Ice.Identity("tendon", "")
+_ENCAPSULATION = struct.Struct("<iBB")  # size with this, version
+_NOTHING = _ENCAPSULATION.pack(_ENCAPSULATION.size, 1, 1)
+
+ENVELOPE = 16 << 10  # what Ice puts around a frame
+
+# All that a communicator is started with, as core/tendon/ice/settings.cpp: nothing comes from the
+# environment. Times in ms, those of ACM in s: clients show that they live.
+_SETTINGS = {
+    "Ice.Admin.Enabled": "0",
+    "Ice.MessageSizeMax": str((MAX_PIECE_SIZE + ENVELOPE) >> 10),
+    "Ice.RetryIntervals": "-1",
+    "Ice.Override.Timeout": "3000",
+    "Ice.Override.ConnectTimeout": "3000",
+    "Ice.Override.CloseTimeout": "750",
+    "Ice.ACM.Timeout": "1",
+    "Ice.ACM.Client.Heartbeat": "3",
+    "Ice.ACM.Client.Close": "0",
+    "Ice.ThreadPool.Client.Serialize": "1",
+    "Ice.ThreadPool.Client.Size": "1",
+    "Ice.ThreadPool.Client.SizeMax": "1",
+    "Ice.Warn.Connections": "0",
+}
+
+OnFrame = Callable[[Header, bytes], None]
+OnClosed = Callable[[Error], None]
+
+
+class Network:
+    """One communicator. Thread-safe."""
+
+    def __init__(self) -> None:
+        settings = Ice.InitializationData()
+        settings.properties = Ice.createProperties()
+        for name, value in _SETTINGS.items():
+            settings.properties.setProperty(name, value)
+        self._communicator = Ice.initialize(settings)
+        self._lock = threading.Lock()
+        self._is_closed = False
+        self._last_number = 0
+        self._links: dict[Any, IceLink] = {}  # by connection
+        self._adapter = self._communicator.createObjectAdapter("")
+        self._adapter.add(_Endpoint(self._links), _IDENTITY)
+        self._adapter.activate()
+
+    def open(self, address: Address, on_frame: OnFrame, on_closed: OnClosed,
+             timeout: float) -> IceLink:
+        """A new connection to whoever listens at an address on this machine, within `timeout`
+        seconds. What it hears is told in one thread of Ice, which must not be held up."""
+        deadline = time.monotonic() + timeout
+        with self._lock:
+            if self._is_closed:
+                raise Failed("this system is closed; connect() anew")
+            self._last_number += 1
+            number = self._last_number
+        opening = None
+        try:
+            proxy = self._communicator.stringToProxy(
+                f'tendon:tcp -h "{address.host}" -p {address.port}')
+            # One of its own for each link.
+            opening = proxy.ice_connectionId(str(number)).ice_getConnectionAsync()
+            connection = opening.result(_left(deadline))
+            link = IceLink(connection, on_frame, on_closed)
+            self._serve(connection, link)
+            # The ping makes the other end serve the connection, too.
+            ping = connection.createProxy(_IDENTITY).ice_invokeAsync(
+                "ice_ping", Ice.OperationMode.Normal, b"")
+            ping.result(_left(deadline))
+            return link
+        except Ice.Exception as why:
+            if opening is not None:
+                opening.add_done_callback(_close)  # at once, or when it comes too late
+            raise _why_not_opened(why, address, timeout) from None
+
+    def close(self) -> None:
+        """Ends all connections; may be called twice."""
+        with self._lock:
+            self._is_closed = True
+        self._communicator.destroy()
+
+    def _serve(self, connection: Any, link: IceLink) -> None:
+        def on_gone(_connection: Any) -> None:
+            self._links.pop(connection, None)
+            who = "this program" if self._is_closed else link.peer_address
+            link.on_closed(Unreachable(f"{who} closed the connection"))
+
+        self._links[connection] = link
+        connection.setCloseCallback(on_gone)
+        connection.setAdapter(self._adapter)
+
+
+class IceLink:
+    """The opener's end of one connection of Ice."""
+
+    def __init__(self, connection: Any, on_frame: OnFrame, on_closed: OnClosed) -> None:
+        self.on_closed = on_closed
+        self.peer_address = _peer_of(connection)
+        self._on_frame = on_frame
+        self._connection = connection
+        self._pieces = Pieces()
+        self._peer = _CONTRACT.EndpointPrx.uncheckedCast(
+            connection.createProxy(_IDENTITY).ice_oneway())
+
+    def send(self, frame: bytes) -> None:
+        """Hands a frame over, of at most MAX_PIECE_SIZE, in order. May wait for a peer that does
+        not read, for 3 s. Not in a thread of Ice."""
+        try:
+            self._peer.frame(frame)
+        except Ice.Exception:
+            raise Unreachable(f"{self.peer_address} is not connected") from None
+
+    def post(self, frame: bytes) -> None:
+        """The same in a thread of Ice: waits for nothing, and says nothing of a link that ends."""
+        try:
+            self._peer.frameAsync(frame)
+        except Ice.Exception:
+            pass
+
+    def admit(self) -> None:
+        """The peer has proved who it is, and may send large frames."""
+        self._pieces.limit = MAX_FRAME_SIZE
+
+    def close(self) -> None:
+        """Ends it at once; on_closed is called."""
+        self._connection.close(Ice.ConnectionClose.Forcefully)
+
+    def deliver(self, data: bytes | None, is_end: bool) -> None:
+        """One message of Ice; cuts a peer off that sends something else than frames."""
+        try:
+            if data is None:
+                raise Invalid("malformed parameters")
+            whole = self._pieces.add(data, is_end)
+        except Invalid:
+            self.close()
+            return
+        if whole is not None:
+            self._on_frame(*whole)
+
+
+class _Endpoint(Ice.Blobject):  # type: ignore[misc]
+    """The opener's end of the contract, for all connections. Dispatched by hand: the code that Ice
+    makes of the contract dies of a malformed message, in Python as in C++."""
+
+    def __init__(self, links: dict[Any, IceLink]) -> None:
+        self._links = links
+
+    def ice_invoke(self, parameters: bytes, current: Any) -> tuple[bool, bytes]:
+        """What a peer asks of us."""
+        link = self._links.get(current.con)
+        if link is None:
+            raise Ice.ObjectNotExistException(current.id, current.facet, current.operation)
+        if current.operation not in ("frame", "part"):
+            raise Ice.OperationNotExistException(current.id, current.facet, current.operation)
+        link.deliver(only_parameter(parameters), is_end=current.operation == "frame")
+        return True, _NOTHING
+
+
+def only_parameter(encapsulation: bytes) -> bytes | None:
+    """The one sequence of bytes that is the parameter of an operation, or None where the
+    encapsulation is malformed or holds anything else."""
+    if len(encapsulation) < _ENCAPSULATION.size + 1:
+        return None
+    claimed, major, minor = _ENCAPSULATION.unpack_from(encapsulation)
+    if claimed != len(encapsulation) or major != 1 or minor > 1:
+        return None
+    start = _ENCAPSULATION.size + 1
+    size = encapsulation[start - 1]
+    if size == 255:  # the long form
+        start += 4
+        size = int.from_bytes(encapsulation[start - 4:start], "little")
+    return encapsulation[start:] if start + size == len(encapsulation) else None
+
+
+def _close(opened: Any) -> None:
+    if opened.exception() is None:
+        opened.result().close(Ice.ConnectionClose.Forcefully)
+
+
+def _left(deadline: float) -> float:
+    return max(0.0, deadline - time.monotonic())
+
+
+def _peer_of(connection: Any) -> str:
+    """As the peer calls itself in the handshake."""
+    info = connection.getInfo()
+    while info.underlying is not None:
+        info = info.underlying
+    host = info.remoteAddress.removeprefix("::ffff:")  # IPv4 on a socket of IPv6
+    return str(Address(host, info.remotePort))
+
+
+def _why_not_opened(why: Any, address: Address, timeout: float) -> Error:
+    if isinstance(why, Ice.TimeoutException):
+        return TimedOut(f"no answer from {address} within {timeout * 1000:.0f} ms")
+    if isinstance(why, Ice.SyscallException):
+        reason = str(why).strip().rpartition("\n")[2]
+        return Unreachable(f"nobody answers at {address} ({reason})")
+    return Unreachable(f"no program of Tendon answers at {address} ({why.ice_id()})")

@@ -1,0 +1,226 @@
+"""A link to one program of Tendon: requests with answers, and notices."""
+
+from __future__ import annotations
+
+import contextlib
+import queue
+import threading
+import time
+from concurrent.futures import Future
+from concurrent.futures import TimeoutError as NoAnswer
+from typing import Any, Callable, NamedTuple
+
+from .. import messages
+from ..errors import Error, Invalid, TimedOut, Unreachable
+from ..messages import MessageType
+from .address import Address
+from .frame import MAX_BODY_SIZE, MAX_PIECE_SIZE, PROTOCOL_VERSION, Header, write_frame
+from .handshake import Opener, loopback_cookie
+from .ice import Network
+from .parts import PartAssembly, PartSender
+
+OnNotice = Callable[[Header, bytes], None]
+OnReply = Callable[[bytes], Any]
+OnClosed = Callable[[Error], None]
+
+_STEPS = 4  # of a handshake, at most
+_OF_HANDSHAKES = (MessageType.HELLO, MessageType.CHALLENGE, MessageType.PROOF, MessageType.WELCOME)
+
+
+class Asked(NamedTuple):
+    """A request that waits for its answer."""
+
+    request: int
+    answer: Future[Any]
+    on_reply: OnReply | None
+
+
+class Link:
+    """One end, open from the start; raises the reason where it does not come about. Thread-safe.
+
+    `on_notice` and `on_closed` are called in a thread of Ice and must not wait for anything.
+    """
+
+    def __init__(self, network: Network, address: Address, name: str, timeout: float,
+                 on_notice: OnNotice | None = None, on_closed: OnClosed | None = None) -> None:
+        self._on_notice = on_notice
+        self._on_closed = on_closed
+        self._timeout = timeout
+        self._lock = threading.Lock()
+        self._last_request = 1  # that of the handshake
+        self._pending: dict[int, Asked] = {}
+        self._greeting: queue.Queue[tuple[Header, bytes] | None] | None
+        self._greeting = queue.Queue(_STEPS)
+        self._is_known = False  # the peer has proved who it is
+        self._reason: Error | None = None  # why it is closed
+        self._assembly = PartAssembly()  # of the thread of Ice
+        self._parts = PartSender(self._send_piece)
+        self.peer_name = str(address)  # until it has said it
+        deadline = time.monotonic() + timeout
+        cookie = loopback_cookie()
+        self._link = network.open(address, self._on_frame, self._closed, timeout)
+        opener = Opener(name, self._link.peer_address, cookie)
+        try:
+            self._greet(opener, deadline)
+        except Error:
+            self._link.close()
+            raise
+        self.peer_name = opener.peer["name"]
+        self.peer_instance: int = opener.peer["instance"]
+
+    @property
+    def is_open(self) -> bool:
+        """Whether it still stands, as far as is known."""
+        return self._reason is None
+
+    def close(self) -> None:
+        """Ends it; requests that wait are told so."""
+        with self._lock:
+            if self._reason is None:
+                self._reason = Unreachable("the connection was closed by this program")
+        self._link.close()
+
+    def notify(self, message_type: MessageType, handle: int) -> None:
+        """Sends a notice without a body."""
+        self._send(Header(message_type, 0, handle), b"")
+
+    def start(self, message_type: MessageType, body: bytes, on_reply: OnReply | None) -> Asked:
+        """Sends a request; its answer comes as what `on_reply` makes of it, in a thread of Ice and
+        before anything that was sent after it is told."""
+        with self._lock:
+            if self._reason is not None:
+                raise self._reason
+            self._last_request += 1
+            asked = Asked(self._last_request, Future(), on_reply)
+            self._pending[asked.request] = asked
+        try:
+            self._send(Header(message_type, asked.request), body)
+        except Error:
+            self._give_up(asked)
+            raise
+        return asked
+
+    def request(self, message_type: MessageType, body: bytes, timeout: float,
+                on_reply: OnReply | None = None) -> Any:
+        """Sends a request and waits for its answer; raises the peer's reason where it refuses."""
+        asked = self.start(message_type, body, on_reply)
+        try:
+            return asked.answer.result(timeout)
+        except NoAnswer:
+            self._give_up(asked)
+            raise TimedOut(f"{self.peer_name} did not answer within {timeout * 1000:.0f} ms; "
+                           "outcome unknown") from None
+
+    def _greet(self, opener: Opener, deadline: float) -> None:
+        incoming = self._greeting
+        assert incoming is not None
+        answer = opener.greet()
+        while True:
+            if answer is not None:
+                if answer.type == MessageType.PROOF:
+                    self._link.admit()
+                    self._is_known = True
+                self._send(Header(answer.type, 1), answer.body)
+            if opener.is_welcome:
+                return
+            try:
+                frame = incoming.get(timeout=max(0.0, deadline - time.monotonic()))
+            except queue.Empty:
+                raise TimedOut(f"{self._link.peer_address} accepted the connection but did not "
+                               "answer; is it a program of Tendon?") from None
+            if frame is None:
+                raise self._reason or Unreachable(f"{self._link.peer_address} is not connected")
+            answer = opener.take(*frame)
+
+    def _send(self, header: Header, body: bytes) -> None:
+        if len(body) > MAX_BODY_SIZE:
+            raise Invalid(f"a message of {len(body)} bytes exceeds {MAX_BODY_SIZE}")
+        frame = write_frame(header, body)
+        if len(frame) <= MAX_PIECE_SIZE:
+            self._link.send(frame)
+            return
+        try:
+            self._parts.send(frame, self._timeout)
+        except TimedOut:
+            self.close()
+            raise
+
+    def _send_piece(self, frame: bytes) -> None:
+        self._link.send(frame)
+
+    def _on_frame(self, header: Header, body: bytes) -> None:
+        """In a thread of Ice."""
+        try:
+            if self._greeting is None:
+                self._on_message(header, body)
+                return
+            self._greeting.put_nowait((header, body))
+            if self._is_known and header.type == MessageType.WELCOME:
+                self._greeting = None  # what follows is for those who wait
+        except (Invalid, queue.Full):
+            self._link.close()
+
+    def _on_message(self, header: Header, body: bytes) -> None:
+        """Raises Invalid where the peer sends nonsense."""
+        if header.version != PROTOCOL_VERSION or header.type in _OF_HANDSHAKES:
+            raise Invalid(f"{self.peer_name} said Hello twice, or speaks another protocol")
+        if header.type == MessageType.PART:
+            self._on_part(header, body)
+        elif header.type == MessageType.PARTS_TAKEN:
+            self._parts.on_taken(body)
+        elif header.type == MessageType.REPLY:
+            self._finish(header.request, body, None)
+        elif header.type == MessageType.REFUSAL:
+            self._finish(header.request, body, messages.read_refusal(body, self.peer_name))
+        elif header.request == 0 and self._on_notice is not None:
+            self._on_notice(header, body)
+
+    def _on_part(self, header: Header, body: bytes) -> None:
+        whole = self._assembly.add(header.handle, body)
+        taken = messages.encode("PartsTaken", self._assembly.taken)
+        self._link.post(write_frame(Header(MessageType.PARTS_TAKEN), taken))
+        if whole is None:
+            return
+        if whole[0].type in (MessageType.PART, MessageType.PARTS_TAKEN):
+            raise Invalid(f"{self.peer_name} sent parts of what is no message")
+        self._on_message(*whole)
+
+    def _finish(self, request: int, body: bytes, refusal: Error | None) -> None:
+        with self._lock:
+            asked = self._pending.pop(request, None)
+        if asked is None:
+            return  # it comes too late
+        try:
+            if refusal is not None:
+                raise refusal
+            asked.answer.set_result(asked.on_reply(body) if asked.on_reply else body)
+        except Exception as why:  # whoever waits must hear it
+            asked.answer.set_exception(why)
+
+    def _give_up(self, asked: Asked) -> None:
+        with self._lock:
+            self._pending.pop(asked.request, None)
+
+    def _closed(self, reason: Error) -> None:
+        """In a thread of Ice."""
+        with self._lock:
+            reason = self._reason = self._reason or reason
+            pending = list(self._pending.values())
+            self._pending.clear()
+            greeting = self._greeting
+        if greeting is not None:
+            with contextlib.suppress(queue.Full):  # then there is something else to be read
+                greeting.put_nowait(None)
+        self._parts.close(reason)
+        for asked in pending:
+            asked.answer.set_exception(
+                Unreachable(f"{self.peer_name} did not answer: {reason}; outcome unknown"))
+        if self._on_closed is not None:
+            self._on_closed(reason)
+
+
+def reading(name: str) -> OnReply:
+    """Makes a message of an answer."""
+    def read(body: bytes) -> Any:
+        return messages.decode(name, body)
+    return read

@@ -1,0 +1,143 @@
+"""Links to processes: calls, and subscriptions to state tables."""
+
+from __future__ import annotations
+
+import threading
+from typing import Any, NamedTuple
+
+from . import messages
+from .catalog import Description
+from .errors import Denied, Error, Failed, Invalid, NotFound, TimedOut, Unreachable
+from .messages import MessageType
+from .middleware.address import parse_address
+from .middleware.ice import Network
+from .middleware.link import Link, reading
+from .paths import Path, select
+from .payload.schema import Schema
+from .payload.schema_text import parse
+from .rows import Column, Feed, Feeds, Watch
+
+_TAKE_ARGUMENTS = ("write", "qualified_read", "write_return")  # kinds of commands
+_ANSWER_NOTHING = ("void", "write")
+
+# What follows the name of a command that was not executed, by Status::Code.
+_DONE = 2  # below this, it was
+_REFUSALS: list[tuple[type[Error], str]] = [
+    (Failed, "done"), (Failed, "queued"), (Failed, "not connected"),
+    (Failed, "not active; start its component first"),
+    (Failed, "queue full; its component has not caught up, try again"), (Failed, "no sample"),
+    (TimedOut, "timeout"), (TimedOut, "outcome unknown"), (Failed, "would deadlock"),
+    (Denied, "denied"), (Failed, "disabled"), (Failed, "unsupported"), (Invalid, "invalid"),
+    (Failed, "failed")]
+
+
+class _Peer(NamedTuple):
+    """A process that we are linked with."""
+
+    link: Link
+    feeds: Feeds
+    schemas: dict[tuple[int, int], Schema]  # as this process says, by fingerprint
+
+
+class Wanted(NamedTuple):
+    """Rows of a state table: of the columns `names` come, of which `columns` are shown."""
+
+    component: str
+    table: str
+    names: list[str]
+    columns: list[Column]
+    period: float
+
+
+class Processes:
+    """Links that are opened when they are needed and kept while they last. Thread-safe."""
+
+    def __init__(self, network: Network, name: str, timeout: float) -> None:
+        self._network = network
+        self._name = name
+        self._timeout = timeout
+        self._lock = threading.Lock()
+        self._peers: dict[str, _Peer] = {}
+
+    def call(self, process: Description, path: Path, command: Description, argument: Any) -> Any:
+        """Executes a command; what it answers, or None. `command` is a MemberDescription."""
+        signature = command["signature"]
+        takes = signature["kind"] in _TAKE_ARGUMENTS
+        if argument is not None and not takes:
+            raise Invalid(f"{path.command} takes no argument")
+        if argument is None and takes:
+            raise Invalid(f"{path.command} needs an argument of {command['in_type']}")
+        peer = self._peer(process)
+        body = b""
+        if takes:
+            try:
+                body = self._schema(peer, signature["in"]).encode(argument)
+            except Invalid as why:
+                raise Invalid(f"{path.command}: {why}") from None
+        called = self._ask(peer, MessageType.CALL_MEMBER, "CallMember", {
+            "component": path.component, "interface": path.interface, "member": path.member,
+            "argument": body, "timeout": self._timeout * 3 / 4}, "Called")
+        if called["status"] >= _DONE:
+            kind, words = _REFUSALS[min(called["status"], len(_REFUSALS) - 1)]
+            raise kind(f"{path.command}: {words}")
+        if signature["kind"] in _ANSWER_NOTHING:
+            return None
+        return select(self._schema(peer, signature["out"]).decode(called["answer"]), path.field)
+
+    def watch(self, process: Description, wanted: Wanted, timeout: float | None) -> Watch:
+        """Subscribes to rows of a table."""
+        peer = self._peer(process)
+        feed = Feed()
+
+        def on_reply(body: bytes) -> Any:
+            answer = messages.decode("Subscribed", body)
+            peer.feeds.add(answer["handle"], feed)
+            return answer
+
+        value = {"component": wanted.component, "table": wanted.table, "columns": wanted.names,
+                 "rows": {"period": wanted.period, "delivery": "ALL"}}
+        answer = peer.link.request(MessageType.SUBSCRIBE, messages.encode("Subscribe", value),
+                                   self._timeout, on_reply)
+        schemas = [parse(text) for text in answer["schemas"]]
+        if len(schemas) != len(wanted.names):
+            raise Invalid(f"{process['name']} answered with another number of columns")
+        return Watch(peer.link, peer.feeds, answer["handle"], feed, schemas,
+                     wanted.columns, timeout)
+
+    def _peer(self, process: Description) -> _Peer:
+        name = process["name"]
+        with self._lock:
+            peer = self._peers.get(name)
+            if peer is not None and peer.link.is_open:
+                if peer.link.peer_instance == process["instance"]:
+                    return peer
+                peer.link.close()
+            feeds = Feeds()
+            where = f"process '{name}' does not answer at {process['address']}"
+            try:
+                link = Link(self._network, parse_address(process["address"]), self._name,
+                            self._timeout, feeds.on_notice, feeds.on_closed)
+            except Error as why:
+                raise type(why)(f"{where}: {why}") from None
+            if link.peer_instance != process["instance"]:
+                link.close()
+                raise Unreachable(f"{where}: another program is there")
+            self._peers[name] = peer = _Peer(link, feeds, {})
+            return peer
+
+    def _schema(self, peer: _Peer, fingerprint: Description) -> Schema:
+        key = (fingerprint["high"], fingerprint["low"])
+        if key not in peer.schemas:
+            answer = self._ask(peer, MessageType.GET_SCHEMAS, "GetSchemas",
+                               {"fingerprints": [fingerprint]}, "Schemas")
+            text = next(iter(answer["texts"]), "")
+            if not text:
+                raise NotFound(f"process '{peer.link.peer_name}' knows no payload type of "
+                               f"fingerprint {key[0]:016x}{key[1]:016x}")
+            peer.schemas[key] = parse(text)
+        return peer.schemas[key]
+
+    def _ask(self, peer: _Peer, message_type: MessageType, name: str, value: Any,
+             answer: str) -> Any:
+        return peer.link.request(message_type, messages.encode(name, value), self._timeout,
+                                 reading(answer))

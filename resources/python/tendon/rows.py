@@ -1,0 +1,259 @@
+"""Rows of a state table, as they come."""
+
+from __future__ import annotations
+
+import queue
+import struct
+import threading
+import weakref
+from dataclasses import dataclass
+from typing import Any, Iterator, NamedTuple
+
+from . import messages
+from .errors import Error, Invalid, TimedOut
+from .messages import MessageType
+from .middleware.frame import Header
+from .middleware.link import Link
+from .paths import select
+from .payload.schema import Schema
+
+MOST_WAITING = 32 << 20  # bytes of rows that were not taken yet
+
+_HEADER_SIZE = messages.SCHEMAS["tendon.RowsHeader"].minimum_size
+_STAMP = struct.Struct("<Qq")  # tick, time
+_REFERENCE = struct.Struct("<II")  # offset, size
+
+
+@dataclass(frozen=True)
+class Row:
+    """One row: `row["Joints"]` is a value of it."""
+
+    tick: int
+    """Grows by one from row to row, without loss."""
+    time: int
+    """In ns on the clock of the process that wrote it."""
+    values: dict[str, Any]
+    """By the columns as they were asked for; None where there is none."""
+
+    def __getitem__(self, column: str) -> Any:
+        return self.values[column]
+
+
+class Column(NamedTuple):
+    """What is wanted of a table: "Joints.position[0]" is a `field` of a column."""
+
+    asked: str
+    index: int
+    field: str
+
+
+class Batch(NamedTuple):
+    """A body of ROWS, laid out as core/tendon/process/messages.h says."""
+
+    body: bytes
+    rows_before: int
+    lost_table: int
+    rows: int
+    sizes: tuple[int, ...]
+
+    @classmethod
+    def open(cls, body: bytes) -> Batch:
+        """Raises Invalid where it is not laid out so."""
+        header = messages.decode("RowsHeader", body[:_HEADER_SIZE])
+        columns = header["columns"]
+        if columns > (len(body) - _HEADER_SIZE) // 4:
+            raise Invalid("rows of more columns than there are bytes")
+        sizes = struct.unpack_from(f"<{columns}I", body, _HEADER_SIZE)
+        batch = cls(body, header["rows_before"], header["lost_table"], header["rows"], sizes)
+        if batch.rows > (len(body) - batch._first_row) // batch._row_size:
+            raise Invalid("more rows than there are bytes")
+        return batch
+
+    def cells(self) -> Iterator[tuple[int, int, list[bytes]]]:
+        """Tick, time, and the body of each column's value."""
+        place = self._first_row
+        for _ in range(self.rows):
+            tick, time = _STAMP.unpack_from(self.body, place)
+            place += _STAMP.size
+            cells = []
+            for size in self.sizes:
+                cells.append(self._cell(place, size))
+                place += _padded(size) if size else _REFERENCE.size
+            yield tick, time, cells
+
+    def _cell(self, place: int, size: int) -> bytes:
+        if size:
+            return self.body[place:place + size]
+        offset, size = _REFERENCE.unpack_from(self.body, place)
+        if offset > len(self.body) or size > len(self.body) - offset:
+            raise Invalid("a row refers to bytes that are not there")
+        return self.body[offset:offset + size]
+
+    @property
+    def _first_row(self) -> int:
+        return _padded(_HEADER_SIZE + 4 * len(self.sizes))
+
+    @property
+    def _row_size(self) -> int:
+        return _STAMP.size + sum(_padded(size) if size else _REFERENCE.size for size in self.sizes)
+
+
+class Feed:
+    """Batches on their way from the thread of Ice to whoever takes the rows."""
+
+    def __init__(self) -> None:
+        self.lost_table = 0  # rows
+        self.lost_network = 0
+        self.lost_viewer = 0
+        self._sent = 0  # rows, as the peer says
+        self._queue: queue.SimpleQueue[Batch | Error] = queue.SimpleQueue()
+        self._lock = threading.Lock()
+        self._waiting = 0  # bytes
+
+    def add(self, body: bytes) -> None:
+        """In a thread of Ice."""
+        try:
+            batch = Batch.open(body)
+        except Invalid as why:
+            self.end(why)
+            return
+        self.lost_table += batch.lost_table
+        self.lost_network += max(0, batch.rows_before - self._sent)
+        self._sent = batch.rows_before + batch.rows
+        with self._lock:
+            is_full = self._waiting + len(body) > MOST_WAITING
+            self._waiting += 0 if is_full else len(body)
+        if is_full:
+            self.lost_viewer += batch.rows
+        else:
+            self._queue.put(batch)
+
+    def end(self, reason: Error) -> None:
+        """No more come."""
+        self._queue.put(reason)
+
+    def take(self, timeout: float | None) -> Batch | Error | None:
+        """The next; None when there is none within so many seconds."""
+        try:
+            batch = self._queue.get(timeout=timeout)
+        except queue.Empty:
+            return None
+        if isinstance(batch, Batch):
+            with self._lock:
+                self._waiting -= len(batch.body)
+        return batch
+
+
+class Feeds:
+    """Those of one link, by the numbers that the peer gave them."""
+
+    def __init__(self) -> None:
+        self._feeds: dict[int, Feed] = {}
+
+    def add(self, handle: int, feed: Feed) -> None:
+        """In a thread of Ice, before the first row comes."""
+        self._feeds[handle] = feed
+
+    def remove(self, handle: int) -> None:
+        """Nobody takes its rows any more."""
+        self._feeds.pop(handle, None)
+
+    def on_notice(self, header: Header, body: bytes) -> None:
+        """Of the link."""
+        feed = self._feeds.get(header.handle)
+        if feed is None:
+            return
+        if header.type == MessageType.ROWS:
+            feed.add(body)
+        elif header.type == MessageType.ROWS_ENDED:
+            feed.end(messages.read_refusal(body, "the process"))
+
+    def on_closed(self, reason: Error) -> None:
+        """Of the link."""
+        for feed in list(self._feeds.values()):
+            feed.end(reason)
+
+
+class Watch:
+    """The rows of a state table from now on, one after the other; raises the reason when no more
+    come. Ends when it is closed, is left as a `with` block, or is not used any more."""
+
+    def __init__(self, link: Link, feeds: Feeds, handle: int, feed: Feed,
+                 schemas: list[Schema], columns: list[Column], timeout: float | None) -> None:
+        self._feed = feed
+        self._schemas = schemas
+        self._columns = columns
+        self._timeout = timeout
+        self._rows: Iterator[tuple[int, int, list[bytes]]] = iter(())
+        self._ending = weakref.finalize(self, _unsubscribe, link, feeds, handle)
+
+    @property
+    def lost_table(self) -> int:
+        """Rows that were overwritten before they could be sent."""
+        return self._feed.lost_table
+
+    @property
+    def lost_network(self) -> int:
+        """Rows that were sent and did not arrive."""
+        return self._feed.lost_network
+
+    @property
+    def lost_viewer(self) -> int:
+        """Rows that arrived while too many were waiting to be taken."""
+        return self._feed.lost_viewer
+
+    def close(self) -> None:
+        """No more rows."""
+        self._ending()
+
+    def __enter__(self) -> Watch:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def __iter__(self) -> Watch:
+        return self
+
+    def __next__(self) -> Row:
+        while self._ending.alive:
+            for tick, time, cells in self._rows:
+                return Row(tick, time, self._values(cells))
+            self._next_batch()
+        raise StopIteration
+
+    def _next_batch(self) -> None:
+        batch = self._feed.take(self._timeout)
+        if batch is None:
+            raise TimedOut(f"no row within {self._timeout:g} s; does the component run?")
+        if isinstance(batch, Error):
+            self._feed.end(batch)  # for whoever asks again
+            raise batch
+        if len(batch.sizes) != len(self._schemas):
+            raise Invalid("rows of another number of columns than were asked for")
+        self._rows = batch.cells()
+
+    def _values(self, cells: list[bytes]) -> dict[str, Any]:
+        whole: dict[int, Any] = {}
+        values: dict[str, Any] = {}
+        for column in self._columns:
+            cell = cells[column.index]
+            if not cell:
+                values[column.asked] = None
+                continue
+            if column.index not in whole:
+                whole[column.index] = self._schemas[column.index].decode(cell)
+            values[column.asked] = select(whole[column.index], column.field)
+        return values
+
+
+def _unsubscribe(link: Link, feeds: Feeds, handle: int) -> None:
+    feeds.remove(handle)
+    try:
+        link.notify(MessageType.UNSUBSCRIBE, handle)
+    except Error:
+        pass  # the link is gone, and with it the subscription
+
+
+def _padded(size: int) -> int:
+    return size + -size % 8

@@ -1,0 +1,239 @@
+"""A link over Ice, to an acceptor that knows nothing of ours but the contract and the messages."""
+import contextlib
+import os
+import pathlib
+import tempfile
+import threading
+import unittest
+
+import Ice
+
+from tendon import Denied, Failed, Invalid, TimedOut, Unreachable, messages
+from tendon.messages import MessageType
+from tendon.middleware.address import parse_address
+from tendon.middleware.frame import (HEADER_SIZE, MAX_FRAME_SIZE, MAX_PIECE_SIZE,
+                                     PROTOCOL_VERSION, Header, Pieces, read_frame, write_frame)
+from tendon.middleware.handshake import ACCEPTOR, Opener
+from tendon.middleware.ice import Network, only_parameter
+from tendon.middleware.link import Link
+
+PATIENCE = 60  # s, for a machine that is busy
+COOKIE = 0x1f
+IDENTITY = Ice.Identity("tendon", "")
+ECHO, REFUSE, IGNORE, TELL, HANG_UP, TALK_NONSENSE, TALK_NO_ICE = range(0x1000, 0x1007)
+
+# Parameters of `frame` that claim more than is there; some kill the code that Ice generates.
+NO_ICE = [b"", b"\x06\0\0\0\x01\x01", b"\x07\0\0\0\x01\x01\x05",
+          b"\x0b\0\0\0\x01\x01\xff\xff\xff\xff\x7f", b"\x0b\0\0\0\x01\x01\xff\0\0\0\x80",
+          b"\xff\xff\xff\x7f\x01\x01\x01\x05", b"\x01\0\0\0\x01\x01\x01\x05"]
+
+
+class Acceptor(Ice.openModule("tendon").Endpoint):
+    """Answers as the numbers above say."""
+
+    def __init__(self, cookie=COOKIE):
+        self.cookie = cookie
+        self.is_mute = False
+        self.is_impostor = False
+        self.heard = []
+        self.pieces = Pieces()
+        self.pieces.limit = MAX_FRAME_SIZE
+        self.begun = bytearray()
+        self.taken = self.told_taken = 0
+        self.communicator = Ice.initialize()
+        adapter = self.communicator.createObjectAdapterWithEndpoints("a", "tcp -h 127.0.0.1 -p 0")
+        adapter.add(self, IDENTITY)
+        adapter.activate()
+        self.address = f"127.0.0.1:{adapter.getEndpoints()[0].getInfo().port}"
+
+    def part(self, part, current=None):
+        self.pieces.add(part, is_end=False)
+
+    def frame(self, frame, current=None):
+        header, body = self.pieces.add(frame, is_end=True)
+        self.heard.append(header.type)
+        peer = Ice.openModule("tendon").EndpointPrx.uncheckedCast(
+            current.con.createProxy(IDENTITY).ice_oneway())
+
+        def send(message_type, answer, request=None, handle=0):
+            request = header.request if request is None else request
+            whole = write_frame(Header(message_type, request, handle), answer)
+            if len(whole) <= MAX_PIECE_SIZE:
+                peer.frame(whole)
+                return
+            size = MAX_PIECE_SIZE - HEADER_SIZE
+            for start in range(0, len(whole), size):
+                peer.frame(write_frame(Header(MessageType.PART, 0, 9), whole[start:start + size]))
+
+        if header.type == MessageType.PART:
+            self.begun += body
+            self.taken += len(body)
+            send(MessageType.PARTS_TAKEN, self.taken.to_bytes(8, "little"), request=0)
+            whole = read_frame(bytes(self.begun))
+            if whole is None:
+                return
+            self.begun.clear()
+            header, body = whole
+        if header.type == MessageType.HELLO and self.is_impostor:
+            for message_type in (MessageType.WELCOME, MessageType.ROWS):
+                send(message_type, b"\0", request=0)
+        elif header.type == MessageType.HELLO and not self.is_mute:
+            send(MessageType.CHALLENGE, self.challenge(messages.decode("Greeting", body)))
+        elif header.type == MessageType.PROOF:
+            send(MessageType.WELCOME, b"\0")
+        elif header.type == ECHO:
+            send(MessageType.REPLY, body)
+        elif header.type == REFUSE:
+            send(MessageType.REFUSAL, messages.encode("Error", {"code": "FAILED", "message": "no"}))
+        elif header.type == TELL:
+            send(MessageType.REPLY, body)
+            for handle in range(100):
+                send(MessageType.ROWS, b"", request=0, handle=handle)
+        elif header.type == MessageType.PARTS_TAKEN:
+            self.told_taken = int.from_bytes(body, "little")
+        elif header.type == HANG_UP:
+            current.con.close(Ice.ConnectionClose.Forcefully)
+        elif header.type == TALK_NO_ICE:
+            number, operation = body[0], body[1:].decode()
+            peer.ice_invoke(operation, Ice.OperationMode.Normal, NO_ICE[number])
+            send(MessageType.REPLY, b"")
+        elif header.type == TALK_NONSENSE:
+            peer.frame(body)
+
+    def challenge(self, opener):
+        greeting = {"protocol_version": PROTOCOL_VERSION, "instance": 42, "name": "acceptor",
+                    "nonce": bytes(16)}
+        prover = Opener("", self.address, self.cookie)
+        prover._mine = opener  # pylint: disable=protected-access
+        proof = prover._proof(ACCEPTOR, greeting)  # pylint: disable=protected-access
+        return messages.encode("Challenge", {"greeting": greeting, "proof": proof})
+
+
+class Parameters(unittest.TestCase):
+    def test_are_one_sequence_of_bytes(self):
+        for size in (0, 1, 254, 255, 256, 70000):
+            data = bytes(size)
+            prefix = bytes([size]) if size < 255 else b"\xff" + size.to_bytes(4, "little")
+            total = (6 + len(prefix) + size).to_bytes(4, "little")
+            with self.subTest(size=size):
+                self.assertEqual(only_parameter(total + b"\1\1" + prefix + data), data)
+
+    def test_that_are_malformed_are_none(self):
+        for parameters in [*NO_ICE, b"\x08\0\0\0\2\1\1a", b"\x08\0\0\0\1\2\1a",
+                           b"\x09\0\0\0\1\1\1a", b"\x09\0\0\0\1\1\1ab"]:
+            with self.subTest(parameters=parameters):
+                self.assertIsNone(only_parameter(parameters))
+
+
+class OverIce(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        os.environ["XDG_RUNTIME_DIR"] = folder.name
+        cookie = pathlib.Path(folder.name) / "tendon" / "cookie"
+        cookie.parent.mkdir()
+        cookie.touch(mode=0o600)
+        cookie.write_text(f"{COOKIE:x}", encoding="ascii")
+        self.network = Network()
+        self.addCleanup(self.network.close)
+        self.acceptor = Acceptor()
+        self.addCleanup(self.acceptor.communicator.destroy)
+        self.notices = []
+        self.closed = threading.Event()
+
+    def link(self, timeout=PATIENCE):
+        return Link(self.network, parse_address(self.acceptor.address), "test", timeout,
+                    lambda header, body: self.notices.append(header.handle),
+                    lambda reason: self.closed.set())
+
+    def test_a_request_is_answered(self):
+        link = self.link()
+        self.assertEqual((link.peer_name, link.peer_instance), ("acceptor", 42))
+        self.assertEqual(link.request(ECHO, b"hello", PATIENCE), b"hello")
+        self.assertTrue(link.is_open)
+
+    def test_a_refusal_is_raised_in_the_peers_words(self):
+        with self.assertRaisesRegex(Failed, "^no$"):
+            self.link().request(REFUSE, b"", PATIENCE)
+
+    def test_what_is_too_large_for_a_piece_goes_in_parts(self):
+        link = self.link()
+        for _ in range(2):
+            body = os.urandom(9 * MAX_PIECE_SIZE + 5)
+            self.assertEqual(link.request(ECHO, body, PATIENCE), body)
+        link.request(ECHO, b"", PATIENCE)  # after all that was told
+        self.assertEqual(self.acceptor.taken, self.acceptor.told_taken)
+
+    def test_no_answer_in_time_is_told_and_the_link_goes_on(self):
+        link = self.link()
+        with self.assertRaisesRegex(TimedOut, "^acceptor did not answer within 10 ms; outcome unk"):
+            link.request(IGNORE, b"", 0.01)
+        self.assertEqual(link.request(ECHO, b"hello", PATIENCE), b"hello")
+
+    def test_an_answer_is_read_before_what_follows_it_is_told(self):
+        told_before = []
+        link = self.link()
+        link.request(TELL, b"", PATIENCE, lambda body: told_before.append(list(self.notices)))
+        link.request(ECHO, b"", PATIENCE)  # after them all
+        self.assertEqual(told_before, [[]])
+        self.assertEqual(self.notices, list(range(100)))
+
+    def test_who_waits_hears_that_the_peer_has_gone(self):
+        link = self.link()
+        with self.assertRaisesRegex(Unreachable, "acceptor did not answer: .*; outcome unknown"):
+            link.request(HANG_UP, b"", PATIENCE)
+        self.assertFalse(link.is_open)
+        self.assertTrue(self.closed.wait(PATIENCE))
+        with self.assertRaises(Unreachable):
+            link.request(ECHO, b"", PATIENCE)
+
+    def test_a_peer_that_sends_no_frames_is_cut_off(self):
+        greeting = write_frame(Header(MessageType.WELCOME), b"\0")
+        other_version = write_frame(Header(MessageType.REPLY, 2, 0, PROTOCOL_VERSION + 1), b"")
+        no_part = write_frame(Header(MessageType.PART, 0, 1), b"nonsense" * 4)
+        taken = write_frame(Header(MessageType.PARTS_TAKEN), bytes(range(8)))
+        for nonsense in (b"nonsense", greeting, other_version, no_part, taken):
+            with self.subTest(nonsense=nonsense), self.assertRaises(Unreachable):
+                self.link().request(TALK_NONSENSE, nonsense, PATIENCE)
+
+    def test_malformed_messages_of_ice_are_survived(self):
+        for number in range(len(NO_ICE)):
+            for operation in ("frame", "part"):
+                with self.subTest(number=number, operation=operation):
+                    with contextlib.suppress(Unreachable):  # Ice itself refuses some
+                        self.link().request(TALK_NO_ICE, bytes([number]) + operation.encode(),
+                                            PATIENCE)
+                    self.assertEqual(self.link().request(ECHO, b"hello", PATIENCE), b"hello")
+
+    def test_a_closed_link_is_closed_for_the_peer_too(self):
+        link = self.link()
+        link.close()
+        self.assertFalse(link.is_open)
+        self.assertTrue(self.closed.wait(PATIENCE))
+
+    def test_one_who_does_not_know_the_cookie_gets_no_proof(self):
+        self.acceptor.cookie = COOKIE + 1
+        with self.assertRaises(Denied):
+            self.link()
+        self.assertEqual(self.acceptor.heard, [MessageType.HELLO])
+
+    def test_one_who_proves_nothing_is_not_heard(self):
+        self.acceptor.is_impostor = True
+        with self.assertRaisesRegex(Invalid, "answered the Hello with something else"):
+            self.link()
+        self.assertTrue(self.closed.wait(PATIENCE))
+        self.assertEqual(self.notices, [])
+
+    def test_one_who_says_nothing_is_given_up(self):
+        self.acceptor.is_mute = True
+        with self.assertRaisesRegex(TimedOut, "accepted the connection but did not|^no answer"):
+            self.link(timeout=0.5)
+
+    def test_nobody_there_is_told(self):
+        self.acceptor.communicator.destroy()
+        with self.assertRaisesRegex(Unreachable, r"^nobody answers at .* \(Connection refused\)$"):
+            self.link()
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,49 @@
+#include <gtest/gtest.h>
+#include <tendon/gcm/messages.h>
+#include <tendon/middleware/handshake/handshake.h>
+#include <tendon/process/messages.h>
+
+#include <fstream>
+#include <sstream>
+#include <string>
+
+namespace tendon {
+namespace {
+
+template <Payload... Messages>
+std::string TextsOf() {
+  std::string texts;
+  ((texts += SchemaOf<Messages>().Text() + "\n"), ...);
+  return texts;
+}
+
+std::string ContentOf(const std::string& file) {
+  std::ostringstream content;
+  content << std::ifstream(file).rdbuf();
+  return content.str();
+}
+
+TEST(PythonPackage, HasTheSchemasOfOurMessages) {
+  const std::string texts =
+      TextsOf<Error, message::Greeting, message::Challenge, message::Proof,  // middleware
+              message::GetSchemas, message::Schemas, message::CallMember, message::Called,
+              message::Subscribe, message::Subscribed, message::RowsHeader,  // process
+              message::Wire, ConnectionDescription,                          // membership
+              message::Snapshot, message::Changes>();                        // gcm
+  std::ofstream(TENDON_PYTHON_MESSAGES_BUILT) << texts;
+
+  EXPECT_TRUE(ContentOf(TENDON_PYTHON_MESSAGES) == texts)
+      << "a message has changed: cp " TENDON_PYTHON_MESSAGES_BUILT " " TENDON_PYTHON_MESSAGES
+      << ", and see whether the package still says what it should";
+}
+
+TEST(PythonPackage, SpeaksOurProtocol) {
+  const std::string frame = ContentOf(TENDON_PYTHON_FRAME);
+
+  const std::string version = std::to_string(FrameHeader::kProtocolVersion);
+  EXPECT_NE(frame.find("\nPROTOCOL_VERSION = " + version + "\n"), std::string::npos)
+      << "another protocol: set PROTOCOL_VERSION = " << version << " in " TENDON_PYTHON_FRAME;
+}
+
+}  // namespace
+}  // namespace tendon
