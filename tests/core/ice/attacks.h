@@ -1,0 +1,60 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "core/ice/raw_ice.h"
+
+namespace tendon::ice {
+
+inline constexpr std::int64_t kHugeSize = 0x7fffffff;
+
+inline RawMessage Request(std::string_view operation = "frame", int request = 1) {
+  return RawMessage(RawMessage::kRequest).Target(operation, request);
+}
+
+/// Parameters whose only sequence claims `size` bytes and has four.
+inline RawMessage WithSequence(std::int64_t size, int request = 1) {
+  return Request("frame", request).Int(15).Byte(1).Byte(1).Size(size).Text("body");
+}
+
+inline RawMessage WithEncapsulation(std::int64_t size) {
+  return Request().Int(size).Byte(1).Byte(1).Byte(0);
+}
+
+/// Requests that are wrong in every way known to hurt programs of Ice, by name.
+inline std::map<std::string, Bytes> Attacks() {
+  const auto message = [](RawMessage::Type type) { return RawMessage(type); };
+  const auto request = [&] { return message(RawMessage::kRequest).Int(1); };
+  std::map<std::string, Bytes> attacks;
+  for (const std::int64_t size : {kHugeSize, kHugeSize - 6, std::int64_t{-1},
+                                  std::int64_t{0x20000000}, std::int64_t{5}, std::int64_t{3}}) {
+    attacks["sequence of " + std::to_string(size)] = WithSequence(size).Finished();
+    attacks["oneway, sequence of " + std::to_string(size)] = WithSequence(size, 0).Finished();
+  }
+  for (const std::int64_t size : {kHugeSize, std::int64_t{-5}, std::int64_t{0}, std::int64_t{5},
+                                  std::int64_t{6}, std::int64_t{8}, std::int64_t{100000}}) {
+    attacks["encapsulation of " + std::to_string(size)] = WithEncapsulation(size).Finished();
+  }
+  for (const std::int64_t size : {kHugeSize, std::int64_t{-1}, std::int64_t{5}, std::int64_t{0}}) {
+    attacks["message of " + std::to_string(size)] = WithSequence(4).Claiming(size);
+    attacks["batch of " + std::to_string(size)] =
+        message(RawMessage::kBatch).Int(size).String("tendon").Finished();
+    attacks["name of " + std::to_string(size)] = request().Size(size).Text("tendon").Finished();
+    attacks["facets: " + std::to_string(size)] =
+        request().String("tendon").String("").Size(size).Finished();
+    attacks["contexts: " + std::to_string(size)] =
+        request().String("tendon").String("").Byte(0).String("frame").Byte(0).Size(size).Finished();
+    attacks["compressed from " + std::to_string(size)] =
+        RawMessage(RawMessage::kRequest, 2).Int(size).Text("BZh91AY&SYjunkjunkjunk").Finished();
+  }
+  attacks["no parameters"] = Request().Int(6).Byte(1).Byte(1).Finished();
+  attacks["no frame"] = Request().Int(11).Byte(1).Byte(1).String("body").Finished();
+  attacks["a type of 2 GB"] =
+      Request("ice_isA").Int(15).Byte(1).Byte(1).Size(kHugeSize).Text("body").Finished();
+  attacks["an answer to no question"] = message(RawMessage::kReply).Int(77).Byte(0).Finished();
+  attacks["an unknown kind"] = message(static_cast<RawMessage::Type>(99)).Finished();
+  return attacks;
+}
+
+}  // namespace tendon::ice

@@ -1,0 +1,118 @@
+#include <algorithm>
+#include <csignal>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "system/faults/harness/fault_test.h"
+
+namespace faults {
+namespace {
+
+class GcmRestart : public FaultTest {
+ protected:
+  void KillGcm() const {
+    gcm_->Signal(SIGKILL);
+    gcm_->Wait();
+  }
+  [[nodiscard]] tendon::Fingerprint Hash() const { return viewer_->catalog().ContentHash(); }
+};
+
+INSTANTIATE_TEST_SUITE_P(Over, GcmRestart, testing::ValuesIn(Middlewares()), NameOfMiddleware);
+
+/// Row 1.
+TEST_P(GcmRestart, AGcmKilledAgainAndAgainUnderLoadCostsNoRowNoCommandAndNoEntry) {
+  ASSERT_NO_FATAL_FAILURE(StartSystem());
+  const tendon::Fingerprint before = Hash();
+  const std::size_t unconnected = Lines("given", "not connected");
+  const int rounds = Size(GetParam() == Middlewares().front() ? 20 : 5, 100);
+  std::vector<long> times;  // ms
+
+  for (int round = 1; round <= rounds; ++round) {
+    SCOPED_TRACE(round);
+    const std::size_t snapshots = watch_->snapshots();
+    KillGcm();
+    ASSERT_TRUE(Flows(20)) << "without a GCM";
+    const Stopwatch since_start;
+    ASSERT_NO_FATAL_FAILURE(StartGcm());
+    ASSERT_TRUE(Eventually([&] { return watch_->snapshots() > snapshots && Hash() == before; }));
+    times.push_back(since_start.milliseconds());
+  }
+
+  ASSERT_TRUE(Flows());
+  std::sort(times.begin(), times.end());
+  Tell(std::to_string(rounds) + " kills; the catalogue was the same each time, after a median of " +
+       std::to_string(times[times.size() / 2]) + " ms and " + std::to_string(times.back()) +
+       " ms at most");
+  ExpectNoRowLost();
+  if (!MachineStoodStill()) {
+    EXPECT_EQ(Lines("given", "not connected"), unconnected);
+  }
+  ExpectHonestCommands();
+}
+
+/// Row 2.
+TEST_P(GcmRestart, AGcmThatIsAwayForLongIsMissedInFewWords) {
+  ASSERT_NO_FATAL_FAILURE(StartSystem());
+  const tendon::Fingerprint before = Hash();
+  const std::size_t snapshots = watch_->snapshots();
+  const auto lines = [this] {
+    const std::string said = robot_->err();
+    return std::count(said.begin(), said.end(), '\n');
+  };
+  const auto lines_before = lines();
+
+  KillGcm();
+  const int seconds = Size(3, 600);
+  std::this_thread::sleep_for(std::chrono::seconds(seconds));
+  const auto lines_of_absence = lines() - lines_before;
+  ASSERT_NO_FATAL_FAILURE(StartGcm());
+  const Stopwatch since_start;
+  ASSERT_TRUE(Eventually([&] { return watch_->snapshots() > snapshots && Hash() == before; }));
+
+  Tell("after " + std::to_string(seconds) + " s without a GCM, complete again within " +
+       std::to_string(since_start.milliseconds()) + " ms");
+  EXPECT_LE(lines_of_absence, 2 + seconds / 10) << robot_->err();
+  ASSERT_TRUE(Flows());
+  ExpectNoRowLost();
+  ExpectHonestCommands();
+}
+
+/// Row 20.
+TEST_P(GcmRestart, AHerdOfLcmsComesBackAndNobodyIsLostOnTheWay) {
+  ASSERT_NO_FATAL_FAILURE(StartSystem());
+  const int count = Size(12, 100);
+  std::vector<std::unique_ptr<Program>> herd;
+  for (int i = 0; i < count; ++i) {
+    const std::string name = "sheep" + std::to_string(i);
+    herd.push_back(std::make_unique<Program>(Command("lcm", {"--name", name}), environment()));
+  }
+  const auto is_complete = [&] {
+    const auto catalog = viewer_->catalog();
+    const auto& all = catalog.processes();
+    const bool all_alive = std::all_of(all.begin(), all.end(), [](const auto& one) {
+      return one.second.process.state == tendon::ProcessState::kAlive;
+    });
+    return all_alive && all.size() == herd.size() + 2;
+  };
+  ASSERT_TRUE(Eventually(is_complete));
+  const tendon::Fingerprint before = Hash();
+
+  const std::size_t snapshots = watch_->snapshots();
+  KillGcm();
+  const Stopwatch since_death;
+  ASSERT_NO_FATAL_FAILURE(StartGcm());
+  ASSERT_TRUE(Eventually([&] { return watch_->snapshots() > snapshots && is_complete(); }));
+
+  Tell(std::to_string(count + 2) + " LCMs were back " + std::to_string(since_death.milliseconds()) +
+       " ms after the GCM was killed");
+  EXPECT_TRUE(Eventually([&] { return Hash() == before; }));
+  ASSERT_TRUE(Flows());
+  for (int i = 0; i < count; ++i) {
+    ExpectNeverLost("sheep" + std::to_string(i));
+  }
+  ExpectNoRowLost();
+}
+
+}  // namespace
+}  // namespace faults

@@ -1,0 +1,224 @@
+#include "system/faults/harness/fault_test.h"
+
+#include <program/middleware_choice.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+namespace faults {
+namespace {
+
+namespace fs = std::filesystem;
+using tendon::ProcessState;
+
+const tendon::InterfaceName kClient("desk", "client", "Ledger");
+
+/// robot has the ledger; desk and mate each have a client of it.
+std::string SystemFile(const std::string& folder) {
+  const auto process = [&](const std::string& name, const std::string& component,
+                           const std::string& class_name) {
+    return R"({"name": ")" + name + R"(", "components": [{"name": ")" + component +
+           R"(", "class": ")" + class_name +
+           R"(", "library": "fault_instruments", "configuration": {"folder": ")" + folder +
+           R"("}}]})";
+  };
+  const auto connection = [](const std::string& client) {
+    return R"({"required": ")" + client + R"(/client/Ledger", "provided": "robot/ledger/Control"})";
+  };
+  return R"({"version": 1, "name": "faults", "processes": [)" +
+         process("robot", "ledger", "Ledger") + ", " + process("desk", "client", "Client") + ", " +
+         process("mate", "client", "Client") + R"(], "connections": [)" + connection("desk") +
+         ", " + connection("mate") + "]}";
+}
+
+}  // namespace
+
+std::vector<std::string> Middlewares() { return program::MiddlewareNames(); }
+
+FaultTest::FaultTest() : gcm_address_("127.0.0.1:" + std::to_string(FreePort())) {
+  Slowness();  // before there is anything else to do
+  // The viewer's cookie is that of the programs.
+  setenv("XDG_RUNTIME_DIR", home_.path().c_str(), 1);  // NOLINT(concurrency-mt-unsafe): read later
+  fs::create_directory(home_.path() / "journals");
+  home_.Write("system.json", SystemFile(home_.path() / "journals"));
+}
+
+FaultTest::~FaultTest() {
+  if (!HasFailure()) return;
+  for (const auto* program : {&gcm_, &robot_, &desk_}) {
+    if (*program) std::cout << "pid " << (*program)->pid() << " said:\n" << (*program)->err();
+  }
+}
+
+FaultTest::Environment FaultTest::environment() const {
+  const std::string home = home_.path();
+  return {{"XDG_RUNTIME_DIR", home},
+          {"XDG_STATE_HOME", home},
+          {"TENDON_COMPONENTS", TENDON_TEST_INSTRUMENTS}};
+}
+
+FaultTest::Words FaultTest::Command(const std::string& program, const Words& words) const {
+  Words command{TENDON_BIN "/" + program,           "--gcm",        gcm_address_, "--timeout",
+                std::to_string(Patience().count()), "--middleware", GetParam()};
+  command.insert(command.end(), words.begin(), words.end());
+  return command;
+}
+
+std::unique_ptr<Program> FaultTest::MakeGcm() const {
+  return std::make_unique<Program>(Command("gcm", {"serve"}), environment());
+}
+
+void FaultTest::StartGcm() {
+  gcm_ = MakeGcm();
+  ASSERT_TRUE(Eventually([this] { return gcm_->out().starts_with("GCM at "); })) << gcm_->err();
+}
+
+std::unique_ptr<Program> FaultTest::MakeLcm(const std::string& name, const Words& more) const {
+  Words words{"--name", name, "--system", home_.path() / "system.json"};
+  words.insert(words.end(), more.begin(), more.end());
+  return std::make_unique<Program>(Command("lcm", words), environment());
+}
+
+void FaultTest::StartSystem() {
+  ASSERT_NO_FATAL_FAILURE(StartGcm());
+  ASSERT_NO_FATAL_FAILURE(StartViewer());
+  robot_ = MakeLcm("robot");
+  desk_ = MakeLcm("desk");
+  ASSERT_TRUE(EventuallyConnected()) << robot_->err() << desk_->err();
+  viewer_->telemetry().Subscribe({"robot", "ledger", "state", {"Sample"}}, stream_);
+  ASSERT_TRUE(Flows()) << ToString(stream_->verdict());
+}
+
+void FaultTest::StartViewer() {
+  viewer_ = std::make_unique<tendon::GcmClient>(
+      NewMiddleware(),
+      tendon::GcmClient::Options{.name = "test", .address = gcm_address_, .timeout = Patience()},
+      watch_);
+  const auto watching = viewer_->WaitUntilWatching();
+  ASSERT_TRUE(watching) << watching.error().message;
+}
+
+Outcome FaultTest::Gcm(Words words) const {
+  return RunProgram(Command("gcm", words), environment());
+}
+
+std::shared_ptr<tendon::Middleware> FaultTest::NewMiddleware() const {
+  return *program::MakeMiddleware(GetParam(), tendon::Exposure::kLoopbackOnly);
+}
+
+ProcessState FaultTest::StateOf(const std::string& process) const {
+  const auto catalog = viewer_->catalog();
+  const auto* entry = catalog.FindProcess(process);
+  return entry == nullptr ? ProcessState::kLeft : entry->process.state;
+}
+
+bool FaultTest::EventuallyIs(const std::string& process, ProcessState state) const {
+  return Eventually([&] { return StateOf(process) == state; });
+}
+
+std::string FaultTest::AddressOf(const std::string& process) const {
+  const auto catalog = viewer_->catalog();
+  const auto* entry = catalog.FindProcess(process);
+  return entry == nullptr ? std::string() : entry->process.address;
+}
+
+bool FaultTest::EventuallyConnected() const {
+  return Eventually([this] {
+    const auto catalog = viewer_->catalog();
+    const auto* connection = catalog.FindConnection(kClient);
+    return connection != nullptr && connection->state == tendon::ConnectionState::kActive;
+  });
+}
+
+bool FaultTest::Flows(std::uint64_t rows) const {
+  const std::uint64_t before = stream_->received();
+  return EventuallyExecutesMore() &&
+         Eventually([&] { return stream_->received() >= before + rows; });
+}
+
+bool FaultTest::EventuallyExecutesMore(std::size_t clients) const {
+  constexpr std::size_t kMore = 10;
+  const auto before = Executed();
+  return Eventually([&] {
+    const auto now = Executed();
+    const auto busy = std::count_if(now.begin(), now.end(), [&](const auto& client) {
+      const auto then = before.find(client.first);
+      return client.second >= kMore + (then == before.end() ? 0 : then->second);
+    });
+    return static_cast<std::size_t>(busy) >= clients;
+  });
+}
+
+std::map<std::string, std::size_t> FaultTest::Executed() const {
+  std::map<std::string, std::size_t> executed;
+  ForEachJournal("executed",
+                 [&](const std::string& line) { ++executed[line.substr(0, line.find(' '))]; });
+  return executed;
+}
+
+std::size_t FaultTest::Lines(const std::string& kind, const std::string& words) const {
+  std::size_t lines = 0;
+  ForEachJournal(kind, [&](const std::string& line) {
+    if (line.find(words) != std::string::npos) ++lines;
+  });
+  return lines;
+}
+
+template <typename Read>
+void FaultTest::ForEachJournal(const std::string& kind, Read read) const {
+  for (const auto& entry : fs::directory_iterator(home_.path() / "journals")) {
+    if (!entry.path().filename().string().starts_with(kind + "-")) continue;
+    std::ifstream file(entry.path());
+    for (std::string line; std::getline(file, line);) read(line);
+  }
+}
+
+void FaultTest::ExpectHonestCommands() {
+  for (auto* program : {&robot_, &desk_}) {
+    if (!*program) continue;
+    (*program)->Signal(SIGKILL);
+    (*program)->Wait();
+  }
+  const CommandVerdict verdict = CheckCommands(home_.path() / "journals");
+  Tell(ToString(verdict));
+  EXPECT_GT(verdict.done, 0U);
+  EXPECT_THAT(verdict.mistakes, testing::IsEmpty());
+}
+
+void FaultTest::ExpectNoRowLost() const {
+  const StreamChecker::Verdict verdict = stream_->verdict();
+  Tell(ToString(verdict));
+  EXPECT_EQ(verdict.missing, verdict.counted);
+  EXPECT_EQ(verdict.repeated, 0U);
+  EXPECT_EQ(verdict.damaged, 0U);
+  EXPECT_EQ(verdict.ledgers, 1U);
+  if (MachineStoodStill()) return;
+  EXPECT_EQ(verdict.missing, 0U);
+  EXPECT_EQ(verdict.subscriptions, 1U);
+  EXPECT_EQ(verdict.stale, 0U);
+}
+
+void FaultTest::ExpectNeverLost(const std::string& process) const {
+  EXPECT_THAT(watch_->double_holders(), testing::IsEmpty());
+  if (MachineStoodStill()) return;
+  EXPECT_EQ(watch_->Count(process, ProcessState::kLost), 0U) << process;
+}
+
+bool FaultTest::MachineStoodStill() const {
+  constexpr StallMeter::Time kMuch(500);  // a third of a lease
+  if (stalls_.longest() < kMuch) return false;
+  Tell("the machine stood still for " + std::to_string(stalls_.longest().count()) +
+       " ms: whether anybody was lost is not judged");
+  return true;
+}
+
+void FaultTest::Tell(const std::string& line) {
+  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+  std::cout << test->test_suite_name() << "." << test->name() << ": " << line << std::endl;
+}
+
+}  // namespace faults

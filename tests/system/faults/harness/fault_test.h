@@ -1,0 +1,96 @@
+#pragma once
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <tendon/gcm/client.h>
+#include <tendon/middleware/middleware.h>
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include "support/folder.h"
+#include "support/program.h"
+#include "system/faults/harness/command_checker.h"
+#include "system/faults/harness/process_watch.h"
+#include "system/faults/harness/size.h"
+#include "system/faults/harness/stall_meter.h"
+#include "system/faults/harness/stream_checker.h"
+
+namespace faults {
+
+/// A GCM and LCMs as real processes, over the middleware of the parameter, and a viewer in this
+/// one. `robot` has a ledger; `desk` a client that gives commands to it, on a connection of its
+/// own.
+class FaultTest : public testing::TestWithParam<std::string> {
+ protected:
+  FaultTest();
+  ~FaultTest() override;
+
+  using Words = Program::Words;
+  using Environment = std::map<std::string, std::string>;
+
+  /// At its address, where it was before; returns when it serves.
+  void StartGcm();
+  /// A GCM that need not come to serve.
+  [[nodiscard]] std::unique_ptr<Program> MakeGcm() const;
+  /// Begins to run; `more` are further options.
+  [[nodiscard]] std::unique_ptr<Program> MakeLcm(const std::string& name,
+                                                 const Words& more = {}) const;
+  /// GCM, robot, desk, and a viewer that reads the ledger's stream; returns when all of it works.
+  void StartSystem();
+  void StartViewer();
+  /// Runs `gcm WORDS...` to its end.
+  [[nodiscard]] Outcome Gcm(Words words) const;
+  /// Ours, for a peer that is no program of Tendon.
+  [[nodiscard]] std::shared_ptr<tendon::Middleware> NewMiddleware() const;
+  /// A command line that begins one of our programs.
+  [[nodiscard]] Words Command(const std::string& program, const Words& words) const;
+  [[nodiscard]] Environment environment() const;
+
+  [[nodiscard]] tendon::ProcessState StateOf(const std::string& process) const;
+  [[nodiscard]] bool EventuallyIs(const std::string& process, tendon::ProcessState state) const;
+  [[nodiscard]] std::string AddressOf(const std::string& process) const;
+  /// Of the desk's client to the robot's ledger.
+  [[nodiscard]] bool EventuallyConnected() const;
+  /// So many more rows have come, and some more commands were executed, since now.
+  [[nodiscard]] bool Flows(std::uint64_t rows = 100) const;
+  /// So many clients have got some more commands executed, since now.
+  [[nodiscard]] bool EventuallyExecutesMore(std::size_t clients = 1) const;
+  /// Lines of all journals of one kind, with these words in them.
+  [[nodiscard]] std::size_t Lines(const std::string& kind, const std::string& words = {}) const;
+
+  /// Kills all LCMs, so that the journals are complete, and lets the checkers decide.
+  void ExpectHonestCommands();
+  /// All the time, by one subscription of one ledger.
+  void ExpectNoRowLost() const;
+  void ExpectNeverLost(const std::string& process) const;
+  /// So long that leases may have run out, although nobody is to blame; it is told.
+  [[nodiscard]] bool MachineStoodStill() const;
+  /// The one line of a test: what was done, and what the checkers found.
+  static void Tell(const std::string& line);
+
+  const StallMeter stalls_;
+  const tendon::test::Folder home_;
+  std::string gcm_address_;
+  std::unique_ptr<Program> gcm_;
+  std::unique_ptr<Program> robot_;
+  std::unique_ptr<Program> desk_;
+  const std::shared_ptr<ProcessWatch> watch_ = std::make_shared<ProcessWatch>();
+  const std::shared_ptr<StreamChecker> stream_ = std::make_shared<StreamChecker>();
+  std::unique_ptr<tendon::GcmClient> viewer_;
+
+ private:
+  template <typename Read>
+  void ForEachJournal(const std::string& kind, Read read) const;
+  /// How many commands, by client.
+  [[nodiscard]] std::map<std::string, std::size_t> Executed() const;
+};
+
+/// One of all the middlewares, the default first.
+std::vector<std::string> Middlewares();
+inline std::string NameOfMiddleware(const testing::TestParamInfo<std::string>& info) {
+  return info.param;
+}
+
+}  // namespace faults

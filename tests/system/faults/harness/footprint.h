@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <ostream>
+#include <string>
+
+namespace faults {
+
+/// What a process takes of the machine.
+struct Footprint {
+  std::size_t descriptors = 0;
+  std::size_t threads = 0;
+  std::size_t resident = 0;  ///< bytes
+};
+
+inline Footprint FootprintOf(int pid) {
+  constexpr std::size_t kPage = 4096;
+  const std::filesystem::path process("/proc/" + std::to_string(pid));
+  const auto entries = [&](const char* folder) {
+    std::error_code ignored;
+    const std::filesystem::directory_iterator all(process / folder, ignored);
+    return static_cast<std::size_t>(std::distance(begin(all), end(all)));
+  };
+  Footprint footprint{.descriptors = entries("fd"), .threads = entries("task")};
+  std::size_t total = 0;
+  std::ifstream(process / "statm") >> total >> footprint.resident;
+  footprint.resident *= kPage;
+  return footprint;
+}
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr std::size_t kMemory = std::size_t{256} << 20U;  // they keep what was freed
+#else
+inline constexpr std::size_t kMemory = std::size_t{16} << 20U;
+#endif
+
+/// No descriptor more, no thread but those that a pool keeps for a while, no memory to speak of.
+inline bool IsFlat(const Footprint& before, const Footprint& now) {
+  constexpr std::size_t kPool = 4;
+  return now.descriptors <= before.descriptors && now.threads <= before.threads + kPool &&
+         now.resident <= before.resident + kMemory;
+}
+
+inline std::ostream& operator<<(std::ostream& out, const Footprint& footprint) {
+  return out << footprint.descriptors << " descriptors, " << footprint.threads << " threads, "
+             << footprint.resident / 1024 << " KiB";
+}
+
+}  // namespace faults

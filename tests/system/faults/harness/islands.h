@@ -1,0 +1,43 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "support/program.h"
+
+namespace faults {
+
+/// Two network namespaces with a cable between them, in a user namespace, so that it takes no root.
+class Islands {
+ public:
+  enum class Cut { kBothWays, kFromHere, kFromThere };
+
+  Islands();
+
+  /// Whether this machine lets us; else why not, and nothing else may be called.
+  [[nodiscard]] bool ok() const { return reason_.empty(); }
+  [[nodiscard]] const std::string& reason() const { return reason_; }
+
+  /// What begins a command line that runs on one of them.
+  [[nodiscard]] Program::Words Here() const;
+  [[nodiscard]] Program::Words There() const;
+  static constexpr const char* kHere = "10.77.0.1";
+  static constexpr const char* kThere = "10.77.0.2";
+
+  /// What is sent that way arrives no more, and nobody is told.
+  void Make(Cut cut) const;
+  void Heal() const;
+
+ private:
+  void Begin();
+  /// In a shell on an island.
+  static Outcome Do(Program::Words island, const std::string& script);
+  void Aim(const Program::Words& island, const std::string& peer, const std::string& device,
+           const std::string& address) const;
+
+  std::unique_ptr<Program> here_;
+  std::unique_ptr<Program> there_;
+  std::string reason_;
+};
+
+}  // namespace faults

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <tendon/gcm/client.h>
+
+#include <cstddef>
+#include <map>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace faults {
+
+/// Writes down who was seen under each name, in the order of the catalogue's changes.
+class ProcessWatch final : public tendon::GcmListener {
+ public:
+  /// How often the process was newly seen in this state.
+  [[nodiscard]] std::size_t Count(const std::string& process, tendon::ProcessState state) const;
+  /// Every name that went from one instance to another which the first had not lost or left.
+  [[nodiscard]] std::vector<std::string> double_holders() const;
+  [[nodiscard]] std::size_t snapshots() const;
+
+ private:
+  void OnSnapshot(const tendon::Catalog& catalog) override;
+  void OnChanges(const std::vector<tendon::CatalogChange>& changes) override;
+  void OnGcmLost(const tendon::Error& reason) override;
+  void See(const tendon::ProcessDescription& process);
+
+  mutable std::mutex mutex_;
+  std::map<std::string, tendon::ProcessDescription> last_;
+  std::map<std::pair<std::string, tendon::ProcessState>, std::size_t> counts_;
+  std::vector<std::string> double_holders_;
+  std::size_t snapshots_ = 0;
+};
+
+}  // namespace faults

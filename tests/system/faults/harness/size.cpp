@@ -1,0 +1,32 @@
+#include "system/faults/harness/size.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "support/program.h"
+
+namespace faults {
+
+int Size(int small, int full) {
+  // NOLINTNEXTLINE(concurrency-mt-unsafe): read only
+  static const bool is_full = std::getenv("TENDON_FULL_FAULTS") != nullptr;
+  return is_full ? full : small;
+}
+
+double Slowness() {
+  static const double slowness = [] {
+    constexpr int kRuns = 3;
+    constexpr double kCalm = 30.0;  // ms a start
+    const Stopwatch watch;
+    for (int i = 0; i < kRuns; ++i) RunProgram({TENDON_BIN "/lcm", "--help"});
+    return std::max(1.0, static_cast<double>(watch.milliseconds()) / kRuns / kCalm);
+  }();
+  return slowness;
+}
+
+std::chrono::milliseconds Patience() {
+  constexpr double kCalm = 20'000.0;  // ms: ten times the longest goal of a row
+  return std::chrono::milliseconds(static_cast<long>(kCalm * Slowness()));
+}
+
+}  // namespace faults

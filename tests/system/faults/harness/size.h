@@ -1,0 +1,41 @@
+#pragma once
+
+#include <chrono>
+#include <thread>
+
+namespace faults {
+
+/// How often a fault is injected: `small`, or `full` where TENDON_FULL_FAULTS is set.
+int Size(int small, int full);
+
+/// How much slower this machine starts one of our programs than a calm one does, at least 1.
+/// Measured once, at the start.
+double Slowness();
+
+/// What bounds a test that fails; says nothing about speed.
+std::chrono::milliseconds Patience();
+
+/// Waits until `predicate()` holds, looking rarely enough to disturb nobody.
+template <typename Predicate>
+bool Eventually(Predicate predicate) {
+  const auto deadline = std::chrono::steady_clock::now() + Patience();
+  while (!predicate()) {
+    if (std::chrono::steady_clock::now() >= deadline) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  return true;
+}
+
+/// Milliseconds since it was made.
+class Stopwatch {
+ public:
+  [[nodiscard]] long milliseconds() const {
+    const auto passed = std::chrono::steady_clock::now() - begin_;
+    return std::chrono::duration_cast<std::chrono::milliseconds>(passed).count();
+  }
+
+ private:
+  const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace faults

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <thread>
+#include <utility>
+
+namespace faults {
+
+/// Notices how long this machine ran nobody: whoever promises to show a sign of life in time cannot
+/// keep that then, and a test must not blame him.
+class StallMeter {
+ public:
+  using Time = std::chrono::milliseconds;
+
+  [[nodiscard]] Time longest() const { return longest_; }
+
+ private:
+  void Measure(const std::stop_token& stop) {
+    constexpr Time kNap(10);
+    for (auto last = std::chrono::steady_clock::now(); !stop.stop_requested();) {
+      std::this_thread::sleep_for(kNap);
+      const auto now = std::chrono::steady_clock::now();
+      const auto late = std::chrono::duration_cast<Time>(now - std::exchange(last, now)) - kNap;
+      longest_ = std::max(longest_.load(), late);
+    }
+  }
+
+  std::atomic<Time> longest_ = Time(0);
+  std::jthread thread_{[this](const std::stop_token& stop) { Measure(stop); }};
+};
+
+}  // namespace faults

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <tendon/process/telemetry_client.h>
+#include <tests/system/faults/instruments/numbered.h>
+
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace faults {
+
+/// Reads the stream of a ledger's samples and knows, by the numbers in the data, what the truth is.
+class StreamChecker final : public tendon::RowSink {
+ public:
+  struct Verdict {
+    std::uint64_t received = 0;
+    std::uint64_t missing = 0;   ///< numbers that were never seen, while the same ledger lived
+    std::uint64_t counted = 0;   ///< what the stream itself says was lost
+    std::uint64_t repeated = 0;  ///< numbers or ticks that came twice or went back
+    std::uint64_t damaged = 0;   ///< samples that are not what was sent
+    std::uint64_t stale = 0;     ///< how often it was told that there are no rows for now
+    std::uint64_t subscriptions = 0;
+    std::uint64_t ledgers = 0;
+  };
+
+  [[nodiscard]] Verdict verdict() const;
+  [[nodiscard]] std::uint64_t received() const { return verdict().received; }
+
+ private:
+  void OnSubscribed(const std::vector<tendon::Schema>& columns) override;
+  std::size_t OnRows(const tendon::RowBatch& batch) override;
+  void OnStale(const tendon::Error& reason) override;
+  void Take(const Numbered& sample);
+
+  mutable std::mutex mutex_;
+  Verdict verdict_;
+  std::optional<std::uint64_t> last_tick_;  // of this subscription
+  std::optional<Numbered> last_;
+};
+
+/// For people: "12345 rows, 0 missing, ..."
+std::string ToString(const StreamChecker::Verdict& verdict);
+
+}  // namespace faults

@@ -1,0 +1,88 @@
+#include <csignal>
+
+#include "system/faults/harness/fault_test.h"
+
+namespace faults {
+namespace {
+
+using tendon::ProcessState;
+using testing::HasSubstr;
+
+class HungLcm : public FaultTest {};
+
+INSTANTIATE_TEST_SUITE_P(Over, HungLcm, testing::ValuesIn(Middlewares()), NameOfMiddleware);
+
+/// Row 4.
+TEST_P(HungLcm, OneThatIsStoppedIsLostAndFindsItsWayBack) {
+  ASSERT_NO_FATAL_FAILURE(StartSystem());
+  const auto rounds = static_cast<std::size_t>(Size(2, 20));
+  long longest = 0;  // ms
+
+  for (std::size_t round = 1; round <= rounds; ++round) {
+    SCOPED_TRACE(round);
+    robot_->Signal(SIGSTOP);
+    ASSERT_TRUE(EventuallyIs("robot", ProcessState::kLost));
+    std::this_thread::sleep_for(std::chrono::seconds(Size(0, 60)));
+    const Stopwatch since_awake;
+    robot_->Signal(SIGCONT);
+    ASSERT_TRUE(EventuallyIs("robot", ProcessState::kAlive)) << robot_->err();
+    longest = std::max(longest, since_awake.milliseconds());
+    ASSERT_TRUE(EventuallyConnected());
+    ASSERT_TRUE(Flows());
+  }
+
+  Tell(std::to_string(rounds) + " times stopped until lost; a member again after " +
+       std::to_string(longest) + " ms at most; " + ToString(stream_->verdict()));
+  EXPECT_THAT(watch_->double_holders(), testing::IsEmpty());
+  EXPECT_EQ(stream_->verdict().ledgers, 1U);
+  EXPECT_EQ(stream_->verdict().repeated, 0U);
+  EXPECT_EQ(stream_->verdict().damaged, 0U);
+  ExpectHonestCommands();
+}
+
+/// Row 4: what was stopped for less than that is no member less.
+TEST_P(HungLcm, OneThatIsStoppedForAMomentLosesNothing) {
+  ASSERT_NO_FATAL_FAILURE(StartSystem());
+
+  for (int round = 0; round < Size(3, 30); ++round) {
+    robot_->Signal(SIGSTOP);
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    robot_->Signal(SIGCONT);
+    ASSERT_TRUE(Flows());
+  }
+
+  ExpectNoRowLost();
+  ExpectNeverLost("robot");
+  ExpectHonestCommands();
+}
+
+/// Row 4: fencing.
+TEST_P(HungLcm, OneWhoseNameWasTakenIsToldByWhomAndExecutesNothingAnyMore) {
+  ASSERT_NO_FATAL_FAILURE(StartSystem());
+  robot_->Signal(SIGSTOP);
+  ASSERT_TRUE(EventuallyIs("robot", ProcessState::kLost));
+  auto heir = MakeLcm("robot");
+  ASSERT_TRUE(EventuallyIs("robot", ProcessState::kAlive)) << heir->err();
+  ASSERT_TRUE(Eventually([&] { return stream_->verdict().ledgers == 2; }));
+  ASSERT_TRUE(Flows());
+
+  robot_->Signal(SIGCONT);  // a zombie
+  ASSERT_TRUE(Eventually([&] {
+    return robot_->err().find("runs on unregistered") != std::string::npos;
+  })) << robot_->err();
+  EXPECT_THAT(robot_->err(), HasSubstr("pid " + std::to_string(heir->pid())));
+  ASSERT_TRUE(Flows()) << "the heir is not disturbed";
+  EXPECT_EQ(stream_->verdict().ledgers, 2U);
+
+  heir->Signal(SIGKILL);
+  heir->Wait();
+  ASSERT_TRUE(Eventually([&] { return stream_->verdict().ledgers == 3; })) << robot_->err();
+  ASSERT_TRUE(Flows()) << "the zombie is a member again";
+  EXPECT_THAT(watch_->double_holders(), testing::IsEmpty());
+  EXPECT_EQ(stream_->verdict().damaged, 0U);
+  Tell("stopped, replaced, awake: " + ToString(stream_->verdict()));
+  ExpectHonestCommands();
+}
+
+}  // namespace
+}  // namespace faults

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <fcntl.h>
+#include <tendon/base/os/descriptor.h>
+#include <tendon/payload/payload.h>
+#include <unistd.h>
+
+#include <cstdint>
+#include <string>
+
+namespace faults {
+
+/// The truth: a file of lines, each of which is there as soon as Add() has returned, however its
+/// writer dies afterwards.
+class Journal {
+ public:
+  /// `folder`/`kind`-`source`, one file for each life of a component.
+  Journal(const std::string& folder, const std::string& kind, std::uint64_t source)
+      : file_(open((folder + "/" + kind + "-" + std::to_string(source)).c_str(),
+                   O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600)) {}
+
+  /// Whether it was written.
+  bool Add(const std::string& words) {
+    const std::string line = words + "\n";
+    return write(file_.get(), line.data(), line.size()) == static_cast<ssize_t>(line.size());
+  }
+
+ private:
+  tendon::os::Descriptor file_;
+};
+
+/// Configuration of what keeps one.
+struct JournalPlace {
+  std::string folder;
+};
+
+}  // namespace faults
+
+template <>
+inline constexpr auto tendon::kPayload<faults::JournalPlace> =
+    tendon::Describe("faults.JournalPlace", tendon::Field{"folder", &faults::JournalPlace::folder});

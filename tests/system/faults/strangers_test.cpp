@@ -1,0 +1,241 @@
+#include <sys/resource.h>
+#include <tendon/base/os/socket.h>
+#include <tendon/middleware/channel.h>
+
+#include <atomic>
+#include <random>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "core/ice/attacks.h"
+#include "system/faults/harness/fault_test.h"
+#include "system/faults/harness/footprint.h"
+
+namespace faults {
+namespace {
+
+using tendon::Bytes;
+using tendon::Channel;
+using tendon::ChannelHandler;
+using testing::HasSubstr;
+namespace os = tendon::os;
+
+Bytes BytesOf(std::string_view text) {
+  const auto bytes = std::as_bytes(std::span(text));
+  return {bytes.begin(), bytes.end()};
+}
+
+/// What programs of other kinds say first, and what nobody says.
+std::vector<Bytes> Hellos() {
+  return {BytesOf("GET / HTTP/1.1\r\nHost: 127.0.0.1\r\nUser-Agent: curl\r\n\r\n"),
+          BytesOf("SSH-2.0-OpenSSH_9.2p1 Debian-2+deb12u3\r\n"),
+          BytesOf(std::string_view("\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03zzzzzzzzzzz", 22)),
+          Bytes(4096, std::byte{0}), Bytes(4096, std::byte{0xff})};
+}
+
+/// Messages that are right, before they are damaged.
+std::vector<Bytes> Messages() {
+  tendon::FrameHeader header;
+  header.request = 1;
+  header.size = 64;
+  Bytes frame;
+  WriteFrame(header, Bytes(header.size, std::byte{3}), frame);
+  Bytes request = tendon::ice::WithSequence(4).Finished();
+  return {std::move(frame), std::move(request)};
+}
+
+class Strangers : public FaultTest {
+ protected:
+  static os::Socket Knock(const std::string& address) {
+    const auto place = tendon::ParseAddress(address, 1);
+    auto socket = os::ConnectTo(place->host, place->port, Patience());
+    EXPECT_TRUE(socket) << socket.error().message;
+    return socket ? *std::move(socket) : os::Socket();
+  }
+  static void Say(const std::string& address, const Bytes& bytes) {
+    (void)os::SendSome(Knock(address), bytes);
+  }
+  static bool IsTurnedAway(const os::Socket& socket) {
+    Bytes buffer(4096);
+    return Eventually([&] { return !os::ReceiveSome(socket, buffer); });
+  }
+
+  /// Of both programs that listen.
+  void Begin() {
+    ASSERT_NO_FATAL_FAILURE(StartSystem());
+    ports_ = {gcm_address_, AddressOf("robot")};
+    before_ = {FootprintOf(gcm_->pid()), FootprintOf(robot_->pid())};
+  }
+  void ExpectNobodyDisturbed() {
+    std::vector<Footprint> now;
+    EXPECT_TRUE(Eventually([&] {
+      now = {FootprintOf(gcm_->pid()), FootprintOf(robot_->pid())};
+      return IsFlat(before_[0], now[0]) && IsFlat(before_[1], now[1]);
+    })) << "GCM: "
+        << before_[0] << "; now " << now[0] << "\nrobot: " << before_[1] << "; now " << now[1];
+    EXPECT_EQ(Gcm({"ls"}).exit_code, 0) << "the next is served";
+    for (const char* name : {"robot", "desk"}) ExpectNeverLost(name);
+    ASSERT_TRUE(Flows());
+    ExpectNoRowLost();
+    ExpectHonestCommands();
+  }
+
+  std::vector<std::string> ports_;
+  std::vector<Footprint> before_;
+};
+
+INSTANTIATE_TEST_SUITE_P(Over, Strangers, testing::ValuesIn(Middlewares()), NameOfMiddleware);
+
+/// Row 16.
+TEST_P(Strangers, WhoSpeakAnotherLanguageAreTurnedAway) {
+  ASSERT_NO_FATAL_FAILURE(Begin());
+
+  std::vector<os::Socket> strangers;
+  for (const std::string& port : ports_) {
+    for (const Bytes& hello : Hellos()) {
+      strangers.push_back(Knock(port));
+      (void)os::SendSome(strangers.back(), hello);
+    }
+  }
+
+  for (const os::Socket& stranger : strangers) EXPECT_TRUE(IsTurnedAway(stranger));
+  strangers.clear();
+  ExpectNobodyDisturbed();
+}
+
+/// Row 16.
+TEST_P(Strangers, DamagedMessagesDisturbNobody) {
+  ASSERT_NO_FATAL_FAILURE(Begin());
+  const std::vector<Bytes> messages = Messages();
+  std::mt19937 random(4711);
+  const int count = Size(400, 100'000);
+
+  for (int i = 0; i < count; ++i) {
+    Bytes damaged = messages[random() % messages.size()];
+    for (unsigned change = 0; change <= random() % 4U; ++change) {
+      damaged[random() % damaged.size()] = static_cast<std::byte>(random());
+    }
+    Say(ports_[random() % ports_.size()], damaged);
+  }
+
+  Tell(std::to_string(count) + " damaged messages");
+  ExpectNobodyDisturbed();
+  for (const auto* program : {gcm_.get(), robot_.get()}) {
+    const std::string said = program->err();
+    EXPECT_LT(std::count(said.begin(), said.end(), '\n'), 50) << said;
+  }
+}
+
+/// Row 17.
+TEST_P(Strangers, TheMessagesThatKillProgramsOfIceKillNoneOfOurs) {
+  ASSERT_NO_FATAL_FAILURE(Begin());
+
+  for (const std::string& port : ports_) {
+    for (const auto& [name, attack] : tendon::ice::Attacks()) {
+      SCOPED_TRACE(name);
+      Say(port, attack);
+    }
+  }
+
+  ExpectNobodyDisturbed();
+}
+
+/// Row 15.
+TEST_P(Strangers, AnotherProtocolVersionIsRefusedInWords) {
+  ASSERT_NO_FATAL_FAILURE(Begin());
+  const auto middleware = NewMiddleware();
+  constexpr unsigned kOurs = tendon::FrameHeader::kProtocolVersion;
+
+  for (const std::string& port : ports_) {
+    for (const unsigned version : {kOurs + 1, kOurs - 1}) {
+      const tendon::Hello hello{.protocol_version = static_cast<std::uint16_t>(version),
+                                .instance = 1,
+                                .name = "odd",
+                                .cookie = *tendon::LoopbackCookie()};
+      const auto channel =
+          Channel::Open(*middleware, port, hello, std::make_shared<ChannelHandler>(), Patience());
+      ASSERT_FALSE(channel);
+      EXPECT_EQ(channel.error().code, tendon::ErrorCode::kIncompatible);
+      EXPECT_THAT(channel.error().message,
+                  HasSubstr("speaks protocol " + std::to_string(kOurs) + ", this program " +
+                            std::to_string(version) + ": update "));
+    }
+  }
+
+  ExpectNobodyDisturbed();
+}
+
+/// Row 19.
+TEST_P(Strangers, AStormOfConnectionsIsServedAndTheIdleAreTurnedAway) {
+  ASSERT_NO_FATAL_FAILURE(Begin());
+  const int count = Size(60, 500);
+  std::vector<os::Socket> idle;
+  for (int i = 0; i < count; ++i) {
+    idle.push_back(Knock(gcm_address_));
+    idle.push_back(Knock(gcm_address_));
+    (void)os::SendSome(idle.back(), Bytes(11, std::byte{0x54}));  // half a header
+  }
+
+  const Stopwatch since_storm;
+  {
+    constexpr int kThreads = 8;
+    const auto middleware = NewMiddleware();
+    const tendon::Hello hello{.instance = 1, .name = "storm", .cookie = *tendon::LoopbackCookie()};
+    std::atomic<int> left = count;
+    std::atomic<int> served = 0;
+    std::vector<std::jthread> threads;
+    for (int i = 0; i < kThreads; ++i) {
+      threads.emplace_back([&] {
+        while (left-- > 0) {
+          const auto channel = Channel::Open(*middleware, gcm_address_, hello,
+                                             std::make_shared<ChannelHandler>(), Patience());
+          if (channel) ++served;
+        }
+      });
+    }
+    threads.clear();
+    Tell(std::to_string(count) + " clients were served within " +
+         std::to_string(since_storm.milliseconds()) + " ms, beside " + std::to_string(idle.size()) +
+         " idle ones");
+    EXPECT_EQ(served, count);
+  }
+
+  for (const os::Socket& socket : idle) EXPECT_TRUE(IsTurnedAway(socket));
+  idle.clear();
+  ExpectNobodyDisturbed();
+}
+
+/// Row 30.
+TEST_P(Strangers, OutOfDescriptorsTheOldAreKeptAndNewOnesWait) {
+  ASSERT_NO_FATAL_FAILURE(StartSystem());
+  const int used = static_cast<int>(FootprintOf(gcm_->pid()).descriptors);
+  rlimit limit{};
+  ASSERT_EQ(prlimit(gcm_->pid(), RLIMIT_NOFILE, nullptr, &limit), 0);
+  const rlim_t usual = std::exchange(limit.rlim_cur, static_cast<rlim_t>(used + 8));
+  ASSERT_EQ(prlimit(gcm_->pid(), RLIMIT_NOFILE, &limit, nullptr), 0);
+
+  std::vector<os::Socket> crowd;
+  const auto place = tendon::ParseAddress(gcm_address_, 1);
+  for (int i = 0; i < 30; ++i) {  // they wait, or are refused: Ice stops listening for a second
+    if (auto one = os::ConnectTo(place->host, place->port, Patience())) {
+      crowd.push_back(*std::move(one));
+    }
+  }
+  EXPECT_TRUE(Eventually([&] {
+    return gcm_->err().find("oo many open files") != std::string::npos;
+  })) << gcm_->err();
+  ASSERT_TRUE(Flows());
+  ExpectNeverLost("robot");
+
+  crowd.clear();
+  EXPECT_TRUE(Eventually([&] { return Gcm({"ls"}).exit_code == 0; })) << "there is room again";
+  limit.rlim_cur = usual;
+  prlimit(gcm_->pid(), RLIMIT_NOFILE, &limit, nullptr);
+  ExpectNoRowLost();
+  ExpectHonestCommands();
+}
+
+}  // namespace
+}  // namespace faults
