@@ -59,5 +59,7 @@ std::vector<Case> QueueCases(const Effort& effort);
 std::vector<Case> WaitingCases(const Effort& effort);
 std::vector<Case> TableCases(const Effort& effort);
 std::vector<Case> PeriodCases(const Effort& effort);
+/// Between two processes; none where Ice is not built in.
+std::vector<Case> NetworkCases(const Effort& effort);
 
 }  // namespace tendon::benchmark

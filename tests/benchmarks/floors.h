@@ -1,11 +1,16 @@
 #pragma once
 
+#include <benchmarks/measurement.h>
+#include <tendon/base/os/futex.h>
+
 #include <array>
 #include <atomic>
 #include <boost/lockfree/spsc_queue.hpp>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <thread>
 
 /// What ours is compared with: the plainest thing that does the job, without our guarantees.
 namespace tendon::benchmark {
@@ -44,5 +49,30 @@ class Seqlock {
   alignas(64) std::atomic<std::uint64_t> sequence_ = 0;
   T value_{};
 };
+
+/// Two threads that wake each other in turns.
+inline double WakeInTurns(std::uint64_t rounds) {
+  constexpr std::chrono::seconds kTimeout(1);
+  const auto last = static_cast<std::uint32_t>(2 * rounds);
+  std::atomic<std::uint32_t> turn = 0;
+  const auto await = [&](std::uint32_t mine) {
+    for (std::uint32_t now = turn; now < mine; now = turn) os::FutexWait(turn, now, kTimeout);
+  };
+  const auto pass_on = [&](std::uint32_t next) {
+    turn = next;
+    os::FutexWake(turn);
+  };
+  std::jthread other([&] {
+    for (std::uint32_t mine = 1; mine < last; mine += 2) {
+      await(mine);
+      pass_on(mine + 1);
+    }
+  });
+  return NanosecondsEach(rounds, [&](std::uint64_t i) {
+    const auto mine = static_cast<std::uint32_t>(2 * i);
+    pass_on(mine + 1);
+    await(mine + 2);
+  });
+}
 
 }  // namespace tendon::benchmark

@@ -2,6 +2,7 @@
 #include <benchmarks/report.h>
 
 #include <CLI/CLI.hpp>
+#include <exception>
 #include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -18,7 +19,7 @@ struct Options {
 
 std::vector<Case> AllCases(const Effort& effort) {
   std::vector<Case> all;
-  for (const auto& make : {QueueCases, WaitingCases, TableCases, PeriodCases}) {
+  for (const auto& make : {QueueCases, WaitingCases, TableCases, PeriodCases, NetworkCases}) {
     for (Case& one : make(effort)) all.push_back(std::move(one));
   }
   return all;
@@ -79,6 +80,9 @@ int Main(int argc, char** argv) {
     return 1;
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
+  } catch (const std::exception& failure) {
+    std::cerr << "report: " << failure.what() << '\n';
+    return 1;
   }
 }
 

@@ -40,6 +40,8 @@ struct Subject {
   std::function<double()> run;
   /// Processors it keeps busy when nothing disturbs it.
   double processors = 1;
+  /// The seconds of processor time used for it, ever, outside this program; or nothing.
+  std::function<double()> elsewhere = nullptr;
 };
 
 /// Runs one after the other, each first in turns, in a Seat on the first processor.

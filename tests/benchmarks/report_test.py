@@ -9,6 +9,8 @@ import unittest
 
 PROGRAM = ""
 IDS = ["Q1", "D1", "D3", "D4", "D5", "S1", "S2", "S3", "S4", "P1", "P1-p99", "P4"]
+NETWORK_IDS = ["R1", "R1-one", "R7", "R3", "R4", "R2", "R5", "R8-dds", "R8-zmq", "R8-fast", "R6", "R6-row", "R9",
+               "R9-con", "T1", "T1-con"]
 KEYS = {"id", "ours", "floor", "ratio", "gate", "stretch", "holds"}
 
 
@@ -56,7 +58,25 @@ class Report(unittest.TestCase):
             self.skipTest("this kernel does not let a program watch its system calls")
         self.assertEqual(entry["ours"], 0)
 
+    def test_what_travels_between_processes_is_measured_with_its_floor(self):
+        if "R1" not in IDS:
+            self.skipTest("there is no Ice to compare with")
+        _, report = entries("--only", "R1,R3,R7")
+        for entry in report:
+            self.assertGreater(entry["floor"], 0)
+            self.assertGreater(entry["ours"], 0)
+
+    def test_further_connections_need_no_threads(self):
+        if "T1" not in IDS:
+            self.skipTest("there is no Ice to compare with")
+        _, report = entries("--only", "T1,T1-con")
+        idle, further = (entry["ours"] for entry in report)
+        self.assertTrue(0 < idle <= 12, idle)
+        self.assertLess(further, 1)
+
 
 if __name__ == "__main__":
     PROGRAM = sys.argv.pop(1)
+    if sys.argv[1:] and sys.argv.pop(1) == "with-network":
+        IDS += NETWORK_IDS
     unittest.main()

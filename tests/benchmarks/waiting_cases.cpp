@@ -1,12 +1,9 @@
 #include <benchmarks/floors.h>
 #include <benchmarks/measurement.h>
-#include <tendon/base/os/futex.h>
 #include <tendon/manager/local_manager.h>
 #include <tendon/task/signal_task.h>
 
-#include <atomic>
 #include <memory>
-#include <thread>
 
 namespace tendon::benchmark {
 namespace {
@@ -46,31 +43,6 @@ double CallAndWait(std::uint64_t calls) {
     while (!client.echo.Wait(question, answer, std::chrono::seconds(1))) {  // a stalled machine
     }
     Use(answer);
-  });
-}
-
-/// Two threads that wake each other in turns.
-double WakeInTurns(std::uint64_t rounds) {
-  constexpr std::chrono::seconds kTimeout(1);
-  const auto last = static_cast<std::uint32_t>(2 * rounds);
-  std::atomic<std::uint32_t> turn = 0;
-  const auto await = [&](std::uint32_t mine) {
-    for (std::uint32_t now = turn; now < mine; now = turn) os::FutexWait(turn, now, kTimeout);
-  };
-  const auto pass_on = [&](std::uint32_t next) {
-    turn = next;
-    os::FutexWake(turn);
-  };
-  std::jthread other([&] {
-    for (std::uint32_t mine = 1; mine < last; mine += 2) {
-      await(mine);
-      pass_on(mine + 1);
-    }
-  });
-  return NanosecondsEach(rounds, [&](std::uint64_t i) {
-    const auto mine = static_cast<std::uint32_t>(2 * i);
-    pass_on(mine + 1);
-    await(mine + 2);
   });
 }
 

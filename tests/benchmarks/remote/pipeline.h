@@ -1,0 +1,38 @@
+#pragma once
+
+#include <benchmarks/remote/remote_system.h>
+#include <tendon/middleware/channel.h>
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+namespace tendon::benchmark {
+
+/// Begins something that ends later, in any thread: by `done(ok)`.
+using BeginCall = std::function<void(std::function<void(bool ok)> done)>;
+
+/// Makes `calls` calls, `window` of them at a time: where one ends, the next begins. Returns when
+/// all have ended.
+void RunPipeline(std::uint64_t calls, std::uint64_t window, const BeginCall& begin);
+
+/// The robot's command Move, called and waited for as a connection does, but many at a time.
+class WaitingCalls {
+ public:
+  WaitingCalls(RemoteSystem& system, std::uint64_t window);
+  WaitingCalls(const WaitingCalls&) = delete;
+  WaitingCalls& operator=(const WaitingCalls&) = delete;
+  ~WaitingCalls();
+
+  /// As RunPipeline() says.
+  void Run(std::uint64_t calls);
+
+ private:
+  const std::uint64_t window_;
+  const std::shared_ptr<Middleware> middleware_;
+  std::shared_ptr<Channel> channel_;
+  std::uint32_t handle_ = 0;
+  Bytes question_;
+};
+
+}  // namespace tendon::benchmark

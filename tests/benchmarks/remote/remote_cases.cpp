@@ -1,0 +1,191 @@
+#include <benchmarks/remote/pipeline.h>
+#include <benchmarks/remote/remote_system.h>
+
+#include <memory>
+#include <optional>
+#include <thread>
+#include <utility>
+
+namespace tendon::benchmark {
+namespace {
+
+constexpr std::chrono::seconds kPatience(10);
+constexpr std::uint64_t kBatch = 100;
+constexpr std::uint64_t kWindow = 64;
+
+// How often is so chosen that a repetition keeps the processor for some 10 ms: real-time threads
+// are let have 95 % of it.
+
+using Run = std::function<double(RemoteSystem&)>;
+
+/// What one takes, where `work` does all that are measured.
+template <typename Work>
+double NanosecondsEachOf(std::uint64_t times, Work work) {
+  return NanosecondsEach(1, [&](std::uint64_t) { work(); }) / static_cast<double>(times);
+}
+
+double Read(RemoteSystem& system, std::uint64_t reads) {
+  Message joints{};
+  return NanosecondsEach(reads, [&](std::uint64_t) {
+    Require(static_cast<bool>(system.desk().get_joints(joints)), "the robot is not read");
+    Use(joints);
+  });
+}
+
+double ReadRaw(RawIce& raw, std::uint64_t reads) {
+  Message joints{};
+  return NanosecondsEach(reads, [&](std::uint64_t) {
+    raw.Read(joints);
+    Use(joints);
+  });
+}
+
+double ReadImages(RemoteSystem& system, std::uint64_t images) {
+  Image image;
+  return NanosecondsEach(images, [&](std::uint64_t) {
+    const bool is_read = static_cast<bool>(system.desk().get_image(image));
+    Require(is_read && image.size() * sizeof(double) == kImageBytes, "no image is read");
+  });
+}
+
+double ReadRawImages(RawIce& raw, std::uint64_t images) {
+  return NanosecondsEach(
+      images, [&](std::uint64_t) { Require(raw.ReadImage() > kImageBytes, "no image is read"); });
+}
+
+double MoveAndWait(RemoteSystem& system, std::uint64_t moves) {
+  Argument goal{};
+  return NanosecondsEach(moves, [&](std::uint64_t i) {
+    goal[0] = static_cast<double>(i);
+    Require(static_cast<bool>(system.desk().move.Wait(goal, kPatience)), "the robot does not move");
+  });
+}
+
+/// Until the robot has executed them. Who finds the mailbox full lets the others have the
+/// processor; who has made a tick's calls does so, too.
+double Move(RemoteSystem& system, std::uint64_t moves, std::uint64_t per_tick) {
+  Argument goal{};
+  return NanosecondsEachOf(moves, [&] {
+    for (std::uint64_t i = 1; i < moves; ++i) {
+      goal[0] = static_cast<double>(i);
+      while (!system.desk().move(goal)) std::this_thread::yield();
+      if (i % per_tick == 0) std::this_thread::yield();
+    }
+    Require(static_cast<bool>(system.desk().move.Wait(goal, kPatience)), "the robot does not move");
+  });
+}
+
+/// `per_message` of them in each message of Ice.
+double WriteRaw(RawIce& raw, std::uint64_t writes, std::uint64_t per_message) {
+  const Argument goal{};
+  const auto bytes = std::as_bytes(std::span(goal));
+  return NanosecondsEachOf(writes, [&] {
+    if (per_message == 1) return raw.Write(bytes, writes);
+    raw.WriteBatches(bytes, writes, per_message);
+  });
+}
+
+std::vector<Case> ReadCases(const Effort& effort, const TheSystem& system) {
+  const std::uint64_t reads = effort.Times(200);
+  const std::uint64_t images = effort.Times(8);
+  const auto between = [&](const Run& run) { return Between(system, run); };
+  const auto read = between([=](auto& both) { return Read(both, reads); });
+  return {
+      {.id = "R1",
+       .what = "remote read / raw Ice two-way, 64 B",
+       .gate = 1.10,
+       .stretch = 1.05,
+       .repetition =
+           SideBySide(read, between([=](auto& both) { return ReadRaw(both.raw(), reads); }))},
+      {.id = "R1-one",
+       .what = "the same / raw Ice that one thread dispatches",
+       .repetition = SideBySide(
+           read, between([=](auto& both) { return ReadRaw(both.raw_of_one_thread(), reads); }))},
+      {.id = "R7",
+       .what = "read of 1 MiB / raw Ice two-way, 1 MiB",
+       .ratio = Ratio::kOfThroughputs,
+       .gate = 0.85,
+       .stretch = 0.95,
+       .repetition =
+           SideBySide(between([=](auto& both) { return ReadImages(both, images); }),
+                      between([=](auto& both) { return ReadRawImages(both.raw(), images); }))},
+  };
+}
+
+std::vector<Case> WriteCases(const Effort& effort, const TheSystem& system) {
+  const std::uint64_t writes = effort.Times(2'000);
+  const auto side_by_side = [&](const Run& ours, const Run& floor) {
+    return SideBySide(Between(system, ours), Between(system, floor));
+  };
+  return {
+      {.id = "R3",
+       .what = "remote queued write, 56 B / raw Ice oneway",
+       .ratio = Ratio::kOfThroughputs,
+       .gate = 0.85,
+       .stretch = 0.95,
+       .repetition = side_by_side([=](auto& both) { return Move(both, writes, writes); },
+                                  [=](auto& both) { return WriteRaw(both.raw(), writes, 1); })},
+      {.id = "R4",
+       .what = "the same, 100 a tick / raw Ice batch of 100",
+       .ratio = Ratio::kOfThroughputs,
+       .gate = 0.6,
+       .stretch = 0.85,
+       .repetition =
+           side_by_side([=](auto& both) { return Move(both, writes, kBatch); },
+                        [=](auto& both) { return WriteRaw(both.raw(), writes, kBatch); })},
+  };
+}
+
+std::vector<Case> WaitingCallCases(const Effort& effort, const TheSystem& system) {
+  const std::uint64_t alone = effort.Times(150);
+  const std::uint64_t many = effort.Times(500);
+  const auto side_by_side = [&](const Run& ours, const Run& floor) {
+    return SideBySide(Between(system, ours), Between(system, floor));
+  };
+  const auto waiting_calls = std::make_shared<std::unique_ptr<WaitingCalls>>();
+  return {
+      {.id = "R2",
+       .what = "remote waiting command / Ice two-way + futex",
+       .gate = 1.15,
+       .stretch = 1.05,
+       .repetition = side_by_side(
+           [=](auto& both) { return MoveAndWait(both, alone); },
+           [=](auto& both) { return ReadRaw(both.raw(), alone) + WakeInTurns(alone); })},
+      {.id = "R5",
+       .what = "waiting commands, 64 at a time / Ice asynchronous",
+       .ratio = Ratio::kOfThroughputs,
+       .gate = 0.85,
+       .stretch = 0.95,
+       .repetition = side_by_side(
+           [=](auto& both) {
+             if (!*waiting_calls) *waiting_calls = std::make_unique<WaitingCalls>(both, kWindow);
+             return NanosecondsEachOf(many, [&] { (*waiting_calls)->Run(many); });
+           },
+           [=](auto& both) {
+             return NanosecondsEachOf(many, [&] {
+               RunPipeline(many, kWindow, [&](auto done) { both.raw().BeginRead(done); });
+             });
+           })},
+  };
+}
+
+/// What others take for a remote read. None of them is needed to build this, so a line says what
+/// there is of it.
+std::vector<Case> PeerCases(const Effort& /*effort*/, const TheSystem& /*system*/) {
+  const auto nothing = [] { return std::optional<Pair>(); };
+  return {{.id = "R8-dds", .what = "remote read / " TENDON_CYCLONEDDS, .repetition = nothing},
+          {.id = "R8-zmq", .what = "remote read / " TENDON_ZEROMQ, .repetition = nothing},
+          {.id = "R8-fast", .what = "remote read / " TENDON_FASTDDS, .repetition = nothing}};
+}
+
+}  // namespace
+
+std::vector<Case> RemoteCases(const Effort& effort, const TheSystem& system) {
+  std::vector<Case> all;
+  for (const auto& make : {ReadCases, WriteCases, WaitingCallCases, PeerCases}) {
+    for (Case& one : make(effort, system)) all.push_back(std::move(one));
+  }
+  return all;
+}
+
+}  // namespace tendon::benchmark

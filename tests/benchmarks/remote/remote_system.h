@@ -1,0 +1,81 @@
+#pragma once
+
+#include <benchmarks/case.h>
+#include <benchmarks/measurement.h>
+#include <benchmarks/remote/raw_ice.h>
+#include <benchmarks/remote/robot.h>
+#include <support/folder.h>
+#include <support/program.h>
+#include <tendon/middleware/hello.h>
+#include <tendon/process/process.h>
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+
+namespace tendon::benchmark {
+
+/// A robot in a process of its own, and a desk here that is connected to it; and raw Ice between
+/// the same two processes. All threads sit where the thread sat that made it: on one processor,
+/// else nothing is seen but what it takes to wake another one.
+class RemoteSystem {
+ public:
+  RemoteSystem();
+
+  struct Addresses {
+    std::string gcm;
+    std::string robot;
+    std::string raw;
+    std::string raw_of_one_thread;
+  };
+  [[nodiscard]] const Addresses& addresses() const { return addresses_; }
+
+  [[nodiscard]] Desk& desk() { return *desk_; }
+  [[nodiscard]] RawIce& raw() { return *raw_; }
+  /// Where one thread dispatches over there, not one of a pool.
+  [[nodiscard]] RawIce& raw_of_one_thread() { return *raw_of_one_thread_; }
+
+  /// How the next process here takes part.
+  [[nodiscard]] ProcessOptions Options() const;
+  /// What programs must know that take part.
+  [[nodiscard]] std::map<std::string, std::string> environment() const;
+  /// A name that no process had before.
+  [[nodiscard]] std::string NewName();
+
+  /// The other process.
+  [[nodiscard]] int peer() const { return peer_->pid(); }
+  /// The seconds of processor time that it has used.
+  [[nodiscard]] double ProcessorTime() const;
+
+ private:
+  bool IsConnected();
+
+  const test::Folder folder_;  // what programs keep for their user
+  std::unique_ptr<Program> peer_;
+  Addresses addresses_;
+  std::unique_ptr<Process> process_;
+  Desk* desk_ = nullptr;
+  std::unique_ptr<RawIce> raw_;
+  std::unique_ptr<RawIce> raw_of_one_thread_;
+  int names_ = 0;
+};
+
+/// What a program of this name says to the other process.
+Hello NewHello(const std::string& name);
+
+/// Makes the one of all cases when it is first asked.
+using TheSystem = std::function<RemoteSystem&()>;
+
+/// What keeps both processes busy.
+Subject Between(const TheSystem& system, std::function<double(RemoteSystem&)> run);
+
+/// Throws where `done` is false: there is nothing to measure then.
+void Require(bool done, const char* what);
+
+// The cases, by what they are about.
+std::vector<Case> RemoteCases(const Effort& effort, const TheSystem& system);
+std::vector<Case> StreamCases(const Effort& effort, const TheSystem& system);
+std::vector<Case> JoiningCases(const Effort& effort, const TheSystem& system);
+
+}  // namespace tendon::benchmark

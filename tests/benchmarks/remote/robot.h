@@ -1,0 +1,48 @@
+#pragma once
+
+#include <benchmarks/remote/raw_ice.h>
+#include <benchmarks/wiring.h>
+#include <tendon/task/signal_task.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace tendon::benchmark {
+
+using Image = std::vector<double>;  // of kImageBytes
+
+/// What is called from another process. Sleeps until it is asked.
+class Robot final : public SignalTask {
+ public:
+  /// Rows that are kept of "state-History".
+  static constexpr std::size_t kRows = 100'000;
+
+  explicit Robot(std::string name);
+  ~Robot() override { Join(); }
+
+ private:
+  void Run() override { ProcessQueuedCommands(); }
+  void Move(const Argument& goal) { goal_ = goal; }
+  void Record(const std::uint64_t& rows);
+  void GetImage(Image& image) const { image = image_; }
+
+  Argument goal_{};
+  Message joints_{};
+  Argument row_{};
+  const Image image_ = Image(kImageBytes / sizeof(double));
+  StateTable& history_;
+};
+
+/// Who calls it.
+class Desk final : public Component {
+ public:
+  explicit Desk(std::string name);
+
+  WriteFunction<Argument> move;
+  WriteFunction<std::uint64_t> record;
+  ReadFunction<Message> get_joints;
+  ReadFunction<Image> get_image;
+};
+
+}  // namespace tendon::benchmark

@@ -1,0 +1,145 @@
+#include <benchmarks/remote/remote_system.h>
+#include <tendon/process/telemetry_client.h>
+
+#include <algorithm>
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+namespace tendon::benchmark {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto kPatience = 10s;
+/// Of a row on its way: 7 doubles, tick and time.
+constexpr std::size_t kRowBytes = sizeof(Argument) + 2 * sizeof(std::uint64_t);
+constexpr std::uint64_t kRowsInAMessage = 100;
+
+/// Counts rows, and for how long they came.
+class Counter final : public RowSink {
+ public:
+  void OnSubscribed(const std::vector<Schema>& /*columns*/) override {
+    const std::scoped_lock lock(mutex_);
+    stands_ = true;
+    changed_.notify_one();
+  }
+  std::size_t OnRows(const RowBatch& batch) override {
+    if (batch.count == 0) return 0;
+    for (std::size_t row = 0; row < batch.count; ++row) {
+      const auto cell = batch.cell(row, 0);
+      Use(cell);
+    }
+    const std::scoped_lock lock(mutex_);
+    last_ = std::chrono::steady_clock::now();
+    if (rows_ == 0) {
+      first_ = last_;
+      in_first_ = batch.count;
+    }
+    rows_ += batch.count;
+    lost_ += batch.lost_table + batch.lost_network;
+    changed_.notify_one();
+    return 0;
+  }
+  void OnStale(const Error& /*reason*/) override {}
+
+  bool AwaitSubscription() {
+    std::unique_lock lock(mutex_);
+    return changed_.wait_for(lock, kPatience, [this] { return stands_; });
+  }
+  void Forget() {
+    const std::scoped_lock lock(mutex_);
+    rows_ = lost_ = 0;
+  }
+  /// What a row took, between the first batch, which is the only one that was waited for, and the
+  /// last.
+  double Await(std::uint64_t rows) {
+    std::unique_lock lock(mutex_);
+    Require(changed_.wait_for(lock, kPatience, [&] { return rows_ + lost_ >= rows; }) &&
+                rows_ > in_first_,
+            "the rows do not come");
+    const std::chrono::duration<double, std::nano> took = last_ - first_;
+    return took.count() / static_cast<double>(rows_ - in_first_);
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  bool stands_ = false;
+  std::uint64_t rows_ = 0;
+  std::uint64_t lost_ = 0;
+  std::uint64_t in_first_ = 0;
+  std::chrono::steady_clock::time_point first_;
+  std::chrono::steady_clock::time_point last_;
+};
+
+/// The rows of a robot's table, subscribed to once.
+class Stream {
+ public:
+  explicit Stream(RemoteSystem& system)
+      : client_(MakeTelemetryClient(
+            system.Options().middleware,
+            [address = system.addresses().robot](const std::string&) -> Result<std::string> {
+              return address;
+            },
+            NewHello("viewer"))) {
+    client_->Subscribe(
+        {.process = "robot", .component = "robot", .table = "state-History", .columns = {"Joints"}},
+        counter_);
+    Require(counter_->AwaitSubscription(), "the robot's table cannot be watched");
+  }
+
+  double Run(RemoteSystem& system, std::uint64_t rows) {
+    counter_->Forget();
+    Require(static_cast<bool>(system.desk().record.Wait(rows, kPatience)), "nothing is recorded");
+    return counter_->Await(rows);
+  }
+
+ private:
+  const std::shared_ptr<Counter> counter_ = std::make_shared<Counter>();
+  const std::unique_ptr<TelemetryClient> client_;
+};
+
+double SendRaw(RemoteSystem& system, std::uint64_t rows) {
+  const std::vector<std::byte> message(kRowsInAMessage * kRowBytes);
+  const std::uint64_t messages = std::max<std::uint64_t>(rows / kRowsInAMessage, 1);
+  return NanosecondsEach(1, [&](std::uint64_t) { system.raw().Write(message, messages); }) /
+         static_cast<double>(messages * kRowsInAMessage);
+}
+
+}  // namespace
+
+std::vector<Case> StreamCases(const Effort& effort, const TheSystem& system) {
+  constexpr double kMost = 1e9 / 5e6;                           // ns a row
+  const std::uint64_t rows = effort.is_tiny ? 10'000 : 60'000;  // more than one batch
+  const auto stream = std::make_shared<std::unique_ptr<Stream>>();
+  const auto run = [=](RemoteSystem& both) {
+    if (!*stream) *stream = std::make_unique<Stream>(both);
+    return (*stream)->Run(both, rows);
+  };
+  const auto both_ends = [&](auto function) {
+    Subject subject = Between(system, function);
+    subject.processors = kSleeps;  // until the next batch is due
+    return subject;
+  };
+  const auto side_by_side = SideBySide(
+      both_ends(run), Between(system, [=](RemoteSystem& both) { return SendRaw(both, rows); }));
+  return {
+      {.id = "R6",
+       .what = "rows streamed, 7 doubles and time / raw Ice oneway",
+       .ratio = Ratio::kOfThroughputs,
+       .gate = 0.5,
+       .stretch = 0.85,
+       .repetition = side_by_side},
+      {.id = "R6-row",
+       .what = "the same, what a row takes",
+       .gate = kMost,
+       .repetition = [=]() -> std::optional<Pair> {
+         const auto pair = side_by_side();
+         return pair ? std::optional(Pair{.ours = pair->ours}) : std::nullopt;
+       }},
+  };
+}
+
+}  // namespace tendon::benchmark
