@@ -97,7 +97,8 @@ bool IsWanted(const LogRecord& record, const LogOptions& options) {
 
 std::string TimeText(std::int64_t time) {
   constexpr std::int64_t kMillisecond = 1'000'000;
-  std::string milliseconds = std::to_string(1000 + time / kMillisecond % 1000);
+  const std::int64_t below_second = (time / kMillisecond % 1000 + 1000) % 1000;  // before 1970, too
+  std::string milliseconds = std::to_string(1000 + below_second);
   milliseconds.front() = '.';
   return tendon::WallTimeText(time) + milliseconds;
 }

@@ -46,18 +46,21 @@ TEST_F(LogTest, ShowsWhatTheProcessesHaveLogged) {
   EXPECT_THAT(from.out, HasSubstr("process 'robot' is there"));
   EXPECT_THAT(from.out, Not(HasSubstr("runs 2 components")));
   EXPECT_THAT(Gcm({"log", "--from", "ro*/robot"}).out, HasSubstr("runs 2 components"));
-  EXPECT_THAT(Gcm({"log", "--level", "error"}).out, Not(HasSubstr("\tinfo\t")));
+  const Outcome errors = Gcm({"log", "--level", "error"});
+  EXPECT_EQ(errors.exit_code, program::kOk) << errors.err;
+  EXPECT_THAT(errors.out, Not(HasSubstr("\tinfo\t")));
 
   std::istringstream lines(Gcm({"--json", "log", "--from", "robot"}).out);
   std::string line;
-  while (std::getline(lines, line)) {
+  ASSERT_TRUE(std::getline(lines, line));
+  do {
     const json record = json::parse(line);
     EXPECT_EQ(record["schema"], 1);
     EXPECT_EQ(record["process"], "robot");
     EXPECT_NE(record["text"], "");
     EXPECT_THAT(record["level"], testing::AnyOf("debug", "info", "warning", "error"));
     EXPECT_GT(record["time_ns"], std::int64_t{1'600'000'000} * 1'000'000'000);
-  }
+  } while (std::getline(lines, line));
 }
 
 TEST_F(LogTest, FollowsWhileProcessesAndGcmsComeAndGo) {

@@ -171,8 +171,7 @@ void Channel::OnFrame(std::span<const std::byte> frame) {
       return CallGuarded(link_->peer(), [&] { OnGreeting(*header, body); });
     case Stage::kOpen:
       OnMessage(*header, body);
-      TellTaken();
-      return parts_.Resume(*link_);
+      return Resume();
     case Stage::kClosed:
       return;
   }
@@ -246,6 +245,7 @@ void Channel::OnPart(const FrameHeader& header, std::span<const std::byte> part)
   Bytes frame;
   Progress progress = Progress::kNonsense;
   CallGuarded(peer_.name, [&] { progress = assembly_.Add(header.handle, part, frame); });
+  taken_.Set(assembly_.taken());
   if (progress == Progress::kMoreToCome) return;
   const auto whole = ReadFrameHeader(frame, kMaxBodySize + FrameHeader::kSize);
   if (!whole || whole->type == MessageType::kPart || whole->type == MessageType::kPartsTaken) {
@@ -261,11 +261,22 @@ void Channel::OnPartsTaken(std::span<const std::byte> body) {
   Fail({ErrorCode::kInvalid, peer_.name + " has taken more than was sent to it"});
 }
 
-/// Again with whatever arrives next, where the link has no room.
 void Channel::TellTaken() {
-  const std::uint64_t taken = assembly_.taken();
-  if (taken == told_taken_) return;
-  if (Send(MessageType::kPartsTaken, 0, 0, EncodeBody(taken), kOwnLane)) told_taken_ = taken;
+  if (taken_.Get() == told_taken_.Get()) return;
+  const std::scoped_lock lock(telling_);  // the numbers must arrive in order
+  const std::uint64_t taken = taken_.Get();
+  const Bytes body = EncodeBody(taken);
+  FrameHeader header;
+  header.version = mine_.protocol_version;
+  header.type = MessageType::kPartsTaken;
+  header.size = static_cast<std::uint32_t>(body.size());
+  if (SendPiece(header, body)) told_taken_.Set(taken);
+}
+
+/// With whatever is sent or arrives, and in time: what found no room on the link may have it now.
+void Channel::Resume() {
+  TellTaken();
+  parts_.Resume(*link_);
 }
 
 void Channel::OnClosed(const Error& reason) {
@@ -297,6 +308,12 @@ Status Channel::Send(MessageType type, std::uint64_t request, std::uint32_t hand
   if (parts_.MustTake(lane, FrameHeader::kSize + body.size())) {
     return parts_.Add(*link_, lane, header, body);
   }
+  const Status sent = SendPiece(header, body);
+  Resume();
+  return sent;
+}
+
+Status Channel::SendPiece(const FrameHeader& header, std::span<const std::byte> body) {
   thread_local Bytes frame;
   WriteFrame(header, body, frame);
   return link_->Send(frame);
@@ -326,8 +343,8 @@ Lane Channel::NewLane() {
 }
 
 void Channel::Request(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
-                      std::chrono::milliseconds timeout, ReplyHandler handler) {
-  Start(type, handle, body, timeout, std::move(handler), kCommonLane);
+                      std::chrono::milliseconds timeout, ReplyHandler handler, Lane lane) {
+  Start(type, handle, body, timeout, std::move(handler), lane);
 }
 
 Status Channel::TryRequest(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
@@ -370,7 +387,10 @@ std::uint64_t Channel::Start(MessageType type, std::uint32_t handle,
   return request;
 }
 
-void Channel::Expire(SteadyTime now) { requests_.Expire(now, PeerName()); }
+void Channel::Expire(SteadyTime now) {
+  requests_.Expire(now, PeerName());
+  if (is_open()) Resume();
+}
 
 void Channel::Close() {
   Fail({ErrorCode::kUnreachable, "the connection was closed by this program"});

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <tendon/base/clock.h>
+#include <tendon/lockfree/flag.h>
 #include <tendon/middleware/body.h>
 #include <tendon/middleware/handshake/handshake.h>
 #include <tendon/middleware/hello.h>
@@ -90,7 +91,7 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   /// Expire() or, when nothing could be sent, this one: with the reply, the refusal, kTimeout
   /// (outcome unknown) or kUnreachable (closed before an answer).
   void Request(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
-               std::chrono::milliseconds timeout, ReplyHandler handler);
+               std::chrono::milliseconds timeout, ReplyHandler handler, Lane lane = kCommonLane);
   /// The same, but of what cannot be sent now the handler is not called. Refusals as of
   /// Link::Send().
   Status TryRequest(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
@@ -98,7 +99,8 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
                     Lane lane = kCommonLane);
   template <Payload Answer, Message T>
   void Request(MessageType type, std::uint32_t handle, const T& value,
-               std::chrono::milliseconds timeout, std::function<void(Result<Answer>)> handler);
+               std::chrono::milliseconds timeout, std::function<void(Result<Answer>)> handler,
+               Lane lane = kCommonLane);
 
   /// Whether this thread is inside a call from a middleware: it must not wait for an answer.
   [[nodiscard]] static bool IsThreadOfMiddleware() noexcept;
@@ -141,11 +143,13 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   void OnPart(const FrameHeader& header, std::span<const std::byte> part);
   void OnPartsTaken(std::span<const std::byte> body);
   void TellTaken();
+  void Resume();
   void Opened(Hello peer);
   void Fail(const Error& reason);
 
   Status Send(MessageType type, std::uint64_t request, std::uint32_t handle,
               std::span<const std::byte> body, Lane lane = kCommonLane);
+  Status SendPiece(const FrameHeader& header, std::span<const std::byte> body);
   void SendReply(std::uint64_t request, std::span<const std::byte> body, Lane lane);
   void SendRefusal(std::uint64_t request, const Error& error);
   std::uint64_t Start(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
@@ -158,9 +162,11 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   std::shared_ptr<ChannelHandler> handler_;  // used in the middleware's thread only
   std::optional<Handshake> handshake_;       // likewise, once there is a link
   PartAssembly assembly_;                    // likewise
-  std::uint64_t told_taken_ = 0;             // likewise
   PendingRequests requests_;
   PartSender parts_;
+  Published<std::uint64_t> taken_{0};  // bytes of parts
+  Published<std::uint64_t> told_taken_{0};
+  std::mutex telling_;
 
   mutable std::mutex mutex_;
   std::condition_variable changed_;
@@ -180,11 +186,13 @@ Status Channel::Notify(MessageType type, std::uint32_t handle, const T& value, L
 template <Payload Answer, Message T>
 void Channel::Request(MessageType type, std::uint32_t handle, const T& value,
                       std::chrono::milliseconds timeout,
-                      std::function<void(Result<Answer>)> handler) {
-  Request(type, handle, std::span<const std::byte>(EncodeBody(value)), timeout,
-          [handler = std::move(handler)](Result<Bytes> reply) {
-            handler(reply ? DecodeBody<Answer>(*reply) : Result<Answer>(reply.error()));
-          });
+                      std::function<void(Result<Answer>)> handler, Lane lane) {
+  Request(
+      type, handle, std::span<const std::byte>(EncodeBody(value)), timeout,
+      [handler = std::move(handler)](Result<Bytes> reply) {
+        handler(reply ? DecodeBody<Answer>(*reply) : Result<Answer>(reply.error()));
+      },
+      lane);
 }
 
 template <Payload Answer, Message T>

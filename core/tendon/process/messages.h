@@ -67,9 +67,11 @@ struct Subscribe {
 
 /// The answer to Subscribe.
 struct Subscribed {
-  std::uint32_t handle = 0;          ///< of the frames of this subscription
-  std::uint64_t epoch = 0;           ///< StateTable::epoch(): ticks of another mean other rows
-  std::uint64_t first_tick = 0;      ///< of the first row that may come
+  std::uint32_t handle = 0;  ///< of the frames of this subscription
+  std::uint64_t epoch = 0;   ///< StateTable::epoch(): ticks of another mean other rows
+  /// Of every row, that of the first which comes or is told of as lost; the newest only may be
+  /// older.
+  std::uint64_t first_tick = 0;
   std::vector<std::string> schemas;  ///< Schema::Text() of each column, in the order asked for
 };
 

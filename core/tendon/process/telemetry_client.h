@@ -61,9 +61,12 @@ struct TableSubscription {
 };
 
 /// What has become of the rows of a subscription since it was made. Of every row, received +
-/// lost_table + lost_network is the number that was written since the source's last start, also
-/// while the link was down, once the next batch has come. With a period, rows that were not chosen
-/// are not counted, nor what was written while the link was down.
+/// lost_table + lost_network grows by the number that was written from the first on that was
+/// announced, also while the link was down, once the next batch has come. Where the source was
+/// restarted it goes on from there, without what was written before the subscription stood again.
+/// With a period, rows that were not chosen are not counted, but for those in lost_table, of which
+/// nobody knows, nor what was written while the link was down. With the newest row only, nothing is
+/// counted as lost_table.
 struct RowCounts {
   std::uint64_t received = 0;  ///< handed to the sink, among them lost_viewer
   std::uint64_t lost_table = 0;

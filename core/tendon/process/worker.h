@@ -2,6 +2,7 @@
 
 #include <tendon/base/clock.h>
 
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <functional>
@@ -11,6 +12,13 @@
 #include <thread>
 
 namespace tendon {
+
+/// For what must end by then: not below zero.
+[[nodiscard]] inline std::chrono::milliseconds TimeUntil(SteadyTime deadline) {
+  using std::chrono::milliseconds;
+  const auto left = std::chrono::ceil<milliseconds>(deadline - SteadyClock().Now());
+  return std::max(left, milliseconds(0));
+}
 
 /// A thread with a queue of tasks, for what must not be done in a thread of the middleware: opening
 /// channels, writing files, trying again later. Tasks run one at a time; those due at one time in

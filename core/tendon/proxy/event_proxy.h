@@ -2,6 +2,7 @@
 
 #include <tendon/interface/event.h>
 #include <tendon/lockfree/counter.h>
+#include <tendon/proxy/messages.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -16,25 +17,21 @@ class EventProxy final : public EventBase {
  public:
   /// From one thread at a time. A handler that refuses the value is counted in lost().
   void Raise(std::span<const std::byte> value) {
+    CountLostThere();
+    const std::uint64_t before = lost();
     CallHandlers([&](CommandBase& handler) { return handler.ExecuteEncoded(value, nothing_); });
+    lost_here_.Add(lost() - before);
   }
 
   /// By whom raises it: the other process could not send so many, ever since. They have not reached
-  /// the handlers, and are counted as that.
+  /// the handlers, and are counted as that, as soon as there are any.
   void SetLostThere(std::uint64_t lost) {
-    constexpr std::uint64_t kMostAtOnce = 65536;  // it takes a while, and a stranger says it
-    const std::uint64_t known = lost_there_.value();
-    const std::uint64_t news = std::min(lost - std::min(known, lost), kMostAtOnce);
-    lost_there_.Add(news);
-    for (std::uint64_t i = 0; i < news; ++i) {
-      CallHandlers([](CommandBase& /*it misses one*/) -> Status { return Status::kQueueFull; });
-    }
+    const std::uint64_t most = counted_there_ + message::EventsLost::kMostAtOnce;
+    lost_there_ = std::clamp(lost, lost_there_, std::max(lost_there_, most));
+    CountLostThere();
   }
   /// Any thread: how many have arrived here and have not reached a handler.
-  [[nodiscard]] std::uint64_t lost_here() const noexcept {
-    const std::uint64_t there = lost_there_.value();
-    return std::max(lost(), there) - there;
-  }
+  [[nodiscard]] std::uint64_t lost_here() const noexcept { return lost_here_.value(); }
 
   /// Handlers are called by their encoded face.
   [[nodiscard]] std::unique_ptr<CommandBase> Adapt(CommandBase& /*handler*/) const override {
@@ -42,8 +39,19 @@ class EventProxy final : public EventBase {
   }
 
  private:
+  /// Those told of before there were handlers wait for what comes next.
+  void CountLostThere() {
+    for (; counted_there_ < lost_there_; ++counted_there_) {
+      const std::uint64_t before = lost();
+      CallHandlers([](CommandBase& /*it misses one*/) -> Status { return Status::kQueueFull; });
+      if (lost() == before) return;
+    }
+  }
+
   std::vector<std::byte> nothing_;
-  Counter<> lost_there_;
+  std::uint64_t lost_there_ = 0;     // of whom raises it
+  std::uint64_t counted_there_ = 0;  // likewise: those of them that handlers know of
+  Counter<> lost_here_;
 };
 
 }  // namespace tendon

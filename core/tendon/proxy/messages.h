@@ -68,6 +68,9 @@ struct Credit {
 /// How many events this end has lost, by event handler, since the connection was opened: the end
 /// that raises them, because they could not be sent; the one that handles them, on arrival.
 struct EventsLost {
+  /// A report counts at most so many more than the one before: who hears it counts each of them.
+  static constexpr std::uint64_t kMostAtOnce = 65536;
+
   std::vector<std::uint64_t> lost;
 
   bool operator==(const EventsLost&) const = default;

@@ -107,18 +107,29 @@ struct Found {
   std::vector<std::string> names;
 };
 
-Found Find(const AuthorityFolder& folder, const std::string& name) {
+Error Unreadable(const fs::path& copy, const std::string& why) {
+  return {ErrorCode::kInvalid,
+          copy.string() + " cannot be read (" + why +
+              "), so nothing was revoked: restore it from a copy of the CA's folder"};
+}
+
+Result<Found> Find(const AuthorityFolder& folder, const std::string& name) {
   Found found;
   std::error_code reason;
-  for (const auto& entry : fs::directory_iterator(folder.issued(), reason)) {
-    const auto text = ReadSmallFile(entry.path());
-    auto certificate = text ? openssl::ReadCertificate(*text) : nullptr;
-    if (!certificate) continue;
+  fs::directory_iterator copies(folder.issued(), reason);
+  for (; copies != fs::directory_iterator(); copies.increment(reason)) {
+    const fs::path& copy = copies->path();
+    if (copy.extension() != ".crt") continue;  // what a killed program left half-written
+    const auto text = ReadSmallFile(copy);
+    if (!text) return Unreadable(copy, text.error().message);
+    auto certificate = openssl::ReadCertificate(*text);
+    if (!certificate) return Unreadable(copy, "it is no certificate");
     const auto described = openssl::Describe(*certificate);
-    if (!described) continue;
+    if (!described) return Unreadable(copy, described.error().message);
     found.names.push_back(described->name);
     if (described->name == name) found.certificates.push_back(std::move(certificate));
   }
+  if (reason) return Unreadable(folder.issued(), reason.message());
   return found;
 }
 
@@ -127,11 +138,17 @@ Found Find(const AuthorityFolder& folder, const std::string& name) {
 Result<CertificateAuthority> CertificateAuthority::Init(const fs::path& folder) {
   const AuthorityFolder files{folder};
   std::error_code reason;
-  if (fs::exists(files.certificate(), reason) || fs::exists(files.key(), reason)) {
+  if (fs::exists(files.certificate(), reason)) {
     return Error{ErrorCode::kExists,
                  "there is a CA in " + folder.string() +
                      " already; a new one would make all its certificates worthless: use it, or "
                      "choose another folder with --ca"};
+  }
+  if (fs::exists(files.key(), reason)) {
+    return Error{ErrorCode::kExists,
+                 "the CA in " + folder.string() +
+                     " is half made, it has no ca.crt: restore that file or, where nothing was "
+                     "issued yet, remove the folder and try again"};
   }
   if (fs::exists(folder, reason) && !fs::is_empty(folder, reason)) {
     return Error{ErrorCode::kExists,
@@ -202,15 +219,16 @@ Result<std::vector<std::string>> CertificateAuthority::Revoke(const std::string&
   if (auto held = lock.Held(); !held) return held.error();
   const auto former = ReadRevoked(files);
   if (!former) return former.error();
-  const Found found = Find(files, name);
-  if (found.certificates.empty()) {
+  const Result<Found> found = Find(files, name);
+  if (!found) return found.error();
+  if (found->certificates.empty()) {
     return Error{ErrorCode::kNotFound, "the CA in " + folder_.string() +
                                            " has issued no certificate to '" + Printable(name, 64) +
-                                           "'" + DidYouMean(name, found.names)};
+                                           "'" + DidYouMean(name, found->names)};
   }
   std::vector<const X509*> fresh;
   std::vector<std::string> serials;
-  for (const auto& certificate : found.certificates) {
+  for (const auto& certificate : found->certificates) {
     X509_REVOKED* entry = nullptr;
     if (X509_CRL_get0_by_cert(former->get(), &entry, certificate.get()) == 1) continue;
     fresh.push_back(certificate.get());

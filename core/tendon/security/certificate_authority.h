@@ -29,6 +29,7 @@ class CertificateAuthority {
   /// One that is there. kNotFound where there is none, kDenied where others can read its key.
   static Result<CertificateAuthority> Open(const std::filesystem::path& folder);
 
+  /// For whom a certificate is to be.
   struct Request {
     std::string name;  ///< as of a process: letters, digits, '_' and '-'
     Role role = Role::kViewer;
@@ -36,6 +37,7 @@ class CertificateAuthority {
     std::vector<std::string> hosts;  ///< names and addresses at which a process listens
     std::chrono::days validity{365};
   };
+  /// What was made, and where it lies.
   struct Issued {
     Certificate certificate;
     std::filesystem::path certificate_file;
@@ -47,7 +49,8 @@ class CertificateAuthority {
   Result<Issued> Issue(const Request& request, const std::filesystem::path& out) const;
 
   /// Revokes all certificates of that name; returns their serial numbers. kNotFound where none was
-  /// issued, kExists where all are revoked already.
+  /// issued, kExists where all are revoked already, kInvalid where a copy cannot be read: it could
+  /// be one of them.
   Result<std::vector<std::string>> Revoke(const std::string& name) const;
 
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }

@@ -63,10 +63,10 @@ class IdleLcm {
 
 double CountThreads(RemoteSystem& system) { return static_cast<double>(IdleLcm(system).threads()); }
 
-/// Of the robot's process, for each of some more that are connected to it. (Seldom, a pool of Ice
-/// that may grow up to some size does so just then.)
+/// Of the robot's process, for each of some more that are connected to it: more than its two pools
+/// of Ice may grow by, which happens under load.
 double CountThreadsOfAConnection(RemoteSystem& system) {
-  constexpr std::size_t kMore = 4;
+  constexpr std::size_t kMore = 12;
   const std::size_t before = ThreadsOf(system.peer());
   std::vector<std::unique_ptr<Process>> processes;
   for (std::size_t i = 0; i < kMore; ++i) {

@@ -26,6 +26,13 @@ TEST_F(LostEvents, AtTheSourceAreCountedAtBothEnds) {
   EXPECT_EQ(heard, (std::vector{0, 1, 2, 3}));
 }
 
+TEST_F(LostEvents, AreAllCountedHoweverMany) {
+  LoseThere(100'000);
+
+  EXPECT_TRUE(EventuallyTrue([&] { return required.lost_events() == 100'000; }));
+  EXPECT_EQ(server_end->proxy->lost_events(), 100'000U);
+}
+
 TEST_F(LostEvents, OnArrivalAreCountedAtBothEnds) {
   LoseThere(0);
   for (int i = 0; i < 3; ++i) {  // one after the other, so that each is sent

@@ -49,6 +49,14 @@ TEST_F(CertificateAuthorityTest, IsNeverMadeOverAnotherOne) {
   EXPECT_EQ(home.Read("ca/ca.key"), key);
 }
 
+TEST_F(CertificateAuthorityTest, ThatIsHalfMadeIsNotTakenForOne) {
+  fs::remove(folder / "ca.crt");
+
+  ExpectRefused(CertificateAuthority::Init(folder), ErrorCode::kExists,
+                "is half made, it has no ca.crt");
+  ExpectRefused(CertificateAuthority::Open(folder), ErrorCode::kNotFound, "there is no CA in");
+}
+
 TEST_F(CertificateAuthorityTest, IsNotMadeAmongOtherFiles) {
   home.Write("letter", "");
 
@@ -124,6 +132,26 @@ TEST_F(CertificateAuthorityTest, RevokesAllOfAName) {
   EXPECT_THAT(*revoked,
               testing::UnorderedElementsAre(first.certificate.serial, second->certificate.serial));
   ExpectRefused(authority->Revoke("robot"), ErrorCode::kExists, "are revoked already");
+}
+
+TEST_F(CertificateAuthorityTest, RevokesNothingWhileACopyCannotBeRead) {
+  Issue({.name = "robot"});
+  const auto second = authority->Issue({.name = "robot"}, home.path() / "next");
+  ASSERT_TRUE(second.ok()) << second.error().message;
+  const std::string copy = "issued/" + second->certificate.serial + ".crt";
+  const std::string revoked = home.Read("ca/crl.pem");
+  home.Write("ca/" + copy, "");
+
+  ExpectRefused(authority->Revoke("robot"), ErrorCode::kInvalid, copy + " cannot be read");
+
+  EXPECT_EQ(home.Read("ca/crl.pem"), revoked);
+}
+
+TEST_F(CertificateAuthorityTest, RevokesDespiteACopyThatWasNeverFinished) {
+  Issue({.name = "robot"});
+  home.Write("ca/issued/1234.crt.new", "-----BEGIN");
+
+  EXPECT_TRUE(authority->Revoke("robot").ok());
 }
 
 TEST_F(CertificateAuthorityTest, KnowsWhomItHasIssuedNothing) {

@@ -44,9 +44,9 @@ TEST(StateMark, TheStatesOfAComponentAreToldApartWithoutColour) {
 }
 
 TEST(StateMark, ConnectionsAreToldApartWithoutColour) {
-  const std::set<std::string> shapes{
-      ShapeOf(StateMark::kConnected), ShapeOf(StateMark::kPending),
-      ShapeOf(StateMark::kNotConnected), ShapeOf(StateMark::kRefused)};
+  const std::set<std::string> shapes{ShapeOf(StateMark::kConnected), ShapeOf(StateMark::kPending),
+                                     ShapeOf(StateMark::kNotConnected),
+                                     ShapeOf(StateMark::kRefused)};
   EXPECT_EQ(shapes.size(), 4U);
 }
 

@@ -73,7 +73,7 @@ class GcmLink::Handler final : public ChannelHandler {
     const auto link = link_.lock();
     if (!link) return;
     const auto decoded = DecodeBody<T>(body);
-    decoded ? link->Receive(channel, *decoded) : channel->Close();
+    decoded ? link->Receive(channel, *std::move(decoded)) : channel->Close();
   }
 
   const std::weak_ptr<GcmLink> link_;
@@ -229,8 +229,8 @@ void GcmLink::Receive(const SharedChannel& channel, const message::Changes& chan
   if (has_hole) Watch(channel);
 }
 
-void GcmLink::Receive(const SharedChannel& channel, const message::LogRecords& records) {
-  TellLog(channel, [&] { return log_.Take(records); });
+void GcmLink::Receive(const SharedChannel& channel, message::LogRecords records) {
+  TellLog(channel, [&] { return log_.Take(std::move(records)); });
 }
 
 /// `take` makes the batch, unless the channel is an old one.

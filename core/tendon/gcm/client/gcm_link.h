@@ -69,7 +69,7 @@ class GcmLink final : public std::enable_shared_from_this<GcmLink> {
   void TellLog(const SharedChannel& channel, Take&& take);
   void Receive(const SharedChannel& channel, const message::Snapshot& snapshot);
   void Receive(const SharedChannel& channel, const message::Changes& changes);
-  void Receive(const SharedChannel& channel, const message::LogRecords& records);
+  void Receive(const SharedChannel& channel, message::LogRecords records);
   void Renew(const std::weak_ptr<Channel>& weak);
   void Lost(const Error& reason);
   [[nodiscard]] Error NoGcm() const;

@@ -46,15 +46,20 @@ message::LogWatched LogBook::Watch(const std::shared_ptr<Channel>& channel, std:
 
 void LogBook::Pump() {
   Batch batch;
-  for (auto& [key, watcher] : watchers_) Pump(watcher, batch);
+  for (auto& [key, watcher] : watchers_) Send(watcher, batch);
 }
 
-void LogBook::Pump(Watcher& watcher, Batch& batch) const {
-  while (watcher.next < end_) {
+void LogBook::PumpAll() {
+  for (auto& [key, watcher] : watchers_) watcher.is_full = false;
+  Pump();
+}
+
+void LogBook::Send(Watcher& watcher, Batch& batch) const {
+  while (watcher.next < end_ && !watcher.is_full) {
     const std::uint64_t begin = std::max(watcher.next, first_);
     if (batch.body.empty() || batch.begin != begin) batch = BatchFrom(begin);
-    if (!watcher.channel->Notify(message::kLogRecords, 0, batch.body)) return;
-    watcher.next = batch.end;
+    watcher.is_full = !watcher.channel->Notify(message::kLogRecords, 0, batch.body);
+    if (!watcher.is_full) watcher.next = batch.end;
   }
 }
 

@@ -34,8 +34,10 @@ class LogBook {
   message::LogWatched Watch(const std::shared_ptr<Channel>& channel, std::uint64_t after);
   void Remove(const Channel* channel) { watchers_.erase(channel); }
 
-  /// Sends what the watchers' links take now.
+  /// Sends what the links of watchers take now that have had room so far.
   void Pump();
+  /// Tries the others again, too.
+  void PumpAll();
 
  private:
   struct Sender {
@@ -45,6 +47,7 @@ class LogBook {
   struct Watcher {
     std::shared_ptr<Channel> channel;
     std::uint64_t next = 0;  ///< the number of the record that it is sent next
+    bool is_full = false;    ///< its link had no room
   };
   /// A frame that several watchers need.
   struct Batch {
@@ -54,7 +57,7 @@ class LogBook {
   };
 
   void Write(message::LogRecord record);
-  void Pump(Watcher& watcher, Batch& batch) const;
+  void Send(Watcher& watcher, Batch& batch) const;
   [[nodiscard]] Batch BatchFrom(std::uint64_t number) const;
 
   std::deque<message::LogRecord> records_;

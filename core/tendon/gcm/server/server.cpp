@@ -162,7 +162,7 @@ void Server::Tick() {
 void Server::WriteOwnLog() {
   auto records = own_log_.Take(LogQueue::kCapacity, SteadyClock().Now());
   for (message::LogRecord& record : records) log_book_.AddOwn(std::move(record));
-  log_book_.Pump();
+  log_book_.PumpAll();
 }
 
 void Server::KeepTicking() {
@@ -258,11 +258,15 @@ void Server::Join(const Request& request) {
   });
 }
 
-/// Of a lease; from a viewer it is only the question whether we live.
+/// Of a lease; from a viewer it is only the question whether we live. That must not wait behind a
+/// large answer.
 void Server::Renew(const Request& request) {
   Locked([&] {
     const Session session = request.peer.session;
-    Answer(request, session == 0 ? Result<void>() : registry_.Renew(session));
+    const auto renewed = session == 0 ? Result<void>() : registry_.Renew(session);
+    if (!renewed) return Answer(request, renewed);
+    outbox_.Add(
+        [responder = request.responder] { responder->Reply(EncodeBody(None{}), kOwnLane); });
   });
 }
 

@@ -14,15 +14,16 @@ bool PartSender::MustTake(Lane lane, std::size_t size) {
 Status PartSender::Add(Link& link, Lane lane, const FrameHeader& header,
                        std::span<const std::byte> body) {
   const std::size_t size = FrameHeader::kSize + body.size();
-  if (const Status reserved = Reserve(size); !reserved) return reserved;
   Frame frame;
+  frame.bytes.reserve(size);  // before it counts: memory may be short
+  if (const Status reserved = Reserve(size); !reserved) return reserved;
   WriteFrame(header, body, frame.bytes);  // without the lock, for it may be large
   const std::scoped_lock lock(mutex_);
   if (is_closed_) return Status::kNotConnected;
   frame.number = ++last_number_;
   // Lanes of channels count up from 1; those of single messages down from the other end.
   if (lane == kOwnLane) lane = kOwnLane - frame.number;
-  lanes_[lane].push_back(std::move(frame));
+  Enter(lane, std::move(frame));
   is_busy_.Set(true);
   SendParts(link);
   return Status::kQueued;
@@ -35,6 +36,18 @@ Status PartSender::Reserve(std::size_t size) {
   if (waiting != 0 && waiting + size > kSendWindow) return Status::kQueueFull;
   waiting += size;
   return Status::kQueued;
+}
+
+/// Memory may be short: then all is as if it had not been reserved.
+void PartSender::Enter(Lane lane, Frame frame) {
+  const std::size_t size = frame.bytes.size();
+  try {
+    lanes_[lane].push_back(std::move(frame));
+  } catch (...) {
+    Release(size);
+    std::erase_if(lanes_, [](const auto& one) { return one.second.empty(); });
+    throw;
+  }
 }
 
 void PartSender::Release(std::size_t size) { (IsHuge(size) ? huge_waiting_ : waiting_) -= size; }

@@ -37,8 +37,8 @@ class PartSender {
 
   /// The peer has taken so many bytes since the link stands; false where it cannot have.
   bool OnTaken(Link& link, std::uint64_t bytes);
-  /// Goes on where the link had no room. To be called whenever something is sent or arrives: a link
-  /// without room is one on which something moves, or that ends.
+  /// Goes on where the link had no room. To be called whenever something is sent or arrives, and
+  /// now and then: a link without room drains without a word.
   void Resume(Link& link);
 
   /// Frees all, and takes nothing more: the link has ended.
@@ -61,6 +61,7 @@ class PartSender {
 
   [[nodiscard]] static bool IsHuge(std::size_t size) { return size > kSendWindow; }
   Status Reserve(std::size_t size);
+  void Enter(Lane lane, Frame frame);
   void Release(std::size_t size);
   void SendParts(Link& link);
   Status SendPart(Link& link, Frame& frame);

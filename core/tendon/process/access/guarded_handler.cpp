@@ -13,6 +13,11 @@ namespace {
 constexpr const char* kAudit = "audit";
 constexpr LogLimiter::Rate kRate{.burst = 50, .interval = std::chrono::milliseconds(100)};
 
+/// In the log, whatever is dropped from it: who sets its level must not cover what is done next.
+void WriteLine(LogLevel level, const std::string& line) {
+  Log(IsLogged(level) ? level : LogLevel::kError, kAudit, line);
+}
+
 std::string ActOf(const Right* right, MessageType type) {
   if (right != nullptr) return std::string(right->act);
   return "message " + std::to_string(static_cast<unsigned>(type));
@@ -66,13 +71,13 @@ std::optional<Error> GuardedHandler::Refusal(const Channel& channel, const Frame
 void GuardedHandler::Write(LogLevel level, const std::string& line) {
   const SteadyTime now = SteadyClock().Now();
   WriteSuppressed(now);
-  if (limiter_.Admit(kAudit, level, now)) Log(level, kAudit, line);
+  if (limiter_.Admit(kAudit, level, now)) WriteLine(level, line);
 }
 
 void GuardedHandler::WriteSuppressed(SteadyTime now) {
   if (!limiter_.owes()) return;
   for (const LogLimiter::Suppressed& one : limiter_.TakeSuppressed(now)) {
-    Log(one.level, kAudit, "and " + std::to_string(one.count) + " more of one program");
+    WriteLine(one.level, "and " + std::to_string(one.count) + " more of one program");
   }
 }
 

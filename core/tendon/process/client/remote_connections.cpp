@@ -292,14 +292,14 @@ bool RemoteConnections::IsNewest(ConnectionId id, std::uint64_t attempt) const {
 }
 
 /// Ends what stands of it, and voids what is under way.
-void RemoteConnections::TakeDown(Entry& entry, std::chrono::milliseconds patience) {
+void RemoteConnections::TakeDown(Entry& entry, SteadyTime deadline) {
   ++entry.attempt;
   entry.is_opening = false;
-  if (entry.connection) entry.connection->Close(patience);
+  if (entry.connection) entry.connection->Close(TimeUntil(deadline));
   entry.connection.reset();
   if (entry.proxy) {
     context_.proxies.Remove(entry.description.provided, *entry.proxy);
-    entry.proxy->SendRest(patience);
+    entry.proxy->SendRest(TimeUntil(deadline));
     CloseThere(entry.link->channel(), entry.proxy->handle(), entry.proxy->lane());
   }
   if (entry.link) entry.link->handles().Remove(entry.handle);
@@ -333,7 +333,7 @@ Result<void> RemoteConnections::Disconnect(const InterfaceName& required) {
     }
     auto ended = entries_.extract(found);
     done = std::move(ended.mapped().done);
-    TakeDown(ended.mapped(), LocalManager::kDrainPatience);
+    TakeDown(ended.mapped(), SteadyClock().Now() + LocalManager::kDrainPatience);
   }
   context_.host.StructureChanged();
   if (done) {  // on the worker, as every outcome: this may be any thread, with the lock held
@@ -373,7 +373,8 @@ std::vector<ConnectionDescription> RemoteConnections::descriptions() const {
 
 void RemoteConnections::Close() {
   const auto lock = context_.host.LockStructure();
-  for (auto& [id, entry] : entries_) TakeDown(entry, LocalManager::kDrainPatience);
+  const SteadyTime deadline = SteadyClock().Now() + LocalManager::kDrainPatience;  // of all
+  for (auto& [id, entry] : entries_) TakeDown(entry, deadline);
   entries_.clear();
   peers_.CloseAll();
 }

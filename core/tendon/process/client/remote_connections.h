@@ -82,7 +82,7 @@ class RemoteConnections final : private PeerListener {
   void Postpone(ConnectionId id, const std::string& reason);
   void Refuse(ConnectionId id, const Error& error);
   void Suspend(Entry& entry, const std::string& reason);
-  void TakeDown(Entry& entry, std::chrono::milliseconds patience);
+  void TakeDown(Entry& entry, SteadyTime deadline);
   void CloseThere(const std::shared_ptr<Channel>& channel, std::uint32_t handle, Lane lane);
   [[nodiscard]] bool IsNewest(ConnectionId id, std::uint64_t attempt) const;
   [[nodiscard]] Entries::const_iterator FindEntry(const InterfaceName& required) const;

@@ -40,11 +40,12 @@ bool LogForwarder::Work(SteadyTime now, SteadyTime& next) {
   return false;
 }
 
-/// With the lock held, and a channel.
+/// With the lock held, and a channel. What is suppressed meanwhile is told the next time: who logs
+/// without a pause would have a record to be sent for ever.
 void LogForwarder::Send(SteadyTime now) {
   while (true) {
     if (unsent_.empty()) {
-      const auto records = queue_.Take(kMostInBatch, now);
+      const auto records = queue_.Take(kMostInBatch, std::exchange(now, SteadyTime{}));
       if (records.empty()) return;
       unsent_ = EncodeBody(message::LogRecords{sent_, records});
       sent_ += records.size();

@@ -258,14 +258,16 @@ bool Membership::Work(SteadyTime now, SteadyTime& next) {
 }
 
 void Membership::Renew(const std::shared_ptr<Channel>& channel) {
-  channel->Request<None>(message::kRenew, 0, None{}, kRenewalTimeout,
-                         [last_renewed = last_renewed_, channel](const Result<None>& renewed) {
-                           if (renewed) {
-                             last_renewed->Set(SteadyClock().Now());
-                           } else if (renewed.error().code == ErrorCode::kDenied) {
-                             channel->Close();  // given up: join again
-                           }
-                         });
+  channel->Request<None>(
+      message::kRenew, 0, None{}, kRenewalTimeout,
+      [last_renewed = last_renewed_, channel](const Result<None>& renewed) {
+        if (renewed) {
+          last_renewed->Set(SteadyClock().Now());
+        } else if (renewed.error().code == ErrorCode::kDenied) {
+          channel->Close();  // given up: join again
+        }
+      },
+      kOwnLane);
 }
 
 /// The same line once; what is in brackets, as the time of a renewal, makes no other.

@@ -32,8 +32,8 @@ void ServedConnections::Open(const std::shared_ptr<Client>& client,
       .description = (*server)->description()};
   entry.handle = opened.handle;
   client->handles.Put(entry.handle, entry.proxy);
-  responder->Reply(EncodeBody(opened));
-  context_.proxies.Add(entry.required, entry.proxy);  // only now it sends
+  responder->Reply(EncodeBody(opened), entry.proxy->lane());  // events must not pass it
+  context_.proxies.Add(entry.required, entry.proxy);          // only now it sends
 }
 
 Result<ProvidedInterface*> ServedConnections::LookUp(const InterfaceName& provided) const {
@@ -115,20 +115,21 @@ void ServedConnections::Close() {
 template <typename Predicate>
 void ServedConnections::CloseWhere(Predicate predicate, std::chrono::milliseconds patience) {
   const auto lock = context_.host.LockStructure();
+  const SteadyTime deadline = SteadyClock().Now() + patience;
   for (auto entry = entries_.begin(); entry != entries_.end();) {
     if (!predicate(*entry)) {
       ++entry;
       continue;
     }
-    TakeDown(*entry, patience);
+    TakeDown(*entry, deadline);
     entry = entries_.erase(entry);
   }
 }
 
-void ServedConnections::TakeDown(Entry& entry, std::chrono::milliseconds patience) {
+void ServedConnections::TakeDown(Entry& entry, SteadyTime deadline) {
   entry.client->handles.Remove(entry.handle);
   entry.proxy->EndCredit();
-  entry.connection->Close(patience);
+  entry.connection->Close(TimeUntil(deadline));
   context_.proxies.Remove(entry.required, *entry.proxy);
 }
 

@@ -56,7 +56,7 @@ class ServedConnections {
   static Result<void> CheckSize(const message::OpenInterface& open, std::size_t bytes);
   Result<Entry> Make(const std::shared_ptr<Client>& client, const message::OpenInterface& open,
                      ProvidedInterface& provided);
-  void TakeDown(Entry& entry, std::chrono::milliseconds patience);
+  void TakeDown(Entry& entry, SteadyTime deadline);
   template <typename Predicate>
   void CloseWhere(Predicate predicate, std::chrono::milliseconds patience);
 

@@ -20,7 +20,7 @@ void Session::OnAllowedRequest(const SharedChannel& channel, const FrameHeader& 
   if (type == message::kRead || type == message::kWait) {
     return Call(header, body, std::move(responder));
   }
-  if (type == message::kPing) return responder.Answer(Result<message::Pong>(PongOfNow()));
+  if (type == message::kPing) return responder.Reply(EncodeBody(PongOfNow()), kOwnLane);
   if (type == message::kOpenInterface) return OpenInterface(body, std::move(responder));
   if (type == message::kGetSchemas) return AnswerSchemas(body, responder);
   if (type == message::kCallMember) return CallMember(body, std::move(responder));

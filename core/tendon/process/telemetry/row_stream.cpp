@@ -25,9 +25,9 @@ RowStream::RowStream(const StateTable& table, std::vector<std::size_t> columns, 
       rows_(rows),
       batch_(CellSizes(table_, columns_)) {}
 
-void RowStream::Add(std::shared_ptr<Channel> channel, std::uint32_t handle) {
+void RowStream::Add(std::shared_ptr<Channel> channel, std::uint32_t handle, Lane lane) {
   Viewer viewer;
-  viewer.lane = channel->NewLane();
+  viewer.lane = lane;
   viewer.channel = std::move(channel);
   viewer.handle = handle;
   viewers_.push_back(std::move(viewer));

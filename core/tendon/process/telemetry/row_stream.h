@@ -16,7 +16,7 @@ namespace tendon {
 
 /// Certain columns of certain rows of a table, put together once for all viewers who want the same.
 /// A viewer that does not keep up loses rows of its own, which it can count, or passes over those
-/// that are no longer the newest, as it has chosen; the others do not notice.
+/// that are no longer the newest, as it has chosen; the others lose none for it.
 ///
 /// One thread at a time. The table must live as long.
 class RowStream {
@@ -27,7 +27,8 @@ class RowStream {
     return columns_ == columns && rows_ == rows;
   }
 
-  void Add(std::shared_ptr<Channel> channel, std::uint32_t handle);
+  /// `lane` is of its rows alone: nothing else waits for them.
+  void Add(std::shared_ptr<Channel> channel, std::uint32_t handle, Lane lane);
   void Remove(const Channel& channel, std::uint32_t handle);
   /// The viewer has taken the newest row, and may have the next.
   void OnRowTaken(const Channel& channel, std::uint32_t handle);
@@ -48,7 +49,7 @@ class RowStream {
   struct Viewer {
     std::shared_ptr<Channel> channel;
     std::uint32_t handle = 0;
-    Lane lane = kCommonLane;  // of its own: nothing else waits for its rows
+    Lane lane = kCommonLane;
     std::uint64_t rows_before = 0;
     std::uint64_t lost_table = 0;  // since the last batch that was sent
     bool is_owed = false;          // a batch was refused: it does not know yet what it has lost

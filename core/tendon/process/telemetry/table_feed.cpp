@@ -12,11 +12,11 @@ TableFeed::TableFeed(std::string component, const StateTable& table)
       row_(table_.row_words()) {}
 
 void TableFeed::Add(const std::vector<std::size_t>& columns, const RowChoice& rows,
-                    std::shared_ptr<Channel> channel, std::uint32_t handle) {
+                    std::shared_ptr<Channel> channel, std::uint32_t handle, Lane lane) {
   auto stream = std::find_if(streams_.begin(), streams_.end(),
                              [&](const RowStream& one) { return one.IsOf(columns, rows); });
   if (stream == streams_.end()) stream = streams_.emplace(stream, table_, columns, rows);
-  stream->Add(std::move(channel), handle);
+  stream->Add(std::move(channel), handle, lane);
 }
 
 void TableFeed::Remove(const Channel& channel, std::uint32_t handle) {

@@ -12,7 +12,8 @@
 
 namespace tendon {
 
-/// Gathers the rows of one state table, each once, for all who watch any of its columns.
+/// Gathers the rows of one state table, each once, for all who watch any of its columns. A batch
+/// ends for all of them where one of its streams is full.
 ///
 /// One thread at a time. The table must live as long.
 class TableFeed {
@@ -24,9 +25,9 @@ class TableFeed {
   /// The first row that a viewer will hear of who is added now.
   [[nodiscard]] std::uint64_t next_tick() const { return next_tick_; }
 
-  /// `handle` is our number of the subscription.
+  /// `handle` is our number of the subscription, `lane` that of its rows alone.
   void Add(const std::vector<std::size_t>& columns, const RowChoice& rows,
-           std::shared_ptr<Channel> channel, std::uint32_t handle);
+           std::shared_ptr<Channel> channel, std::uint32_t handle, Lane lane);
   void Remove(const Channel& channel, std::uint32_t handle);
   void OnRowTaken(const Channel& channel, std::uint32_t handle);
   [[nodiscard]] bool has_viewers() const { return !streams_.empty(); }

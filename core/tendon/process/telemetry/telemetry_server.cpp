@@ -40,8 +40,9 @@ void TelemetryServer::Subscribe(const std::shared_ptr<Channel>& channel,
   TableFeed& feed = FeedOf(wanted.component, *source->table);
   subscribed.handle = ++last_handle_;
   subscribed.first_tick = feed.next_tick();
-  responder.Reply(EncodeBody(subscribed));
-  feed.Add(source->columns, wanted.rows, channel, subscribed.handle);
+  const Lane lane = channel->NewLane();
+  responder.Reply(EncodeBody(subscribed), lane);  // rows must not pass it
+  feed.Add(source->columns, wanted.rows, channel, subscribed.handle, lane);
   context_.network->Notify();
 }
 

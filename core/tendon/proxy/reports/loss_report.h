@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 namespace tendon {
 
@@ -25,9 +26,9 @@ class LossReport {
  private:
   const std::shared_ptr<Channel> channel_;
   const std::uint32_t handle_;
-  bool is_news_ = false;
   SteadyTime earliest_{};
-  message::EventsLost lost_;
+  std::vector<std::uint64_t> lost_;
+  message::EventsLost told_;
 };
 
 }  // namespace tendon

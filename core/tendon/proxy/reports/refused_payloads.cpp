@@ -20,12 +20,14 @@ void RefusedPayloads::Add(std::uint32_t handle, std::string member) {
 void RefusedPayloads::Note(std::uint32_t handle, std::size_t size) noexcept {
   const std::uint64_t noted_size = std::min<std::uint64_t>(size, kLargestSize);
   note_.Set(std::uint64_t{handle & kHandleMask} << kSizeBits | noted_size);
+  notes_.Add();
 }
 
 void RefusedPayloads::Tell() {
+  const std::uint64_t notes = notes_.value();
   const std::uint64_t note = note_.Get();
-  if (note == 0) return;
-  note_.Set(0);
+  if (notes == told_ || note == 0) return;
+  told_ = notes;
   const auto member = members_.find(static_cast<std::uint32_t>(note >> kSizeBits));
   if (member != members_.end()) Log(member->second, note & kLargestSize);
 }

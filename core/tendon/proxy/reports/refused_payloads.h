@@ -1,5 +1,6 @@
 #pragma once
 
+#include <tendon/lockfree/counter.h>
 #include <tendon/lockfree/flag.h>
 #include <tendon/middleware/complaints.h>
 
@@ -33,6 +34,8 @@ class RefusedPayloads {
   const std::string interface_;
   std::map<std::uint32_t, std::string> members_;  // by handle, without what a note has no room for
   Published<std::uint64_t> note_{0};
+  SharedCounter<> notes_;
+  std::uint64_t told_ = 0;  // of them; network thread
   Complaints complaints_{"network"};
 };
 

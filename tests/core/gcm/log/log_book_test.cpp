@@ -159,7 +159,7 @@ TEST_F(LogBookTest, AViewerThatDoesNotReadHoldsNobodyUpAndSeesWhatItMissed) {
   stuck->may_go_on.count_down();
 
   EXPECT_TRUE(EventuallyTrue([&] {
-    book.Pump();  // as the GCM does all the time
+    book.PumpAll();  // as the GCM does all the time
     return stuck->next() == kTwice + 1;
   }));
   EXPECT_EQ(stuck->count(), 1 + LogBook::kKept);

@@ -1,8 +1,10 @@
 #include <gmock/gmock.h>
 #include <tendon/base/log.h>
+#include <tendon/manager/local_manager.h>
 #include <tendon/middleware/parts/payload_limit.h>
 #include <tendon/task/periodic_task.h>
 
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <mutex>
@@ -23,7 +25,11 @@ using Cloud = std::vector<std::uint8_t>;
 const tendon::InterfaceName kCloud("robot", "arm", "Cloud");
 const tendon::InterfaceName kViewer("desk", "viewer", "Cloud");
 
-constexpr std::size_t kPoints = std::size_t{20} << 20U;  // more than may wait on a link
+#ifdef __SANITIZE_THREAD__
+constexpr std::size_t kPoints = std::size_t{1} << 20U;  // so slow that leases would run out
+#else
+constexpr std::size_t kPoints = std::size_t{9} << 20U;  // more than may wait on a link
+#endif
 constexpr std::size_t kTooMany = tendon::kMaxPayload + tendon::kMaxPayload / 10'000;
 
 /// Takes clouds and gives them back.
@@ -176,10 +182,14 @@ TEST_P(LargePayload, KeepsItsPlaceAmongTheCallsOfItsConnection) {
 TEST_P(LargePayload, IsExecutedAlthoughItsConnectionWasEndedMeanwhile) {
   EXPECT_EQ(viewer->store(Cloud(kPoints)), Status(Status::kQueued));
 
+  const auto start = std::chrono::steady_clock::now();
   ASSERT_TRUE(desk->Disconnect(kViewer).ok());
+  ASSERT_TRUE(EventuallyTrue([&] { return robot->proxies().empty(); }));
+  const auto taken = std::chrono::steady_clock::now() - start;
 
-  EXPECT_TRUE(EventuallyTrue([&] { return robot->proxies().empty(); }));
-  EXPECT_EQ(arm->log(), std::vector{"stored " + std::to_string(kPoints)});
+  const std::vector executed{"stored " + std::to_string(kPoints)};
+  EXPECT_TRUE(arm->log() == executed || taken >= tendon::LocalManager::kDrainPatience)
+      << "it may be dropped only after an end was out of patience";
 }
 
 TEST_P(LargePayload, OverTheLimitIsRefusedAtTheSenderAndTheConnectionLives) {

@@ -2,6 +2,7 @@
 #include <tendon/base/log.h>
 #include <tendon/gcm/client.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <memory>
@@ -71,7 +72,8 @@ class LogOfProcess : public NetworkTest {
                        const std::string& text) const {
     return EventuallyTrue([&] {
       const auto records = keeper->Of(process, source);
-      return !records.empty() && records.back().text == text;
+      return std::any_of(records.begin(), records.end(),
+                         [&](const LogRecord& record) { return record.text == text; });
     });
   }
   /// How many records of the source have come, or were said to be suppressed.

@@ -5,6 +5,7 @@
 #include <tendon/middleware/loopback.h>
 
 #include <algorithm>
+#include <atomic>
 #include <future>
 #include <memory>
 #include <mutex>
@@ -29,7 +30,9 @@ class Listening : public tendon::ChannelHandler {
   }
   void OnNotice(const std::shared_ptr<tendon::Channel>& /*channel*/,
                 const tendon::FrameHeader& header, std::span<const std::byte> body) override {
+    is_at_gate = true;
     const std::scoped_lock held(gate);
+    is_at_gate = false;
     const std::scoped_lock lock(mutex_);
     notices_.push_back({header, {body.begin(), body.end()}});
   }
@@ -56,6 +59,7 @@ class Listening : public tendon::ChannelHandler {
   }
 
   std::mutex gate;  ///< whoever brings notices waits while it is locked
+  std::atomic<bool> is_at_gate{false};
 
  private:
   std::promise<std::shared_ptr<tendon::Channel>> channel_;

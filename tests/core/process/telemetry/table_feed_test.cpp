@@ -22,7 +22,7 @@ class TableFeedTest : public testing::Test {
   }
 
   void Watch(std::uint32_t handle, const std::vector<std::size_t>& columns, RowChoice rows = {}) {
-    feed->Add(columns, rows, ends.channel, handle);
+    feed->Add(columns, rows, ends.channel, handle, ends.channel->NewLane());
   }
   /// So many rows, a millisecond apart.
   void Write(int rows) {
@@ -44,6 +44,8 @@ class TableFeedTest : public testing::Test {
 
   /// While the viewer's gate is locked.
   void FillLink() const {
+    ASSERT_TRUE(ends.channel->Notify(message::kUnsubscribe, 0, Bytes()));
+    ASSERT_TRUE(EventuallyTrue([this] { return ends.viewing->is_at_gate.load(); }));
     for (const std::size_t size : {std::size_t{1} << 17U, std::size_t{1} << 10U, std::size_t{0}}) {
       while (ends.channel->Notify(message::kUnsubscribe, 0, Bytes(size))) {
       }

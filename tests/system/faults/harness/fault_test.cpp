@@ -103,7 +103,11 @@ void FaultTest::StartViewer() {
 }
 
 Outcome FaultTest::Gcm(Words words) const {
-  return RunProgram(Command("gcm", words), environment());
+  Program program(Command("gcm", words), environment());
+  const auto longer =
+      std::chrono::seconds(10) + std::chrono::ceil<std::chrono::seconds>(Patience());
+  const auto exit_code = program.Wait(longer);
+  return {exit_code.value_or(-1), program.out(), program.err()};
 }
 
 std::shared_ptr<tendon::Middleware> FaultTest::NewMiddleware() const {

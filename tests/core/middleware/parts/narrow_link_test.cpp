@@ -1,0 +1,150 @@
+#include <gtest/gtest.h>
+#include <tendon/middleware/channel.h>
+#include <tendon/middleware/loopback.h>
+
+#include <atomic>
+#include <future>
+#include <memory>
+#include <utility>
+
+#include "support/wait.h"
+
+namespace tendon {
+namespace {
+
+/// A link that refuses what is sent while it has no room.
+class NarrowLink final : public Link {
+ public:
+  explicit NarrowLink(std::shared_ptr<Link> below) : below_(std::move(below)) {}
+
+  Status Send(std::span<const std::byte> frame) override {
+    if (has_room) return below_->Send(frame);
+    ++refused;
+    return Status::kQueueFull;
+  }
+  void Admit() override { below_->Admit(); }
+  void Close() override { below_->Close(); }
+  [[nodiscard]] std::string peer() const override { return below_->peer(); }
+  [[nodiscard]] std::string local() const override { return below_->local(); }
+
+  std::atomic<bool> has_room{true};
+  std::atomic<std::size_t> refused{0};
+
+ private:
+  const std::shared_ptr<Link> below_;
+};
+
+class NarrowMiddleware final : public Middleware {
+ public:
+  explicit NarrowMiddleware(const std::shared_ptr<LoopbackNetwork>& network) : below_(network) {}
+
+  [[nodiscard]] std::string_view name() const override { return below_.name(); }
+  Result<std::unique_ptr<Listener>> Listen(const std::string& address, AcceptLink accept) override {
+    return below_.Listen(address, std::move(accept));
+  }
+  Result<std::shared_ptr<Link>> Open(const std::string& address,
+                                     std::shared_ptr<LinkHandler> handler,
+                                     std::chrono::milliseconds timeout) override {
+    const auto opened = below_.Open(address, std::move(handler), timeout);
+    if (!opened) return opened.error();
+    link = std::make_shared<NarrowLink>(*opened);
+    return std::shared_ptr<Link>(link);
+  }
+
+  std::shared_ptr<NarrowLink> link;  // the last that was opened
+
+ private:
+  LoopbackMiddleware below_;
+};
+
+/// Counts the notices.
+class Counting final : public ChannelHandler {
+ public:
+  void OnOpen(const std::shared_ptr<Channel>& channel, const Hello& /*peer*/) override {
+    opened.set_value(channel);
+  }
+  void OnNotice(const std::shared_ptr<Channel>& /*channel*/, const FrameHeader& /*header*/,
+                std::span<const std::byte> /*body*/) override {
+    ++notices;
+  }
+
+  std::promise<std::weak_ptr<Channel>> opened;
+  std::atomic<int> notices{0};
+};
+
+/// A channel whose opener sends over a narrow link.
+class NarrowLinkTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    auto listener = server_.Listen(
+        "127.0.0.1:0", Channel::Acceptor(HelloOf("robot"), [this] { return server_end_; }));
+    ASSERT_TRUE(listener);
+    listener_ = *std::move(listener);
+    const auto channel = Channel::Open(client_, listener_->address(), HelloOf("desk"), client_end_,
+                                       std::chrono::seconds(30));
+    ASSERT_TRUE(channel);
+    channel_ = *channel;
+    auto opened = server_end_->opened.get_future();
+    ASSERT_EQ(opened.wait_for(std::chrono::seconds(30)), std::future_status::ready);
+    server_channel_ = opened.get().lock();
+    ASSERT_TRUE(server_channel_);
+  }
+  void TearDown() override {
+    channel_->Close();
+    listener_.reset();
+  }
+
+  static Hello HelloOf(const std::string& name) {
+    Hello hello;
+    hello.name = name;
+    hello.cookie = 4711;
+    return hello;
+  }
+  static Status Tell(Channel& channel, std::size_t size) {
+    return channel.Notify(static_cast<MessageType>(0x100), 0, Bytes(size), channel.NewLane());
+  }
+
+  const std::shared_ptr<LoopbackNetwork> network_ = std::make_shared<LoopbackNetwork>();
+  LoopbackMiddleware server_{network_};
+  NarrowMiddleware client_{network_};
+  const std::shared_ptr<Counting> server_end_ = std::make_shared<Counting>();
+  const std::shared_ptr<Counting> client_end_ = std::make_shared<Counting>();
+  std::unique_ptr<Listener> listener_;
+  std::shared_ptr<Channel> channel_;
+  std::shared_ptr<Channel> server_channel_;
+};
+
+TEST_F(NarrowLinkTest, PartsThatWaitForRoomGoOnWithWhateverIsSent) {
+  client_.link->has_room = false;
+  ASSERT_EQ(Tell(*channel_, 2 * kPartSize), Status::kQueued);
+  client_.link->has_room = true;
+
+  ASSERT_EQ(Tell(*channel_, 10), Status::kQueued);
+
+  EXPECT_TRUE(EventuallyTrue([&] { return server_end_->notices == 2; }));
+}
+
+TEST_F(NarrowLinkTest, PartsThatWaitForRoomGoOnInTime) {
+  client_.link->has_room = false;
+  ASSERT_EQ(Tell(*channel_, 2 * kPartSize), Status::kQueued);
+  client_.link->has_room = true;
+
+  channel_->Expire(SteadyClock().Now());
+
+  EXPECT_TRUE(EventuallyTrue([&] { return server_end_->notices == 1; }));
+}
+
+TEST_F(NarrowLinkTest, ThePeerIsToldWhatWasTakenAsSoonAsThereIsRoom) {
+  constexpr std::size_t kAhead = PartSender::kPartsAhead / kPartSize + 1;  // parts
+  client_.link->has_room = false;
+  ASSERT_EQ(Tell(*server_channel_, 2 * kAhead * kPartSize), Status::kQueued);
+  ASSERT_TRUE(EventuallyTrue([&] { return client_.link->refused >= kAhead; }));
+  client_.link->has_room = true;
+
+  channel_->Expire(SteadyClock().Now());
+
+  EXPECT_TRUE(EventuallyTrue([&] { return client_end_->notices == 1; }));
+}
+
+}  // namespace
+}  // namespace tendon
