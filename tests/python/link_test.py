@@ -187,6 +187,24 @@ class OverIce(unittest.TestCase):
         with self.assertRaises(Unreachable):
             link.request(ECHO, b"", PATIENCE)
 
+    def test_that_cannot_send_is_no_longer_open(self):
+        is_held, may_go_on = threading.Event(), threading.Event()
+        self.addCleanup(may_go_on.set)
+
+        def hold(*_):
+            is_held.set()
+            may_go_on.wait()
+
+        link = Link(self.network, parse_address(self.acceptor.address), "test", PATIENCE, hold)
+        link.request(TELL, b"", PATIENCE)
+        self.assertTrue(is_held.wait(PATIENCE))
+        link.notify(HANG_UP, 0)  # of which the thread of Ice does not hear
+
+        with self.assertRaises(Unreachable):
+            while True:
+                link.notify(IGNORE, 0)
+        self.assertFalse(link.is_open)
+
     def test_a_peer_that_sends_no_frames_is_cut_off(self):
         greeting = write_frame(Header(MessageType.WELCOME), b"\0")
         other_version = write_frame(Header(MessageType.REPLY, 2, 0, PROTOCOL_VERSION + 1), b"")

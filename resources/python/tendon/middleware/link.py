@@ -75,10 +75,7 @@ class Link:
 
     def close(self) -> None:
         """Ends it; requests that wait are told so."""
-        with self._lock:
-            if self._reason is None:
-                self._reason = Unreachable("the connection was closed by this program")
-        self._link.close()
+        self._end(Unreachable("the connection was closed by this program"))
 
     def notify(self, message_type: MessageType, handle: int) -> None:
         """Sends a notice without a body."""
@@ -137,7 +134,7 @@ class Link:
             raise Invalid(f"a message of {len(body)} bytes exceeds {MAX_BODY_SIZE}")
         frame = write_frame(header, body)
         if len(frame) <= MAX_PIECE_SIZE:
-            self._link.send(frame)
+            self._send_piece(frame)
             return
         try:
             self._parts.send(frame, self._timeout)
@@ -146,7 +143,16 @@ class Link:
             raise
 
     def _send_piece(self, frame: bytes) -> None:
-        self._link.send(frame)
+        try:
+            self._link.send(frame)
+        except Unreachable as why:
+            self._end(why)  # the thread of Ice may hear of it later
+            raise
+
+    def _end(self, reason: Error) -> None:
+        with self._lock:
+            self._reason = self._reason or reason
+        self._link.close()
 
     def _on_frame(self, header: Header, body: bytes) -> None:
         """In a thread of Ice."""
