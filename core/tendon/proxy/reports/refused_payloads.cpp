@@ -25,9 +25,9 @@ void RefusedPayloads::Note(std::uint32_t handle, std::size_t size) noexcept {
 
 void RefusedPayloads::Tell() {
   const std::uint64_t notes = notes_.value();
-  const std::uint64_t note = note_.Get();
-  if (notes == told_ || note == 0) return;
+  if (notes == told_) return;
   told_ = notes;
+  const std::uint64_t note = note_.Get();  // of those, or a newer one
   const auto member = members_.find(static_cast<std::uint32_t>(note >> kSizeBits));
   if (member != members_.end()) Log(member->second, note & kLargestSize);
 }
