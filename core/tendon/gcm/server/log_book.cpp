@@ -7,7 +7,6 @@
 namespace tendon::server {
 namespace {
 
-constexpr const char* kOwnName = "gcm";
 constexpr std::uint64_t kMostInBatch = 256;
 
 message::LogRecord MissingRecords(const std::string& process, std::uint64_t count) {

@@ -1,4 +1,5 @@
 #include <tendon/base/log.h>
+#include <tendon/base/os/process.h>
 #include <tendon/base/printable.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/server/intake.h>
@@ -50,6 +51,12 @@ bool ChangesProcesses(const std::vector<CatalogChange>& changes) {
 
 /// What the program at the other end calls itself.
 std::string NameOf(const Channel& channel) { return Printable(channel.peer().name, 64); }
+
+/// Whether what it logs is in the book already: a window that hosts a GCM is a process as well.
+bool IsOwn(const ProcessDescription& process) {
+  return process.name == LogBook::kOwnName && process.pid == os::ProcessId() &&
+         process.host == os::HostName();
+}
 
 /// What a request is about, for the audit log.
 std::string ObjectOf(MessageType type, std::span<const std::byte> body) {
@@ -379,7 +386,7 @@ void Server::TakeLog(const Peer& peer, std::span<const std::byte> body) {
   TakeIn(*batch);
   Locked([&] {
     const ProcessDescription* process = registry_.FindMember(peer.session);
-    if (process == nullptr) return;
+    if (process == nullptr || IsOwn(*process)) return;
     outbox_.Add([this, name = process->name, instance = process->instance,
                  records = *std::move(batch)]() mutable {
       log_book_.Add(name, instance, std::move(records));

@@ -104,6 +104,17 @@ TEST_P(LogOfProcess, ReachesAViewerWithAllThatBelongsToARecord) {
   EXPECT_TRUE(EventuallyHears("gcm", "gcm", "process 'robot' is there"));
 }
 
+/// As of the window that hosts a GCM.
+TEST_P(LogOfProcess, IsThereOnceThoughTheGcmIsAProcessOfTheSameProgram) {
+  auto own = Start("gcm");
+
+  Log(LogLevel::kInfo, "arm", "once");
+  own.reset();  // has sent all it had
+
+  ASSERT_TRUE(EventuallyHears("gcm", "gcm", "process 'gcm' has left: said good-bye"));
+  EXPECT_EQ(keeper->Of("gcm", "arm").size(), 1U);
+}
+
 TEST_P(LogOfProcess, IsNotLostWithTheGcm) {
   const auto robot = Start("robot");
   Log(LogLevel::kInfo, "arm", "before");
