@@ -188,11 +188,11 @@ Result<CertificateAuthority::Issued> CertificateAuthority::Issue(const Request& 
   const auto authority = Read(files);
   if (!authority) return authority.error();
   if (auto made = MakePrivateFolder(out); !made) return made.error();
-  Issued issued{.certificate_file = out / (request.name + ".crt"),
-                .key_file = out / (request.name + ".key")};
+  const fs::path certificate_file = out / (request.name + ".crt");
+  const fs::path key_file = out / (request.name + ".key");
   const Lock lock(files);
   if (auto held = lock.Held(); !held) return held.error();
-  for (const fs::path& file : {issued.certificate_file, issued.key_file}) {
+  for (const fs::path& file : {certificate_file, key_file}) {
     if (auto is_free = RequireFree(file); !is_free) return is_free.error();
   }
 
@@ -203,12 +203,13 @@ Result<CertificateAuthority::Issued> CertificateAuthority::Issue(const Request& 
   const fs::path copy = files.issued() / (openssl::SerialOf(*certificate) + ".crt");
   // The copy first: nothing leaves the CA that it could not revoke.
   if (auto done = WritePrivateFile(copy, text); !done) return done.error();
-  if (auto done = WriteKey(issued.key_file, *key); !done) return done.error();
-  if (auto done = WritePrivateFile(issued.certificate_file, text); !done) return done.error();
+  if (auto done = WriteKey(key_file, *key); !done) return done.error();
+  if (auto done = WritePrivateFile(certificate_file, text); !done) return done.error();
   auto described = openssl::Describe(*certificate);
   if (!described) return described.error();
-  issued.certificate = *std::move(described);
-  return issued;
+  return Issued{.certificate = *std::move(described),
+                .certificate_file = certificate_file,
+                .key_file = key_file};
 }
 
 Result<std::vector<std::string>> CertificateAuthority::Revoke(const std::string& name) const {
