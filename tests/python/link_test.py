@@ -4,6 +4,7 @@ import os
 import pathlib
 import tempfile
 import threading
+import time
 import unittest
 
 import Ice
@@ -16,6 +17,8 @@ from tendon.middleware.frame import (HEADER_SIZE, MAX_FRAME_SIZE, MAX_PIECE_SIZE
 from tendon.middleware.handshake import ACCEPTOR, Opener
 from tendon.middleware.ice import Network, only_parameter
 from tendon.middleware.link import Link
+from tendon.paths import Path
+from tendon.processes import Processes
 
 PATIENCE = 60  # s, for a machine that is busy
 COOKIE = 0x1f
@@ -36,6 +39,7 @@ class Acceptor(Ice.openModule("tendon").Endpoint):
         self.is_mute = False
         self.is_impostor = False
         self.heard = []
+        self.is_greeted = threading.Event()
         self.pieces = Pieces()
         self.pieces.limit = MAX_FRAME_SIZE
         self.begun = bytearray()
@@ -52,6 +56,7 @@ class Acceptor(Ice.openModule("tendon").Endpoint):
     def frame(self, frame, current=None):
         header, body = self.pieces.add(frame, is_end=True)
         self.heard.append(header.type)
+        self.is_greeted.set()
         peer = Ice.openModule("tendon").EndpointPrx.uncheckedCast(
             current.con.createProxy(IDENTITY).ice_oneway())
 
@@ -246,6 +251,29 @@ class OverIce(unittest.TestCase):
         self.acceptor.is_mute = True
         with self.assertRaisesRegex(TimedOut, "accepted the connection but did not|^no answer"):
             self.link(timeout=0.5)
+
+    def test_a_process_that_is_slow_holds_up_no_other(self):
+        self.acceptor.is_mute = True
+        processes = Processes(self.network, "test", PATIENCE)
+        stop = {"name": "Stop", "signature": {"kind": "void"}}
+
+        def call(process, address):
+            processes.call({"name": process, "instance": 42, "address": address},
+                           Path(process, "arm", "Control", "Stop"), stop, None)
+
+        def call_slow():
+            with contextlib.suppress(Failed, TimedOut, Unreachable):
+                call("slow", self.acceptor.address)
+
+        begin = time.monotonic()
+        slow = threading.Thread(target=call_slow, daemon=True)
+        slow.start()
+        self.assertTrue(self.acceptor.is_greeted.wait(PATIENCE))
+        with self.assertRaisesRegex(Unreachable, "^process 'gone' does not answer at "):
+            call("gone", "127.0.0.1:1")
+        self.assertLess(time.monotonic() - begin, PATIENCE)  # the slow one has not ended yet
+        self.network.close()
+        slow.join(PATIENCE)
 
     def test_nobody_there_is_told(self):
         self.acceptor.communicator.destroy()

@@ -1,5 +1,6 @@
 """Batches of rows of a state table."""
 import struct
+import threading
 import unittest
 
 from tendon import Failed, Invalid, TimedOut, messages
@@ -7,6 +8,8 @@ from tendon.messages import MessageType
 from tendon.middleware.frame import Header
 from tendon.payload.schema_text import parse
 from tendon.rows import MOST_WAITING, Batch, Column, Feed, Feeds, Watch
+
+PATIENCE = 60  # s, for a machine that is busy
 
 # A column of float64 and one of strings, whose cells differ in size.
 SCHEMAS = [parse("float64"), parse("string")]
@@ -100,6 +103,25 @@ class Rows(unittest.TestCase):
         self.assertEqual(list(self.watch), [])
         self.hear(body_of(0, [(1, 0, 0, "")]))
         self.assertIsNone(self.feed.take(0))
+
+    def test_closing_ends_the_wait_of_another_thread(self):
+        endless = Watch(self.link, self.feeds, 7, self.feed, SCHEMAS, COLUMNS, None)
+        is_waiting, rows = threading.Event(), []
+
+        def take():
+            for row in endless:
+                rows.append(row.tick)
+                is_waiting.set()
+
+        thread = threading.Thread(target=take, daemon=True)
+        thread.start()
+        self.hear(body_of(0, [(1, 0, 0, "")]))
+        self.assertTrue(is_waiting.wait(PATIENCE))
+        endless.close()
+        thread.join(PATIENCE)
+
+        self.assertFalse(thread.is_alive())
+        self.assertEqual(rows, [1])
 
     def test_a_watch_that_is_forgotten_is_closed(self):
         del self.watch

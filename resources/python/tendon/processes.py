@@ -56,7 +56,7 @@ class Processes:
         self._network = network
         self._name = name
         self._timeout = timeout
-        self._lock = threading.Lock()
+        self._opening: dict[str, threading.Lock] = {}  # by process: a slow one holds up no other
         self._peers: dict[str, _Peer] = {}
 
     def call(self, process: Description, path: Path, command: Description, argument: Any) -> Any:
@@ -106,7 +106,7 @@ class Processes:
 
     def _peer(self, process: Description) -> _Peer:
         name = process["name"]
-        with self._lock:
+        with self._opening.setdefault(name, threading.Lock()):
             peer = self._peers.get(name)
             if peer is not None and peer.link.is_open:
                 if peer.link.peer_instance == process["instance"]:

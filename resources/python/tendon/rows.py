@@ -106,7 +106,7 @@ class Feed:
         self.lost_network = 0
         self.lost_viewer = 0
         self._sent = 0  # rows, as the peer says
-        self._queue: queue.SimpleQueue[Batch | Error] = queue.SimpleQueue()
+        self._queue: queue.SimpleQueue[Batch | Error | None] = queue.SimpleQueue()
         self._lock = threading.Lock()
         self._waiting = 0  # bytes
 
@@ -132,8 +132,12 @@ class Feed:
         """No more come."""
         self._queue.put(reason)
 
+    def wake(self) -> None:
+        """Whoever waits gets nothing."""
+        self._queue.put(None)
+
     def take(self, timeout: float | None) -> Batch | Error | None:
-        """The next; None when there is none within so many seconds."""
+        """The next; None when there is none within so many seconds, or after wake()."""
         try:
             batch = self._queue.get(timeout=timeout)
         except queue.Empty:
@@ -155,8 +159,10 @@ class Feeds:
         self._feeds[handle] = feed
 
     def remove(self, handle: int) -> None:
-        """Nobody takes its rows any more."""
-        self._feeds.pop(handle, None)
+        """Its rows are not wanted any more, also by whoever waits for one."""
+        feed = self._feeds.pop(handle, None)
+        if feed is not None:
+            feed.wake()
 
     def on_notice(self, header: Header, body: bytes) -> None:
         """Of the link."""
@@ -225,6 +231,8 @@ class Watch:
     def _next_batch(self) -> None:
         batch = self._feed.take(self._timeout)
         if batch is None:
+            if not self._ending.alive:
+                return  # closed in another thread
             raise TimedOut(f"no row within {self._timeout:g} s; does the component run?")
         if isinstance(batch, Error):
             self._feed.end(batch)  # for whoever asks again
