@@ -31,15 +31,27 @@ std::vector<std::string> VerbsOf(const CLI::App& app) {
   return names;
 }
 
+/// What a word like "--gcm" names, in a part or in what that is a part of; null where it is
+/// nothing.
+const CLI::Option* OptionOf(const CLI::App* part, const std::string& word) {
+  for (; part != nullptr; part = part->get_parent()) {
+    if (const CLI::Option* option = part->get_option_no_throw(word)) return option;
+  }
+  return nullptr;
+}
+
 /// "no verb 'conect'; did you mean 'connect'? gcm --help lists them", for the first word where a
-/// verb is expected, which is no option nor an option's value; nothing where it is one.
+/// verb is expected, which is no option nor an option's value; nothing where it is one, or where an
+/// unknown option comes first.
 std::string UnknownVerb(const std::vector<std::string>& words, const CLI::App& app) {
   const CLI::App* part = &app;
   std::string command = app.get_name();
   for (std::size_t i = 0; i < words.size() && part->get_require_subcommand_min() > 0; ++i) {
     if (words[i].starts_with('-')) {
-      const CLI::Option* option = app.get_option_no_throw(words[i]);
-      if (option != nullptr && option->get_expected_min() > 0) ++i;
+      const std::size_t value = words[i].find('=');
+      const CLI::Option* option = OptionOf(part, words[i].substr(0, value));
+      if (option == nullptr) return "";
+      if (value == std::string::npos && option->get_expected_min() > 0) ++i;
       continue;
     }
     const auto named =

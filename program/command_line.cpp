@@ -2,6 +2,7 @@
 #include <tendon/base/name.h>
 #include <tendon/base/printable.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -27,7 +28,11 @@ std::vector<std::string> OptionNames(const CLI::App& app) {
 std::string Unexpected(const std::string& word, const CLI::App& app) {
   const std::string name = word.substr(0, word.find('='));
   if (!word.starts_with("-")) return "'" + name + "' is one word too many";
-  return "no option '" + name + "'" + tendon::DidYouMean(name, OptionNames(app));
+  const auto known = OptionNames(app);
+  if (std::find(known.begin(), known.end(), name) != known.end()) {
+    return "option '" + name + "' is in the wrong place";
+  }
+  return "no option '" + name + "'" + tendon::DidYouMean(name, known);
 }
 
 /// The library's words, without the repetition in them.

@@ -136,10 +136,10 @@ void AddIssueOptions(CLI::App& app, Arguments& arguments) {
   app.add_option("name", arguments.name, "whose: of a process, the name by which it joins")
       ->required();
   app.add_option("--role", arguments.role, "viewer or operator")->required();
-  const auto* process =
+  CLI::Option* process =
       app.add_flag("--process", arguments.is_process, "for an LCM or a GCM, not for a person");
   app.add_option("--host", arguments.hosts, "a name or address at which the process listens")
-      ->needs(const_cast<CLI::Option*>(process))
+      ->needs(process)
       ->allow_extra_args(false);
   app.add_option("--days", arguments.days, "how long it is valid")
       ->check(CLI::Range(1, 3650))
@@ -174,10 +174,11 @@ Verb::Run Prepare(CLI::App& app) {
   const auto chosen = std::make_shared<const Act*>(nullptr);
   const auto arguments = std::make_shared<Arguments>();
   app.require_subcommand(1);
+  app.add_option("--ca", arguments->authority, "the CA's folder (default: one of the user's)");
   for (const Act& act : kActs) {
     CLI::App* part = app.add_subcommand(act.name, act.summary);
     part->fallthrough();
-    part->add_option("--ca", arguments->authority, "the CA's folder (default: one of the user's)");
+    part->footer("--ca goes with each of them: gcm cert --help; --json and others: gcm --help");
     act.add_options(*part, *arguments);
     part->callback([chosen, &act] { *chosen = &act; });
   }

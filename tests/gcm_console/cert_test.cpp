@@ -114,6 +114,7 @@ TEST_F(CertTest, ChecksWithACopyOfWhatIsPublic) {
   for (const char* file : {"ca.crt", "crl.pem"}) fs::copy_file(ca / file, copy / file);
 
   Must({"check", robot, "--ca", copy.string()});
+  Must({"--ca", copy.string(), "check", robot});
 
   ExpectRefused({"issue", "eve", "--role", "operator", "--ca", copy.string(), "--out", out},
                 program::kNotFound, "ca.key");
@@ -135,6 +136,8 @@ TEST_F(CertTest, SaysWhatIsWrongWithACommandLine) {
   ExpectRefused({"issue", "a", "--role", "viewer", "--proces"}, program::kUsage,
                 "no option '--proces'; did you mean '--process'? gcm cert issue --help");
   ExpectRefused({"issue", "a", "--role", "viewer", "--host", "b"}, program::kUsage, "--process");
+  ExpectRefused({"--days", "5", "issue", "a"}, program::kUsage,
+                "option '--days' is in the wrong place; gcm cert issue --help tells more");
   ExpectRefused({"issue", "a", "--role", "root"}, program::kUsage,
                 "role 'root': expected viewer or operator");
   ExpectRefused({"issue", "a", "--role", "viewer", "--days", "0"}, program::kUsage, "--days");

@@ -37,6 +37,8 @@ TEST_F(UsageTest, AMistypedCommandLineSaysWhatIsWrongAndWhereHelpIs) {
       {{}, "a verb is missing; gcm --help tells more"},
       {{"conect"}, "no verb 'conect'; did you mean 'connect'? gcm --help lists them"},
       {{"frobnicate"}, "no verb 'frobnicate'; gcm --help lists them"},
+      {{"--gcm=a", "conect"}, "no verb 'conect'; did you mean 'connect'?"},
+      {{"--tiemout", "5", "ls"}, "no option '--tiemout'; did you mean '--timeout'?"},
       {{"ls", "--jsn"}, "no option '--jsn'; did you mean '--json'? gcm ls --help tells more"},
       {{"watch", "a", "--cont=3"}, "no option '--cont'; did you mean '--count'?"},
       {{"ls", "a", "b"}, "'b' is one word too many; gcm ls --help tells more"},
