@@ -9,8 +9,7 @@ import unittest
 
 PROGRAM = ""
 IDS = ["Q1", "D1", "D3", "D4", "D5", "S1", "S2", "S3", "S4", "P1", "P1-p99", "P4"]
-NETWORK_IDS = ["R1", "R1-one", "R7", "R3", "R4", "R2", "R5", "R8-dds", "R8-zmq", "R8-fast", "R6", "R6-row", "R9",
-               "R9-con", "T1", "T1-con"]
+NETWORK_IDS = ["R1", "R1-one", "R7", "R3", "R4", "R2", "R5", "R6", "R6-row", "R9", "R9-con", "T1", "T1-con"]
 KEYS = {"id", "ours", "floor", "ratio", "gate", "stretch", "holds"}
 
 

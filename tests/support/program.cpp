@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <netinet/in.h>
+#include <sys/prctl.h>
 #include <sys/socket.h>
 #include <sys/un.h>
 #include <sys/wait.h>
@@ -40,6 +41,12 @@ void RedirectTo(const std::string& file, int descriptor) {
 const fs::path& Home() {
   static const tendon::test::Folder home;
   return home.path();
+}
+
+/// In a child, which else would run on if `parent` were killed, with its ports, for ever.
+void EndWith(pid_t parent) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(127);  // that was before
 }
 
 /// In the child.
@@ -93,8 +100,13 @@ Program::Program(const Words& command, const std::map<std::string, std::string>&
   if (mkdtemp(folder.data()) == nullptr) throw std::runtime_error("no folder for " + command[0]);
   folder_ = folder;
   const fs::path& home = Home();
+  const pid_t parent = getpid();
+  const bool is_main_thread = gettid() == parent;  // others may end, and with them what they forked
   pid_ = fork();
-  if (pid_ == 0) Become(command, environment, folder_, home);
+  if (pid_ < 0) throw std::runtime_error("no process for " + command[0]);
+  if (pid_ > 0) return;
+  if (is_main_thread) EndWith(parent);
+  Become(command, environment, folder_, home);
 }
 
 Program::~Program() {
@@ -106,7 +118,9 @@ Program::~Program() {
   fs::remove_all(folder_, ignored);
 }
 
-void Program::Signal(int signal) const { kill(pid_, signal); }
+void Program::Signal(int signal) const {
+  if (!exit_code_) kill(pid_, signal);  // else its pid may be another's by now
+}
 
 std::optional<int> Program::Wait(std::chrono::seconds patience) {
   EventuallyTrue(

@@ -2,8 +2,12 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <poll.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 
@@ -38,6 +42,28 @@ TEST(Program, TheEnvironmentThatIsGivenDecides) {
 }
 
 TEST(Program, SaysWhichSignalEndedIt) { EXPECT_EQ(Shell("kill -9 $$").exit_code, 128 + 9); }
+
+TEST(Program, EndsWithTheTestThatRunsItHoweverThatDies) {
+  const tendon::test::Folder folder;  // for what they cannot remove
+  int ends[2];                        // the other end is open in the test and in its program
+  ASSERT_EQ(pipe(ends), 0);
+
+  const pid_t test = fork();
+  if (test == 0) {
+    setenv("TMPDIR", folder.path().c_str(), 1);
+    const Program program({"/bin/sleep", "60"});
+    raise(SIGKILL);
+  }
+  close(ends[1]);
+  int status = 0;
+  ASSERT_EQ(waitpid(test, &status, 0), test);
+
+  constexpr int kPatience = 30'000;  // ms
+  pollfd all_gone{.fd = ends[0], .events = 0, .revents = 0};
+  EXPECT_EQ(poll(&all_gone, 1, kPatience), 1);
+  EXPECT_EQ(status, SIGKILL);
+  close(ends[0]);
+}
 
 TEST(FreePort, IsNotGivenTwice) {
   std::vector<int> ports(200);

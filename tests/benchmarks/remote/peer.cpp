@@ -3,20 +3,17 @@
 // until it is killed.
 
 #include <benchmarks/remote/robot.h>
-#include <sys/prctl.h>
 #include <tendon/gcm/global_manager.h>
 #include <tendon/ice/ice_middleware.h>
 #include <tendon/process/process.h>
 #include <unistd.h>
 
 #include <chrono>
-#include <csignal>
 #include <cstdlib>
 #include <iostream>
 
 int main() {
   using namespace tendon;
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
   const auto gcm =
       GlobalManager::Start(MakeIceMiddleware(Exposure::kLoopbackOnly), {.address = "127.0.0.1:0"});
   if (!gcm) return EXIT_FAILURE;

@@ -2,7 +2,6 @@
 #include <benchmarks/remote/remote_system.h>
 
 #include <memory>
-#include <optional>
 #include <thread>
 #include <utility>
 
@@ -169,20 +168,11 @@ std::vector<Case> WaitingCallCases(const Effort& effort, const TheSystem& system
   };
 }
 
-/// What others take for a remote read. None of them is needed to build this, so a line says what
-/// there is of it.
-std::vector<Case> PeerCases(const Effort& /*effort*/, const TheSystem& /*system*/) {
-  const auto nothing = [] { return std::optional<Pair>(); };
-  return {{.id = "R8-dds", .what = "remote read / " TENDON_CYCLONEDDS, .repetition = nothing},
-          {.id = "R8-zmq", .what = "remote read / " TENDON_ZEROMQ, .repetition = nothing},
-          {.id = "R8-fast", .what = "remote read / " TENDON_FASTDDS, .repetition = nothing}};
-}
-
 }  // namespace
 
 std::vector<Case> RemoteCases(const Effort& effort, const TheSystem& system) {
   std::vector<Case> all;
-  for (const auto& make : {ReadCases, WriteCases, WaitingCallCases, PeerCases}) {
+  for (const auto& make : {ReadCases, WriteCases, WaitingCallCases}) {
     for (Case& one : make(effort, system)) all.push_back(std::move(one));
   }
   return all;

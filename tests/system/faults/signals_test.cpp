@@ -35,7 +35,7 @@ INSTANTIATE_TEST_SUITE_P(Over, Signals, testing::ValuesIn(Middlewares()), NameOf
 TEST_P(Signals, EndAnLcmInOrderAtEveryMoment) {
   ASSERT_NO_FATAL_FAILURE(StartSystem());
   robot_->Signal(SIGTERM);
-  robot_->Wait();
+  EXPECT_EQ(robot_->Wait(), 0);
   long longest = 0;  // ms
 
   for (int i = 0; i < Size(12, 50); ++i) {

@@ -114,14 +114,12 @@ std::shared_ptr<tendon::Middleware> FaultTest::NewMiddleware() const {
   return *program::MakeMiddleware(GetParam(), tendon::Exposure::kLoopbackOnly);
 }
 
-ProcessState FaultTest::StateOf(const std::string& process) const {
-  const auto catalog = viewer_->catalog();
-  const auto* entry = catalog.FindProcess(process);
-  return entry == nullptr ? ProcessState::kLeft : entry->process.state;
-}
-
 bool FaultTest::EventuallyIs(const std::string& process, ProcessState state) const {
-  return Eventually([&] { return StateOf(process) == state; });
+  return Eventually([&] {
+    const auto catalog = viewer_->catalog();
+    const auto* entry = catalog.FindProcess(process);
+    return entry != nullptr && entry->process.state == state;
+  });
 }
 
 std::string FaultTest::AddressOf(const std::string& process) const {

@@ -48,7 +48,6 @@ class FaultTest : public testing::TestWithParam<std::string> {
   [[nodiscard]] Words Command(const std::string& program, const Words& words) const;
   [[nodiscard]] Environment environment() const;
 
-  [[nodiscard]] tendon::ProcessState StateOf(const std::string& process) const;
   [[nodiscard]] bool EventuallyIs(const std::string& process, tendon::ProcessState state) const;
   [[nodiscard]] std::string AddressOf(const std::string& process) const;
   /// Of the desk's client to the robot's ledger.
