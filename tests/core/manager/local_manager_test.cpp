@@ -3,8 +3,8 @@
 #include <tendon/manager/local_manager.h>
 
 #include "core/interface/arm_fixture.h"
-#include "core/parity/log_record.h"
 #include "core/task/scripted.h"
+#include "support/log/log_record.h"
 #include "support/refusal.h"
 
 namespace {

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <future>
 
-#include "core/parity/log_record.h"
 #include "core/parity/pair.h"
+#include "support/log/log_record.h"
 
 namespace tendon_test {
 namespace {

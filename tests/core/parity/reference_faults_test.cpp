@@ -12,9 +12,9 @@
 #include <new>
 #include <stdexcept>
 
-#include "core/parity/log_record.h"
 #include "core/parity/pair.h"
 #include "support/allocation_guard.h"
+#include "support/log/log_record.h"
 
 // What the reference system gets wrong; the README of this folder names the tests of the rest.
 

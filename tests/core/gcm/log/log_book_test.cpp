@@ -5,7 +5,6 @@
 #include <tests/support/wait.h>
 
 #include <atomic>
-#include <latch>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -32,7 +31,8 @@ class Viewer final : public ChannelHandler {
                 std::span<const std::byte> body) override {
     if (header.type != message::kLogRecords) {
       is_stuck = true;
-      return may_go_on.wait();
+      const std::scoped_lock held(gate);
+      return;
     }
     const auto batch = DecodeBody<LogRecords>(body);
     ASSERT_TRUE(batch);
@@ -50,7 +50,7 @@ class Viewer final : public ChannelHandler {
   [[nodiscard]] std::uint64_t missed() const { return Locked(missed_); }
   [[nodiscard]] LogRecord newest() const { return Locked(newest_); }
 
-  std::latch may_go_on{1};  ///< it reads nothing before, once it was sent something else
+  std::mutex gate;  ///< while it is locked it reads nothing more, once it was sent something else
   std::atomic<bool> is_stuck{false};
 
  private:
@@ -142,6 +142,7 @@ TEST_F(LogBookTest, AViewerThatDoesNotReadHoldsNobodyUpAndSeesWhatItMissed) {
   Write(1);
   book.Pump();
   ASSERT_TRUE(EventuallyTrue([&] { return stuck->count() == 1; }));
+  std::unique_lock held(stuck->gate);
   ASSERT_TRUE(full->Notify(MessageType{0xffff}, 0, Bytes(1)));
   ASSERT_TRUE(EventuallyTrue([&] { return stuck->is_stuck.load(); }));
   for (std::size_t size = std::size_t{1} << 20U; size > 0; size /= 2) {
@@ -156,7 +157,7 @@ TEST_F(LogBookTest, AViewerThatDoesNotReadHoldsNobodyUpAndSeesWhatItMissed) {
   ASSERT_TRUE(EventuallyTrue([&] { return quick->count() == kTwice + 1; }));
   EXPECT_EQ(quick->missed(), 0U);
 
-  stuck->may_go_on.count_down();
+  held.unlock();
 
   EXPECT_TRUE(EventuallyTrue([&] {
     book.PumpAll();  // as the GCM does all the time

@@ -1,10 +1,10 @@
 #include <gmock/gmock.h>
 #include <tendon/base/log.h>
 #include <tests/core/gcm/bench.h>
+#include <tests/support/log/log_keeper.h>
 
 #include <algorithm>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <vector>
 
@@ -12,45 +12,16 @@ namespace tendon {
 namespace {
 
 using message::LogRecord;
+using test::LogKeeper;
 using testing::ElementsAre;
 
 using Texts = std::vector<std::string>;
 
-/// Keeps what it is told.
-class LogReader final : public GcmListener {
- public:
-  void OnSnapshot(const Catalog& /*catalog*/) override {}
-  void OnChanges(const std::vector<CatalogChange>& /*changes*/) override {}
-  void OnGcmLost(const Error& /*reason*/) override {}
-  void OnLog(const LogBatch& batch) override {
-    const std::scoped_lock lock(mutex_);
-    records_.insert(records_.end(), batch.records.begin(), batch.records.end());
-    is_current_ = batch.is_current;
-  }
-
-  [[nodiscard]] std::vector<LogRecord> Of(const std::string& process) const {
-    const std::scoped_lock lock(mutex_);
-    std::vector<LogRecord> some;
-    for (const LogRecord& record : records_) {
-      if (record.process == process) some.push_back(record);
-    }
-    return some;
-  }
-  [[nodiscard]] Texts texts(const std::string& process = "robot") const {
-    Texts texts;
-    for (const LogRecord& record : Of(process)) texts.push_back(record.text);
-    return texts;
-  }
-  [[nodiscard]] bool is_current() const {
-    const std::scoped_lock lock(mutex_);
-    return is_current_;
-  }
-
- private:
-  mutable std::mutex mutex_;
-  std::vector<LogRecord> records_;
-  bool is_current_ = false;
-};
+Texts TextsOf(const LogKeeper& keeper, const std::string& process) {
+  Texts texts;
+  for (const LogRecord& record : keeper.Of(process)) texts.push_back(record.text);
+  return texts;
+}
 
 LogRecord Record(const std::string& text) {
   return {.time = 1234, .level = LogLevel::kWarning, .process = {}, .source = "arm", .text = text};
@@ -58,13 +29,13 @@ LogRecord Record(const std::string& text) {
 
 class LogWatching : public test::Bench {
  protected:
-  std::unique_ptr<GcmClient> Read(const std::shared_ptr<LogReader>& reader) {
+  std::unique_ptr<GcmClient> Read(const std::shared_ptr<LogKeeper>& reader) {
     auto client = Watch(reader);
     client->WatchLog();
     return client;
   }
-  static bool EventuallyReads(const LogReader& reader, const Texts& texts) {
-    return EventuallyTrue([&] { return reader.texts() == texts; });
+  static bool EventuallyReads(const LogKeeper& reader, const Texts& texts) {
+    return EventuallyTrue([&] { return TextsOf(reader, "robot") == texts; });
   }
 };
 
@@ -72,8 +43,8 @@ INSTANTIATE_TEST_SUITE_P(Over, LogWatching, testing::Values("loopback", "tcp"),
                          test::NameOfParameter);
 
 TEST_P(LogWatching, EveryViewerReadsWhatAProcessLogs) {
-  const auto one = std::make_shared<LogReader>();
-  const auto two = std::make_shared<LogReader>();
+  const auto one = std::make_shared<LogKeeper>();
+  const auto two = std::make_shared<LogKeeper>();
   const auto first = Read(one);
   const auto second = Read(two);
   const auto robot = Join("robot", {});
@@ -90,15 +61,15 @@ TEST_P(LogWatching, ANewViewerReadsWhatWasLoggedBefore) {
   ASSERT_TRUE(robot->SendLog({0, {Record("a"), Record("b")}}));
   ASSERT_TRUE(robot->Leave());  // answered after the records were taken
 
-  const auto reader = std::make_shared<LogReader>();
+  const auto reader = std::make_shared<LogKeeper>();
   const auto client = Read(reader);
 
   ASSERT_TRUE(EventuallyTrue([&] { return reader->is_current(); }));
-  EXPECT_THAT(reader->texts(), ElementsAre("a", "b"));
+  EXPECT_THAT(TextsOf(*reader, "robot"), ElementsAre("a", "b"));
 }
 
 TEST_P(LogWatching, WhatWasSentOnALinkThatBrokeIsMissedAloud) {
-  const auto reader = std::make_shared<LogReader>();
+  const auto reader = std::make_shared<LogKeeper>();
   const auto client = Read(reader);
   const auto robot = Join("robot", {});
   ASSERT_TRUE(robot->SendLog({0, {Record("a")}}));
@@ -113,7 +84,7 @@ TEST_P(LogWatching, WhatWasSentOnALinkThatBrokeIsMissedAloud) {
 }
 
 TEST_P(LogWatching, AProcessThatIsStartedAnewMissesNothing) {
-  const auto reader = std::make_shared<LogReader>();
+  const auto reader = std::make_shared<LogKeeper>();
   const auto client = Read(reader);
   auto robot = Join("robot", {});
   ASSERT_TRUE(robot->SendLog({0, {Record("a")}}));
@@ -128,7 +99,7 @@ TEST_P(LogWatching, AProcessThatIsStartedAnewMissesNothing) {
 }
 
 TEST_P(LogWatching, TextsFromOutsideAreMadeFitForATerminal) {
-  const auto reader = std::make_shared<LogReader>();
+  const auto reader = std::make_shared<LogKeeper>();
   const auto client = Read(reader);
   const auto robot = Join("robot", {});
   LogRecord record = Record("red \x1b[31m alert");
@@ -146,7 +117,7 @@ TEST_P(LogWatching, TextsFromOutsideAreMadeFitForATerminal) {
 }
 
 TEST_P(LogWatching, WhatIsNoBatchHarmsNobody) {
-  const auto reader = std::make_shared<LogReader>();
+  const auto reader = std::make_shared<LogKeeper>();
   const auto client = Read(reader);
   const auto robot = Join("robot", {});
   LogRecord record = Record("a");
@@ -160,7 +131,7 @@ TEST_P(LogWatching, WhatIsNoBatchHarmsNobody) {
 }
 
 TEST_P(LogWatching, WhoHasLeftLogsNothingUnderItsName) {
-  const auto reader = std::make_shared<LogReader>();
+  const auto reader = std::make_shared<LogKeeper>();
   const auto client = Read(reader);
   const auto robot = Join("robot", {});
   ASSERT_TRUE(robot->Leave());
@@ -174,13 +145,13 @@ TEST_P(LogWatching, WhoHasLeftLogsNothingUnderItsName) {
 }
 
 TEST_P(LogWatching, TheGcmItselfIsRead) {
-  const auto reader = std::make_shared<LogReader>();
+  const auto reader = std::make_shared<LogKeeper>();
   const auto client = Read(reader);
 
   Log(LogLevel::kInfo, "gcm", "I am here");
 
   EXPECT_TRUE(EventuallyTrue([&] {
-    const Texts texts = reader->texts("gcm");  // with what it says by itself
+    const Texts texts = TextsOf(*reader, "gcm");  // with what it says by itself
     return std::ranges::find(texts, "I am here") != texts.end();
   }));
 }

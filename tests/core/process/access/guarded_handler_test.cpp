@@ -2,11 +2,12 @@
 #include <tendon/base/os/process.h>
 #include <tendon/gcm/client.h>
 #include <tendon/process/access/guarded_handler.h>
-#include <tendon/process/log/log_tap.h>
 #include <tendon/process/messages.h>
 
-#include <mutex>
+#include <string>
+#include <vector>
 
+#include "support/log/log_record.h"
 #include "support/network_test.h"
 #include "support/plant.h"
 
@@ -14,7 +15,6 @@ namespace {
 
 using plant::Plant;
 using tendon::Channel;
-using tendon::Error;
 using tendon::ErrorCode;
 using tendon::GcmClient;
 using tendon::MessageType;
@@ -29,25 +29,19 @@ using testing::Not;
 
 constexpr std::chrono::seconds kPatience(20);
 
-/// Keeps what the audit log says of "looker".
+/// What the audit log says of "looker".
 class AuditLog {
  public:
   [[nodiscard]] std::vector<std::string> lines() const {
-    const std::scoped_lock lock(mutex_);
-    return lines_;
+    std::vector<std::string> lines = log_.texts();
+    std::erase_if(lines, [](const std::string& line) {
+      return !line.starts_with("looker (") && !line.starts_with("and ");
+    });
+    return lines;
   }
 
  private:
-  void Keep(std::string_view source, std::string_view line) {
-    const std::scoped_lock lock(mutex_);
-    const bool is_of_looker = line.starts_with("looker (") || line.starts_with("and ");
-    if (source == "audit" && is_of_looker) lines_.emplace_back(line);
-  }
-
-  mutable std::mutex mutex_;
-  std::vector<std::string> lines_;
-  tendon::LogTap tap_{[this](tendon::LogLevel /*level*/, std::string_view source,
-                             std::string_view line) { Keep(source, line); }};
+  const tendon_test::LogRecord log_{"audit"};
 };
 
 /// A process `robot` with a plant, its GCM, and a client of each role.

@@ -1,5 +1,4 @@
 #include <gmock/gmock.h>
-#include <tendon/base/log.h>
 #include <tendon/manager/local_manager.h>
 #include <tendon/middleware/parts/payload_limit.h>
 #include <tendon/task/periodic_task.h>
@@ -11,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "support/log/log_record.h"
 #include "support/network_test.h"
 
 namespace {
@@ -101,39 +101,9 @@ class Viewer final : public tendon::Component {
   void OnStored(const Cloud& cloud) { stored.push_back(cloud.size()); }
 };
 
-/// What this program has logged since it was cleared last.
-class Logged {
- public:
-  static void Clear() {
-    const std::scoped_lock lock(list().mutex);
-    list().lines.clear();
-  }
-  static std::vector<std::string> all() {
-    const std::scoped_lock lock(list().mutex);
-    return list().lines;
-  }
-
- private:
-  struct List {
-    List() {
-      tendon::AddLogSink([this](auto /*level*/, auto /*source*/, std::string_view message) {
-        const std::scoped_lock lock(mutex);
-        lines.emplace_back(message);
-      });
-    }
-    std::mutex mutex;
-    std::vector<std::string> lines;
-  };
-  static List& list() {
-    static List list;
-    return list;
-  }
-};
-
 class LargePayload : public NetworkTest {
  protected:
   LargePayload() {
-    Logged::Clear();
     arm = &robot->Add<Arm>("arm");
     viewer = &desk->Add<Viewer>("viewer");
     EXPECT_TRUE(robot->StartAll().ok());
@@ -143,6 +113,7 @@ class LargePayload : public NetworkTest {
     EXPECT_TRUE(EventuallyActive(*desk, 1));
   }
 
+  const tendon_test::LogRecord log{"network"};
   std::unique_ptr<tendon::Process> robot = Start("robot");
   std::unique_ptr<tendon::Process> desk = Start("desk");
   Arm* arm = nullptr;
@@ -197,10 +168,10 @@ TEST_P(LargePayload, OverTheLimitIsRefusedAtTheSenderAndTheConnectionLives) {
 
   EXPECT_EQ(viewer->store(Cloud(kTooMany)), Status(Status::kInvalid));
 
-  EXPECT_TRUE(EventuallyTrue([] {
+  EXPECT_TRUE(EventuallyTrue([this] {
     return testing::Matches(
         Contains(HasSubstr("'cloud' of 67 115 578 B exceeds max_payload "
-                           "67 108 864 B of robot/arm/Cloud")))(Logged::all());
+                           "67 108 864 B of robot/arm/Cloud")))(log.texts());
   }));
   EXPECT_EQ(desk->connections(), before);
   EXPECT_EQ(viewer->count(1), Status(Status::kQueued));
@@ -212,7 +183,7 @@ TEST_P(LargePayload, AnAnswerOverTheLimitFailsAndTheConnectionLives) {
 
   EXPECT_EQ(viewer->points(kTooMany, answer), Status(Status::kFailed));
 
-  EXPECT_THAT(Logged::all(), Contains(HasSubstr("'Points' of 67 115 578 B exceeds max_payload")));
+  EXPECT_THAT(log.texts(), Contains(HasSubstr("'Points' of 67 115 578 B exceeds max_payload")));
   EXPECT_EQ(viewer->points(10, answer), Status(Status::kDone));
   EXPECT_EQ(answer, Cloud(10, 7));
 }

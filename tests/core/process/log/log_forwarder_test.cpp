@@ -7,7 +7,6 @@
 #include <atomic>
 #include <chrono>
 #include <cstdlib>
-#include <latch>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -40,7 +39,8 @@ class Taker final : public tendon::ChannelHandler {
                 std::span<const std::byte> body) override {
     if (header.type != tendon::message::kLogRecords) {
       is_stuck = true;
-      return may_go_on.wait();
+      const std::scoped_lock held(gate);
+      return;
     }
     const auto batch = tendon::DecodeBody<LogRecords>(body);
     ASSERT_TRUE(batch.ok());
@@ -68,7 +68,7 @@ class Taker final : public tendon::ChannelHandler {
     return largest_;
   }
 
-  std::latch may_go_on{1};  ///< it does nothing before, once it was sent something else
+  std::mutex gate;  ///< while it is locked it does nothing more, once it was sent something else
   std::atomic<bool> is_stuck{false};
 
  private:
@@ -168,6 +168,7 @@ TEST_F(LogForwarderTest, GoesOnWhereItWasWhenTheGcmWasLostAndIsBack) {
 
 TEST_F(LogForwarderTest, KeepsWhatTheLinkHasNoRoomForAndSendsItOnce) {
   const auto channel = Open();
+  std::unique_lock held(taker->gate);
   ASSERT_TRUE(channel->Notify(MessageType{0xffff}, 0, tendon::Bytes(1)));
   ASSERT_TRUE(EventuallyTrue([&] { return taker->is_stuck.load(); }));
   for (std::size_t size = std::size_t{1} << 20U; size > 0; size /= 2) {
@@ -179,7 +180,7 @@ TEST_F(LogForwarderTest, KeepsWhatTheLinkHasNoRoomForAndSendsItOnce) {
   forwarder.Finish();  // tries, in this thread
   forwarder.SetChannel(channel);
 
-  taker->may_go_on.count_down();
+  held.unlock();
 
   ASSERT_TRUE(EventuallyTrue([&] { return !taker->Of("arm").empty(); }));
   Log(LogLevel::kInfo, "arm", "thanks");

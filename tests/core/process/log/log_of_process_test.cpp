@@ -1,16 +1,14 @@
 #include <gmock/gmock.h>
 #include <tendon/base/log.h>
-#include <tendon/gcm/client.h>
 
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <thread>
-#include <vector>
 
+#include "support/log/log_keeper.h"
 #include "support/network_test.h"
 
 namespace {
@@ -21,39 +19,8 @@ using tendon::GcmClient;
 using tendon::Log;
 using tendon::LogLevel;
 using tendon::message::LogRecord;
+using tendon::test::LogKeeper;
 using testing::HasSubstr;
-
-/// Keeps the log that a viewer is given.
-class LogKeeper final : public tendon::GcmListener {
- public:
-  void OnSnapshot(const tendon::Catalog& /*catalog*/) override {}
-  void OnChanges(const std::vector<tendon::CatalogChange>& /*changes*/) override {}
-  void OnGcmLost(const tendon::Error& /*reason*/) override {}
-  void OnLog(const tendon::LogBatch& batch) override {
-    const std::scoped_lock lock(mutex_);
-    records_.insert(records_.end(), batch.records.begin(), batch.records.end());
-    lost_ += batch.lost;
-  }
-
-  [[nodiscard]] std::vector<LogRecord> Of(const std::string& process,
-                                          const std::string& source) const {
-    const std::scoped_lock lock(mutex_);
-    std::vector<LogRecord> some;
-    for (const LogRecord& record : records_) {
-      if (record.process == process && record.source == source) some.push_back(record);
-    }
-    return some;
-  }
-  [[nodiscard]] std::uint64_t lost() const {
-    const std::scoped_lock lock(mutex_);
-    return lost_;
-  }
-
- private:
-  mutable std::mutex mutex_;
-  std::vector<LogRecord> records_;
-  std::uint64_t lost_ = 0;
-};
 
 /// A viewer of the log. All processes of a test are in one program: each forwards all that is
 /// logged there, under its own name.

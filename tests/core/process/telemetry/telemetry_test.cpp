@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 
-#include <condition_variable>
+#include <mutex>
+#include <set>
 
 #include "core/process/telemetry/viewing.h"
 #include "support/plant.h"
@@ -30,8 +31,8 @@ class Sink final : public tendon::RowSink {
     ++subscribed_;
   }
   std::size_t OnRows(const RowBatch& batch) override {
-    std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return !is_blocked_; });
+    const std::scoped_lock held(gate);
+    const std::scoped_lock lock(mutex_);
     epochs_.insert(batch.epoch);
     lost_table_ += batch.lost_table;
     lost_network_ += batch.lost_network;
@@ -49,13 +50,6 @@ class Sink final : public tendon::RowSink {
   void OnStale(const Error& reason) override {
     const std::scoped_lock lock(mutex_);
     stale_ = reason.message;
-  }
-
-  /// From now on the thread that brings rows is held.
-  void Block(bool is_blocked) {
-    const std::scoped_lock lock(mutex_);
-    is_blocked_ = is_blocked;
-    changed_.notify_all();
   }
 
   std::vector<Row> rows() const { return Get(rows_); }
@@ -76,6 +70,8 @@ class Sink final : public tendon::RowSink {
     rows_.clear();
   }
 
+  std::mutex gate;  ///< while it is locked the thread that brings rows is held
+
  private:
   template <typename T>
   T Get(const T& value) const {
@@ -84,7 +80,6 @@ class Sink final : public tendon::RowSink {
   }
 
   mutable std::mutex mutex_;
-  std::condition_variable changed_;
   std::vector<Row> rows_;
   std::vector<Schema> columns_;
   std::set<std::uint64_t> epochs_;
@@ -94,7 +89,6 @@ class Sink final : public tendon::RowSink {
   std::uint64_t lost_network_ = 0;
   std::chrono::nanoseconds clock_offset_{-1};
   std::chrono::nanoseconds clock_uncertainty_{-1};
-  bool is_blocked_ = false;
 };
 
 void ExpectWithoutHoles(const std::vector<Sink::Row>& rows) {
@@ -230,12 +224,12 @@ TEST_P(Telemetry, OfTheNewestRowOnlyKeepsNoneForAViewerThatIsBusy) {
   watcher->Subscribe(kWanted, other);
   ASSERT_TRUE(EventuallyTrue([&] { return sink->count() >= 2; }));
 
-  sink->Block(true);
+  std::unique_lock held(sink->gate);
   const std::size_t before = other->count();
   ASSERT_TRUE(EventuallyTrue([&] { return other->count() > before + 500; }));
   const std::uint64_t written = other->rows().back().tick;
   sink->Forget();
-  sink->Block(false);
+  held.unlock();
 
   ASSERT_TRUE(EventuallyTrue([&] { return sink->count() >= 3; }));
   const auto rows = sink->rows();
@@ -283,11 +277,11 @@ TEST_P(Telemetry, LetsAViewerThatStopsReadingLoseRowsAndNobodyElse) {
 
   // Not for so long that it takes the silence for the end of the process.
   const auto hold_up = [&] {
-    blocked_sink->Block(true);
+    std::unique_lock held(blocked_sink->gate);
     const std::size_t before = sink->count();
     const bool others_go_on =
         EventuallyTrue([&] { return sink->count() > before + 500; }, std::chrono::seconds(1));
-    blocked_sink->Block(false);
+    held.unlock();
     const std::size_t blocked_before = blocked_sink->count();
     EXPECT_TRUE(EventuallyTrue([&] { return blocked_sink->count() > blocked_before + 500; }));
     return others_go_on && blocked_sink->lost_network() > 0;

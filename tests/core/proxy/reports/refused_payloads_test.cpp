@@ -1,44 +1,35 @@
 #include <gtest/gtest.h>
-#include <tendon/base/log.h>
 #include <tendon/proxy/reports/refused_payloads.h>
 
-#include <mutex>
 #include <string>
 #include <vector>
+
+#include "support/log/log_record.h"
 
 namespace tendon {
 namespace {
 
-/// What is logged from now on.
-std::vector<std::string>& Lines() {
-  static std::vector<std::string> lines;
-  static std::once_flag once;
-  std::call_once(once, [] {
-    AddLogSink(
-        [](LogLevel, std::string_view, std::string_view message) { lines.emplace_back(message); });
-  });
-  lines.clear();
-  return lines;
-}
+using tendon_test::LogRecord;
 
 TEST(RefusedPayloads, AreToldOnceByTheNetworkThread) {
-  auto& lines = Lines();
+  const LogRecord log("network");
   RefusedPayloads refused("robot/arm/Cloud");
   refused.Add(0x2000007, "cloud");
   refused.Add(8, "Move");
 
   refused.Note(0x2000007, 80'000'000);
-  EXPECT_TRUE(lines.empty());
+  EXPECT_TRUE(log.texts().empty());
   refused.Tell();
   refused.Tell();
 
   EXPECT_EQ(refused.logged(), 1U);
-  EXPECT_EQ(lines, std::vector<std::string>{"'cloud' of 80 000 000 B exceeds max_payload "
-                                            "67 108 864 B of robot/arm/Cloud (1 such so far)"});
+  EXPECT_EQ(log.texts(),
+            std::vector<std::string>{"'cloud' of 80 000 000 B exceeds max_payload "
+                                     "67 108 864 B of robot/arm/Cloud (1 such so far)"});
 }
 
 TEST(RefusedPayloads, AreCountedButNotAllLogged) {
-  auto& lines = Lines();
+  const LogRecord log("network");
   RefusedPayloads refused("robot/arm/Cloud");
   refused.Add(1, "cloud");
 
@@ -48,7 +39,7 @@ TEST(RefusedPayloads, AreCountedButNotAllLogged) {
   }
 
   EXPECT_EQ(refused.logged(), 5U);
-  EXPECT_EQ(lines.size(), 1U);
+  EXPECT_EQ(log.texts().size(), 1U);
 }
 
 }  // namespace
