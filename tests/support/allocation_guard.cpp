@@ -10,16 +10,21 @@ namespace {
 // Constant-initialised, so that reading it in a new thread allocates nothing.
 constinit thread_local std::uint64_t allocations_of_thread = 0;
 
-void* Allocate(std::size_t size) {
+// Null where there is no memory.
+void* TryAllocate(std::size_t size) noexcept {
   ++allocations_of_thread;
-  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
-  throw std::bad_alloc();
+  return std::malloc(size == 0 ? 1 : size);
 }
 
-void* Allocate(std::size_t size, std::align_val_t alignment) {
+void* TryAllocate(std::size_t size, std::align_val_t alignment) noexcept {
   ++allocations_of_thread;
   const auto bytes = static_cast<std::size_t>(alignment);
-  if (void* memory = std::aligned_alloc(bytes, (size + bytes - 1) / bytes * bytes)) return memory;
+  return std::aligned_alloc(bytes, (size + bytes - 1) / bytes * bytes);
+}
+
+template <typename... Alignment>
+void* Allocate(std::size_t size, Alignment... alignment) {
+  if (void* memory = TryAllocate(size, alignment...)) return memory;
   throw std::bad_alloc();
 }
 
@@ -32,6 +37,15 @@ void* operator new(std::size_t size, std::align_val_t alignment) {
 }
 void* operator new[](std::size_t size, std::align_val_t alignment) {
   return Allocate(size, alignment);
+}
+
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return TryAllocate(size); }
+void* operator new[](std::size_t size, const std::nothrow_t&) noexcept { return TryAllocate(size); }
+void* operator new(std::size_t size, std::align_val_t alignment, const std::nothrow_t&) noexcept {
+  return TryAllocate(size, alignment);
+}
+void* operator new[](std::size_t size, std::align_val_t alignment, const std::nothrow_t&) noexcept {
+  return TryAllocate(size, alignment);
 }
 
 void operator delete(void* memory) noexcept { std::free(memory); }

@@ -5,6 +5,7 @@
 #include <array>
 #include <atomic>
 #include <memory>
+#include <new>
 #include <thread>
 #include <vector>
 
@@ -31,6 +32,17 @@ TEST(AllocationGuard, CountsArraysAndOverAlignedObjectsToo) {
         const AllocationGuard guard;
         const auto array = std::make_unique<char[]>(10);
         const auto wide = std::make_unique<Wide>();
+        ASSERT_EQ(guard.allocations(), 2U);
+      },
+      "allocations in this thread");
+}
+
+TEST(AllocationGuard, CountsThoseThatReturnNullOnFailureToo) {
+  EXPECT_NONFATAL_FAILURE(
+      {
+        const AllocationGuard guard;
+        const std::unique_ptr<char[]> array(new (std::nothrow) char[10]);
+        const std::unique_ptr<Wide> wide(new (std::nothrow) Wide);
         ASSERT_EQ(guard.allocations(), 2U);
       },
       "allocations in this thread");
