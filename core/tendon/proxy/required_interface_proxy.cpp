@@ -155,7 +155,15 @@ bool RequiredInterfaceProxy::Work(SteadyTime now, SteadyTime& next) {
   return sent > 0;
 }
 
+/// Whether the peer must hear it now; what was executed may wait for more, unless that is half of
+/// what the peer may have under way.
+bool RequiredInterfaceProxy::IsUrgent(const message::Credit& credit) const {
+  return credit.accepting != told_.accepting || credit.fault != told_.fault ||
+         2 * (credit.executed - told_.executed) >= capacity_;
+}
+
 void RequiredInterfaceProxy::SendCredit(SteadyTime now, SteadyTime& next) {
+  constexpr std::chrono::milliseconds kLatest(4);
   constexpr std::chrono::milliseconds kUntilNextLook(1);
   const std::scoped_lock lock(mutex_);
   if (connection_ == nullptr) return;
@@ -166,7 +174,11 @@ void RequiredInterfaceProxy::SendCredit(SteadyTime now, SteadyTime& next) {
       received - std::min<std::uint64_t>(connection_->waiting(), received);
   const message::Credit credit{
       .executed = std::max(executed, told_.executed), .accepting = IsAccepting(), .fault = Fault()};
-  if (credit != told_ && channel_->Notify(message::kCredit, handle_, credit)) told_ = credit;
+  if (credit == told_) {
+    owed_since_ = now;
+  } else if (IsUrgent(credit) || now - owed_since_ >= kLatest) {
+    if (channel_->Notify(message::kCredit, handle_, credit)) told_ = credit;
+  }
   is_watched_ = told_.executed != received || credit != told_;
   if (is_watched_) next = std::min(next, now + kUntilNextLook);
 }

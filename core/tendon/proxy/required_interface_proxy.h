@@ -65,6 +65,7 @@ class RequiredInterfaceProxy final : public NetworkJob {
   void CountReceived();
   [[nodiscard]] bool IsAccepting() const;
   [[nodiscard]] std::string Fault() const;
+  [[nodiscard]] bool IsUrgent(const message::Credit& credit) const;
   void SendCredit(SteadyTime now, SteadyTime& next);
 
   const std::shared_ptr<NetworkThread> thread_;
@@ -86,6 +87,7 @@ class RequiredInterfaceProxy final : public NetworkJob {
   std::uint64_t received_ = 0;
   bool is_watched_ = false;  // the network thread looks for progress
   message::Credit told_;
+  SteadyTime owed_since_{};  // at the latest
   BegunCalls begun_;
 };
 
