@@ -99,7 +99,9 @@ class IceMiddleware final : public Middleware {
       const auto servant = std::make_shared<AcceptingServant>(links_, std::move(accept), door);
       adapter->add(servant, EndpointIdentity());
       adapter->activate();
-      return MakeListener(ToString(HostPort{place->host, PortOf(*adapter)}), [adapter, servant] {
+      const std::uint16_t port = PortOf(*adapter);
+      os::KeepFromPrograms(port, 0);
+      return MakeListener(ToString(HostPort{place->host, port}), [adapter, servant] {
         servant->Stop();
         adapter->destroy();
       });
@@ -117,6 +119,7 @@ class IceMiddleware final : public Middleware {
     auto connection = Connect(*place, deadline);
     if (!connection) return TimedOut(*place, timeout);
     if (connection->why) return WhyNotOpened(connection->why, *place, timeout);
+    KeepFromPrograms(*connection->connection);
     auto link = std::make_shared<IceLink>(connection->connection, 0);
     link->SetHandler(std::move(handler));
     const auto refused = Greet(link, connection->connection, deadline);

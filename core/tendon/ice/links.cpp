@@ -1,3 +1,4 @@
+#include <tendon/base/os/socket.h>
 #include <tendon/ice/bounded_reader.h>
 #include <tendon/ice/links.h>
 
@@ -7,6 +8,13 @@
 
 namespace tendon::ice {
 namespace {
+
+/// Null where there is none.
+std::shared_ptr<Ice::IPConnectionInfo> AddressOf(const Ice::Connection& connection) {
+  auto info = connection.getInfo();
+  while (info->underlying) info = info->underlying;
+  return std::dynamic_pointer_cast<Ice::IPConnectionInfo>(info);
+}
 
 /// The two ends of a connection's socket, as "host:port".
 struct Ends {
@@ -22,9 +30,7 @@ std::string Place(std::string host, int port) {
 
 Ends EndsOf(const Ice::Connection& connection) {
   try {
-    auto info = connection.getInfo();
-    while (info->underlying) info = info->underlying;
-    if (const auto address = std::dynamic_pointer_cast<Ice::IPConnectionInfo>(info)) {
+    if (const auto address = AddressOf(connection)) {
       return {.local = Place(address->localAddress, address->localPort),
               .peer = Place(address->remoteAddress, address->remotePort)};
     }
@@ -37,6 +43,17 @@ Ends EndsOf(const Ice::Connection& connection) {
 }  // namespace
 
 Ice::Identity EndpointIdentity() { return {"tendon", ""}; }
+
+void KeepFromPrograms(const Ice::Connection& connection) {
+  try {
+    const auto address = AddressOf(connection);
+    if (!address) return;
+    os::KeepFromPrograms(static_cast<std::uint16_t>(address->localPort),
+                         static_cast<std::uint16_t>(address->remotePort));
+  } catch (const Ice::Exception&) {
+    // It is closed already.
+  }
+}
 
 IceLink::IceLink(std::shared_ptr<Ice::Connection> connection, std::uint64_t door)
     : connection_(std::move(connection)),

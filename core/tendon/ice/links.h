@@ -92,6 +92,10 @@ class Links {
   std::map<Ice::Connection*, std::shared_ptr<IceLink>> links_;
 };
 
+/// Ice leaves its sockets to whatever programs this one starts, which would hold their ports: not
+/// that of this connection any more. Takes longer the more sockets there are.
+void KeepFromPrograms(const Ice::Connection& connection);
+
 /// The identity of the endpoint at both ends.
 Ice::Identity EndpointIdentity();
 

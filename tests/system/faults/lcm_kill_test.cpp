@@ -73,7 +73,6 @@ TEST_P(LcmKill, AKilledClientLeavesNothingThatHindersTheNext) {
 
 /// Row 32.
 TEST_P(LcmKill, AProgramThatAComponentHasStartedKeepsNoPort) {
-  if (GetParam() == "ice") GTEST_SKIP() << "row 32: Ice leaves its sockets to child processes";
   const std::string port = "127.0.0.1:" + std::to_string(FreePort());
   ASSERT_NO_FATAL_FAILURE(StartGcm());
   ASSERT_NO_FATAL_FAILURE(StartViewer());

@@ -1,4 +1,5 @@
 #include <arpa/inet.h>
+#include <fcntl.h>
 #include <netdb.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
@@ -10,6 +11,7 @@
 #include <array>
 #include <cerrno>
 #include <charconv>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -79,6 +81,19 @@ int WaitUntilConnected(const Socket& socket, std::chrono::steady_clock::time_poi
     getsockopt(socket.descriptor(), SOL_SOCKET, SO_ERROR, &failure, &size);
     return failure;
   }
+}
+
+/// 0 where there is none.
+template <typename Query>
+std::uint16_t PortOf(int descriptor, Query query) {
+  sockaddr_storage address{};
+  socklen_t size = sizeof(address);
+  if (query(descriptor, reinterpret_cast<sockaddr*>(&address), &size) != 0) return 0;
+  if (address.ss_family == AF_INET) {
+    return ntohs(reinterpret_cast<const sockaddr_in&>(address).sin_port);
+  }
+  const bool is_ipv6 = address.ss_family == AF_INET6;
+  return is_ipv6 ? ntohs(reinterpret_cast<const sockaddr_in6&>(address).sin6_port) : 0;
 }
 
 template <typename Query>
@@ -251,6 +266,18 @@ void ShutDownSending(const Socket& socket) { shutdown(socket.descriptor(), SHUT_
 std::string LocalAddress(const Socket& socket) { return AddressOf(socket, getsockname); }
 
 std::string PeerAddress(const Socket& socket) { return AddressOf(socket, getpeername); }
+
+void KeepFromPrograms(std::uint16_t local_port, std::uint16_t peer_port) {
+  std::error_code ignored;
+  for (fs::directory_iterator one("/proc/self/fd", ignored), end; one != end;
+       one.increment(ignored)) {
+    const int descriptor = std::atoi(one->path().filename().c_str());
+    if (PortOf(descriptor, getsockname) == local_port &&
+        PortOf(descriptor, getpeername) == peer_port) {
+      fcntl(descriptor, F_SETFD, FD_CLOEXEC);
+    }
+  }
+}
 
 Error AddressInUse(const std::string& host, std::uint16_t port) {
   return {ErrorCode::kExists, Name(host, port) + " is in use by " + ListenerAt(port)};
