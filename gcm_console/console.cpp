@@ -2,7 +2,7 @@
 #include <gcm_console/report.h>
 #include <gcm_console/verb.h>
 #include <program/command_line.h>
-#include <program/middleware_choice.h>
+#include <program/network_options.h>
 #include <tendon/base/name.h>
 
 #include <CLI/CLI.hpp>
@@ -73,12 +73,9 @@ void AddSettings(CLI::App& app, Settings& settings, int& timeout_ms) {
   app.add_option("--timeout", timeout_ms, "how long an answer may take, in ms")
       ->check(CLI::Range(1, 3600000))
       ->capture_default_str();
-  app.add_option("--middleware", settings.middleware, "how processes talk")
-      ->check(CLI::IsMember(program::MiddlewareNames()))
-      ->capture_default_str();
   app.add_flag("--json,--jsonl", settings.json, "print JSON: one document, or one a row");
   app.add_flag("--read-only", settings.read_only, "ask as a viewer, to whom changes are denied");
-  app.add_flag("--insecure", settings.insecure, "allow addresses off this machine, unencrypted");
+  program::AddNetworkOptions(app, settings.network);
 }
 
 /// `gcm help VERB` is `gcm VERB --help`, `gcm help` is `gcm --help`.
@@ -124,7 +121,6 @@ int RunCommandLine(const std::vector<std::string>& typed, std::ostream& out, std
   }
   const std::vector<std::string> words = WithoutHelpVerb(typed);
   Settings settings;
-  settings.middleware = program::MiddlewareNames().front();
   int timeout_ms = static_cast<int>(settings.timeout.count());
   CLI::App app("Sees and steers a system of components through its GCM.", "gcm");
   app.require_subcommand(1);

@@ -1,5 +1,5 @@
 #include <gcm_console/context.h>
-#include <program/middleware_choice.h>
+#include <program/network_options.h>
 #include <tendon/base/os/termination.h>
 
 #include <nlohmann/json.hpp>
@@ -16,15 +16,9 @@ Context::Context(Settings settings, std::string verb, std::ostream& out, std::os
       err_(err),
       columns_(columns) {}
 
-tendon::Result<std::shared_ptr<tendon::Middleware>> Context::middleware() const {
-  const auto exposure =
-      settings_.insecure ? tendon::Exposure::kInsecure : tendon::Exposure::kLoopbackOnly;
-  return program::MakeMiddleware(settings_.middleware, exposure);
-}
-
 tendon::Result<tendon::GcmClient*> Context::Client(std::shared_ptr<tendon::GcmListener> listener) {
   if (client_) return client_.get();
-  auto made = middleware();
+  auto made = program::MakeMiddleware(settings_.network);
   if (!made) return made.error();
   auto client = std::make_unique<tendon::GcmClient>(
       *made,

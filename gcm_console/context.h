@@ -1,6 +1,7 @@
 #pragma once
 
 #include <program/exit_code.h>
+#include <program/network_options.h>
 #include <tendon/base/result.h>
 #include <tendon/gcm/client.h>
 
@@ -15,10 +16,9 @@ namespace console {
 /// What holds for every verb, from the command line.
 struct Settings {
   std::string gcm;
-  std::string middleware;
+  program::NetworkOptions network;
   std::chrono::milliseconds timeout = tendon::GcmClient::Options().timeout;
   bool json = false;
-  bool insecure = false;
   bool read_only = false;
 };
 
@@ -46,7 +46,6 @@ class Context {
                            [&](auto handler) { start(**client, std::move(handler)); });
   }
 
-  tendon::Result<std::shared_ptr<tendon::Middleware>> middleware() const;
   /// A client that has seen the catalogue; made once, with the listener of the first call.
   tendon::Result<tendon::GcmClient*> Client(
       std::shared_ptr<tendon::GcmListener> listener = nullptr);

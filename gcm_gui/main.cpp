@@ -5,7 +5,7 @@
 #include <gcm_gui/window/ui_description.h>
 #include <gcm_gui/window/watched_application.h>
 #include <program/exit_code.h>
-#include <program/middleware_choice.h>
+#include <program/network_options.h>
 
 #include <CLI/CLI.hpp>
 #include <QSettings>
@@ -19,9 +19,8 @@ struct Options {
   std::string gcm;
   std::string listen;
   std::string theme = "system";
-  std::string middleware = program::MiddlewareNames().front();
+  program::NetworkOptions network;
   std::string describe_ui;
-  bool insecure = false;
 };
 
 void AddOptions(CLI::App& app, Options& options) {
@@ -32,10 +31,7 @@ void AddOptions(CLI::App& app, Options& options) {
   app.add_option("--theme", options.theme, "dark, light or system")
       ->check(CLI::IsMember({"dark", "light", "system"}))
       ->capture_default_str();
-  app.add_option("--middleware", options.middleware, "how processes talk")
-      ->check(CLI::IsMember(program::MiddlewareNames()))
-      ->capture_default_str();
-  app.add_flag("--insecure", options.insecure, "allow addresses off this machine, unencrypted");
+  program::AddNetworkOptions(app, options.network);
   app.add_option("--describe-ui", options.describe_ui,
                  "keep writing to this file where things are on the screen, for UI tests");
 }
@@ -70,9 +66,7 @@ void KeepLayout(tendon::gui::MainWindow& window) {
 }
 
 int Run(const Options& options) {
-  const auto exposure =
-      options.insecure ? tendon::Exposure::kInsecure : tendon::Exposure::kLoopbackOnly;
-  const auto middleware = program::MakeMiddleware(options.middleware, exposure);
+  const auto middleware = program::MakeMiddleware(options.network);
   if (!middleware) return Fail(middleware.error());
 
   std::string address = options.listen.empty() ? program::GcmAddress(options.gcm) : options.listen;

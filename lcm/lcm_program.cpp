@@ -1,5 +1,4 @@
 #include <lcm/lcm_program.h>
-#include <program/middleware_choice.h>
 #include <tendon/base/log.h>
 #include <tendon/base/os/process.h>
 #include <tendon/base/os/termination.h>
@@ -149,9 +148,7 @@ Result<void> Serve(const Options& options) {
   if (auto checked = tendon::CheckName("process", options.name); !checked) return checked;
   auto share = ReadShare(options);
   if (!share) return share.error();
-  const auto exposure =
-      options.insecure ? tendon::Exposure::kInsecure : tendon::Exposure::kLoopbackOnly;
-  auto middleware = program::MakeMiddleware(options.middleware, exposure);
+  auto middleware = program::MakeMiddleware(options.network);
   if (!middleware) return middleware.error();
   tendon::ComponentLoader loader;
   auto components = MakeComponents(*share, loader);  // before anybody hears of this process

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <program/exit_code.h>
+#include <program/network_options.h>
 #include <tendon/base/result.h>
 #include <tendon/gcm/system_file.h>
 #include <tendon/process/process.h>
@@ -17,9 +18,8 @@ struct Options {
   std::string system;  ///< a system file, or empty: start without components
   std::string listen = "127.0.0.1:0";
   std::string advertise;
-  std::string middleware;
   std::chrono::milliseconds timeout{3000};  ///< for finding the GCM and being admitted
-  bool insecure = false;
+  program::NetworkOptions network;
 };
 
 /// Runs a process until it is told to stop: loads the plug-ins that the system file names for it,

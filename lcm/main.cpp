@@ -1,6 +1,6 @@
 #include <lcm/lcm_program.h>
 #include <program/command_line.h>
-#include <program/middleware_choice.h>
+#include <program/network_options.h>
 #include <tendon/base/os/terminal.h>
 #include <tendon/base/os/termination.h>
 
@@ -12,7 +12,6 @@ int main(int argc, char** argv) {
   tendon::os::HoldTerminationSignals();
   lcm::Options options;
   int timeout_ms = static_cast<int>(options.timeout.count());
-  options.middleware = program::MiddlewareNames().front();
 
   CLI::App app("Runs the components of one process and joins a GCM.", "lcm");
   app.add_option("--name", options.name, "name of this process")->required();
@@ -25,10 +24,7 @@ int main(int argc, char** argv) {
   app.add_option("--timeout", timeout_ms, "how long to look for the GCM at the start, in ms")
       ->check(CLI::Range(1, 3600000))
       ->capture_default_str();
-  app.add_option("--middleware", options.middleware, "how processes talk")
-      ->check(CLI::IsMember(program::MiddlewareNames()))
-      ->capture_default_str();
-  app.add_flag("--insecure", options.insecure, "allow addresses off this machine, unencrypted");
+  program::AddNetworkOptions(app, options.network);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked) {

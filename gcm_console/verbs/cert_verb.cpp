@@ -1,6 +1,5 @@
 #include <gcm_console/report.h>
 #include <gcm_console/verb.h>
-#include <tendon/base/os/process.h>
 #include <tendon/security/certificate_authority.h>
 #include <tendon/security/certificate_check.h>
 
@@ -21,7 +20,6 @@ using tendon::Result;
 
 /// Of the acts of `gcm cert`; each uses some.
 struct Arguments {
-  std::string authority;  ///< the folder; empty for the usual one
   std::string name;
   std::string file;
   std::string role;
@@ -29,11 +27,12 @@ struct Arguments {
   std::vector<std::string> hosts;
   int days = 365;
   bool is_process = false;
-
-  [[nodiscard]] fs::path Authority() const {
-    return authority.empty() ? tendon::os::StateFolder() / "ca" : fs::path(authority);
-  }
 };
+
+/// The folder of the CA.
+fs::path Authority(const Context& context) {
+  return program::AuthorityOf(context.settings().network);
+}
 
 nlohmann::ordered_json JsonOf(const tendon::Certificate& certificate) {
   return {{"name", certificate.name},
@@ -57,8 +56,8 @@ void PrintText(Context& context, const tendon::Certificate& certificate,
   table.Print(context.out(), context.columns());
 }
 
-Result<ExitCode> Init(Context& context, const Arguments& arguments) {
-  const auto authority = CertificateAuthority::Init(arguments.Authority());
+Result<ExitCode> Init(Context& context, const Arguments& /*arguments*/) {
+  const auto authority = CertificateAuthority::Init(Authority(context));
   if (!authority) return authority.error();
   const std::string folder = authority->folder().string();
   const std::string last = tendon::DateText(authority->not_after());
@@ -73,7 +72,7 @@ Result<ExitCode> Init(Context& context, const Arguments& arguments) {
 Result<ExitCode> Issue(Context& context, const Arguments& arguments) {
   const auto role = tendon::ParseRole(arguments.role);
   if (!role) return role.error();
-  const auto authority = CertificateAuthority::Open(arguments.Authority());
+  const auto authority = CertificateAuthority::Open(Authority(context));
   if (!authority) return authority.error();
   const auto holder = arguments.is_process ? tendon::Holder::kProcess : tendon::Holder::kPerson;
   const auto issued = authority->Issue({.name = arguments.name,
@@ -98,7 +97,7 @@ Result<ExitCode> Issue(Context& context, const Arguments& arguments) {
 
 Result<ExitCode> Check(Context& context, const Arguments& arguments) {
   const auto now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
-  const auto checked = tendon::CheckCertificate(arguments.file, arguments.Authority(), now);
+  const auto checked = tendon::CheckCertificate(arguments.file, Authority(context), now);
   if (!checked) return checked.error();
   if (context.settings().json) {
     auto content = JsonOf(checked->certificate);
@@ -116,7 +115,7 @@ Result<ExitCode> Check(Context& context, const Arguments& arguments) {
 }
 
 Result<ExitCode> Revoke(Context& context, const Arguments& arguments) {
-  const auto authority = CertificateAuthority::Open(arguments.Authority());
+  const auto authority = CertificateAuthority::Open(Authority(context));
   if (!authority) return authority.error();
   const auto revoked = authority->Revoke(arguments.name);
   if (!revoked) return revoked.error();
@@ -174,11 +173,10 @@ Verb::Run Prepare(CLI::App& app) {
   const auto chosen = std::make_shared<const Act*>(nullptr);
   const auto arguments = std::make_shared<Arguments>();
   app.require_subcommand(1);
-  app.add_option("--ca", arguments->authority, "the CA's folder (default: one of the user's)");
   for (const Act& act : kActs) {
     CLI::App* part = app.add_subcommand(act.name, act.summary);
     part->fallthrough();
-    part->footer("--ca goes with each of them: gcm cert --help; --json and others: gcm --help");
+    part->footer("--ca and --json go with each of them: gcm --help");
     act.add_options(*part, *arguments);
     part->callback([chosen, &act] { *chosen = &act; });
   }

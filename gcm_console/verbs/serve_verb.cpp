@@ -19,7 +19,7 @@ tendon::Error WithHint(tendon::Error error) {
 
 tendon::Result<program::ExitCode> Serve(Context& context) {
   tendon::os::HoldTerminationSignals();
-  auto middleware = context.middleware();
+  auto middleware = program::MakeMiddleware(context.settings().network);
   if (!middleware) return middleware.error();
   auto manager = tendon::GlobalManager::Start(
       *middleware, {.address = context.settings().gcm, .state_folder = tendon::os::StateFolder()});

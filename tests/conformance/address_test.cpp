@@ -70,7 +70,7 @@ TEST_P(AddressContract, AnUnknownHostIsUnreachable) {
   EXPECT_THAT(link.error().message, HasSubstr("no-such-host.invalid"));
 }
 
-TEST_P(PortContract, AddressesOffThisMachineNeedTheWordInsecure) {
+TEST_P(ExposureContract, AddressesOffThisMachineNeedTheWordInsecure) {
   Host host;
   const Pair pair = GetParam().make(Exposure::kLoopbackOnly);
 
@@ -84,7 +84,7 @@ TEST_P(PortContract, AddressesOffThisMachineNeedTheWordInsecure) {
   EXPECT_THAT(link.error().message, HasSubstr("--insecure"));
 }
 
-TEST_P(PortContract, WithTheWordInsecureAnyAddressIsServed) {
+TEST_P(ExposureContract, WithTheWordInsecureAnyAddressIsServed) {
   Host host;
   const Pair pair = GetParam().make(Exposure::kInsecure);
 

@@ -64,6 +64,8 @@ class LinkContract : public Contract {
 
 class AddressContract : public Contract {};
 class LifetimeContract : public Contract {};
+/// For kinds that are not always encrypted.
+class ExposureContract : public Contract {};
 /// For kinds whose ports strangers reach, and whose programs can be killed.
 class PortContract : public Contract {
  protected:
@@ -114,6 +116,8 @@ class ChannelContract : public Contract {
 };
 
 class LargeMessageContract : public ChannelContract {};
+/// For kinds whose ends know each other by the cookie.
+class CookieContract : public ChannelContract {};
 
 inline std::string NameOfKind(const testing::TestParamInfo<Kind>& info) { return info.param.name; }
 

@@ -36,7 +36,7 @@ TEST_P(ChannelContract, AnOlderProgramIsToldToUpdateItself) {
             "robot speaks protocol 9, this program 3: update this program");
 }
 
-TEST_P(ChannelContract, AWrongCookieIsDeniedAndNoOpenIsHeard) {
+TEST_P(CookieContract, AWrongCookieIsDeniedAndNoOpenIsHeard) {
   const auto server = std::make_shared<Oracle>();
   Start(Channel::Acceptor(HelloOf("robot"), [server] { return server; }));
   for (const std::uint64_t cookie : {std::uint64_t{0}, kCookie + 1}) {
@@ -64,7 +64,7 @@ std::size_t CountOfCookie(const std::vector<Bytes>& frames, std::uint64_t cookie
       }));
 }
 
-TEST_P(ChannelContract, AnImpostorAtThePortIsDeniedAndLearnsNothing) {
+TEST_P(CookieContract, AnImpostorAtThePortIsDeniedAndLearnsNothing) {
   std::mutex mutex;
   std::vector<Bytes> heard;
   Host impostor([&](const std::shared_ptr<Link>& link) {
@@ -95,7 +95,7 @@ TEST_P(ChannelContract, AnImpostorAtThePortIsDeniedAndLearnsNothing) {
   EXPECT_EQ(CountOfCookie(heard, kCookie), 0U);
 }
 
-TEST_P(ChannelContract, WhoPassesOnWhatOthersSayIsDenied) {
+TEST_P(CookieContract, WhoPassesOnWhatOthersSayIsDenied) {
   const auto robot = std::make_shared<Oracle>();
   Start(Channel::Acceptor(HelloOf("robot"), [robot] { return robot; }));
   std::promise<std::shared_ptr<Link>> to_desk;

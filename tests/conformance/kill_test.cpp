@@ -62,9 +62,9 @@ class Peer {
 };
 
 TEST_P(PortContract, TheOpenerHearsOnceThatTheAcceptorWasKilled) {
+  pair_ = GetParam().make(Exposure::kLoopbackOnly);
   Peer peer({GetParam().name, "listen"});
   const std::string address = peer.ReadLine();
-  pair_ = GetParam().make(Exposure::kLoopbackOnly);
   const auto recorder = std::make_shared<Recorder>();
   const auto link = pair_.client->Open(address, recorder, kPatience);
   ASSERT_TRUE(link) << link.error().message;

@@ -19,13 +19,30 @@ std::filesystem::path HistoryFile(const GlobalManager::Options& options) {
   return folder / ("history-" + address + ".jsonl");
 }
 
+/// Nobody would talk to a GCM with another.
+Result<void> CheckCertificateOf(const Middleware& middleware) {
+  const Certificate* certificate = middleware.certificate();
+  if (certificate == nullptr) return {};
+  if (certificate->name == kGcmName && certificate->holder == Holder::kProcess &&
+      certificate->role == Role::kOperator) {
+    return {};
+  }
+  return Error{ErrorCode::kDenied, "a GCM needs the certificate of a process '" +
+                                       std::string(kGcmName) + "' (gcm cert issue " + kGcmName +
+                                       " --role operator --process); this is that of '" +
+                                       certificate->name + "', a " +
+                                       std::string(ToString(certificate->holder)) + " and " +
+                                       std::string(ToString(certificate->role))};
+}
+
 }  // namespace
 
 Result<std::unique_ptr<GlobalManager>> GlobalManager::Start(std::shared_ptr<Middleware> middleware,
                                                             Options options) {
+  if (auto fits = CheckCertificateOf(*middleware); !fits) return fits.error();
   const auto cookie = LoopbackCookie();
   if (!cookie) return cookie.error();
-  const Hello mine{.instance = os::RandomNumber(), .name = "gcm", .cookie = *cookie};
+  const Hello mine{.instance = os::RandomNumber(), .name = kGcmName, .cookie = *cookie};
   // The address first: the history is another GCM's while that listens there.
   std::promise<std::weak_ptr<server::Server>> made;
   const auto choose = [server = made.get_future().share()]() -> std::shared_ptr<ChannelHandler> {

@@ -5,6 +5,7 @@
 #include <tendon/ice/sequence_size_check.h>
 #include <tendon/ice/servants.h>
 #include <tendon/ice/settings.h>
+#include <tendon/ice/tls.h>
 #include <tendon/middleware/handover.h>
 
 #include <cerrno>
@@ -18,16 +19,23 @@ namespace tendon {
 namespace ice {
 namespace {
 
-std::string EndpointAt(const HostPort& place) {
-  return "tcp -h \"" + place.host + "\" -p " + std::to_string(place.port);
-}
-
 std::uint16_t PortOf(const Ice::ObjectAdapter& adapter) {
   for (const auto& endpoint : adapter.getEndpoints()) {
-    const auto info = std::dynamic_pointer_cast<Ice::TCPEndpointInfo>(endpoint->getInfo());
-    if (info) return static_cast<std::uint16_t>(info->port);
+    auto info = endpoint->getInfo();
+    while (info->underlying) info = info->underlying;
+    const auto place = std::dynamic_pointer_cast<Ice::TCPEndpointInfo>(info);
+    if (place) return static_cast<std::uint16_t>(place->port);
   }
   return 0;
+}
+
+/// `tls` is null for links without.
+std::shared_ptr<Ice::Communicator> MakeCommunicator(const std::shared_ptr<Tls>& tls) {
+  auto settings = Settings();
+  if (tls) tls->AddTo(*settings.properties);
+  auto communicator = Ice::initialize(settings);
+  if (tls) tls->Judge(*communicator);
+  return communicator;
 }
 
 Error WhyNotListening(const HostPort& place) {
@@ -44,23 +52,33 @@ Error WhyNotListening(const HostPort& place) {
   }
 }
 
-Error TimedOut(const HostPort& place, std::chrono::milliseconds timeout) {
+/// `tls` is null for a link without, also below.
+Error TimedOut(const HostPort& place, std::chrono::milliseconds timeout, const Tls* tls) {
   return {ErrorCode::kTimeout, "no answer from " + ToString(place) + " within " +
-                                   std::to_string(timeout.count()) + " ms"};
+                                   std::to_string(timeout.count()) + " ms" +
+                                   (tls != nullptr ? "" : ": it hangs, or wants a --certificate")};
 }
 
 Error WhyNotOpened(const std::exception_ptr& why, const HostPort& place,
-                   std::chrono::milliseconds timeout) {
+                   std::chrono::milliseconds timeout, Tls* tls) {
   try {
     std::rethrow_exception(why);
   } catch (const Ice::DNSException&) {
     return {ErrorCode::kUnreachable, "host '" + place.host + "' is unknown"};
   } catch (const Ice::TimeoutException&) {
-    return TimedOut(place, timeout);
+    return TimedOut(place, timeout, tls);
+  } catch (const Ice::SecurityException& failure) {
+    return tls->NotTrusted(place, failure.reason);
+  } catch (const Ice::ConnectionLostException&) {
+    if (tls != nullptr) return tls->NotAccepted(place);
+    return {ErrorCode::kUnreachable, ToString(place) +
+                                         " closed the connection at once; is it a program of "
+                                         "Tendon, and does it want a --certificate?"};
   } catch (const Ice::SyscallException& failure) {
     return {ErrorCode::kUnreachable, "nobody answers at " + ToString(place) + " (" +
                                          std::generic_category().message(failure.error) + ")"};
   } catch (const Ice::Exception& failure) {
+    if (tls != nullptr) return tls->NotAccepted(place);
     return {ErrorCode::kUnreachable,
             "no program of Tendon answers at " + ToString(place) + " (" + failure.ice_id() + ")"};
   }
@@ -68,9 +86,11 @@ Error WhyNotOpened(const std::exception_ptr& why, const HostPort& place,
 
 class IceMiddleware final : public Middleware {
  public:
-  explicit IceMiddleware(Exposure exposure)
+  /// `tls` is null for links without.
+  IceMiddleware(Exposure exposure, std::shared_ptr<Tls> tls)
       : exposure_(exposure),
-        communicator_(Ice::initialize(Settings())),
+        tls_(std::move(tls)),
+        communicator_(MakeCommunicator(tls_)),
         opened_(communicator_->createObjectAdapter("")) {
     WarnOfExposure(exposure, "ice");
     if (!RefusesImpossibleSizes(communicator_)) {
@@ -88,6 +108,9 @@ class IceMiddleware final : public Middleware {
   }
 
   [[nodiscard]] std::string_view name() const override { return "ice"; }
+  [[nodiscard]] const Certificate* certificate() const override {
+    return tls_ ? &tls_->certificate() : nullptr;
+  }
 
   Result<std::unique_ptr<Listener>> Listen(const std::string& address, AcceptLink accept) override {
     const auto place = ParseAllowedAddress(address, 0, exposure_);
@@ -117,16 +140,23 @@ class IceMiddleware final : public Middleware {
     const auto place = ParseAllowedAddress(address, 1, exposure_);
     if (!place) return place.error();
     auto connection = Connect(*place, deadline);
-    if (!connection) return TimedOut(*place, timeout);
-    if (connection->why) return WhyNotOpened(connection->why, *place, timeout);
+    if (!connection) return TimedOut(*place, timeout, tls_.get());
+    if (connection->why) return WhyNotOpened(connection->why, *place, timeout, tls_.get());
     KeepFromPrograms(*connection->connection);
-    auto link = std::make_shared<IceLink>(connection->connection, 0);
+    std::shared_ptr<IceLink> link;
+    try {
+      link = std::make_shared<IceLink>(connection->connection, 0);
+    } catch (const Ice::Exception&) {
+      connection->connection->close(Ice::ConnectionClose::Forcefully);
+      return WhyNotOpened(std::current_exception(), *place, timeout, tls_.get());
+    }
     link->SetHandler(std::move(handler));
     const auto refused = Greet(link, connection->connection, deadline);
     if (refused && !*refused) return std::shared_ptr<Link>(std::move(link));
     link->SetHandler(nullptr);
     link->CloseAtOnce();
-    return refused ? WhyNotOpened(*refused, *place, timeout) : TimedOut(*place, timeout);
+    return refused ? WhyNotOpened(*refused, *place, timeout, tls_.get())
+                   : TimedOut(*place, timeout, tls_.get());
   }
 
  private:
@@ -134,6 +164,10 @@ class IceMiddleware final : public Middleware {
     std::shared_ptr<Ice::Connection> connection;
     std::exception_ptr why;
   };
+
+  [[nodiscard]] std::string EndpointAt(const HostPort& place) const {
+    return (tls_ ? "ssl -h \"" : "tcp -h \"") + place.host + "\" -p " + std::to_string(place.port);
+  }
 
   std::uint64_t NewNumber() {
     const std::scoped_lock lock(mutex_);
@@ -183,6 +217,7 @@ class IceMiddleware final : public Middleware {
   }
 
   const Exposure exposure_;
+  const std::shared_ptr<Tls> tls_;
   const std::shared_ptr<Links> links_ = std::make_shared<Links>();
   const std::shared_ptr<Ice::Communicator> communicator_;
   const std::shared_ptr<Ice::ObjectAdapter> opened_;  // serves the connections made here
@@ -194,7 +229,20 @@ class IceMiddleware final : public Middleware {
 }  // namespace ice
 
 std::unique_ptr<Middleware> MakeIceMiddleware(Exposure exposure) {
-  return std::make_unique<ice::IceMiddleware>(exposure);
+  return std::make_unique<ice::IceMiddleware>(exposure, nullptr);
+}
+
+Result<std::unique_ptr<Middleware>> MakeIceMiddleware(const Credentials& credentials) {
+  auto tls = ice::Tls::Make(credentials);
+  if (!tls) return tls.error();
+  try {
+    return std::unique_ptr<Middleware>(
+        std::make_unique<ice::IceMiddleware>(Exposure::kCertified, *std::move(tls)));
+  } catch (const Ice::Exception& failure) {  // it reads the same files, and may see them otherwise
+    return Error{
+        ErrorCode::kInvalid,
+        "TLS cannot be started with " + credentials.certificate.string() + ": " + failure.ice_id()};
+  }
 }
 
 }  // namespace tendon

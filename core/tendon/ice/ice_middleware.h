@@ -1,6 +1,7 @@
 #pragma once
 
 #include <tendon/middleware/middleware.h>
+#include <tendon/security/credentials.h>
 
 #include <memory>
 
@@ -11,5 +12,10 @@ namespace tendon {
 /// ICE_CONFIG is ignored. `exposure` says whether addresses off this machine are allowed; if so, a
 /// warning is logged. Makes the process ignore SIGPIPE.
 std::unique_ptr<Middleware> MakeIceMiddleware(Exposure exposure);
+
+/// The same under TLS, on this machine and off it: speaks only to peers that show a certificate of
+/// the same CA. The list of the revoked is read anew for each link. kDenied, kNotFound or kInvalid
+/// where one's own certificate is not good.
+Result<std::unique_ptr<Middleware>> MakeIceMiddleware(const Credentials& credentials);
 
 }  // namespace tendon

@@ -1,6 +1,7 @@
 #include <tendon/base/os/socket.h>
 #include <tendon/ice/bounded_reader.h>
 #include <tendon/ice/links.h>
+#include <tendon/ice/tls.h>
 
 #include <algorithm>
 #include <utility>
@@ -60,7 +61,8 @@ IceLink::IceLink(std::shared_ptr<Ice::Connection> connection, std::uint64_t door
       peer_endpoint_(connection_->createProxy(EndpointIdentity())->ice_oneway()),
       door_(door),
       peer_(EndsOf(*connection_).peer),
-      local_(EndsOf(*connection_).local) {}
+      local_(EndsOf(*connection_).local),
+      certificate_(CertificateOf(*connection_)) {}
 
 Status IceLink::Send(std::span<const std::byte> frame) {
   if (!ReadWholeFrame(frame)) return Status::kInvalid;

@@ -32,6 +32,9 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
   void Close() override;
   [[nodiscard]] std::string peer() const override { return peer_; }
   [[nodiscard]] std::string local() const override { return local_; }
+  [[nodiscard]] const Certificate* certificate() const override {
+    return certificate_ ? &*certificate_ : nullptr;
+  }
 
   /// Before the first frame is delivered.
   void SetHandler(std::shared_ptr<LinkHandler> handler);
@@ -59,6 +62,7 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
   const std::uint64_t door_;
   const std::string peer_;
   const std::string local_;
+  const std::optional<Certificate> certificate_;
   const SteadyTime since_ = SteadyClock().Now();
 
   std::mutex delivery_;  // held during a call of the handler

@@ -1,24 +1,21 @@
 #include <tendon/base/log.h>
 #include <tendon/ice/links.h>
+#include <tendon/ice/refusals.h>
 #include <tendon/ice/settings.h>
 #include <tendon/middleware/complaints.h>
 
 #include <string>
+#include <string_view>
 
 namespace tendon::ice {
 namespace {
 
-/// Ice's messages have several lines; ours have one.
-std::string OnOneLine(const std::string& text) {
-  std::string line;
-  for (const char c : text) {
-    if (c != '\n') {
-      line += c;
-    } else if (!line.empty() && line.back() != ' ') {
-      line += ' ';
-    }
-  }
-  return line;
+/// What follows a title in a message of Ice, up to the end of its line.
+std::string After(std::string_view title, const std::string& message) {
+  const auto found = message.find(title);
+  if (found == message.npos) return "somebody";
+  const auto begin = found + title.size();
+  return message.substr(begin, message.find('\n', begin) - begin);
 }
 
 class Logger final : public Ice::Logger, public std::enable_shared_from_this<Logger> {
@@ -27,6 +24,11 @@ class Logger final : public Ice::Logger, public std::enable_shared_from_this<Log
     Log(LogLevel::kInfo, "ice", OnOneLine(message));
   }
   void trace(const std::string& category, const std::string& message) override {
+    // Of a peer whose certificate OpenSSL finds bad, Ice tells nothing else.
+    if (category == "Security" && message.starts_with("certificate verification failure")) {
+      const std::string address = After("remote address = ", message);
+      return refusals_.Add(address.substr(0, address.rfind(':')), OnOneLine(message));
+    }
     Log(LogLevel::kDebug, "ice", category + ": " + OnOneLine(message));
   }
   void warning(const std::string& message) override { warnings_.Add(OnOneLine(message)); }
@@ -40,9 +42,22 @@ class Logger final : public Ice::Logger, public std::enable_shared_from_this<Log
 
  private:
   Complaints warnings_{"ice"};
+  Refusals refusals_;
 };
 
 }  // namespace
+
+std::string OnOneLine(const std::string& text) {
+  std::string line;
+  for (const char c : text) {
+    if (c != '\n') {
+      line += c;
+    } else if (!line.empty() && line.back() != ' ') {
+      line += ' ';
+    }
+  }
+  return line;
+}
 
 Ice::InitializationData Settings() {
   constexpr std::size_t kKibi = 1024;

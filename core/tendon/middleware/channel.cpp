@@ -26,9 +26,10 @@ bool IsOnThisMachine(const Link& link) {
   return !address || CheckExposure(address->host, Exposure::kLoopbackOnly).ok();
 }
 
-/// One's own Hello for the peer of `link`: the cookie is for peers on this machine alone.
+/// One's own Hello for the peer of `link`: the cookie is for peers on this machine alone, and TLS
+/// needs none.
 Hello For(const Link& link, Hello mine) {
-  if (!IsOnThisMachine(link)) mine.cookie = 0;
+  if (link.certificate() != nullptr || !IsOnThisMachine(link)) mine.cookie = 0;
   return mine;
 }
 
@@ -103,7 +104,8 @@ Channel::Channel(Key /*only from here*/, Hello mine, std::shared_ptr<ChannelHand
       link_(std::move(link)) {
   if (!link_) return;
   handshake_.emplace(Handshake::Role::kAcceptor, For(*link_, mine_), link_->local(),
-                     IsOnThisMachine(*link_) ? strangers : Strangers::kFromElsewhere);
+                     IsOnThisMachine(*link_) ? strangers : Strangers::kFromElsewhere,
+                     link_->certificate());
 }
 
 Result<std::shared_ptr<Channel>> Channel::Open(Middleware& middleware, const std::string& address,
@@ -139,8 +141,8 @@ std::shared_ptr<LinkHandler> Channel::AsLinkHandler() { return {shared_from_this
 Result<void> Channel::Greet(const std::shared_ptr<Link>& link, SteadyTime deadline) {
   std::unique_lock lock(mutex_);
   link_ = link;
-  handshake_.emplace(Handshake::Role::kOpener, For(*link, mine_), link->peer(),
-                     Strangers::kRefused);
+  handshake_.emplace(Handshake::Role::kOpener, For(*link, mine_), link->peer(), Strangers::kRefused,
+                     link->certificate());
   const Bytes greeting = handshake_->Greet();
   lock.unlock();
   (void)Send(MessageType::kHello, 1, 0, greeting);  // refused: it will hear OnClosed()

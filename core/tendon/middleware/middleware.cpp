@@ -93,13 +93,14 @@ std::string ToString(const HostPort& address) {
 }
 
 Result<void> CheckExposure(const std::string& host, Exposure exposure) {
-  if (exposure == Exposure::kInsecure || host == "localhost" || host == "::1" ||
+  if (exposure != Exposure::kLoopbackOnly || host == "localhost" || host == "::1" ||
       IsLoopbackNumber(host)) {
     return {};
   }
   return Error{ErrorCode::kDenied, "host '" + host +
                                        "' is off this machine and nothing is encrypted: use "
-                                       "127.0.0.1, or allow it with --insecure"};
+                                       "127.0.0.1, show a --certificate, or allow it with "
+                                       "--insecure"};
 }
 
 Result<HostPort> ParseAllowedAddress(const std::string& address, std::uint16_t lowest_port,
@@ -112,7 +113,7 @@ Result<HostPort> ParseAllowedAddress(const std::string& address, std::uint16_t l
 }
 
 void WarnOfExposure(Exposure exposure, std::string_view middleware) {
-  if (exposure == Exposure::kLoopbackOnly) return;
+  if (exposure != Exposure::kInsecure) return;
   Log(LogLevel::kWarning, middleware,
       "--insecure: whoever reaches this machine's ports can read and command what runs here");
 }

@@ -3,6 +3,7 @@
 #include <tendon/base/result.h>
 #include <tendon/base/status.h>
 #include <tendon/middleware/frame.h>
+#include <tendon/security/certificate.h>
 
 #include <chrono>
 #include <functional>
@@ -45,6 +46,8 @@ class Link {
   [[nodiscard]] virtual std::string peer() const = 0;
   /// Where this end is, as the peer's peer().
   [[nodiscard]] virtual std::string local() const = 0;
+  /// The peer's, which was found good when the link began; null on a link without TLS.
+  [[nodiscard]] virtual const Certificate* certificate() const { return nullptr; }
 };
 
 /// Hears what arrives on a link, in a thread of the middleware, one call at a time, in order. Must
@@ -100,9 +103,11 @@ class Middleware {
 
   /// "loopback", "tcp", "ice".
   [[nodiscard]] virtual std::string_view name() const = 0;
+  /// What it shows to peers; null without TLS.
+  [[nodiscard]] virtual const Certificate* certificate() const { return nullptr; }
 
   /// Listens at "host:port"; port 0 takes a free one. Errors: kExists, with who holds it where that
-  /// can be known; kDenied for an address off this machine without `insecure`; kInvalid.
+  /// can be known; kDenied for an address that Exposure does not allow; kInvalid.
   virtual Result<std::unique_ptr<Listener>> Listen(const std::string& address,
                                                    AcceptLink accept) = 0;
 
@@ -115,8 +120,9 @@ class Middleware {
                                              std::chrono::milliseconds timeout) = 0;
 };
 
-/// Whether addresses off this machine may be used although nothing is encrypted yet.
-enum class Exposure { kLoopbackOnly, kInsecure };
+/// How far links may go: on this machine only; anywhere although nothing is encrypted; or anywhere
+/// because each link is under TLS, on this machine, too.
+enum class Exposure { kLoopbackOnly, kInsecure, kCertified };
 
 /// An address, taken apart.
 struct HostPort {

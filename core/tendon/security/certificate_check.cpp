@@ -16,9 +16,9 @@ using std::chrono::sys_seconds;
 constexpr const char* kIssueAnother = ": issue another with gcm cert issue";
 
 /// What X509_verify_cert() has against it, in our words.
-Error NotGood(const fs::path& file, int reason, X509& certificate, const fs::path& authority) {
-  const auto denied = [&file](const std::string& why) {
-    return Error{ErrorCode::kDenied, file.string() + " " + why};
+Error NotGood(const std::string& what, int reason, X509& certificate, const fs::path& authority) {
+  const auto denied = [&what](const std::string& why) {
+    return Error{ErrorCode::kDenied, what + " " + why};
   };
   switch (reason) {
     case X509_V_ERR_CERT_HAS_EXPIRED:
@@ -67,6 +67,20 @@ int VerifyChain(X509& certificate, X509& authority, X509_CRL& revoked, sys_secon
   return !holds && reason == X509_V_OK ? X509_V_ERR_UNSPECIFIED : reason;
 }
 
+/// `what` names it in errors.
+Result<Certificate> Check(const std::string& what, X509& certificate, const fs::path& authority,
+                          sys_seconds now) {
+  const auto issuer = ReadAuthority({authority});
+  if (!issuer) return issuer.error();
+  const auto revoked = ReadRevoked({authority});
+  if (!revoked) return revoked.error();
+  const int reason = VerifyChain(certificate, **issuer, **revoked, now);
+  if (reason != X509_V_OK) return NotGood(what, reason, certificate, authority);
+  auto described = openssl::Describe(certificate);
+  if (!described) return Error{ErrorCode::kDenied, what + ": " + described.error().message};
+  return described;
+}
+
 /// The private key beside a certificate: nothing where there is none.
 Result<std::optional<fs::path>> FindKey(const fs::path& file, const X509& certificate) {
   fs::path key_file = file;
@@ -105,22 +119,23 @@ Result<CheckedCertificate> CheckCertificate(const fs::path& file, const fs::path
   if (!certificate || text->size() > kMaxCertificateSize) {
     return Error{ErrorCode::kInvalid, file.string() + " is no certificate (PEM)"};
   }
-  const auto issuer = ReadAuthority({authority});
-  if (!issuer) return issuer.error();
-  const auto revoked = ReadRevoked({authority});
-  if (!revoked) return revoked.error();
-  const int reason = VerifyChain(*certificate, **issuer, **revoked, now);
-  if (reason != X509_V_OK) return NotGood(file, reason, *certificate, authority);
-
-  auto described = openssl::Describe(*certificate);
-  if (!described) {
-    return Error{ErrorCode::kDenied, file.string() + ": " + described.error().message};
-  }
+  auto checked = Check(file.string(), *certificate, authority, now);
+  if (!checked) return checked.error();
   auto key = FindKey(file, *certificate);
   if (!key) return key.error();
-  std::string warning = WarningOf(*described, now);
+  std::string warning = WarningOf(*checked, now);
   return CheckedCertificate{
-      .certificate = *std::move(described), .key = *std::move(key), .warning = std::move(warning)};
+      .certificate = *std::move(checked), .key = *std::move(key), .warning = std::move(warning)};
+}
+
+Result<Certificate> CheckShownCertificate(std::string_view pem, const fs::path& authority,
+                                          sys_seconds now) {
+  const auto certificate = openssl::ReadCertificate(pem.substr(0, kMaxCertificateSize));
+  if (!certificate) return Error{ErrorCode::kDenied, "what it shows is no certificate"};
+  const auto described = openssl::Describe(*certificate);
+  const std::string what =
+      described ? "the certificate of '" + described->name + "'" : "the certificate it shows";
+  return Check(what, *certificate, authority, now);
 }
 
 }  // namespace tendon

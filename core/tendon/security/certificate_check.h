@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace tendon {
 
@@ -30,5 +31,11 @@ inline constexpr std::chrono::days kExpiresSoon{30};
 Result<CheckedCertificate> CheckCertificate(const std::filesystem::path& file,
                                             const std::filesystem::path& authority,
                                             std::chrono::sys_seconds now);
+
+/// The same of a certificate that a peer has shown (PEM), whose key it has proved to have. Errors
+/// begin with "the certificate of 'robot'".
+Result<Certificate> CheckShownCertificate(std::string_view pem,
+                                          const std::filesystem::path& authority,
+                                          std::chrono::sys_seconds now);
 
 }  // namespace tendon

@@ -121,7 +121,10 @@ void GcmLink::Open() {
   if (!cookie) {
     Lost(cookie.error());
   } else {
-    const Hello mine{.instance = os::RandomNumber(), .name = options_.name, .cookie = *cookie};
+    const Hello mine{.instance = os::RandomNumber(),
+                     .name = options_.name,
+                     .wanted = kGcmName,
+                     .cookie = *cookie};
     const auto handler = std::make_shared<Handler>(weak_from_this(), options_.role);
     const auto channel =
         Channel::Open(middleware_, options_.address, mine, handler, options_.timeout);

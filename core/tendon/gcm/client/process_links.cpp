@@ -92,7 +92,8 @@ Result<ProcessLinks::SharedChannel> ProcessLinks::TryOpen(const std::string& pro
   if (!there) return there.error();
   const auto cookie = LoopbackCookie();
   if (!cookie) return cookie.error();
-  const Hello mine{.instance = os::RandomNumber(), .name = name_, .cookie = *cookie};
+  const Hello mine{
+      .instance = os::RandomNumber(), .name = name_, .wanted = process, .cookie = *cookie};
   const auto handler = std::make_shared<Handler>(weak_from_this(), role_);
   const std::string who = "process '" + process + "' does not answer at " + there->address;
   auto channel = Channel::Open(middleware_, there->address, mine, handler, kOpenTimeout);

@@ -33,7 +33,7 @@ void LogBook::Add(const std::string& process, std::uint64_t instance, message::L
 }
 
 void LogBook::AddOwn(message::LogRecord record) {
-  record.process = kOwnName;
+  record.process = kGcmName;
   Write(std::move(record));
 }
 

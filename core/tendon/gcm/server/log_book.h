@@ -20,12 +20,11 @@ namespace tendon::server {
 class LogBook {
  public:
   static constexpr std::size_t kKept = 4096;
-  static constexpr const char* kOwnName = "gcm";
 
   /// What the process has sent, its name and instance as the GCM knows them. What is missing before
   /// it, for a link broke on which it had been sent, is told as a record.
   void Add(const std::string& process, std::uint64_t instance, message::LogRecords batch);
-  /// A record of the GCM's own program, as of a process kOwnName.
+  /// A record of the GCM's own program, as of a process kGcmName.
   void AddOwn(message::LogRecord record);
   /// The process is gone for good.
   void Forget(const std::string& process) { senders_.erase(process); }

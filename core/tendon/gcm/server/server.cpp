@@ -49,12 +49,12 @@ bool ChangesProcesses(const std::vector<CatalogChange>& changes) {
   return false;
 }
 
-/// What the program at the other end calls itself.
+/// Of the program at the other end.
 std::string NameOf(const Channel& channel) { return Printable(channel.peer().name, 64); }
 
 /// Whether what it logs is in the book already: a window that hosts a GCM is a process as well.
 bool IsOwn(const ProcessDescription& process) {
-  return process.name == LogBook::kOwnName && process.pid == os::ProcessId() &&
+  return process.name == kGcmName && process.pid == os::ProcessId() &&
          process.host == os::HostName();
 }
 
@@ -248,6 +248,15 @@ Server::Serve Server::ServeOf(MessageType type) {
 void Server::Join(const Request& request) {
   auto join = DecodeBody<message::Join>(request.body);
   if (!join) return request.responder->Refuse(join.error());
+  const std::string peer = NameOf(*request.channel);
+  if (const std::string name = Printable(join->process.name, 64); peer != name) {
+    Log(LogLevel::kWarning, "audit", peer + ": join as '" + name + "': refused");
+    return request.responder->Refuse(
+        {ErrorCode::kDenied, "'" + peer + "' cannot join as process '" + name +
+                                 "': under TLS that takes a certificate of that name (gcm cert "
+                                 "issue " +
+                                 name + " --role operator --process)"});
+  }
   Locked([&] {
     Session& session = request.peer.session;
     if (session != 0) {

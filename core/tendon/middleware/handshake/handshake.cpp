@@ -75,10 +75,12 @@ Handshake::Step Answer(MessageType type, Bytes body) {
 
 }  // namespace
 
-Handshake::Handshake(Role role, Hello mine, std::string address, Strangers strangers)
+Handshake::Handshake(Role role, Hello mine, std::string address, Strangers strangers,
+                     const Certificate* certificate)
     : mine_(std::move(mine)),
       address_(std::move(address)),
       strangers_(strangers),
+      certificate_(certificate),
       stage_(role == Role::kOpener ? Stage::kChallenge : Stage::kHello) {}
 
 Bytes Handshake::Greet() {
@@ -129,6 +131,7 @@ Result<Handshake::Step> Handshake::OnChallenge(const FrameHeader& header,
   acceptor_ = std::move(challenge->greeting);
   const bool is_proved = AreEqual(challenge->proof, ProofOf(Role::kAcceptor, 0));
   if (mine_.cookie != 0 && !is_proved) return NotKnown();
+  if (const auto checked = CheckAcceptor(); !checked) return checked.error();
   stage_ = Stage::kWelcome;
   const Proof proof{.proof = ProofOf(Role::kOpener, mine_.session), .session = mine_.session};
   return Answer(MessageType::kProof, EncodeBody(proof));
@@ -164,11 +167,17 @@ Greeting Handshake::MyGreeting() const {
 
 Hello Handshake::Peer(std::uint64_t session) const {
   const Greeting& greeting = stage_ == Stage::kProof ? opener_ : acceptor_;
-  return {.protocol_version = greeting.protocol_version,
-          .instance = greeting.instance,
-          .name = greeting.name,
-          .session = session,
-          .cookie = 0};
+  Hello peer{.protocol_version = greeting.protocol_version,
+             .instance = greeting.instance,
+             .name = greeting.name,
+             .session = session};
+  if (certificate_ == nullptr) return peer;
+  peer.role = certificate_->role;
+  const bool is_process = certificate_->holder == Holder::kProcess;
+  if (!is_process || peer.name != certificate_->name) {
+    peer.name = certificate_->name + " (" + peer.name + ")";
+  }
+  return peer;
 }
 
 /// Zeroes where this end has no cookie.
@@ -182,9 +191,32 @@ Digest Handshake::ProofOf(Role role, std::uint64_t session) const {
 }
 
 bool Handshake::IsWelcome(const Proof& proof) const {
+  if (certificate_ != nullptr) return true;  // TLS let nobody else in
   if (strangers_ == Strangers::kFromElsewhere) return true;
   if (AreEqual(proof.proof, Digest{})) return strangers_ == Strangers::kAllowed;
   return mine_.cookie != 0 && AreEqual(proof.proof, ProofOf(Role::kOpener, proof.session));
+}
+
+/// Before the opener says anything that is not for everybody.
+Result<void> Handshake::CheckAcceptor() const {
+  const std::string& name = acceptor_.name;
+  const bool is_proved = certificate_ == nullptr ||
+                         (certificate_->holder == Holder::kProcess && certificate_->name == name);
+  if (!is_proved) {
+    return Error{ErrorCode::kDenied, address_ + " calls itself '" + name +
+                                         "', but shows the certificate of the " +
+                                         std::string(ToString(certificate_->holder)) + " '" +
+                                         certificate_->name + "': do not trust it"};
+  }
+  if (certificate_ != nullptr && certificate_->role != tendon::Role::kOperator) {
+    return Error{ErrorCode::kDenied, address_ +
+                                         " shows a viewer's certificate, and to give orders "
+                                         "takes an operator's: issue '" +
+                                         name + "' another"};
+  }
+  if (mine_.wanted.empty() || mine_.wanted == name) return {};
+  return Error{ErrorCode::kUnreachable,
+               "at " + address_ + " is '" + name + "', not '" + mine_.wanted + "'"};
 }
 
 Error Handshake::NotKnown() const {

@@ -2,6 +2,7 @@
 
 #include <tendon/middleware/body.h>
 #include <tendon/middleware/hello.h>
+#include <tendon/security/certificate.h>
 
 #include <array>
 #include <cstdint>
@@ -47,15 +48,18 @@ struct Proof {
 ///
 /// A proof covers all that was said, so that none is good for another link, and the address at
 /// which the opener finds the acceptor, so that one who listens elsewhere has no use for passing it
-/// on. Under TLS, which proves the same by certificates, both cookies are 0.
+/// on. Under TLS, which proves the same by certificates, both cookies are 0; the peer's name and
+/// role are then what its certificate says.
 ///
 /// One end of one link; not thread-safe.
 class Handshake {
  public:
   enum class Role { kOpener, kAcceptor };
 
-  /// `address` is where the opener finds the acceptor.
-  Handshake(Role role, Hello mine, std::string address, Strangers strangers);
+  /// `address` is where the opener finds the acceptor; `certificate` the peer's, null without TLS,
+  /// which must live as long as this.
+  Handshake(Role role, Hello mine, std::string address, Strangers strangers,
+            const Certificate* certificate = nullptr);
 
   /// The body of the opener's kHello.
   [[nodiscard]] Bytes Greet();
@@ -82,11 +86,13 @@ class Handshake {
   [[nodiscard]] Hello Peer(std::uint64_t session) const;
   [[nodiscard]] message::Digest ProofOf(Role role, std::uint64_t session) const;
   [[nodiscard]] bool IsWelcome(const message::Proof& proof) const;
+  [[nodiscard]] Result<void> CheckAcceptor() const;
   [[nodiscard]] Error NotKnown() const;
 
   const Hello mine_;
   const std::string address_;
   const Strangers strangers_;
+  const Certificate* const certificate_;
   Stage stage_;
   message::Greeting opener_;
   message::Greeting acceptor_;

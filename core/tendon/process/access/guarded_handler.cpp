@@ -51,20 +51,21 @@ void GuardedHandler::OnNotice(const std::shared_ptr<Channel>& channel, const Fra
 std::optional<Error> GuardedHandler::Refusal(const Channel& channel, const FrameHeader& header,
                                              std::span<const std::byte> body) {
   const Right* right = FindRight(static_cast<std::uint16_t>(header.type));
-  const bool is_allowed = right != nullptr && Includes(role_, right->role);
+  const Role role = std::min(role_, channel.peer().role);
+  const bool is_allowed = right != nullptr && Includes(role, right->role);
   if (is_allowed && right->audit == Audit::kRefusals) return std::nullopt;
   const std::string who = Printable(channel.peer().name, 64);
   const std::string act = ActOf(right, header.type);
   std::string object = Printable(ObjectOf(header, body), 256);
   if (!object.empty()) object.insert(0, " ");
   Write(is_allowed ? LogLevel::kInfo : LogLevel::kWarning,
-        who + " (" + std::string(ToString(role_)) + ", " + channel.peer_address() + "): " + act +
+        who + " (" + std::string(ToString(role)) + ", " + channel.peer_address() + "): " + act +
             object + ": " + (is_allowed ? "allowed" : "refused"));
   if (is_allowed) return std::nullopt;
   if (right == nullptr) return Error{ErrorCode::kDenied, act + " is not allowed to anybody"};
   const std::string needed(ToString(right->role));
   return Error{ErrorCode::kDenied, "'" + act + "' is for an " + needed + ", and '" + who +
-                                       "' is a " + std::string(ToString(role_)) +
+                                       "' is a " + std::string(ToString(role)) +
                                        " here: ask again as an " + needed};
 }
 

@@ -22,10 +22,10 @@ inline constexpr auto kLowerRole = static_cast<MessageType>(0x210);
 /// process that serves others, LCM or GCM, for every message. What kRights does not allow to its
 /// role never reaches the functions below.
 ///
-/// Who is let in on this machine knows the user's cookie, and is an operator unless it asks to be
-/// less. The audit log, which is the source "audit" of this process' log, has a line for each
-/// request that changes something and for each refusal; beyond ten a second of one channel they are
-/// counted, and the count is logged.
+/// Under TLS a program has the role of its certificate. Who is let in on this machine without one
+/// knows the user's cookie, and is an operator. Either may ask to be less. The audit log, which is
+/// the source "audit" of this process' log, has a line for each request that changes something and
+/// for each refusal; beyond ten a second of one channel they are counted, and the count is logged.
 class GuardedHandler : public ChannelHandler {
  public:
   GuardedHandler();
@@ -51,7 +51,7 @@ class GuardedHandler : public ChannelHandler {
   void Write(LogLevel level, const std::string& line);
   void WriteSuppressed(SteadyTime now);
 
-  Role role_ = Role::kOperator;
+  Role role_ = Role::kOperator;  // at most this
   LogLimiter limiter_;
 };
 

@@ -11,6 +11,7 @@ Result<std::shared_ptr<PeerLink>> PeerLink::Open(const ProcessContext& context,
   constexpr std::chrono::milliseconds kOpenTimeout(800);
   auto link = std::make_shared<PeerLink>(context.worker, listener);
   Hello hello = context.hello;
+  hello.wanted = process;
   hello.session = 0;  // it is for the GCM alone
   auto channel = Channel::Open(*context.middleware, address, hello, link, kOpenTimeout);
   if (!channel) {
@@ -18,12 +19,6 @@ Result<std::shared_ptr<PeerLink>> PeerLink::Open(const ProcessContext& context,
                                            ": " + channel.error().message};
   }
   link->channel_ = *std::move(channel);
-  const std::string& found = link->channel_->peer().name;
-  if (found != process) {
-    link->channel_->Close();
-    return Error{ErrorCode::kUnreachable,
-                 "at " + address + " is '" + found + "', no longer process '" + process + "'"};
-  }
   WatchOver(context.worker, link->channel_);
   return link;
 }

@@ -126,8 +126,10 @@ bool Membership::is_joined() const {
 
 void Membership::Try() {
   auto handler = std::make_shared<GcmHandler>(context_.worker, *this);
-  auto channel = Channel::Open(*context_.middleware, options_.gcm, context_.hello,
-                               std::move(handler), kOpenTimeout);
+  Hello hello = context_.hello;
+  hello.wanted = kGcmName;
+  auto channel =
+      Channel::Open(*context_.middleware, options_.gcm, hello, std::move(handler), kOpenTimeout);
   if (!channel) {
     Error error = channel.error();
     if (error.code == ErrorCode::kUnreachable || error.code == ErrorCode::kTimeout) {

@@ -53,14 +53,11 @@ Result<void> RowSource::Open() {
   if (channel_ && channel_->is_open()) return {};
   const auto address = access_.resolve(process_);
   if (!address) return address.error();
+  Hello hello = access_.hello;
+  hello.wanted = process_;
   auto channel =
-      Channel::Open(*access_.middleware, *address, access_.hello, shared_from_this(), kOpenTimeout);
+      Channel::Open(*access_.middleware, *address, hello, shared_from_this(), kOpenTimeout);
   if (!channel) return channel.error();
-  if ((*channel)->peer().name != process_) {
-    (*channel)->Close();
-    return Error{ErrorCode::kUnreachable, "at " + *address + " is '" + (*channel)->peer().name +
-                                              "', no longer process '" + process_ + "'"};
-  }
   channel_ = *std::move(channel);
   {
     const std::scoped_lock lock(mutex_);

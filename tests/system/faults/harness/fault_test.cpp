@@ -1,6 +1,6 @@
 #include "system/faults/harness/fault_test.h"
 
-#include <program/middleware_choice.h>
+#include <program/network_options.h>
 
 #include <algorithm>
 #include <csignal>
@@ -111,7 +111,7 @@ Outcome FaultTest::Gcm(Words words) const {
 }
 
 std::shared_ptr<tendon::Middleware> FaultTest::NewMiddleware() const {
-  return *program::MakeMiddleware(GetParam(), tendon::Exposure::kLoopbackOnly);
+  return *program::MakeMiddleware({.middleware = GetParam()});
 }
 
 bool FaultTest::EventuallyIs(const std::string& process, ProcessState state) const {

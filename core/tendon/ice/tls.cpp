@@ -1,0 +1,111 @@
+#include <IceSSL/IceSSL.h>
+#include <tendon/base/log.h>
+#include <tendon/ice/settings.h>
+#include <tendon/ice/tls.h>
+#include <tendon/security/certificate_check.h>
+
+#include <chrono>
+#include <utility>
+
+namespace tendon::ice {
+namespace {
+
+/// The text of the certificate that a peer shows, or nothing.
+std::string ShownBy(const IceSSL::ConnectionInfo& info) {
+  return info.certs.empty() ? std::string() : info.certs.front()->encode();
+}
+
+std::chrono::sys_seconds Now() {
+  return std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
+}
+
+/// What OpenSSL has against a certificate, as Ice tells it.
+std::string InOurWords(const std::string& reason, const Credentials& credentials) {
+  const auto says = [&reason](const char* words) { return reason.find(words) != reason.npos; };
+  if (says("self-signed") || says("self signed") || says("issuer certificate")) {
+    return "its certificate was not issued by the CA in " + credentials.authority.string();
+  }
+  if (says("purpose")) return "it shows the certificate of a person, not that of a process";
+  if (says("expired")) return "its certificate has expired: issue another with gcm cert issue";
+  if (says("not yet valid")) return "its certificate is not good yet: are both clocks right?";
+  return OnOneLine(reason);
+}
+
+}  // namespace
+
+Result<std::shared_ptr<Tls>> Tls::Make(Credentials credentials) {
+  // What is read again later must be found whatever folder this program works in by then.
+  credentials = {.certificate = std::filesystem::absolute(credentials.certificate),
+                 .authority = std::filesystem::absolute(credentials.authority)};
+  auto own = CheckCertificate(credentials.certificate, credentials.authority, Now());
+  if (!own) return own.error();
+  if (!own->key) {
+    return Error{ErrorCode::kNotFound, credentials.certificate.string() +
+                                           " has no private key beside it (.key): put the two that "
+                                           "were issued together there"};
+  }
+  if (!own->warning.empty()) {
+    Log(LogLevel::kWarning, "ice", credentials.certificate.string() + " " + own->warning);
+  }
+  return std::make_shared<Tls>(Key{}, std::move(credentials), std::move(own->certificate),
+                               *std::move(own->key));
+}
+
+void Tls::AddTo(Ice::Properties& settings) const {
+  settings.setProperty("Ice.Plugin.IceSSL", "IceSSL:createIceSSL");
+  settings.setProperty("IceSSL.Protocols", "TLS1_2, TLS1_3");
+  settings.setProperty("IceSSL.VerifyPeer", "2");
+  settings.setProperty("IceSSL.Trace.Security", "1");  // what an acceptor has against a peer
+  settings.setProperty("IceSSL.VerifyDepthMax", "2");
+  settings.setProperty("IceSSL.CAs", (credentials_.authority / "ca.crt").string());
+  settings.setProperty("IceSSL.CertFile", credentials_.certificate.string());
+  settings.setProperty("IceSSL.KeyFile", key_file_.string());
+}
+
+void Tls::Judge(const Ice::Communicator& communicator) {
+  const auto plugin = std::dynamic_pointer_cast<IceSSL::Plugin>(
+      communicator.getPluginManager()->getPlugin("IceSSL"));
+  plugin->setCertificateVerifier(
+      [self = shared_from_this()](const auto& peer) { return self->IsGood(*peer); });
+}
+
+bool Tls::IsGood(const Ice::ConnectionInfo& peer) {
+  const auto checked = CheckShownCertificate(
+      ShownBy(dynamic_cast<const IceSSL::ConnectionInfo&>(peer)), credentials_.authority, Now());
+  if (checked) return true;
+  const auto place = std::dynamic_pointer_cast<Ice::IPConnectionInfo>(peer.underlying);
+  const std::string address = place ? place->remoteAddress : "somebody";
+  refusals_.Add(address, checked.error().message);
+  if (!peer.incoming && place) {
+    const std::scoped_lock lock(mutex_);
+    refused_ = {static_cast<std::uint16_t>(place->remotePort), checked.error(),
+                SteadyClock().Now()};
+  }
+  return false;
+}
+
+Error Tls::NotTrusted(const HostPort& place, const std::string& reason) {
+  const std::scoped_lock lock(mutex_);
+  constexpr std::chrono::seconds kFresh(5);
+  const bool is_ours =
+      refused_ && refused_->port == place.port && SteadyClock().Now() - refused_->when < kFresh;
+  const std::string why = is_ours ? std::exchange(refused_, std::nullopt)->why.message
+                                  : InOurWords(reason, credentials_);
+  return {ErrorCode::kDenied, ToString(place) + " is not trusted: " + why};
+}
+
+Error Tls::NotAccepted(const HostPort& place) const {
+  return {ErrorCode::kUnreachable, ToString(place) + " does not accept " +
+                                       credentials_.certificate.string() +
+                                       ", or speaks no TLS: its log says why"};
+}
+
+std::optional<Certificate> CertificateOf(const Ice::Connection& connection) {
+  const auto info = std::dynamic_pointer_cast<IceSSL::ConnectionInfo>(connection.getInfo());
+  if (!info) return std::nullopt;
+  auto certificate = ParseCertificate(ShownBy(*info));
+  if (!certificate) throw Ice::SecurityException("tendon", 0, certificate.error().message);
+  return *std::move(certificate);
+}
+
+}  // namespace tendon::ice

@@ -1,0 +1,111 @@
+#include <program/network_options.h>
+#include <tendon/middleware/tcp.h>
+#include <tendon/process/process.h>
+#include <tendon/security/credentials.h>
+
+#ifdef TENDON_WITH_ICE
+#include <tendon/ice/ice_middleware.h>
+#endif
+
+#include <cstdlib>
+#include <functional>
+#include <utility>
+
+namespace program {
+namespace {
+
+using tendon::Credentials;
+using tendon::Error;
+using tendon::ErrorCode;
+using tendon::Exposure;
+using tendon::Middleware;
+using tendon::Result;
+using Made = Result<std::unique_ptr<Middleware>>;
+
+struct Maker {
+  std::string name;
+  std::function<std::unique_ptr<Middleware>(Exposure)> plain;
+  std::function<Made(const Credentials&)> under_tls;
+};
+
+Made HasNoTls(const Credentials& /*credentials*/) {
+  return Error{ErrorCode::kInvalid,
+               "middleware 'tcp' has no TLS: leave out --certificate (and $TENDON_CERTIFICATE), or "
+               "use --middleware ice"};
+}
+
+/// The default first.
+const std::vector<Maker>& Makers() {
+  static const std::vector<Maker> kMakers = {
+#ifdef TENDON_WITH_ICE
+      {"ice", [](Exposure exposure) { return tendon::MakeIceMiddleware(exposure); },
+       [](const Credentials& credentials) { return tendon::MakeIceMiddleware(credentials); }},
+#endif
+      {"tcp", &tendon::MakeTcpMiddleware, &HasNoTls},
+  };
+  return kMakers;
+}
+
+Made Make(const Maker& maker, const NetworkOptions& options) {
+  if (options.certificate.empty()) {
+    return maker.plain(options.insecure ? Exposure::kInsecure : Exposure::kLoopbackOnly);
+  }
+  return maker.under_tls({.certificate = options.certificate, .authority = AuthorityOf(options)});
+}
+
+}  // namespace
+
+std::filesystem::path AuthorityOf(const NetworkOptions& options) {
+  return options.authority.empty() ? tendon::UsualAuthority()
+                                   : std::filesystem::path(options.authority);
+}
+
+std::vector<std::string> MiddlewareNames() {
+  std::vector<std::string> names;
+  for (const Maker& maker : Makers()) names.push_back(maker.name);
+  return names;
+}
+
+void AddNetworkOptions(CLI::App& app, NetworkOptions& options) {
+  app.add_option("--middleware", options.middleware, "how processes talk")
+      ->check(CLI::IsMember(MiddlewareNames()))
+      ->capture_default_str();
+  auto* certificate =
+      app.add_option("--certificate", options.certificate,
+                     "talk under TLS and show this (made by gcm cert issue), its key beside it")
+          ->envname("TENDON_CERTIFICATE")
+          ->check([](const std::string& file) {
+            return std::string(file.empty() ? "--certificate is empty: name a file" : "");
+          });
+  app.add_option("--ca", options.authority,
+                 "folder of the CA's ca.crt and crl.pem (default: one of the user's)")
+      ->envname("TENDON_CA");
+  app.add_flag("--insecure", options.insecure, "allow addresses off this machine, unencrypted")
+      ->excludes(certificate);
+}
+
+Result<std::shared_ptr<Middleware>> MakeMiddleware(const NetworkOptions& options) {
+  for (const Maker& maker : Makers()) {
+    if (maker.name != options.middleware) continue;
+    auto made = Make(maker, options);
+    if (!made) return made.error();
+    return std::shared_ptr<Middleware>(*std::move(made));
+  }
+  std::string all;
+  for (const std::string& known : MiddlewareNames()) all += (all.empty() ? "" : ", ") + known;
+  return Error{ErrorCode::kInvalid,
+               "no middleware '" + options.middleware + "' in this program; there is: " + all};
+}
+
+std::string GcmAddress(const std::string& option) {
+  std::string address = option;
+  // NOLINTNEXTLINE(concurrency-mt-unsafe): read only
+  if (const char* known = std::getenv("TENDON_GCM"); address.empty() && known != nullptr) {
+    address = known;
+  }
+  if (address.empty()) address = "127.0.0.1";
+  const bool is_host = address.find(':') == std::string::npos || address.ends_with(']');
+  return is_host ? address + ":" + std::to_string(tendon::kDefaultGcmPort) : address;
+}
+
+}  // namespace program

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <tendon/base/result.h>
+#include <tendon/middleware/middleware.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace program {
+
+/// The middlewares this program was built with, the default first: "ice" where Ice is built in, and
+/// "tcp".
+std::vector<std::string> MiddlewareNames();
+
+/// How a program talks to others, from its command line.
+struct NetworkOptions {
+  std::string middleware = MiddlewareNames().front();
+  std::string certificate;  ///< a file; empty: no TLS
+  std::string authority;    ///< the CA's folder; empty: that of this user
+  bool insecure = false;
+};
+
+/// Where the CA is that says whom to trust.
+std::filesystem::path AuthorityOf(const NetworkOptions& options);
+
+/// --middleware, --certificate, --ca and --insecure.
+void AddNetworkOptions(CLI::App& app, NetworkOptions& options);
+
+/// kInvalid names the middlewares there are. Of a certificate, the errors of CheckCertificate().
+tendon::Result<std::shared_ptr<tendon::Middleware>> MakeMiddleware(const NetworkOptions& options);
+
+/// Where the GCM is: `option` if it is not empty, else $TENDON_GCM, else this machine. A host alone
+/// means the port where a GCM usually is.
+std::string GcmAddress(const std::string& option);
+
+}  // namespace program

@@ -1,0 +1,160 @@
+#include <gmock/gmock.h>
+#include <tendon/gcm/client.h>
+#include <tendon/gcm/global_manager.h>
+#include <tendon/ice/ice_middleware.h>
+#include <tendon/process/process.h>
+
+#include <string>
+
+#include "core/security/authority.h"
+#include "support/plant.h"
+#include "support/program.h"
+#include "support/wait.h"
+
+namespace tendon {
+namespace {
+
+using plant::Operator;
+using plant::Plant;
+using testing::HasSubstr;
+
+constexpr std::chrono::seconds kPatience(20);
+
+/// A GCM and processes, each under TLS with a certificate of its own.
+class CertifiedSystem : public AuthorityTest {
+ protected:
+  Result<std::unique_ptr<GlobalManager>> MakeGcm(std::shared_ptr<Middleware> middleware) const {
+    return GlobalManager::Start(
+        std::move(middleware),
+        {.address = address_, .state_folder = home.path() / "state", .clock = &SteadyClock()});
+  }
+  void StartGcm() {
+    auto gcm = MakeGcm(As("gcm", Role::kOperator, Holder::kProcess));
+    ASSERT_TRUE(gcm.ok()) << gcm.error().message;
+    gcm_ = *std::move(gcm);
+  }
+  [[nodiscard]] std::unique_ptr<Process> Start(
+      const std::string& name, const std::shared_ptr<Middleware>& middleware) const {
+    return std::make_unique<Process>(name,
+                                     ProcessOptions{.middleware = middleware, .gcm = address_});
+  }
+  [[nodiscard]] std::unique_ptr<Process> StartJoined(const std::string& name) const {
+    auto process = Start(name, As(name, Role::kOperator, Holder::kProcess));
+    const auto joined = process->WaitUntilJoined(kPatience);
+    EXPECT_TRUE(joined.ok()) << joined.error().message;
+    return process;
+  }
+  [[nodiscard]] std::unique_ptr<GcmClient> Client(const std::string& name, Role role) const {
+    auto client = std::make_unique<GcmClient>(
+        As(name, role, Holder::kPerson),
+        GcmClient::Options{.name = "gcm", .address = address_, .timeout = kPatience});
+    EXPECT_TRUE(client->WaitUntilWatching().ok());
+    return client;
+  }
+  [[nodiscard]] std::shared_ptr<Middleware> As(const std::string& name, Role role,
+                                               Holder holder) const {
+    const auto issued = Issue({.name = name, .role = role, .holder = holder});
+    auto made =
+        MakeIceMiddleware(Credentials{.certificate = issued.certificate_file, .authority = folder});
+    EXPECT_TRUE(made.ok());
+    return *std::move(made);
+  }
+  static Result<std::string> Stop(GcmClient& client) {
+    return Wait<std::string>(2 * kPatience, [&](auto done) {
+      client.Call("robot/plant/Control.Stop", "", std::move(done));
+    });
+  }
+  static bool Sees(const GcmClient& client, const std::string& process) {
+    return EventuallyTrue([&] {
+      const auto catalog = client.catalog();
+      const auto* entry = catalog.FindProcess(process);
+      return entry != nullptr && !entry->components.empty();
+    });
+  }
+
+  const std::string address_ = "127.0.0.1:" + std::to_string(FreePort());
+  std::unique_ptr<GlobalManager> gcm_;
+};
+
+TEST_F(CertifiedSystem, ComponentsOfTwoProcessesTalk) {
+  ASSERT_NO_FATAL_FAILURE(StartGcm());
+  const auto robot = StartJoined("robot");
+  auto& plant = robot->Add<Plant>("plant");
+  const auto desk = StartJoined("desk");
+  auto& user = desk->Add<Operator>("operator");
+  ASSERT_TRUE(desk->Connect({"desk", "operator", "Robot"}, {"robot", "plant", "Control"}).ok());
+  ASSERT_TRUE(robot->StartAll().ok());
+  ASSERT_TRUE(desk->StartAll().ok());
+
+  EXPECT_TRUE(EventuallyTrue([&] { return static_cast<bool>(user.stop()); }));
+  EXPECT_TRUE(EventuallyTrue([&] { return plant.stops.size() > 0; }));
+}
+
+TEST_F(CertifiedSystem, TheCertificateDecidesWhatAPersonMayDo) {
+  ASSERT_NO_FATAL_FAILURE(StartGcm());
+  const auto robot = StartJoined("robot");
+  auto& plant = robot->Add<Plant>("plant");
+  ASSERT_TRUE(robot->StartAll().ok());
+  const auto anna = Client("anna", Role::kOperator);
+  const auto vera = Client("vera", Role::kViewer);
+  ASSERT_TRUE(Sees(*anna, "robot"));
+  ASSERT_TRUE(Sees(*vera, "robot"));
+
+  const auto refused = Stop(*vera);
+  const auto forgotten =
+      Wait<void>(kPatience, [&](auto done) { vera->Forget("robot", std::move(done)); });
+  const auto allowed = Stop(*anna);
+
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().code, ErrorCode::kDenied);
+  EXPECT_THAT(refused.error().message,
+              HasSubstr("is for an operator, and 'vera (gcm)' is a viewer"));
+  ASSERT_FALSE(forgotten.ok());
+  EXPECT_EQ(forgotten.error().code, ErrorCode::kDenied);
+  EXPECT_TRUE(allowed.ok()) << allowed.error().message;
+  EXPECT_TRUE(EventuallyTrue([&] { return plant.stops.size() == 1; }));
+}
+
+TEST_F(CertifiedSystem, NobodyJoinsUnderAnothersName) {
+  ASSERT_NO_FATAL_FAILURE(StartGcm());
+
+  const auto by_process =
+      Start("robot", As("arm", Role::kOperator, Holder::kProcess))->WaitUntilJoined(kPatience);
+  const auto by_person =
+      Start("robot", As("robot", Role::kOperator, Holder::kPerson))->WaitUntilJoined(kPatience);
+
+  for (const auto& joined : {by_process, by_person}) {
+    ASSERT_FALSE(joined.ok());
+    EXPECT_EQ(joined.error().code, ErrorCode::kDenied);
+    EXPECT_THAT(joined.error().message, HasSubstr("cannot join as process 'robot'"));
+  }
+}
+
+TEST_F(CertifiedSystem, AProcessThatPosesAsTheGcmIsNotJoined) {
+  const auto impostor = As("arm", Role::kOperator, Holder::kProcess);
+  const auto listener = impostor->Listen(
+      address_, Channel::Acceptor({.instance = 1, .name = kGcmName},
+                                  [] { return std::make_shared<ChannelHandler>(); }));
+  ASSERT_TRUE(listener.ok());
+
+  const auto joined =
+      Start("robot", As("robot", Role::kOperator, Holder::kProcess))->WaitUntilJoined(kPatience);
+
+  ASSERT_FALSE(joined.ok());
+  EXPECT_EQ(joined.error().code, ErrorCode::kDenied);
+  EXPECT_THAT(joined.error().message, HasSubstr("shows the certificate of the process 'arm'"));
+}
+
+TEST_F(CertifiedSystem, AGcmWithAnothersCertificateDoesNotStart) {
+  for (const auto& middleware :
+       {As("arm", Role::kOperator, Holder::kProcess), As("gcm", Role::kViewer, Holder::kProcess)}) {
+    const auto gcm = MakeGcm(middleware);
+
+    ASSERT_FALSE(gcm.ok());
+    EXPECT_EQ(gcm.error().code, ErrorCode::kDenied);
+    EXPECT_THAT(gcm.error().message, HasSubstr("a GCM needs the certificate of a process 'gcm'"));
+  }
+}
+
+}  // namespace
+}  // namespace tendon
