@@ -1,8 +1,8 @@
 #include <tendon/base/log.h>
 #include <tendon/ice/links.h>
-#include <tendon/ice/refusals.h>
 #include <tendon/ice/settings.h>
 #include <tendon/middleware/complaints.h>
+#include <tendon/process/access/audit_log.h>
 
 #include <string>
 #include <string_view>
@@ -26,8 +26,10 @@ class Logger final : public Ice::Logger, public std::enable_shared_from_this<Log
   void trace(const std::string& category, const std::string& message) override {
     // Of a peer whose certificate OpenSSL finds bad, Ice tells nothing else.
     if (category == "Security" && message.starts_with("certificate verification failure")) {
-      const std::string address = After("remote address = ", message);
-      return refusals_.Add(address.substr(0, address.rfind(':')), OnOneLine(message));
+      const std::string place = After("remote address = ", message);
+      const std::string address = place.substr(0, place.rfind(':'));
+      const std::string line = address + " was refused: " + OnOneLine(message);
+      return audit_.Write(address, LogLevel::kWarning, line);
     }
     Log(LogLevel::kDebug, "ice", category + ": " + OnOneLine(message));
   }
@@ -42,7 +44,7 @@ class Logger final : public Ice::Logger, public std::enable_shared_from_this<Log
 
  private:
   Complaints warnings_{"ice"};
-  Refusals refusals_;
+  AuditLog audit_;
 };
 
 }  // namespace

@@ -75,7 +75,7 @@ bool Tls::IsGood(const Ice::ConnectionInfo& peer) {
   if (checked) return true;
   const auto place = std::dynamic_pointer_cast<Ice::IPConnectionInfo>(peer.underlying);
   const std::string address = place ? place->remoteAddress : "somebody";
-  refusals_.Add(address, checked.error().message);
+  audit_.Write(address, LogLevel::kWarning, address + " was refused: " + checked.error().message);
   if (!peer.incoming && place) {
     const std::scoped_lock lock(mutex_);
     refused_ = {static_cast<std::uint16_t>(place->remotePort), checked.error(),

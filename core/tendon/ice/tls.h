@@ -3,8 +3,8 @@
 #include <Ice/Ice.h>
 #include <tendon/base/clock.h>
 #include <tendon/base/result.h>
-#include <tendon/ice/refusals.h>
 #include <tendon/middleware/middleware.h>
+#include <tendon/process/access/audit_log.h>
 #include <tendon/security/certificate.h>
 #include <tendon/security/credentials.h>
 
@@ -59,7 +59,7 @@ class Tls : public std::enable_shared_from_this<Tls> {
   const Credentials credentials_;
   const Certificate certificate_;
   const std::filesystem::path key_file_;
-  Refusals refusals_;
+  AuditLog audit_;
   std::mutex mutex_;
   std::optional<Refused> refused_;  // the last one that was opened here
 };

@@ -20,9 +20,9 @@ struct Hello {
   /// Of the process or program, for people: "robot", "gcm ls". As a peer's under TLS, that of its
   /// certificate: "robot" is a process of this name and nobody else, others are "anna (gcm ls)".
   std::string name;
-  Role role =
-      Role::kOperator;  ///< of a peer: by its certificate, or an operator who knows the cookie
-  std::string wanted;   ///< of an opener: who alone may be at the other end; empty for any
+  /// Of a peer: by its certificate, or an operator, who knows the cookie.
+  Role role = Role::kOperator;
+  std::string wanted;         ///< of an opener: who alone may be at the other end; empty for any
   std::uint64_t session = 0;  ///< the token of a joined process, or 0
   std::uint64_t cookie = 0;   ///< LoopbackCookie(), which is never sent; 0 for none
 };

@@ -264,7 +264,8 @@ TEST_F(TlsTest, AViewersCertificateIsNotThatOfOneWhoGivesOrders) {
   EXPECT_THAT(refusal.message, HasSubstr("shows a viewer's certificate"));
 }
 
-TEST_F(TlsTest, WhoeverIsRefusedIsNamed) {
+TEST_F(TlsTest, WhoeverIsRefusedIsNamedWhateverTheLogLevel) {
+  SetLogLevel(LogLevel::kError);
   const auto address = Listen(robot_, "robot");
   const auto copy = CopyOfPublicFiles();
   for (const std::string name : {"eva", "evi"}) {
@@ -275,6 +276,7 @@ TEST_F(TlsTest, WhoeverIsRefusedIsNamed) {
 
     EXPECT_TRUE(EventuallyAudited("was refused: the certificate of '" + name + "' was revoked"));
   }
+  SetLogLevel(LogLevel::kInfo);
 }
 
 TEST_F(TlsTest, WithoutItsCaFilesAProgramTrustsNobodyUntilTheyAreBack) {

@@ -250,7 +250,7 @@ void Server::Join(const Request& request) {
   if (!join) return request.responder->Refuse(join.error());
   const std::string peer = NameOf(*request.channel);
   if (const std::string name = Printable(join->process.name, 64); peer != name) {
-    Log(LogLevel::kWarning, "audit", peer + ": join as '" + name + "': refused");
+    audit_.Write(peer, LogLevel::kWarning, peer + ": join as '" + name + "': refused");
     return request.responder->Refuse(
         {ErrorCode::kDenied, "'" + peer + "' cannot join as process '" + name +
                                  "': under TLS that takes a certificate of that name (gcm cert "

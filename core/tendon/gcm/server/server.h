@@ -7,6 +7,7 @@
 #include <tendon/gcm/server/registry.h>
 #include <tendon/gcm/server/watchers.h>
 #include <tendon/middleware/channel.h>
+#include <tendon/process/access/audit_log.h>
 #include <tendon/process/log/log_queue.h>
 #include <tendon/process/log/log_tap.h>
 
@@ -92,6 +93,7 @@ class Server final : public std::enable_shared_from_this<Server> {
   Outbox outbox_;
   Watchers watchers_;  // only in actions of the outbox
   LogBook log_book_;   // likewise
+  AuditLog audit_;
   LogQueue own_log_;
   mutable std::mutex mutex_;
   Registry registry_;

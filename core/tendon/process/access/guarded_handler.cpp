@@ -1,22 +1,12 @@
-#include <tendon/base/log.h>
 #include <tendon/base/printable.h>
 #include <tendon/process/access/guarded_handler.h>
 
 #include <algorithm>
-#include <chrono>
 #include <string>
 #include <utility>
 
 namespace tendon {
 namespace {
-
-constexpr const char* kAudit = "audit";
-constexpr LogLimiter::Rate kRate{.burst = 50, .interval = std::chrono::milliseconds(100)};
-
-/// In the log, whatever is dropped from it: who sets its level must not cover what is done next.
-void WriteLine(LogLevel level, const std::string& line) {
-  Log(IsLogged(level) ? level : LogLevel::kError, kAudit, line);
-}
 
 std::string ActOf(const Right* right, MessageType type) {
   if (right != nullptr) return std::string(right->act);
@@ -24,10 +14,6 @@ std::string ActOf(const Right* right, MessageType type) {
 }
 
 }  // namespace
-
-GuardedHandler::GuardedHandler() : limiter_(kRate) {}
-
-GuardedHandler::~GuardedHandler() { WriteSuppressed(SteadyTime::max()); }
 
 void GuardedHandler::OnRequest(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
                                std::span<const std::byte> body, Responder responder) {
@@ -58,28 +44,15 @@ std::optional<Error> GuardedHandler::Refusal(const Channel& channel, const Frame
   const std::string act = ActOf(right, header.type);
   std::string object = Printable(ObjectOf(header, body), 256);
   if (!object.empty()) object.insert(0, " ");
-  Write(is_allowed ? LogLevel::kInfo : LogLevel::kWarning,
-        who + " (" + std::string(ToString(role)) + ", " + channel.peer_address() + "): " + act +
-            object + ": " + (is_allowed ? "allowed" : "refused"));
+  audit_.Write("one program", is_allowed ? LogLevel::kInfo : LogLevel::kWarning,
+               who + " (" + std::string(ToString(role)) + ", " + channel.peer_address() +
+                   "): " + act + object + ": " + (is_allowed ? "allowed" : "refused"));
   if (is_allowed) return std::nullopt;
   if (right == nullptr) return Error{ErrorCode::kDenied, act + " is not allowed to anybody"};
   const std::string needed(ToString(right->role));
   return Error{ErrorCode::kDenied, "'" + act + "' is for an " + needed + ", and '" + who +
                                        "' is a " + std::string(ToString(role)) +
                                        " here: ask again as an " + needed};
-}
-
-void GuardedHandler::Write(LogLevel level, const std::string& line) {
-  const SteadyTime now = SteadyClock().Now();
-  WriteSuppressed(now);
-  if (limiter_.Admit(kAudit, level, now)) WriteLine(level, line);
-}
-
-void GuardedHandler::WriteSuppressed(SteadyTime now) {
-  if (!limiter_.owes()) return;
-  for (const LogLimiter::Suppressed& one : limiter_.TakeSuppressed(now)) {
-    WriteLine(one.level, "and " + std::to_string(one.count) + " more of one program");
-  }
 }
 
 void LowerRole(Channel& channel, Role role) {

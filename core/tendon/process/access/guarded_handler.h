@@ -1,7 +1,7 @@
 #pragma once
 
 #include <tendon/middleware/channel.h>
-#include <tendon/process/log/log_limiter.h>
+#include <tendon/process/access/audit_log.h>
 #include <tendon/security/rights.h>
 
 #include <memory>
@@ -23,14 +23,10 @@ inline constexpr auto kLowerRole = static_cast<MessageType>(0x210);
 /// role never reaches the functions below.
 ///
 /// Under TLS a program has the role of its certificate. Who is let in on this machine without one
-/// knows the user's cookie, and is an operator. Either may ask to be less. The audit log, which is
-/// the source "audit" of this process' log, has a line for each request that changes something and
-/// for each refusal; beyond ten a second of one channel they are counted, and the count is logged.
+/// knows the user's cookie, and is an operator. Either may ask to be less. The audit log has a line
+/// for each request that changes something and for each refusal.
 class GuardedHandler : public ChannelHandler {
  public:
-  GuardedHandler();
-  ~GuardedHandler() override;
-
   void OnRequest(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
                  std::span<const std::byte> body, Responder responder) final;
   void OnNotice(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
@@ -48,11 +44,9 @@ class GuardedHandler : public ChannelHandler {
 
   std::optional<Error> Refusal(const Channel& channel, const FrameHeader& header,
                                std::span<const std::byte> body);
-  void Write(LogLevel level, const std::string& line);
-  void WriteSuppressed(SteadyTime now);
 
   Role role_ = Role::kOperator;  // at most this
-  LogLimiter limiter_;
+  AuditLog audit_;
 };
 
 /// Gives up, on a channel that was just opened, what is not in `role`.

@@ -1,0 +1,34 @@
+#include <tendon/process/access/audit_log.h>
+
+#include <chrono>
+
+namespace tendon {
+namespace {
+
+constexpr LogLimiter::Rate kRate{.burst = 50, .interval = std::chrono::milliseconds(100)};
+
+void WriteLine(LogLevel level, const std::string& line) {
+  Log(IsLogged(level) ? level : LogLevel::kError, "audit", line);
+}
+
+}  // namespace
+
+AuditLog::AuditLog() : limiter_(kRate) {}
+
+AuditLog::~AuditLog() { WriteSuppressed(SteadyTime::max()); }
+
+void AuditLog::Write(const std::string& who, LogLevel level, const std::string& line) {
+  const SteadyTime now = SteadyClock().Now();
+  const std::scoped_lock lock(mutex_);
+  WriteSuppressed(now);
+  if (limiter_.Admit(who, level, now)) WriteLine(level, line);
+}
+
+void AuditLog::WriteSuppressed(SteadyTime now) {
+  if (!limiter_.owes()) return;
+  for (const LogLimiter::Suppressed& one : limiter_.TakeSuppressed(now)) {
+    WriteLine(one.level, "and " + std::to_string(one.count) + " more of " + one.source);
+  }
+}
+
+}  // namespace tendon
