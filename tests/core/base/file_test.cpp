@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <support/folder.h>
 #include <tendon/base/os/file.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <string>
@@ -8,12 +9,17 @@
 namespace tendon {
 namespace {
 
+namespace fs = std::filesystem;
+
 class FileTest : public testing::Test {
  protected:
   [[nodiscard]] std::string Content() const { return folder_.Read("file"); }
+  static std::ptrdiff_t CountIn(const fs::path& folder) {
+    return std::distance(fs::directory_iterator(folder), {});
+  }
 
   const test::Folder folder_;
-  const std::filesystem::path file_ = folder_.path() / "file";
+  const fs::path file_ = folder_.path() / "file";
 };
 
 TEST_F(FileTest, AppendingMakesTheFileAndAddsToIt) {
@@ -28,16 +34,71 @@ TEST_F(FileTest, ReplacingLeavesTheNewContentAlone) {
   ASSERT_TRUE(os::ReplaceDurably(file_, "new"));
 
   EXPECT_EQ(Content(), "new");
-  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_.path()), {}), 1);
+  EXPECT_EQ(CountIn(folder_.path()), 1);
 }
 
-TEST_F(FileTest, AReplacementThatFailsLeavesTheOldContent) {
-  ASSERT_TRUE(os::ReplaceDurably(file_, "old"));
-  std::filesystem::create_directory(folder_.path() / "file.new");
+TEST_F(FileTest, AReplacementKeepsTheModeOfTheFile) {
+  using enum fs::perms;
+  for (const fs::perms mode : {owner_read | owner_write, owner_all | group_all | others_read}) {
+    ASSERT_TRUE(os::ReplaceDurably(file_, "old"));
+    fs::permissions(file_, mode);
+
+    ASSERT_TRUE(os::ReplaceDurably(file_, "new"));
+
+    EXPECT_EQ(fs::status(file_).permissions(), mode);
+    EXPECT_EQ(Content(), "new");
+  }
+}
+
+TEST_F(FileTest, AReplacementGoesWhereALinkLeads) {
+  const fs::path inner = folder_.path() / "inner";
+  fs::create_directory(inner);
+  fs::create_symlink("inner/link", folder_.path() / "link");
+  fs::create_symlink("../file", inner / "link");
+
+  ASSERT_TRUE(os::ReplaceDurably(folder_.path() / "link", "made"));
+  EXPECT_EQ(Content(), "made");
+  ASSERT_TRUE(os::ReplaceDurably(folder_.path() / "link", "new"));
+
+  EXPECT_EQ(Content(), "new");
+  EXPECT_TRUE(fs::is_symlink(folder_.path() / "link"));
+  EXPECT_TRUE(fs::is_symlink(inner / "link"));
+  EXPECT_EQ(CountIn(inner), 1);
+}
+
+TEST_F(FileTest, ALinkThatLeadsNowhereIsAnError) {
+  fs::create_symlink(file_, folder_.path() / "round");
+  fs::create_symlink(folder_.path() / "round", file_);
+
+  const auto replaced = os::ReplaceDurably(file_, "new");
+
+  ASSERT_FALSE(replaced);
+  EXPECT_EQ(replaced.error().message,
+            "cannot write " + file_.string() + ": Too many levels of symbolic links");
+}
+
+TEST_F(FileTest, AReplacementLeavesOtherFilesAlone) {
+  folder_.Write("file.new", "mine");
+  folder_.Write(".saving-" + std::to_string(getpid()) + "-0", "of one that was killed");
+
+  ASSERT_TRUE(os::ReplaceDurably(file_, "new"));
+
+  EXPECT_EQ(Content(), "new");
+  EXPECT_EQ(folder_.Read("file.new"), "mine");
+  EXPECT_EQ(CountIn(folder_.path()), 3);
+}
+
+TEST_F(FileTest, WhatIsNoFileIsNotReplaced) {
+  fs::create_directory(file_);
+  folder_.Write("file/old", "old");
 
   EXPECT_FALSE(os::ReplaceDurably(file_, "new"));
+  EXPECT_FALSE(os::ReplaceDurably("/dev/null", "new"));
+  EXPECT_FALSE(os::ReplaceDurably(folder_.path() / "none" / "file", "new"));
 
-  EXPECT_EQ(Content(), "old");
+  EXPECT_EQ(folder_.Read("file/old"), "old");
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+  EXPECT_EQ(CountIn(folder_.path()), 1);
 }
 
 TEST_F(FileTest, ADiskThatIsFullIsAnErrorThatNamesTheFile) {

@@ -32,6 +32,20 @@ TEST(Termination, NobodyHasAsked) {
       testing::ExitedWithCode(0), "");
 }
 
+TEST(Termination, OnlyAnInterruptIsForgotten) {
+  EXPECT_EXIT(
+      {
+        HoldTerminationSignals();
+        kill(getpid(), SIGINT);
+        ForgetInterrupt();
+        if (TerminationAsked(1ms)) _exit(0);
+        SignalMyself();
+        ForgetInterrupt();
+        _exit(TerminationAsked(60s) ? kWasAsked : 0);
+      },
+      testing::ExitedWithCode(kWasAsked), "");
+}
+
 TEST(Termination, ASecondSignalKills) {
   EXPECT_EXIT(
       {

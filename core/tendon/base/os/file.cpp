@@ -1,4 +1,5 @@
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <tendon/base/os/descriptor.h>
 #include <tendon/base/os/file.h>
 #include <unistd.h>
@@ -10,7 +11,11 @@
 namespace tendon::os {
 namespace {
 
-Error Failure(const std::filesystem::path& file) {
+namespace fs = std::filesystem;
+
+constexpr mode_t kMode = 0644;
+
+Error Failure(const fs::path& file) {
   const std::error_code reason(errno, std::generic_category());
   return {ErrorCode::kFailed, "cannot write " + file.string() + ": " + reason.message()};
 }
@@ -26,27 +31,103 @@ bool WriteAll(int descriptor, std::string_view text) {
   return fsync(descriptor) == 0;
 }
 
-Result<void> Write(const std::filesystem::path& file, std::string_view text, int flags) {
-  constexpr mode_t kMode = 0644;
-  const Descriptor descriptor(open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | flags, kMode));
-  if (descriptor.get() < 0 || !WriteAll(descriptor.get(), text)) return Failure(file);
-  return {};
+/// What symbolic links lead to, be it there or not.
+Result<fs::path> TargetOf(const fs::path& file) {
+  constexpr int kMostLinks = 40;
+  fs::path target = file;
+  for (int links = 0; links < kMostLinks; ++links) {
+    std::error_code reason;
+    if (!fs::is_symlink(fs::symlink_status(target, reason))) return target;
+    const fs::path next = fs::read_symlink(target, reason);
+    if (reason) break;
+    target = target.parent_path() / next;
+  }
+  errno = ELOOP;
+  return Failure(file);
+}
+
+/// A file of a name that nobody has, in the folder of another: gone in the end, unless it took that
+/// one's place.
+class NextFile {
+ public:
+  /// Others may open it as `mode` says, less the umask. Where descriptor() is below 0, errno says
+  /// why.
+  NextFile(const fs::path& target, mode_t mode) : descriptor_(Make(target, mode)) {}
+  NextFile(const NextFile&) = delete;
+  NextFile& operator=(const NextFile&) = delete;
+  ~NextFile() {
+    std::error_code ignored;
+    if (descriptor() >= 0 && !path_.empty()) fs::remove(path_, ignored);
+  }
+
+  [[nodiscard]] int descriptor() const { return descriptor_.get(); }
+
+  bool TakePlaceOf(const fs::path& target) {
+    if (rename(path_.c_str(), target.c_str()) != 0) return false;
+    path_.clear();
+    return true;
+  }
+
+ private:
+  int Make(const fs::path& target, mode_t mode) {
+    constexpr int kMostTries = 100;  // each process that was killed may have left one
+    const std::string begin = ".saving-" + std::to_string(getpid()) + "-";
+    int made = -1;
+    for (int i = 0; i < kMostTries && made < 0; ++i) {
+      path_ = target.parent_path() / (begin + std::to_string(i));
+      made = open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+      if (made < 0 && errno != EEXIST) break;
+    }
+    return made;
+  }
+
+  fs::path path_;  // made before the descriptor, which fills it
+  const Descriptor descriptor_;
+};
+
+/// As the file had it that is replaced; another owner's only where that is allowed.
+bool TakeOver(int descriptor, const struct stat& before) {
+  const bool keeps_group = fchown(descriptor, static_cast<uid_t>(-1), before.st_gid) == 0;
+  const bool keeps_owner = fchown(descriptor, before.st_uid, static_cast<gid_t>(-1)) == 0;
+  mode_t kept = 07777;
+  if (!keeps_owner || !keeps_group) kept = 0777;  // nobody is given rights by set-id bits
+  if (!keeps_group) kept &= ~static_cast<mode_t>(S_IRWXG);
+  return fchmod(descriptor, before.st_mode & kept) == 0;
+}
+
+/// Whether the name of a file is on the disk; some file systems cannot say.
+void Settle(const fs::path& file) {
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  const Descriptor descriptor(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (descriptor.get() >= 0) static_cast<void>(fsync(descriptor.get()));
 }
 
 }  // namespace
 
-Result<void> AppendDurably(const std::filesystem::path& file, std::string_view text) {
-  return Write(file, text, O_APPEND);
+Result<void> AppendDurably(const fs::path& file, std::string_view text) {
+  const Descriptor descriptor(open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, kMode));
+  if (descriptor.get() < 0 || !WriteAll(descriptor.get(), text)) return Failure(file);
+  return {};
 }
 
-Result<void> ReplaceDurably(const std::filesystem::path& file, std::string_view text) {
-  std::filesystem::path next = file;
-  next += ".new";
-  if (auto written = Write(next, text, O_TRUNC); !written) return written;
-  std::error_code reason;
-  std::filesystem::rename(next, file, reason);
-  if (!reason) return {};
-  return Error{ErrorCode::kFailed, "cannot write " + file.string() + ": " + reason.message()};
+Result<void> ReplaceDurably(const fs::path& file, std::string_view text) {
+  const auto target = TargetOf(file);
+  if (!target) return target.error();
+  struct stat before = {};
+  const bool is_there = stat(target->c_str(), &before) == 0;
+  if (is_there && !S_ISREG(before.st_mode)) {
+    return Error{ErrorCode::kFailed, "cannot write " + file.string() + ": it is no regular file"};
+  }
+  if (is_there && faccessat(AT_FDCWD, target->c_str(), W_OK, AT_EACCESS) != 0) {
+    return Failure(file);
+  }
+  constexpr mode_t kPermissions = 0777;
+  NextFile next(*target, is_there ? before.st_mode & kPermissions : kMode);
+  if (next.descriptor() < 0) return Failure(file);
+  if (is_there && !TakeOver(next.descriptor(), before)) return Failure(file);
+  if (!WriteAll(next.descriptor(), text) || !next.TakePlaceOf(*target)) return Failure(file);
+  Settle(*target);
+  return {};
 }
 
 }  // namespace tendon::os

@@ -51,6 +51,15 @@ bool TerminationAsked(std::chrono::milliseconds patience) noexcept {
   return true;
 }
 
+void ForgetInterrupt() noexcept {
+  sigset_t interrupt;
+  sigemptyset(&interrupt);
+  sigaddset(&interrupt, SIGINT);
+  const timespec now{};
+  while (sigtimedwait(&interrupt, nullptr, &now) > 0) {
+  }
+}
+
 TerminationLetThrough::TerminationLetThrough() noexcept : was_held_(LetThrough()) {}
 
 TerminationLetThrough::~TerminationLetThrough() {

@@ -16,6 +16,9 @@ int WaitForTermination() noexcept;
 /// ends the process at once.
 bool TerminationAsked(std::chrono::milliseconds patience) noexcept;
 
+/// A SIGINT that nobody has asked about does not count any more.
+void ForgetInterrupt() noexcept;
+
 /// As long as it lives, SIGINT and SIGTERM end the process at once, also where they are held: for
 /// waits that cannot be cut short. On the stack of main()'s thread.
 class TerminationLetThrough {
