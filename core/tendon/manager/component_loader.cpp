@@ -65,6 +65,8 @@ Result<std::unique_ptr<Component>> ComponentLoader::Create(const std::string& li
   return Error{component.error().code, component.error().message + " (plug-in " + library + ".so)"};
 }
 
+std::vector<std::string> ComponentLoader::available() const { return Plugins(folders_); }
+
 Result<fs::path> ComponentLoader::Find(const std::string& library) const {
   if (auto checked = CheckName("plug-in", library); !checked) return checked.error();
   for (const fs::path& folder : folders_) {

@@ -31,6 +31,8 @@ class ComponentLoader {
 
   /// The classes of each library that is loaded, by its name.
   [[nodiscard]] const std::map<std::string, ComponentRegistry>& loaded() const { return loaded_; }
+  /// The name of each library in the folders, in order; whether it loads is not tried.
+  [[nodiscard]] std::vector<std::string> available() const;
 
  private:
   [[nodiscard]] Result<std::filesystem::path> Find(const std::string& library) const;

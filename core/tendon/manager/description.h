@@ -33,7 +33,8 @@ struct TableDescription {
 struct ComponentDescription {
   std::string name;
   std::string class_name;
-  std::string library;  ///< the plug-in's file name, or empty
+  std::string library;        ///< the plug-in's file name, or empty
+  std::string configuration;  ///< JSON, as its class was told; empty where it was told nothing
   ComponentState state = ComponentState::kConstructed;
   std::string fault;            ///< why it is faulted
   std::int64_t fault_time = 0;  ///< since when, ns since 1970 (for people); 0 while it is not
@@ -112,6 +113,7 @@ inline constexpr auto tendon::kPayload<tendon::ComponentDescription> = tendon::D
     "tendon.ComponentDescription", tendon::Field{"name", &tendon::ComponentDescription::name},
     tendon::Field{"class_name", &tendon::ComponentDescription::class_name},
     tendon::Field{"library", &tendon::ComponentDescription::library},
+    tendon::Field{"configuration", &tendon::ComponentDescription::configuration},
     tendon::Field{"state", &tendon::ComponentDescription::state},
     tendon::Field{"fault", &tendon::ComponentDescription::fault},
     tendon::Field{"fault_time", &tendon::ComponentDescription::fault_time, "ns"},

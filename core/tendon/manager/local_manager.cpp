@@ -84,11 +84,15 @@ Result<void> LocalManager::Remove(const std::string& component, Patience patienc
     removed = *found;
     OnRemoving(*removed);
     DisconnectAll(component);
-    (void)removed->Stop(kNoWait);
   }
   const SteadyTime deadline = DeadlineAfter(patience);
+  (void)MakeRequest(
+      removed, [](Component& one) { return one.Stop(kNoWait); }, deadline);
   Result<void> stopped;
-  if (!removed->is_at_rest()) stopped = removed->WaitFor(ComponentState::kFinished, patience);
+  if (!removed->is_at_rest()) {
+    stopped = removed->WaitFor(ComponentState::kFinished,
+                               std::max(kNoWait, deadline - SteadyClock().Now()));
+  }
   if (!removed->is_at_rest()) {
     return Error{ErrorCode::kTimeout,
                  "component '" + component + "' is not removed, for it runs" +
@@ -104,6 +108,7 @@ Result<void> LocalManager::Remove(const std::string& component, Patience patienc
 
 Result<void> LocalManager::TryTakeOut(const std::shared_ptr<Component>& component,
                                       SteadyTime deadline) {
+  if (turns_.IsInUse(*component)) return TurnTaken(component->name());
   if (!component->is_at_rest()) {
     return Error{ErrorCode::kFailed,
                  "component '" + component->name() + "' is not removed, for it runs again"};
@@ -136,7 +141,7 @@ Result<void> LocalManager::Retry(Patience patience,
       done = attempt(std::min<SteadyTime>(deadline, now + kAtOnce));
     }
     if (done || done.error().code != ErrorCode::kTimeout || is_last) return done;
-    std::this_thread::yield();
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
 }
 
@@ -233,82 +238,8 @@ Result<void> LocalManager::TryRunAfter(const std::string& component, const std::
                                          (task == nullptr ? component + "' has no thread to give up"
                                                           : leader + "' makes no cycles")};
   }
+  if (turns_.IsInUse(*task)) return TurnTaken(component);
   return task->RunAfter(*leading, deadline);
-}
-
-Result<void> LocalManager::Start(const std::string& component, Patience patience) {
-  return Ask(component, &Component::Start, ComponentState::kActive, patience);
-}
-
-Result<void> LocalManager::Suspend(const std::string& component, Patience patience) {
-  return Ask(component, &Component::Suspend, ComponentState::kSuspended, patience);
-}
-
-Result<void> LocalManager::Stop(const std::string& component, Patience patience) {
-  return Ask(component, &Component::Stop, ComponentState::kFinished, patience);
-}
-
-Result<void> LocalManager::StartAll(Patience patience) {
-  Components all = InOrder();
-  std::erase_if(all, [](const auto& one) { return one->state() == ComponentState::kActive; });
-  return AskAll(all, &Component::Start, ComponentState::kActive, patience);
-}
-
-Result<void> LocalManager::SuspendAll(Patience patience) {
-  Components all = InOrder();
-  std::reverse(all.begin(), all.end());
-  std::erase_if(all, [](const auto& one) { return one->state() != ComponentState::kActive; });
-  return AskAll(all, &Component::Suspend, ComponentState::kSuspended, patience);
-}
-
-Result<void> LocalManager::StopAll(Patience patience) {
-  Components all = InOrder();
-  std::reverse(all.begin(), all.end());
-  std::erase_if(all, [](const auto& one) { return !IsRunning(one->state()); });
-  return AskAll(all, &Component::Stop, ComponentState::kFinished, patience);
-}
-
-Result<void> LocalManager::WaitFor(const std::string& component, ComponentState state,
-                                   Patience patience) {
-  const auto found = Require(component);
-  return found ? (*found)->WaitFor(state, patience) : found.error();
-}
-
-Result<void> LocalManager::WaitForAll(ComponentState state, Patience patience) {
-  const SteadyTime deadline = DeadlineAfter(patience);
-  for (const auto& one : InOrder()) {
-    const auto reached = one->WaitFor(state, std::max(kNoWait, deadline - SteadyClock().Now()));
-    if (!reached) return reached;
-  }
-  return {};
-}
-
-Result<void> LocalManager::Ask(const std::string& component, Request request, ComponentState wanted,
-                               Patience patience) {
-  const auto found = Require(component);
-  return found ? AskAll({*found}, request, wanted, patience) : found.error();
-}
-
-Result<void> LocalManager::AskAll(const Components& components, Request request,
-                                  ComponentState wanted, Patience patience) {
-  const SteadyTime deadline = DeadlineAfter(patience);
-  Result<void> outcome;
-  for (const auto& one : components) {
-    Result<void> done;
-    {
-      const auto lock = Lock();
-      if (Find(one->name()) == one.get()) {
-        done = (*one.*request)(kNoWait);
-      } else {
-        done = Error{ErrorCode::kNotFound, "component '" + one->name() + "' was removed meanwhile"};
-      }
-    }
-    if (done && patience > kNoWait) {
-      done = one->WaitFor(wanted, std::max(kNoWait, deadline - SteadyClock().Now()));
-    }
-    if (!done && outcome) outcome = done;
-  }
-  return outcome;
 }
 
 Component* LocalManager::Find(const std::string& component) const {
@@ -382,6 +313,7 @@ ComponentDescription LocalManager::Describe(const Entry& entry) const {
       .name = component.name(),
       .class_name = entry.origin.class_name,
       .library = entry.origin.library,
+      .configuration = entry.origin.configuration,
       .state = component.state(),
       .fault = component.fault(),
       .fault_time = std::chrono::nanoseconds(component.fault_time().time_since_epoch()).count(),
@@ -409,23 +341,6 @@ Result<std::shared_ptr<Component>> LocalManager::Require(const std::string& comp
   }
   return Error{ErrorCode::kNotFound,
                "no component '" + component + "'" + DidYouMean(component, component_names())};
-}
-
-LocalManager::Components LocalManager::InOrder() const {
-  const auto lock = Lock();
-  const auto depth = [](const Entry& entry) {
-    const auto* task = dynamic_cast<const Task*>(entry.component.get());
-    int leaders = 0;
-    while (task != nullptr && (task = task->leader()) != nullptr) ++leaders;
-    return leaders;
-  };
-  Components all;
-  for (int leaders = 0; all.size() < entries_.size(); ++leaders) {
-    for (const Entry& entry : entries_) {
-      if (depth(entry) == leaders) all.push_back(entry.component);
-    }
-  }
-  return all;
 }
 
 std::vector<std::string> LocalManager::component_names() const {

@@ -3,8 +3,10 @@
 #include <tendon/base/result.h>
 #include <tendon/interface/connection.h>
 #include <tendon/manager/description.h>
+#include <tendon/manager/turns.h>
 #include <tendon/manager/watchdog.h>
 #include <tendon/task/component.h>
+#include <tendon/task/thread_options.h>
 
 #include <chrono>
 #include <concepts>
@@ -12,6 +14,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,14 +27,24 @@ using ConnectionId = std::uint64_t;
 struct ComponentOrigin {
   std::string class_name;
   std::string library;
-  std::string added_at{};  ///< "robot.cpp:23", where its author's code has added it
+  std::string added_at{};       ///< "robot.cpp:23", where its author's code has added it
+  std::string configuration{};  ///< JSON, as its class was told; empty where it was told nothing
+};
+
+/// How a component runs, beyond what its class and configuration say.
+struct RunSettings {
+  std::optional<ThreadOptions> thread{};  ///< none where it has no thread of its own
+  std::string leader{};                   ///< the component after which it runs, or empty
+  std::vector<std::string> followers{};   ///< those that run after it
+  bool is_at_rest = true;                 ///< neither running nor starting
 };
 
 /// The local component manager: owns the components of one process and the connections between
 /// them. Several may live in a process. A Process is one with a network.
 ///
 /// Thread-safe, except that no function is called from a component's own thread. Requests take a
-/// lock and wait for threads to end; nothing here belongs in a cycle.
+/// lock and wait for threads to end; nothing here belongs in a cycle. One that takes its time in a
+/// component's own functions holds up further requests of that component, and no others.
 class LocalManager {
  public:
   LocalManager() = default;
@@ -74,6 +87,9 @@ class LocalManager {
   /// What the table of transitions says (component_state.h); waits for the state it leads to, and
   /// kTimeout says that it has not come within `patience`.
   Result<void> Start(const std::string& component, Patience patience = kPatience);
+  /// The same, for who may be told to stop it meanwhile: Component::Start() has `proceed`.
+  Result<void> Start(const std::string& component, Patience patience,
+                     std::function<bool()> proceed);
   Result<void> Suspend(const std::string& component, Patience patience = kPatience);
   Result<void> Stop(const std::string& component, Patience patience = kPatience);
   /// All that are not active, one after the other: in the order they were added, those that run
@@ -91,6 +107,7 @@ class LocalManager {
   /// Null where there is none; valid until it is removed.
   [[nodiscard]] Component* Find(const std::string& component) const;
   [[nodiscard]] std::vector<ComponentDescription> components() const;
+  [[nodiscard]] Result<RunSettings> SettingsOf(const std::string& component) const;
   /// One of which an end is faulted is pending, with the reason, until that was started anew.
   [[nodiscard]] virtual std::vector<ConnectionDescription> connections() const;
   /// Of a connection within this process; kNotFound where there is none.
@@ -125,7 +142,7 @@ class LocalManager {
     ComponentOrigin origin;
   };
   using Components = std::vector<std::shared_ptr<Component>>;
-  using Request = Result<void> (Component::*)(Patience);
+  using Request = std::function<Result<void>(Component&)>;
   struct LocalConnection {
     ConnectionDescription description;
     std::unique_ptr<Connection> connection;
@@ -135,11 +152,14 @@ class LocalManager {
   [[nodiscard]] Result<std::shared_ptr<Component>> Require(const std::string& component) const;
   /// All of them, each after the one it runs after.
   [[nodiscard]] Components InOrder() const;
-  /// Makes the request with the lock held, and waits without.
-  Result<void> Ask(const std::string& component, Request request, ComponentState wanted,
+  Result<void> Ask(const std::string& component, const Request& request, ComponentState wanted,
                    Patience patience);
-  Result<void> AskAll(const Components& components, Request request, ComponentState wanted,
+  Result<void> AskAll(const Components& components, const Request& request, ComponentState wanted,
                       Patience patience);
+  /// Makes a request once those made of the component before are; does not wait for its effect.
+  Result<void> MakeRequest(const std::shared_ptr<Component>& component, const Request& request,
+                           SteadyTime deadline);
+  [[nodiscard]] static Error TurnTaken(const std::string& component);
   [[nodiscard]] std::vector<std::string> component_names() const;
   [[nodiscard]] Result<ConnectionId> FindConnection(const InterfaceName& required) const;
   /// Closes a connection and says what that has dropped.
@@ -153,6 +173,7 @@ class LocalManager {
 
   mutable std::recursive_mutex mutex_;
   std::vector<Entry> entries_;
+  Turns turns_;  // of requests; under mutex_
   std::map<ConnectionId, LocalConnection> connections_;
   ConnectionId last_connection_ = 0;
   mutable std::mutex observer_mutex_;

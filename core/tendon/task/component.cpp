@@ -25,9 +25,16 @@ std::string Quoted(const std::string& name) { return "'" + name + "'"; }
 Result<const Transition*> Lookup(const Component& component, std::mutex& mutex,
                                  LifeRequest request) {
   const std::scoped_lock lock(mutex);  // the state and the flag change together
+  if (request == LifeRequest::kStop && (component.is_starting() || component.is_stopping())) {
+    return &TransitionOf(ComponentState::kActive, request);
+  }
+  if (component.is_stopping()) {
+    return Error{ErrorCode::kFailed, "component " + Quoted(component.name()) +
+                                         " is still stopping; wait until it is finished"};
+  }
   if (component.is_starting()) {
     return Error{ErrorCode::kFailed, "component " + Quoted(component.name()) +
-                                         " is still starting; wait until it is active"};
+                                         " is still starting; wait until it is active, or stop it"};
   }
   const Transition& transition = TransitionOf(component.state(), request);
   if (transition.refusal.empty()) return &transition;
@@ -98,12 +105,16 @@ void Component::Seal() {
   for (const auto& one : required_) one->Seal();
 }
 
-Result<void> Component::Start(Patience patience) {
+Result<void> Component::Start(Patience patience, const std::function<bool()>& proceed) {
   const auto transition = Lookup(*this, mutex_, LifeRequest::kStart);
   if (!transition) return transition.error();
+  const Error stopped{ErrorCode::kFailed, "component " + Quoted(name_) +
+                                              " is not started, for it was to stop meanwhile"};
+  if (proceed && !proceed()) return stopped;
   if ((*transition)->from == ComponentState::kSuspended) {
     const auto resumed = Resume();
-    return resumed && patience > kNoWait ? WaitFor(ComponentState::kActive, patience) : resumed;
+    return resumed && patience > kNoWait ? WaitForEffect(ComponentState::kActive, patience)
+                                         : resumed;
   }
   if ((*transition)->configures_first) {
     if (!RunGuarded("Configure", [this] { Configure(); })) {
@@ -115,30 +126,44 @@ Result<void> Component::Start(Patience patience) {
       fault_time_ = {};
     }
     SetState(ComponentState::kReady);
+    if (proceed && !proceed()) return stopped;
   }
   is_starting_.Set(true);
   if (const auto launched = Launch(); !launched) {
     is_starting_.Set(false);
     return launched;
   }
-  return patience > kNoWait ? WaitFor(ComponentState::kActive, patience) : Result<void>();
+  return patience > kNoWait ? WaitForEffect(ComponentState::kActive, patience) : Result<void>();
 }
 
 Result<void> Component::Suspend(Patience patience) {
   const auto transition = Lookup(*this, mutex_, LifeRequest::kSuspend);
   if (!transition) return transition.error();
   Pause();
-  return patience > kNoWait ? WaitFor(ComponentState::kSuspended, patience) : Result<void>();
+  return patience > kNoWait ? WaitForEffect(ComponentState::kSuspended, patience) : Result<void>();
 }
 
 Result<void> Component::Stop(Patience patience) {
   const auto transition = Lookup(*this, mutex_, LifeRequest::kStop);
   if (!transition) return transition.error();
+  {
+    const std::scoped_lock lock(mutex_);  // unless it has ended by itself
+    is_stopping_.Set(is_starting() || IsRunning(state()));
+  }
   Halt();
-  return patience > kNoWait ? WaitFor(ComponentState::kFinished, patience) : Result<void>();
+  return patience > kNoWait ? WaitForEffect(ComponentState::kFinished, patience) : Result<void>();
 }
 
 Result<void> Component::WaitFor(ComponentState wanted, Patience patience) {
+  return WaitForState(wanted, patience, false);
+}
+
+Result<void> Component::WaitForEffect(ComponentState wanted, Patience patience) {
+  return WaitForState(wanted, patience, true);
+}
+
+Result<void> Component::WaitForState(ComponentState wanted, Patience patience,
+                                     bool ends_with_a_stop) {
   constexpr std::chrono::milliseconds kBetweenLooks(10);
   const SteadyTime deadline = DeadlineAfter(patience);
   std::unique_lock lock(mutex_);
@@ -146,6 +171,10 @@ Result<void> Component::WaitFor(ComponentState wanted, Patience patience) {
     const std::string who = "component " + Quoted(name_) + " is ";
     if (state() == ComponentState::kFaulted) {
       return Error{ErrorCode::kFailed, who + "faulted: " + fault_};
+    }
+    if (ends_with_a_stop && state() == ComponentState::kFinished && !is_starting()) {
+      return Error{ErrorCode::kFailed,
+                   who + "not " + std::string(ToString(wanted)) + ", for it was stopped meanwhile"};
     }
     const SteadyTime now = SteadyClock().Now();
     if (now >= deadline) {
@@ -255,6 +284,7 @@ void Component::SetState(ComponentState state) {
   {
     const std::scoped_lock lock(mutex_);
     is_starting_.Set(false);
+    if (!IsRunning(state)) is_stopping_.Set(false);
     // A fault that another thread has brought about ends with a start, not with what goes on here.
     if (host_.is_faulted()) state = ComponentState::kFaulted;
     host_.SetAccepting(state == ComponentState::kActive);

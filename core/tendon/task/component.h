@@ -74,12 +74,19 @@ class Component {
   virtual void Seal();
   /// Each does what the table of transitions says, and waits for the state it leads to as
   /// WaitFor() does; what is illegal is refused with kFailed. Start() configures in the calling
-  /// thread where needed.
-  Result<void> Start(Patience patience = kPatience);
+  /// thread where needed. Stop() is legal while it is starting, too: it ends without having run, or
+  /// as soon as its Startup() has returned.
+  /// Where there is a `proceed`, it is asked before the author's Configure() and after it; where it
+  /// says no, the component is not started, which is kFailed.
+  Result<void> Start(Patience patience = kPatience, const std::function<bool()>& proceed = {});
   Result<void> Suspend(Patience patience = kPatience);
   Result<void> Stop(Patience patience = kPatience);
+  /// As WaitFor(), once it was asked for the state; kFailed when it is stopped instead.
+  Result<void> WaitForEffect(ComponentState state, Patience patience);
   /// Whether it was asked to start, and is neither active nor faulted yet.
   [[nodiscard]] bool is_starting() const noexcept { return is_starting_.Get(); }
+  /// Whether it was asked to stop, and still runs: until it has ended, nothing else is asked of it.
+  [[nodiscard]] bool is_stopping() const noexcept { return is_stopping_.Get(); }
   /// Neither active nor suspended, nor on the way: none of its functions runs.
   [[nodiscard]] bool is_at_rest() const;
   /// Stops it where it runs, and waits for that as long as it takes: it can be destroyed then.
@@ -139,6 +146,8 @@ class Component {
  private:
   // Beside the functions above a base class has no names that an author's own could mean.
 
+  Result<void> WaitForState(ComponentState wanted, Patience patience, bool ends_with_a_stop);
+
   std::string name_;
   Host host_{[this](const std::string& reason) { FaultFromOutside(reason); }};
   std::unique_ptr<Inbox> inbox_;
@@ -148,6 +157,7 @@ class Component {
   std::map<std::string, SourcePlace> added_at_;
   Published<ComponentState> state_{ComponentState::kConstructed};
   Flag is_starting_;
+  Flag is_stopping_;
   mutable std::mutex mutex_;  // of fault_, its time and observer_, and of changes of the state
   std::condition_variable changed_;
   std::string fault_;

@@ -38,7 +38,7 @@ inline constexpr auto kPayload<ComponentState> = DescribeEnum(
 }
 
 /// What managers ask of a component.
-enum class LifeRequest : std::uint32_t { kStart, kSuspend, kStop };
+enum class LifeRequest : std::uint16_t { kStart, kSuspend, kStop };
 
 /// What a request does in a state.
 struct Transition {

@@ -129,8 +129,8 @@ void Task::PrepareStart() {
   }
 }
 
-void Task::GiveOrder(LifeRequest request) {
-  order_.Set({.number = order_.Get().number + 1, .request = request});
+void Task::GiveOrder(LifeRequest request, bool ends_start) {
+  order_.Set({.number = order_.Get().number + 1, .request = request, .ends_start = ends_start});
   TaskLife::CallThread(*this);
   TaskLife::RootOf(*this).ServeWaiting();
 }

@@ -31,6 +31,7 @@ using TaskFollowers = std::vector<Task*>;
 struct TaskOrder {
   std::uint32_t number = 0;
   LifeRequest request = LifeRequest::kStop;
+  bool ends_start = false;  ///< a stop that also ends a start which is under way
 };
 
 /// A component with cycles, a state table and mailboxes: commands and events that others send wait
@@ -107,10 +108,10 @@ class Task : public Component {
   /// What a start needs before its order: drops what waited when the task ended.
   void PrepareStart();
   /// Has the thread that makes the cycles obey; where there is none now, this one.
-  void GiveOrder(LifeRequest request);
+  void GiveOrder(LifeRequest request, bool ends_start = false);
   void Pause() override { GiveOrder(LifeRequest::kSuspend); }
   Result<void> Resume() override;
-  void Halt() override { GiveOrder(LifeRequest::kStop); }
+  void Halt() override { GiveOrder(LifeRequest::kStop, is_starting()); }
   /// From now on it runs after `leader`, and not after its former one. Both must live, and this one
   /// must be at rest. Errors are those of LeaveLeader().
   Result<void> JoinLeader(Task& leader, SteadyTime deadline);

@@ -161,16 +161,50 @@ TEST(LifeCycle, AStartThatIsUnderWayIsNotDisturbed) {
   arm.blocks = Script::kStartup;
   ASSERT_TRUE(arm.Start(kNoWait).ok());
 
-  for (const LifeRequest request :
-       {LifeRequest::kStart, LifeRequest::kSuspend, LifeRequest::kStop}) {
+  for (const LifeRequest request : {LifeRequest::kStart, LifeRequest::kSuspend}) {
     const auto answer = Ask(arm, request);
     ASSERT_FALSE(answer.ok());
-    EXPECT_EQ(answer.error().message, "component 'arm' is still starting; wait until it is active");
+    EXPECT_EQ(answer.error().message,
+              "component 'arm' is still starting; wait until it is active, or stop it");
   }
   EXPECT_EQ(arm.state(), ComponentState::kReady);
   arm.blocks = Script::kNone;
 
   EXPECT_TRUE(arm.WaitFor(ComponentState::kActive, 20s).ok());
+}
+
+TEST(LifeCycle, NothingTakesTheNextPlaceOfAStop) {
+  tendon::LocalManager manager;
+  auto& arm = manager.Add<Periodic>("arm", 1ms);
+  ASSERT_TRUE(manager.Start("arm").ok());
+  arm.blocks = Script::kRun;
+  ASSERT_TRUE(EventuallyTrue([&] { return arm.is_blocked.load(); }));
+  ASSERT_TRUE(manager.Stop("arm", kNoWait).ok());
+
+  for (const LifeRequest request : {LifeRequest::kStart, LifeRequest::kSuspend}) {
+    EXPECT_EQ(Ask(arm, request).error().message,
+              "component 'arm' is still stopping; wait until it is finished");
+  }
+  EXPECT_TRUE(manager.Stop("arm", kNoWait).ok());
+  arm.blocks = Script::kNone;
+
+  EXPECT_TRUE(arm.WaitFor(ComponentState::kFinished, 20s).ok());
+  EXPECT_TRUE(manager.Start("arm").ok());
+}
+
+TEST(LifeCycle, AStopDuringAStartLetsNoCycleHappen) {
+  tendon::LocalManager manager;
+  auto& arm = manager.Add<Periodic>("arm", 1ms);
+  arm.blocks = Script::kStartup;
+  ASSERT_TRUE(arm.Start(kNoWait).ok());
+  ASSERT_TRUE(EventuallyTrue([&] { return arm.is_blocked.load(); }));
+
+  ASSERT_TRUE(manager.Stop("arm", kNoWait).ok());
+  arm.blocks = Script::kNone;
+
+  EXPECT_TRUE(arm.WaitFor(ComponentState::kFinished, 20s).ok());
+  EXPECT_EQ(arm.runs, 0);
+  EXPECT_TRUE(manager.Start("arm").ok());
 }
 
 TEST(LifeCycle, AWaitForAStateEndsAtItsDeadlineAndSaysWhatHolds) {

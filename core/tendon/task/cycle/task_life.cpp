@@ -32,7 +32,11 @@ void TaskLife::Obey(Task& task) {
         if (now == ComponentState::kActive) Rest(task);
         break;
       case LifeRequest::kStop:
-        if (IsRunning(now)) Finish(task);
+        if (IsRunning(now)) {
+          Finish(task);
+        } else if (order.ends_start && task.is_starting()) {  // it never began
+          task.SetState(ComponentState::kFinished);
+        }
         break;
     }
   }

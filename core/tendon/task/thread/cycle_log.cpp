@@ -1,3 +1,4 @@
+#include <tendon/base/clock.h>
 #include <tendon/base/os/thread.h>
 #include <tendon/task/thread/cycle_log.h>
 
@@ -32,6 +33,7 @@ struct FixedText {
 struct CycleLog::Record {
   LogTime time;
   LogLevel level;
+  Share* share;
   FixedText<64> source;
   FixedText<kLongest> message;
 };
@@ -61,11 +63,16 @@ CycleLog::~CycleLog() {
 
 void CycleLog::PutAside(LogTime time, LogLevel level, std::string_view source,
                         std::string_view message) noexcept {
-  std::byte* const slot = ring_.Claim();
+  Share& share = ShareOf(source);
+  const auto waiting = static_cast<std::int64_t>(share.come.value() - share.gone.value());
+  const auto free = static_cast<std::int64_t>(kCapacity - std::min(ring_.size(), kCapacity));
+  std::byte* const slot = waiting < free ? ring_.Claim() : nullptr;
   if (slot == nullptr) return lost_.Add();
+  share.come.Add();
   auto* const record = new (slot) Record;
   record->time = time;
   record->level = level;
+  record->share = &share;
   record->source.Set(source);
   record->message.Set(message);
   ring_.Publish(slot);
@@ -73,32 +80,55 @@ void CycleLog::PutAside(LogTime time, LogLevel level, std::string_view source,
 
 void CycleLog::Run() {
   os::NameThisThread("log");
+  SteadyTime next_telling{};
   std::unique_lock lock(mutex_);
   while (!stopping_) {
     stopped_.wait_for(lock, kBetweenLooks);
     lock.unlock();
     Drain();
+    if (const SteadyTime now = SteadyClock().Now(); now >= next_telling) {
+      if (TellLost()) next_telling = now + kBetweenTellings;
+    }
     lock.lock();
   }
   Drain();
+  TellLost();
 }
 
 void CycleLog::Drain() {
-  while (const std::byte* const slot = ring_.Front()) {
+  for (std::size_t left = kCapacity; left > 0; --left) {  // one who floods it is not the last word
+    const std::byte* const slot = ring_.Front();
+    if (slot == nullptr) return;
     const Record& record = *std::launder(reinterpret_cast<const Record*>(slot));
     try {
       LogDeferred(record.time, record.level, record.source.text(), record.message.text());
     } catch (const std::exception&) {
       // A sink's own fault: the other records go their way.
     }
+    record.share->gone.Add();
     ring_.Release();
   }
+}
+
+bool CycleLog::TellLost() {
   const std::uint64_t lost = lost_.value();
-  if (lost == lost_told_) return;
+  if (lost == lost_told_) return false;
   Log(LogLevel::kWarning, "log",
-      std::to_string(lost - lost_told_) + " records of cycles are lost: more than " +
-          std::to_string(kCapacity) + " came before they could be written");
+      std::to_string(lost - lost_told_) +
+          " records of cycles are lost: their tasks log faster than is written, and have no more "
+          "than their share of " +
+          std::to_string(kCapacity) + " places");
   lost_told_ = lost;
+  return true;
+}
+
+/// By a hash of its name (FNV-1a).
+CycleLog::Share& CycleLog::ShareOf(std::string_view source) noexcept {
+  std::uint32_t hash = 2166136261U;
+  for (const char c : source) {
+    hash = (hash ^ static_cast<unsigned char>(c)) * 16777619U;
+  }
+  return shares_[hash % kShares];
 }
 
 }  // namespace tendon

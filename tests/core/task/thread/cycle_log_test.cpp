@@ -122,6 +122,25 @@ TEST(CycleLog, CountsAndTellsWhatIsLost) {
   EXPECT_EQ(records.lost(), lost_before + lost);  // told in one record or in two
 }
 
+TEST(CycleLog, WhoFloodsItLeavesRoomForTheOthers) {
+  Records& records = Records::All();
+  {
+    CycleLog log;
+    const tendon::DeferLogging put_aside(log);
+    const std::scoped_lock nothing_is_written(records.gate);
+    for (const char* source : {"a raving task", "another one"}) {
+      for (std::size_t i = 0; i < 10 * CycleLog::kCapacity; ++i) {
+        tendon::Log(LogLevel::kInfo, source, "more");
+      }
+    }
+    for (int i = 0; i < 50; ++i) tendon::Log(LogLevel::kInfo, "a calm task", "news");
+  }
+
+  EXPECT_EQ(records.Of("a calm task").size(), 50U);
+  EXPECT_GE(records.Of("a raving task").size(), CycleLog::kCapacity / 2);
+  EXPECT_GE(records.Of("another one").size(), CycleLog::kCapacity / 5);
+}
+
 TEST(CycleLog, TakesRecordsOfManyThreads) {
   const Records& records = Records::All();
   constexpr std::size_t kThreads = 3;

@@ -1,0 +1,158 @@
+#include <tendon/manager/local_manager.h>
+#include <tendon/task/thread/threaded_task.h>
+
+#include <algorithm>
+
+namespace tendon {
+namespace {
+
+// What is asked of a component, without waiting for its effect.
+Result<void> Start(Component& component) { return component.Start(kNoWait); }
+Result<void> Suspend(Component& component) { return component.Suspend(kNoWait); }
+Result<void> Stop(Component& component) { return component.Stop(kNoWait); }
+
+/// What `body` returns; others may have the lock meanwhile.
+Result<void> WithoutLock(std::unique_lock<std::recursive_mutex>& lock, const auto& body) {
+  struct Relock {
+    explicit Relock(std::unique_lock<std::recursive_mutex>& given) : held(given) { held.unlock(); }
+    ~Relock() { held.lock(); }
+    std::unique_lock<std::recursive_mutex>& held;
+  };
+  const Relock relock(lock);
+  return body();
+}
+
+}  // namespace
+
+Result<void> LocalManager::Start(const std::string& component, Patience patience) {
+  return Ask(component, &tendon::Start, ComponentState::kActive, patience);
+}
+
+Result<void> LocalManager::Start(const std::string& component, Patience patience,
+                                 std::function<bool()> proceed) {
+  const auto start = [proceed = std::move(proceed)](Component& one) {
+    return one.Start(kNoWait, proceed);
+  };
+  return Ask(component, start, ComponentState::kActive, patience);
+}
+
+Result<void> LocalManager::Suspend(const std::string& component, Patience patience) {
+  return Ask(component, &tendon::Suspend, ComponentState::kSuspended, patience);
+}
+
+Result<void> LocalManager::Stop(const std::string& component, Patience patience) {
+  return Ask(component, &tendon::Stop, ComponentState::kFinished, patience);
+}
+
+Result<void> LocalManager::StartAll(Patience patience) {
+  Components all = InOrder();
+  std::erase_if(all, [](const auto& one) { return one->state() == ComponentState::kActive; });
+  return AskAll(all, &tendon::Start, ComponentState::kActive, patience);
+}
+
+Result<void> LocalManager::SuspendAll(Patience patience) {
+  Components all = InOrder();
+  std::reverse(all.begin(), all.end());
+  std::erase_if(all, [](const auto& one) { return one->state() != ComponentState::kActive; });
+  return AskAll(all, &tendon::Suspend, ComponentState::kSuspended, patience);
+}
+
+Result<void> LocalManager::StopAll(Patience patience) {
+  Components all = InOrder();
+  std::reverse(all.begin(), all.end());
+  std::erase_if(all, [this](const auto& one) {
+    const auto lock = Lock();
+    return one->is_at_rest() && !turns_.IsInUse(*one);
+  });
+  return AskAll(all, &tendon::Stop, ComponentState::kFinished, patience);
+}
+
+Result<void> LocalManager::WaitFor(const std::string& component, ComponentState state,
+                                   Patience patience) {
+  const auto found = Require(component);
+  return found ? (*found)->WaitFor(state, patience) : found.error();
+}
+
+Result<void> LocalManager::WaitForAll(ComponentState state, Patience patience) {
+  const SteadyTime deadline = DeadlineAfter(patience);
+  for (const auto& one : InOrder()) {
+    const auto reached = one->WaitFor(state, std::max(kNoWait, deadline - SteadyClock().Now()));
+    if (!reached) return reached;
+  }
+  return {};
+}
+
+Result<void> LocalManager::Ask(const std::string& component, const Request& request,
+                               ComponentState wanted, Patience patience) {
+  const auto found = Require(component);
+  return found ? AskAll({*found}, request, wanted, patience) : found.error();
+}
+
+Result<void> LocalManager::AskAll(const Components& components, const Request& request,
+                                  ComponentState wanted, Patience patience) {
+  const SteadyTime deadline = DeadlineAfter(patience);
+  Result<void> outcome;
+  for (const auto& one : components) {
+    Result<void> done = MakeRequest(one, request, deadline);
+    if (done && patience > kNoWait) {
+      done = one->WaitForEffect(wanted, std::max(kNoWait, deadline - SteadyClock().Now()));
+    }
+    if (!done && outcome) outcome = done;
+  }
+  return outcome;
+}
+
+Result<void> LocalManager::MakeRequest(const std::shared_ptr<Component>& component,
+                                       const Request& request, SteadyTime deadline) {
+  auto lock = Lock();
+  const Turns::Turn turn(turns_, *component, lock, deadline);
+  if (!turn.is_ours()) return TurnTaken(component->name());
+  if (Find(component->name()) != component.get()) {
+    return Error{ErrorCode::kNotFound,
+                 "component '" + component->name() + "' was removed meanwhile"};
+  }
+  return WithoutLock(lock, [&] { return request(*component); });
+}
+
+Error LocalManager::TurnTaken(const std::string& component) {
+  return {ErrorCode::kTimeout, "component '" + component +
+                                   "' is still busy with what was asked of it before; it may "
+                                   "be in its Configure(), Startup() or Cleanup()"};
+}
+
+Result<RunSettings> LocalManager::SettingsOf(const std::string& component) const {
+  const auto lock = Lock();
+  const auto found = Require(component);
+  if (!found) return found.error();
+  RunSettings settings{.is_at_rest = (*found)->is_at_rest()};
+  if (const auto* task = dynamic_cast<const ThreadedTask*>(found->get())) {
+    settings.thread = task->thread_options();
+  }
+  for (const Entry& entry : entries_) {
+    const auto* task = dynamic_cast<const Task*>(entry.component.get());
+    const Task* const leader = task == nullptr ? nullptr : task->leader();
+    if (leader == nullptr) continue;
+    if (task == found->get()) settings.leader = leader->name();
+    if (leader == found->get()) settings.followers.push_back(task->name());
+  }
+  return settings;
+}
+
+LocalManager::Components LocalManager::InOrder() const {
+  const auto lock = Lock();
+  const auto depth = [](const Entry& entry) {
+    const auto* task = dynamic_cast<const Task*>(entry.component.get());
+    int leaders = 0;
+    while (task != nullptr && (task = task->leader()) != nullptr) ++leaders;
+    return leaders;
+  };
+  Components all;
+  for (int leaders = 0; all.size() < entries_.size(); ++leaders) {
+    for (const Entry& entry : entries_) {
+      if (depth(entry) == leaders) all.push_back(entry.component);
+    }
+  }
+  return all;
+}
+
+}  // namespace tendon

@@ -1,0 +1,36 @@
+#include <tendon/manager/turns.h>
+#include <tendon/task/task.h>
+
+#include <algorithm>
+
+namespace tendon {
+
+Turns::Turn::Turn(Turns& turns, const Component& component,
+                  std::unique_lock<std::recursive_mutex>& lock, SteadyTime deadline)
+    : turns_(turns), component_(component) {
+  const SteadyTime last = std::max<SteadyTime>(deadline, SteadyClock().Now() + kShortest);
+  while (!turns_.asked_.insert(&component_).second) {
+    const SteadyTime now = SteadyClock().Now();
+    is_ours_ = now < last;
+    if (!is_ours_) return;
+    constexpr std::chrono::milliseconds kBetweenLooks(10);
+    turns_.ended_.wait_until(lock, std::min<SteadyTime>(last, now + kBetweenLooks));
+  }
+}
+
+Turns::Turn::~Turn() {
+  if (!is_ours_) return;
+  turns_.asked_.erase(&component_);
+  turns_.ended_.notify_all();
+}
+
+bool Turns::IsInUse(const Component& component) const {
+  return std::ranges::any_of(asked_, [&component](const Component* asked) {
+    if (asked == &component) return true;
+    const auto* task = dynamic_cast<const Task*>(asked);
+    while (task != nullptr && task != &component) task = task->leader();
+    return task != nullptr;
+  });
+}
+
+}  // namespace tendon

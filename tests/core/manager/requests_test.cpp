@@ -1,0 +1,127 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <thread>
+
+#include "core/task/scripted.h"
+#include "support/wait.h"
+
+namespace {
+
+using tendon::ComponentState;
+using tendon::ErrorCode;
+using tendon::kNoWait;
+using tendon_test::Periodic;
+using tendon_test::Script;
+using testing::HasSubstr;
+using namespace std::chrono_literals;
+
+/// Is asked to start, and does not come out of its Configure().
+struct BusyComponent : testing::Test {
+  void SetUp() override {
+    slow.blocks = Script::kConfigure;
+    starting = std::thread([this] { started = manager.Start("slow", 20s); });
+    ASSERT_TRUE(EventuallyTrue([this] { return slow.is_blocked.load(); }));
+  }
+  void TearDown() override { Release(); }
+  void Release() {
+    if (!starting.joinable()) return;  // it was done, and the component may be gone
+    slow.blocks = Script::kNone;
+    starting.join();
+  }
+
+  tendon::LocalManager manager;
+  Periodic& arm = manager.Add<Periodic>("arm", 1ms);
+  Periodic& slow = manager.Add<Periodic>("slow", 1ms);
+  tendon::Result<void> started;  // once it was released
+  std::thread starting;
+};
+
+TEST_F(BusyComponent, HoldsUpNoOther) {
+  EXPECT_TRUE(manager.Start("arm").ok());
+  EXPECT_TRUE(manager.Stop("arm").ok());
+  EXPECT_EQ(manager.components().size(), 2U);
+  manager.Add<Periodic>("other", 1ms);
+  EXPECT_TRUE(manager.Remove("other").ok());
+  EXPECT_EQ(slow.state(), ComponentState::kConstructed);
+}
+
+TEST_F(BusyComponent, IsAskedNothingElseMeanwhileNorRemoved) {
+  for (const auto& answer : {manager.Start("slow", kNoWait), manager.Stop("slow", 1ms),
+                             manager.Remove("slow", 1ms), manager.RunAfter("slow", "arm", 1ms)}) {
+    ASSERT_FALSE(answer.ok());
+    EXPECT_EQ(answer.error().code, ErrorCode::kTimeout);
+    EXPECT_THAT(answer.error().message, HasSubstr("component 'slow' is still busy with what was "
+                                                  "asked of it before"));
+  }
+  EXPECT_EQ(slow.configures, 1);
+
+  Release();
+
+  EXPECT_TRUE(started.ok());
+  EXPECT_TRUE(manager.Stop("slow").ok());
+  EXPECT_TRUE(manager.Remove("slow").ok());
+}
+
+TEST_F(BusyComponent, IsStoppedAsSoonAsItCanBeWhereSomebodyWaits) {
+  std::thread stopping([this] { EXPECT_TRUE(manager.Stop("slow", 20s).ok()); });
+
+  Release();
+  stopping.join();
+
+  EXPECT_EQ(slow.state(), ComponentState::kFinished);
+}
+
+TEST_F(BusyComponent, IsStoppedWithTheOthers) {
+  ASSERT_TRUE(manager.Start("arm").ok());
+  std::thread stopping([this] { EXPECT_TRUE(manager.StopAll(20s).ok()); });
+  Release();
+  stopping.join();
+
+  EXPECT_FALSE(IsRunning(arm.state()));
+  EXPECT_FALSE(IsRunning(slow.state()));
+}
+
+TEST_F(BusyComponent, ThatIsToStopBeforeItIsConfiguredIsNotStarted) {
+  std::atomic<bool> proceeds = true;
+  Release();
+  ASSERT_TRUE(manager.Stop("slow").ok());
+  Periodic& other = manager.Add<Periodic>("other", 1ms);
+  other.blocks = Script::kConfigure;
+  starting = std::thread(
+      [&] { started = manager.Start("other", 20s, [&proceeds] { return proceeds.load(); }); });
+  ASSERT_TRUE(EventuallyTrue([&] { return other.is_blocked.load(); }));
+
+  proceeds = false;
+  other.blocks = Script::kNone;
+  starting.join();
+
+  EXPECT_EQ(started.error().message,
+            "component 'other' is not started, for it was to stop meanwhile");
+  EXPECT_EQ(other.startups, 0);
+  EXPECT_EQ(other.state(), ComponentState::kReady);
+}
+
+TEST_F(BusyComponent, KeepsItsLeader) {
+  Release();
+  ASSERT_TRUE(manager.Stop("slow").ok());
+  ASSERT_TRUE(manager.RunAfter("slow", "arm").ok());
+  slow.throws = Script::kStartup;  // so that it is configured anew
+  ASSERT_TRUE(manager.Start("arm").ok());
+  EXPECT_FALSE(manager.Start("slow").ok());
+  slow.throws = Script::kNone;
+  ASSERT_TRUE(manager.Stop("arm").ok());
+  slow.blocks = Script::kConfigure;
+  starting = std::thread([this] { (void)manager.Start("slow", 20s); });
+  ASSERT_TRUE(EventuallyTrue([this] { return slow.is_blocked.load(); }));
+
+  const auto removed = manager.Remove("arm", 1ms);
+
+  ASSERT_FALSE(removed.ok());
+  EXPECT_EQ(removed.error().code, ErrorCode::kTimeout);
+  Release();
+  EXPECT_TRUE(manager.Remove("arm").ok());
+}
+
+}  // namespace
