@@ -29,10 +29,11 @@ T Sample(unsigned seed) {
 
 template <typename T>
 class DecodeBounds : public testing::Test {};
-using Types = testing::Types<bool, double, std::string, sample::Mode, std::vector<std::string>,
-                             std::vector<sample::Ragged>, None, sample::JointState, sample::Numbers,
-                             sample::Fixed, sample::Dynamic>;
-TYPED_TEST_SUITE(DecodeBounds, Types);
+using BoundedTypes =
+    testing::Types<bool, double, std::string, sample::Mode, std::vector<std::string>,
+                   std::vector<sample::Ragged>, None, sample::JointState, sample::Numbers,
+                   sample::Fixed, sample::Dynamic>;
+TYPED_TEST_SUITE(DecodeBounds, BoundedTypes);
 
 TYPED_TEST(DecodeBounds, ABodyCutAtAnyByteIsRefused) {
   const auto body = Encoded(Sample<TypeParam>(4));

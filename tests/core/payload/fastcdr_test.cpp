@@ -51,7 +51,7 @@ std::vector<std::byte> EncodedByFastCdr(const T& value) {
 template <typename T>
 class FastCdr : public testing::Test {};
 
-using Types =
+using CdrTypes =
     testing::Types<bool, std::int8_t, std::uint8_t, std::byte, std::int16_t, std::uint16_t,
                    std::int32_t, std::uint32_t, std::int64_t, std::uint64_t, float, double,
                    std::string, sample::Mode, sample::Plain, std::chrono::nanoseconds,
@@ -59,7 +59,7 @@ using Types =
                    std::vector<bool>, std::vector<sample::Point>, std::vector<sample::Ragged>,
                    std::array<double, 7>, std::array<bool, 3>, None, sample::JointState,
                    sample::Ragged, sample::Numbers, sample::Fixed, sample::Dynamic>;
-TYPED_TEST_SUITE(FastCdr, Types);
+TYPED_TEST_SUITE(FastCdr, CdrTypes);
 
 TYPED_TEST(FastCdr, WritesTheSameBytes) {
   std::mt19937 random(1);

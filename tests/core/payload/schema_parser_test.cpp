@@ -7,7 +7,7 @@
 namespace tendon {
 namespace {
 
-std::string ErrorOf(std::string_view text) {
+std::string SchemaErrorOf(std::string_view text) {
   const auto schema = Schema::Parse(text);
   return schema ? "accepted" : schema.error().message;
 }
@@ -35,43 +35,44 @@ TEST(SchemaParse, KeepsUnitsWithSpacesAndSymbols) {
 }
 
 TEST(SchemaParse, SaysWhereAndWhat) {
-  EXPECT_EQ(ErrorOf(""), "schema line 1 column 1: expected a type");
-  EXPECT_EQ(ErrorOf("float65"), "schema line 1 column 1: expected a type");
-  EXPECT_EQ(ErrorOf("float64 x"), "schema line 1 column 9: expected the end");
-  EXPECT_EQ(ErrorOf("struct 9 {\n}"),
+  EXPECT_EQ(SchemaErrorOf(""), "schema line 1 column 1: expected a type");
+  EXPECT_EQ(SchemaErrorOf("float65"), "schema line 1 column 1: expected a type");
+  EXPECT_EQ(SchemaErrorOf("float64 x"), "schema line 1 column 9: expected the end");
+  EXPECT_EQ(SchemaErrorOf("struct 9 {\n}"),
             "schema line 1 column 8: expected a type's name, like arm.JointState");
-  EXPECT_EQ(ErrorOf("struct a.B {\n  x float64\n}"), "schema line 2 column 5: expected ':'");
-  EXPECT_EQ(ErrorOf("struct a.B {\n  x: flt\n}"), "schema line 2 column 6: expected a type");
-  EXPECT_EQ(ErrorOf("struct a.B {\n  x: bool\n"),
+  EXPECT_EQ(SchemaErrorOf("struct a.B {\n  x float64\n}"), "schema line 2 column 5: expected ':'");
+  EXPECT_EQ(SchemaErrorOf("struct a.B {\n  x: flt\n}"), "schema line 2 column 6: expected a type");
+  EXPECT_EQ(SchemaErrorOf("struct a.B {\n  x: bool\n"),
             "schema line 3 column 1: expected a field's name or '}'");
-  EXPECT_EQ(ErrorOf("struct a.B {\n  x: bool\n  x: bool\n}"),
+  EXPECT_EQ(SchemaErrorOf("struct a.B {\n  x: bool\n  x: bool\n}"),
             "schema line 3 column 4: a second field of this name");
-  EXPECT_EQ(ErrorOf("struct a.B {\n  x: bool in \x01\n}"),
+  EXPECT_EQ(SchemaErrorOf("struct a.B {\n  x: bool in \x01\n}"),
             "schema line 2 column 10: expected a unit");
-  EXPECT_EQ(ErrorOf("enum a.B {\n}"),
+  EXPECT_EQ(SchemaErrorOf("enum a.B {\n}"),
             "schema line 2 column 2: an enum has at least one enumerator");
-  EXPECT_EQ(ErrorOf("enum a.B {\n  x = 1\n  y = 1\n}"),
+  EXPECT_EQ(SchemaErrorOf("enum a.B {\n  x = 1\n  y = 1\n}"),
             "schema line 3 column 8: a second enumerator of this value");
-  EXPECT_EQ(ErrorOf("enum a.B {\n  x = 2147483648\n}"),
+  EXPECT_EQ(SchemaErrorOf("enum a.B {\n  x = 2147483648\n}"),
             "schema line 2 column 7: expected a number of 32 bits");
-  EXPECT_EQ(ErrorOf("float64[0]"), "schema line 1 column 11: an array has at least one element");
-  EXPECT_EQ(ErrorOf("float64[-1]"), "schema line 1 column 9: expected a number of 32 bits");
-  EXPECT_EQ(ErrorOf("float64[7"), "schema line 1 column 10: expected ']'");
+  EXPECT_EQ(SchemaErrorOf("float64[0]"),
+            "schema line 1 column 11: an array has at least one element");
+  EXPECT_EQ(SchemaErrorOf("float64[-1]"), "schema line 1 column 9: expected a number of 32 bits");
+  EXPECT_EQ(SchemaErrorOf("float64[7"), "schema line 1 column 10: expected ']'");
 }
 
 TEST(SchemaParse, RefusesATextCutAtAnyByte) {
   const std::string text = "struct a.B {\n  # Help.\n  @ 0 to 1\n  x: float64[2][] in rad\n}";
-  ASSERT_EQ(ErrorOf(text), "accepted");
+  ASSERT_EQ(SchemaErrorOf(text), "accepted");
   for (std::size_t size = 0; size < text.size(); ++size) {
-    EXPECT_NE(ErrorOf(text.substr(0, size)), "accepted") << size;
+    EXPECT_NE(SchemaErrorOf(text.substr(0, size)), "accepted") << size;
   }
 }
 
 TEST(SchemaParse, RefusesValuesOfGigabytes) {
-  EXPECT_EQ(ErrorOf("float64[4294967295]"), "schema line 1 column 20: values of over 2 GiB");
-  EXPECT_EQ(ErrorOf("bool[65536][65536][65536][65536]"),
+  EXPECT_EQ(SchemaErrorOf("float64[4294967295]"), "schema line 1 column 20: values of over 2 GiB");
+  EXPECT_EQ(SchemaErrorOf("bool[65536][65536][65536][65536]"),
             "schema line 1 column 19: values of over 2 GiB");
-  EXPECT_EQ(ErrorOf("struct a.B {\n x: bool[2147483648]\n y: bool\n}"),
+  EXPECT_EQ(SchemaErrorOf("struct a.B {\n x: bool[2147483648]\n y: bool\n}"),
             "schema line 3 column 9: values of over 2 GiB");
 }
 
@@ -89,16 +90,16 @@ TEST(SchemaParse, IsBoundedInDepth) {
     return text;
   };
 
-  EXPECT_EQ(ErrorOf(nested(63)), "accepted");
-  EXPECT_NE(ErrorOf(nested(64)).find("more than 64 levels"), std::string::npos);
-  EXPECT_NE(ErrorOf(nested(50'000)).find("more than 64 levels"), std::string::npos);
-  EXPECT_EQ(ErrorOf(brackets(63)), "accepted");
-  EXPECT_NE(ErrorOf(brackets(64)).find("more than 64 levels"), std::string::npos);
-  EXPECT_NE(ErrorOf(brackets(50'000)).find("more than 64 levels"), std::string::npos);
+  EXPECT_EQ(SchemaErrorOf(nested(63)), "accepted");
+  EXPECT_NE(SchemaErrorOf(nested(64)).find("more than 64 levels"), std::string::npos);
+  EXPECT_NE(SchemaErrorOf(nested(50'000)).find("more than 64 levels"), std::string::npos);
+  EXPECT_EQ(SchemaErrorOf(brackets(63)), "accepted");
+  EXPECT_NE(SchemaErrorOf(brackets(64)).find("more than 64 levels"), std::string::npos);
+  EXPECT_NE(SchemaErrorOf(brackets(50'000)).find("more than 64 levels"), std::string::npos);
 }
 
 TEST(SchemaParse, RefusesATextOfOverAMebibyte) {
-  EXPECT_EQ(ErrorOf(std::string((1U << 20) + 1, ' ')),
+  EXPECT_EQ(SchemaErrorOf(std::string((1U << 20) + 1, ' ')),
             "schema: 1048577 bytes of text; at most 1048576 are read");
 }
 

@@ -1,4 +1,5 @@
 #include <tendon/base/printable.h>
+#include <tendon/payload/json/json_place.h>
 #include <tendon/payload/json/strict_json.h>
 
 #include <algorithm>
@@ -11,14 +12,6 @@ namespace tendon {
 namespace {
 
 constexpr std::size_t kMaxDepth = 64;
-
-std::string Place(std::string_view text, std::size_t offset) {
-  const std::string_view before = text.substr(0, offset);
-  const auto line = std::count(before.begin(), before.end(), '\n') + 1;
-  const std::size_t line_start = before.rfind('\n');
-  const std::size_t column = line_start == before.npos ? offset + 1 : offset - line_start;
-  return "line " + std::to_string(line) + ", column " + std::to_string(column);
-}
 
 /// The parser's own words without its codes and places: "unexpected ','; expected string literal".
 std::string Words(const std::string& what) {
@@ -63,8 +56,10 @@ class Builder final : public nlohmann::json_sax<Json> {
   bool key(string_t& value) override {
     const Open& object = open_.back();
     if (object.value->contains(value)) {
-      const std::string place = object.place.empty() ? "" : object.place + ": ";
-      return Fail(place + "key '" + Printable(value, 64) + "' occurs twice");
+      const std::string shown = Printable(value, 64);
+      const std::string path = object.place + (object.place.empty() ? "" : ".") + shown;
+      return Fail(PlaceOfSecondInJson(text_, path) + ": " + object.place +
+                  (object.place.empty() ? "" : ": ") + "key '" + shown + "' occurs twice");
     }
     key_ = value;
     return true;
@@ -74,8 +69,8 @@ class Builder final : public nlohmann::json_sax<Json> {
                    const nlohmann::detail::exception& reason) override {
     const std::string words = Words(reason.what());
     const std::size_t end = std::min(position, text_.size());
-    return Fail(Place(text_, end - std::min(end, OffendingLength(words, last_token))) + ": " +
-                words);
+    return Fail(LineAndColumn(text_, end - std::min(end, OffendingLength(words, last_token))) +
+                ": " + words);
   }
 
   Result<Json> Take() && {

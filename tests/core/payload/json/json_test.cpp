@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 #include <tendon/payload/json.h>
+#include <tests/core/payload/json/json_error.h>
 #include <tests/core/payload/random_value.h>
 #include <tests/core/payload/sample_types.h>
 
@@ -55,12 +56,6 @@ sample::Goal Goal() {
 std::string With(const std::string& passage, const std::string& replacement) {
   std::string json = kGoal;
   return json.replace(json.find(passage), passage.size(), replacement);
-}
-
-template <typename T>
-std::string ErrorOf(std::string_view json) {
-  const auto value = FromJson<T>(json);
-  return value ? "accepted" : value.error().message;
 }
 
 TEST(Json, HasTheFieldsInOrder) { EXPECT_EQ(ToJson(Goal()), kGoal); }

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 #include <tendon/payload/json.h>
+#include <tests/core/payload/json/json_error.h>
 #include <tests/core/payload/sample_types.h>
 
 #include <cmath>
@@ -8,12 +9,6 @@
 /// What people and scripts get wrong in JSON: each mistake has its sentence.
 namespace tendon {
 namespace {
-
-template <typename T>
-std::string ErrorOf(std::string_view json) {
-  const auto value = FromJson<T>(json);
-  return value ? "accepted" : value.error().message;
-}
 
 TEST(FromJson, SaysWhereTextIsNoJson) {
   const auto error = ErrorOf<sample::Point>;
@@ -36,9 +31,9 @@ TEST(FromJson, NothingIsNoValueButNone) {
 
 TEST(FromJson, AKeyThatOccursTwiceIsNamedWithItsPlace) {
   EXPECT_EQ(ErrorOf<sample::Point>(R"({"x":1,"y":2,"z":3,"y":4})"),
-            "this is no JSON: key 'y' occurs twice");
+            "this is no JSON: line 1, column 20: key 'y' occurs twice");
   EXPECT_EQ(ErrorOf<std::vector<sample::Point>>(R"([{},{"x":1,"x":1}])"),
-            "this is no JSON: [1]: key 'x' occurs twice");
+            "this is no JSON: line 1, column 12: [1]: key 'x' occurs twice");
 }
 
 TEST(FromJson, NestsNoDeeperThan64) {

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace tendon {
+
+/// Where the member or the element that `path` names begins in JSON text: "line 12, column 5" for
+/// "processes[0].name". Where the path goes on into nothing, the deepest part that is there. The
+/// text need be JSON no further than that.
+[[nodiscard]] std::string PlaceInJson(std::string_view text, std::string_view path);
+
+/// The same for the second member of that name in its object.
+[[nodiscard]] std::string PlaceOfSecondInJson(std::string_view text, std::string_view path);
+
+/// "line 12, column 5" for an offset in bytes.
+[[nodiscard]] std::string LineAndColumn(std::string_view text, std::size_t offset);
+
+}  // namespace tendon

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <tendon/payload/json.h>
+
+#include <string>
+#include <string_view>
+
+namespace tendon {
+
+/// What is wrong with `json` as a T, or "accepted".
+template <typename T>
+std::string ErrorOf(std::string_view json) {
+  const auto value = FromJson<T>(json);
+  return value ? "accepted" : value.error().message;
+}
+
+}  // namespace tendon
