@@ -1,10 +1,14 @@
 #include <IceSSL/IceSSL.h>
+#include <IceSSL/OpenSSL.h>
+#include <openssl/err.h>
+#include <openssl/ssl.h>
 #include <tendon/base/log.h>
 #include <tendon/ice/settings.h>
 #include <tendon/ice/tls.h>
 #include <tendon/security/certificate_check.h>
 
 #include <chrono>
+#include <exception>
 #include <utility>
 
 namespace tendon::ice {
@@ -31,24 +35,25 @@ std::string InOurWords(const std::string& reason, const Credentials& credentials
   return OnOneLine(reason);
 }
 
+/// Called by OpenSSL in each handshake. 1: goes on.
+int ShowOwnOf(SSL* link, void* tls) {
+  try {
+    return static_cast<Tls*>(tls)->ShowOwn(*link) ? 1 : 0;
+  } catch (const std::exception& failure) {  // it is C that calls
+    Log(LogLevel::kError, "ice", std::string("no certificate to show: ") + failure.what());
+    return 0;
+  }
+}
+
 }  // namespace
 
 Result<std::shared_ptr<Tls>> Tls::Make(Credentials credentials) {
   // What is read again later must be found whatever folder this program works in by then.
   credentials = {.certificate = std::filesystem::absolute(credentials.certificate),
                  .authority = std::filesystem::absolute(credentials.authority)};
-  auto own = CheckCertificate(credentials.certificate, credentials.authority, Now());
+  auto own = openssl::ShownCertificate::Read(credentials);
   if (!own) return own.error();
-  if (!own->key) {
-    return Error{ErrorCode::kNotFound, credentials.certificate.string() +
-                                           " has no private key beside it (.key): put the two that "
-                                           "were issued together there"};
-  }
-  if (!own->warning.empty()) {
-    Log(LogLevel::kWarning, "ice", credentials.certificate.string() + " " + own->warning);
-  }
-  return std::make_shared<Tls>(Key{}, std::move(credentials), std::move(own->certificate),
-                               *std::move(own->key));
+  return std::make_shared<Tls>(Key{}, std::move(credentials), *std::move(own));
 }
 
 void Tls::AddTo(Ice::Properties& settings) const {
@@ -58,15 +63,24 @@ void Tls::AddTo(Ice::Properties& settings) const {
   settings.setProperty("IceSSL.Trace.Security", "1");  // what an acceptor has against a peer
   settings.setProperty("IceSSL.VerifyDepthMax", "2");
   settings.setProperty("IceSSL.CAs", (credentials_.authority / "ca.crt").string());
-  settings.setProperty("IceSSL.CertFile", credentials_.certificate.string());
-  settings.setProperty("IceSSL.KeyFile", key_file_.string());
+  settings.setProperty("IceSSL.CertFile", own_->file().string());
+  settings.setProperty("IceSSL.KeyFile", own_->key_file().string());
 }
 
 void Tls::Judge(const Ice::Communicator& communicator) {
-  const auto plugin = std::dynamic_pointer_cast<IceSSL::Plugin>(
+  const auto plugin = std::dynamic_pointer_cast<IceSSL::OpenSSL::Plugin>(
       communicator.getPluginManager()->getPlugin("IceSSL"));
+  SSL_CTX_set_cert_cb(plugin->getContext(), &ShowOwnOf, this);
   plugin->setCertificateVerifier(
       [self = shared_from_this()](const auto& peer) { return self->IsGood(*peer); });
+}
+
+bool Tls::ShowOwn(SSL& link) {
+  const auto own = own_->Now();
+  const bool is_shown = SSL_use_cert_and_key(&link, own->certificate.get(), own->key.get(), nullptr,
+                                             1 /*instead of what there is*/) == 1;
+  if (!is_shown) ERR_clear_error();
+  return is_shown;
 }
 
 bool Tls::IsGood(const Ice::ConnectionInfo& peer) {

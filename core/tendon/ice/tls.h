@@ -7,9 +7,9 @@
 #include <tendon/process/access/audit_log.h>
 #include <tendon/security/certificate.h>
 #include <tendon/security/credentials.h>
+#include <tendon/security/openssl/shown_certificate.h>
 
 #include <cstdint>
-#include <filesystem>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -25,7 +25,7 @@ class Tls : public std::enable_shared_from_this<Tls> {
 
  public:
   /// kDenied, kNotFound or kInvalid where what this program itself would show is not good. Warns of
-  /// what soon will not be.
+  /// what soon will not be. A certificate that is renewed later is shown with the next link.
   static Result<std::shared_ptr<Tls>> Make(Credentials credentials);
 
   /// Before a communicator is made of the settings.
@@ -39,13 +39,13 @@ class Tls : public std::enable_shared_from_this<Tls> {
   [[nodiscard]] Error NotAccepted(const HostPort& place) const;
 
   /// One's own.
-  [[nodiscard]] const Certificate& certificate() const { return certificate_; }
+  [[nodiscard]] const Certificate& certificate() const { return own_->certificate(); }
+  /// For the handshake of one link: false where there is none to show.
+  bool ShowOwn(SSL& link);
 
-  Tls(Key /*only from Make()*/, Credentials credentials, Certificate certificate,
-      std::filesystem::path key_file)
-      : credentials_(std::move(credentials)),
-        certificate_(std::move(certificate)),
-        key_file_(std::move(key_file)) {}
+  Tls(Key /*only from Make()*/, Credentials credentials,
+      std::unique_ptr<openssl::ShownCertificate> own)
+      : credentials_(std::move(credentials)), own_(std::move(own)) {}
 
  private:
   struct Refused {
@@ -57,8 +57,7 @@ class Tls : public std::enable_shared_from_this<Tls> {
   bool IsGood(const Ice::ConnectionInfo& peer);
 
   const Credentials credentials_;
-  const Certificate certificate_;
-  const std::filesystem::path key_file_;
+  const std::unique_ptr<openssl::ShownCertificate> own_;
   AuditLog audit_;
   std::mutex mutex_;
   std::optional<Refused> refused_;  // the last one that was opened here

@@ -51,6 +51,12 @@ inline constexpr auto kRights = std::to_array<Right>({
     {0x314, "read the history", Role::kViewer, Audit::kRefusals},
     {0x315, "forget a process", Role::kOperator, Audit::kAll},
     {0x316, "replace a connection", Role::kOperator, Audit::kAll},
+    // process/life/messages.h
+    {0x317, "give an order", Role::kOperator, Audit::kAll},
+    {0x318, "list classes", Role::kViewer, Audit::kRefusals},
+    {0x319, "begin an order", Role::kOperator, Audit::kRefusals},
+    // gcm/messages.h
+    {0x31f, "pass over a step", Role::kOperator, Audit::kAll},
     // process/log/messages.h, gcm/messages.h
     {0x340, "log", Role::kOperator, Audit::kRefusals},
     {0x341, "set a log level", Role::kOperator, Audit::kAll},

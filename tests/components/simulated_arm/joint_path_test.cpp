@@ -8,13 +8,13 @@ namespace arm {
 namespace {
 
 constexpr JointLimits kLimits{-2.9, 2.9, 2.0, 8.0};
-constexpr double kStep = 1e-3;  // s
+constexpr double kSample = 1e-3;  // s
 
 /// Calls `visit(time, point)` each millisecond from 0 on, a little beyond the end.
 template <typename Visitor>
 void Follow(const JointPath& path, Visitor visit) {
-  const int steps = static_cast<int>(path.duration() / kStep) + 10;
-  for (int i = 0; i <= steps; ++i) visit(i * kStep, path.At(i * kStep));
+  const int steps = static_cast<int>(path.duration() / kSample) + 10;
+  for (int i = 0; i <= steps; ++i) visit(i * kSample, path.At(i * kSample));
 }
 
 TEST(JointPath, BeginsWithTheMotionOfTheJoint) {
@@ -69,7 +69,7 @@ TEST(JointPath, FromRestTheJerkIsBounded) {
   double before = 0.0;
 
   Follow(path, [&](double /*time*/, const JointPoint& point) {
-    jerk = std::max(jerk, std::abs(point.acceleration - before) / kStep);
+    jerk = std::max(jerk, std::abs(point.acceleration - before) / kSample);
     before = point.acceleration;
   });
 

@@ -8,33 +8,33 @@
 namespace arm {
 namespace {
 
-constexpr JointLimits kLimits{-1.0, 2.0, 2.0, 8.0};
+constexpr JointLimits kNarrow{-1.0, 2.0, 2.0, 8.0};
 constexpr double kBandwidth = 50.0;  // rad/s
-constexpr double kStep = 1e-3;       // s
+constexpr double kPeriod = 1e-3;     // s
 
 void ExpectWithinLimits(const Joint& joint) {
-  ASSERT_GE(joint.point().position, kLimits.lower);
-  ASSERT_LE(joint.point().position, kLimits.upper);
-  ASSERT_LE(std::abs(joint.point().velocity), kLimits.velocity + 1e-9);
-  ASSERT_LE(std::abs(joint.point().acceleration), kLimits.acceleration + 1e-6);
+  ASSERT_GE(joint.point().position, kNarrow.lower);
+  ASSERT_LE(joint.point().position, kNarrow.upper);
+  ASSERT_LE(std::abs(joint.point().velocity), kNarrow.velocity + 1e-9);
+  ASSERT_LE(std::abs(joint.point().acceleration), kNarrow.acceleration + 1e-6);
 }
 
 /// So many steps towards a position; how often a limit was entered.
 int Drive(Joint& joint, double position, int steps) {
   int entered = 0;
   for (int i = 0; i < steps; ++i) {
-    joint.Step({position, 0.0, 0.0}, kStep);
+    joint.Step({position, 0.0, 0.0}, kPeriod);
     entered += joint.has_entered_limit() ? 1 : 0;
   }
   return entered;
 }
 
 TEST(Joint, GoesToItsReferenceWithoutSwingingOver) {
-  Joint joint(kLimits, kBandwidth, 0.0);
+  Joint joint(kNarrow, kBandwidth, 0.0);
   double furthest = 0.0;
 
   for (int i = 0; i < 400; ++i) {
-    joint.Step({0.001, 0.0, 0.0}, kStep);
+    joint.Step({0.001, 0.0, 0.0}, kPeriod);
     furthest = std::max(furthest, joint.point().position);
   }
 
@@ -46,12 +46,12 @@ TEST(Joint, KeepsAllLimitsWhateverTheReferenceDoes) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> any(-30.0, 30.0);
   std::uniform_int_distribution<int> steps(1, 700);
-  Joint joint(kLimits, kBandwidth, 0.5);
+  Joint joint(kNarrow, kBandwidth, 0.5);
 
   for (int change = 0; change < 2000; ++change) {
     const JointPoint reference{any(random), any(random), 10.0 * any(random)};
     for (int i = steps(random); i > 0; --i) {
-      joint.Step(reference, kStep);
+      joint.Step(reference, kPeriod);
       ASSERT_NO_FATAL_FAILURE(ExpectWithinLimits(joint)) << "change " << change;
     }
   }
@@ -59,30 +59,30 @@ TEST(Joint, KeepsAllLimitsWhateverTheReferenceDoes) {
 
 TEST(Joint, IsNotStoppedByItsEndsAtOnce) {
   // The invariant behind the test above: the brakes suffice, so the position is never cut.
-  Joint joint(kLimits, kBandwidth, -1.0);
+  Joint joint(kNarrow, kBandwidth, -1.0);
 
   for (int i = 0; i < 3000; ++i) {
     const double position = joint.point().position;
-    joint.Step({100.0, 0.0, 0.0}, kStep);
-    ASSERT_NEAR(joint.point().position, position + joint.point().velocity * kStep, 1e-12) << i;
+    joint.Step({100.0, 0.0, 0.0}, kPeriod);
+    ASSERT_NEAR(joint.point().position, position + joint.point().velocity * kPeriod, 1e-12) << i;
   }
 
-  EXPECT_NEAR(joint.point().position, kLimits.upper, 1e-6);
+  EXPECT_NEAR(joint.point().position, kNarrow.upper, 1e-6);
   EXPECT_NEAR(joint.point().velocity, 0.0, 1e-6);
 }
 
 TEST(Joint, TellsOnceThatItHasComeToALimit) {
-  Joint joint(kLimits, kBandwidth, 0.0);
+  Joint joint(kNarrow, kBandwidth, 0.0);
 
   EXPECT_EQ(Drive(joint, 5.0, 4000), 1);
   EXPECT_EQ(Drive(joint, 5.0, 4000), 0);
 }
 
 TEST(Joint, TellsAgainOnlyAfterItHasLeftTheLimit) {
-  Joint joint(kLimits, kBandwidth, 0.0);
+  Joint joint(kNarrow, kBandwidth, 0.0);
   Drive(joint, 5.0, 4000);
 
-  EXPECT_EQ(Drive(joint, kLimits.upper - 0.005, 2000), 0);
+  EXPECT_EQ(Drive(joint, kNarrow.upper - 0.005, 2000), 0);
   EXPECT_EQ(Drive(joint, 5.0, 2000), 0);
   EXPECT_EQ(Drive(joint, 0.0, 4000), 0);
   EXPECT_EQ(Drive(joint, 5.0, 4000), 1);
@@ -90,13 +90,13 @@ TEST(Joint, TellsAgainOnlyAfterItHasLeftTheLimit) {
 }
 
 TEST(Joint, BeginningAtALimitIsNoEvent) {
-  Joint joint(kLimits, kBandwidth, kLimits.lower);
+  Joint joint(kNarrow, kBandwidth, kNarrow.lower);
 
   EXPECT_EQ(Drive(joint, -5.0, 100), 0);
 }
 
 TEST(Joint, RestsAtOnceWhereItIs) {
-  Joint joint(kLimits, kBandwidth, 0.0);
+  Joint joint(kNarrow, kBandwidth, 0.0);
   Drive(joint, 1.0, 200);
   const double position = joint.point().position;
 

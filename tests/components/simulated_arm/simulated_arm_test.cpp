@@ -19,7 +19,7 @@ using tendon::Status;
 using tendon_test::ArmClient;
 using tendon_test::Stepped;
 
-constexpr JointVector kPosture{0.8, -0.2, 0.3, -1.6, -0.4, 1.9, 0.1};
+constexpr JointVector kGoal{0.8, -0.2, 0.3, -1.6, -0.4, 1.9, 0.1};
 
 /// An arm that the test steps, and a client of its Control.
 class SteppedArm : public testing::Test {
@@ -50,12 +50,12 @@ TEST_F(SimulatedArmTest, HasNoSampleBeforeItsFirstCycle) {
 }
 
 TEST_F(SimulatedArmTest, MovesToAGoalAndRaisesGoalReachedOnce) {
-  EXPECT_EQ(client_.move_to({kPosture, 1.0}), Status::kQueued);
+  EXPECT_EQ(client_.move_to({kGoal, 1.0}), Status::kQueued);
   arm_.Cycle(2000);
 
   const JointState joints = Joints();
   for (std::size_t joint = 0; joint < kJoints; ++joint) {
-    EXPECT_NEAR(joints.position[joint], kPosture[joint], 1e-3) << joint;
+    EXPECT_NEAR(joints.position[joint], kGoal[joint], 1e-3) << joint;
     EXPECT_NEAR(joints.velocity[joint], 0.0, 1e-3) << joint;
   }
   EXPECT_EQ(client_.goals_reached, 1);
@@ -63,10 +63,10 @@ TEST_F(SimulatedArmTest, MovesToAGoalAndRaisesGoalReachedOnce) {
 }
 
 TEST_F(SimulatedArmTest, RecordsTheGoalItIsGoingTo) {
-  EXPECT_TRUE(client_.move_to({kPosture, 4.0}));
+  EXPECT_TRUE(client_.move_to({kGoal, 4.0}));
   arm_.Cycle();
 
-  EXPECT_EQ(arm_.Read<JointGoal>("Goal").position, kPosture);
+  EXPECT_EQ(arm_.Read<JointGoal>("Goal").position, kGoal);
   EXPECT_EQ(arm_.Read<JointGoal>("Goal").duration, 4.0);
 }
 
@@ -84,7 +84,7 @@ TEST_F(SimulatedArmTest, RaisesLimitExceededOnceWithTheJointAndItsPosition) {
 }
 
 TEST_F(SimulatedArmTest, StopHaltsIt) {
-  EXPECT_TRUE(client_.move_to({kPosture, 1.0}));
+  EXPECT_TRUE(client_.move_to({kGoal, 1.0}));
   arm_.Cycle(500);
   ASSERT_GT(std::abs(Joints().velocity[0]), 0.1);
 
@@ -92,12 +92,12 @@ TEST_F(SimulatedArmTest, StopHaltsIt) {
   arm_.Cycle(1000);
 
   EXPECT_NEAR(Joints().velocity[0], 0.0, 1e-6);
-  EXPECT_LT(Joints().position[0], kPosture[0] - 0.1);
+  EXPECT_LT(Joints().position[0], kGoal[0] - 0.1);
   EXPECT_EQ(client_.goals_reached, 0);
 }
 
 TEST_F(SimulatedArmTest, CountsGoalsThatMakeNoSense) {
-  EXPECT_TRUE(client_.move_to({kPosture, std::nan("")}));
+  EXPECT_TRUE(client_.move_to({kGoal, std::nan("")}));
   arm_.Cycle(10);
 
   EXPECT_EQ(arm_.Read<std::uint64_t>("Refused"), 1U);
@@ -120,7 +120,7 @@ TEST_F(SimulatedArmTest, ACycleAllocatesNothing) {
   arm_.Cycle(10);
 
   const AllocationGuard guard;
-  EXPECT_TRUE(client_.move_to({kPosture, 0.3}));
+  EXPECT_TRUE(client_.move_to({kGoal, 0.3}));
   arm_.Cycle(2000);
   EXPECT_TRUE(client_.move_to({beyond, 0.3}));
   arm_.Cycle(4000);
@@ -200,7 +200,7 @@ TEST(SimulatedArmThread, RunsAtItsPaceAndBeginsAtRestAfterARestart) {
     return client.get_joints(joints) ? std::abs(joints.velocity[0]) : 0.0;
   };
 
-  ASSERT_TRUE(client.move_to({kPosture, 3.0}));
+  ASSERT_TRUE(client.move_to({kGoal, 3.0}));
   ASSERT_TRUE(EventuallyTrue([&] { return speed() > 0.05; }));
   ASSERT_TRUE(manager.Stop("arm"));
   const std::uint64_t rows = arm.tables().front()->next_tick();

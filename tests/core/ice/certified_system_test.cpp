@@ -2,6 +2,8 @@
 #include <tendon/gcm/client.h>
 #include <tendon/gcm/global_manager.h>
 #include <tendon/ice/ice_middleware.h>
+#include <tendon/middleware/channel.h>
+#include <tendon/process/membership_messages.h>
 #include <tendon/process/process.h>
 
 #include <string>
@@ -58,6 +60,22 @@ class CertifiedSystem : public AuthorityTest {
         MakeIceMiddleware(Credentials{.certificate = issued.certificate_file, .authority = folder});
     EXPECT_TRUE(made.ok());
     return *std::move(made);
+  }
+  /// Who has joined, or not, with nothing but a channel.
+  struct Member {
+    std::shared_ptr<Channel> channel;
+    Result<message::Joined> joined;
+  };
+  /// As an instance that everybody may know, with the token of a membership, or 0.
+  [[nodiscard]] Member JoinByHand(const std::shared_ptr<Middleware>& middleware,
+                                  const std::string& name, std::uint64_t token) const {
+    constexpr std::uint64_t kInstance = 7;
+    const auto channel = Channel::Open(*middleware, address_,
+                                       {.instance = kInstance, .name = name, .session = token},
+                                       std::make_shared<ChannelHandler>(), kPatience);
+    if (!channel) return {nullptr, channel.error()};
+    const message::Join join{.process = {.name = name, .instance = kInstance}};
+    return {*channel, (*channel)->Call<message::Joined>(message::kJoin, 0, join, kPatience)};
   }
   static Result<std::string> Stop(GcmClient& client) {
     return Wait<std::string>(2 * kPatience, [&](auto done) {
@@ -128,6 +146,32 @@ TEST_F(CertifiedSystem, NobodyJoinsUnderAnothersName) {
     EXPECT_EQ(joined.error().code, ErrorCode::kDenied);
     EXPECT_THAT(joined.error().message, HasSubstr("cannot join as process 'robot'"));
   }
+}
+
+/// The token of a membership, which whoever has it may go on with over another link.
+TEST_F(CertifiedSystem, ASessionTokenIsWorthNothingUnderAnotherCertificate) {
+  ASSERT_NO_FATAL_FAILURE(StartGcm());
+  const auto robot = As("robot", Role::kOperator, Holder::kProcess);
+  const auto thief = As("arm", Role::kOperator, Holder::kProcess);
+  const auto member = JoinByHand(robot, "robot", 0);
+  ASSERT_TRUE(member.joined.ok()) << member.joined.error().message;
+  const std::uint64_t token = member.joined->session;
+
+  const auto stolen = JoinByHand(thief, "robot", token);
+  const auto beside = JoinByHand(thief, "arm", token);
+
+  ASSERT_FALSE(stolen.joined.ok());
+  EXPECT_EQ(stolen.joined.error().code, ErrorCode::kDenied);
+  EXPECT_THAT(stolen.joined.error().message,
+              HasSubstr("'arm (robot)' cannot join as process 'robot'"));
+  ASSERT_TRUE(beside.joined.ok()) << "it is what its certificate says";
+  EXPECT_NE(beside.joined->session, token);
+  EXPECT_TRUE(member.channel->Call<None>(message::kRenew, 0, None{}, kPatience).ok())
+      << "and the member is still one";
+
+  const auto again = JoinByHand(robot, "robot", token);
+  EXPECT_TRUE(again.joined.ok()) << again.joined.error().message;
+  EXPECT_NE(again.joined->session, token);
 }
 
 TEST_F(CertifiedSystem, AProcessThatPosesAsTheGcmIsNotJoined) {

@@ -2,8 +2,6 @@
 #include <tendon/ice/ice_middleware.h>
 #include <tendon/ice/sequence_size_check.h>
 
-#include <random>
-
 #include "conformance/resources.h"
 #include "core/ice/attacks.h"
 
@@ -90,30 +88,6 @@ TEST_F(MalformedRequest, TheMessageThatKillsGeneratedCodeIsAnsweredInWords) {
   EXPECT_EQ(answer[8], std::byte{RawMessage::kReply});
   const std::string text(reinterpret_cast<const char*>(answer.data()), answer.size());
   EXPECT_NE(text.find("the parameters of 'frame' are malformed"), std::string::npos) << text;
-}
-
-TEST_F(MalformedRequest, ThousandsOfDamagedMessagesDisturbNobody) {
-  const auto recorder = std::make_shared<Recorder>();
-  const auto link = client_->Open(listener_->address(), recorder, kPatience);
-  ASSERT_TRUE(link);
-  const auto guest = host_.guest();
-  Bytes encapsulation;
-  std::mt19937 random(4711);
-  const Bytes good = WithSequence(4).Finished();
-
-  for (int i = 0; i < 2000; ++i) {
-    Bytes damaged = good;
-    for (unsigned change = 0; change <= i % 4U; ++change) {
-      damaged[random() % damaged.size()] = static_cast<std::byte>(random());
-    }
-    const os::Socket socket = Connect();
-    SendAll(socket, damaged);
-  }
-
-  EXPECT_EQ(recorder->closed(), 0);
-  ASSERT_EQ((*link)->Send(FrameOf(1)), Status::kQueued);
-  EXPECT_TRUE(guest.recorder->WaitForFrames(1));
-  ExpectThatTheNextIsServed();
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace tendon::ice {
 /// Messages of the Ice protocol, written by hand so that they can be wrong.
 class RawMessage {
  public:
-  enum Type : unsigned char { kRequest = 0, kBatch = 1, kReply = 2, kValidate = 3 };
+  enum Type : unsigned char { kRequest, kBatch, kReply, kValidate, kClose };
 
   explicit RawMessage(Type type, unsigned char compression = 0) {
     Text("IceP");

@@ -34,7 +34,7 @@ struct Transfer {
 };
 
 template <typename Atomics>
-Report ExploreTransfer() {
+Report ExploreSharedTransfer() {
   return Explore([](Scenario& scenario) {
     const auto transfer = std::make_shared<Transfer<Atomics>>();
     scenario.Thread([=] { transfer->Produce(1); });
@@ -45,15 +45,15 @@ Report ExploreTransfer() {
 }
 
 TEST(SharedSlotRingSimulation, PassesEverySlotInEveryInterleaving) {
-  EXPECT_THAT(ExploreTransfer<SimulatedAtomics>(), Passes(1000));
+  EXPECT_THAT(ExploreSharedTransfer<SimulatedAtomics>(), Passes(1000));
 }
 
 TEST(SharedSlotRingSimulation, NeedsItsReleases) {
-  EXPECT_THAT(ExploreTransfer<WithoutRelease>(), FailsWith("races"));
+  EXPECT_THAT(ExploreSharedTransfer<WithoutRelease>(), FailsWith("races"));
 }
 
 TEST(SharedSlotRingSimulation, NeedsItsAcquires) {
-  EXPECT_THAT(ExploreTransfer<WithoutAcquire>(), FailsWith("races"));
+  EXPECT_THAT(ExploreSharedTransfer<WithoutAcquire>(), FailsWith("races"));
 }
 
 }  // namespace

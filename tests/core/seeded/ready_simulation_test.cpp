@@ -92,8 +92,8 @@ simulation::Report ExploreAsleep(const Fault& fault) {
   });
 }
 
-constexpr std::size_t kProducer = 1;
-constexpr std::size_t kConsumer = 2;
+constexpr std::size_t kSender = 1;
+constexpr std::size_t kReceiver = 2;
 
 TEST(SeededReadySimulation, PassesWithoutAFault) {
   for (const auto& explore : {ExploreAwake<1>, ExploreAwake<2>, ExploreAsleep}) {
@@ -112,16 +112,16 @@ TEST_P(SeededReadyFaultSimulation, IsCaught) {
 
 INSTANTIATE_TEST_SUITE_P(
     , SeededReadyFaultSimulation,
-    testing::Values(WithoutFence("ProducerHasNoFence", std::memory_order_seq_cst, kProducer),
-                    WithoutFence("ConsumerHasNoFence", std::memory_order_seq_cst, kConsumer),
-                    WithoutCheckAfterFence("ConsumerDoesNotLookAgain", kConsumer, 0)),
+    testing::Values(WithoutFence("ProducerHasNoFence", std::memory_order_seq_cst, kSender),
+                    WithoutFence("ConsumerHasNoFence", std::memory_order_seq_cst, kReceiver),
+                    WithoutCheckAfterFence("ConsumerDoesNotLookAgain", kReceiver, 0)),
     NameOf());
 
 /// It needs the fence that stands after the flag was raised, not only the one before: here that of
 /// the last item, which nothing follows.
 TEST(SeededSleepingConsumerSimulation, MissesAFlagThatIsRaisedTooLate) {
   constexpr std::size_t kLast = 3;  // two for an item that finds the flag down
-  const auto report = ExploreAsleep(WithoutOneFence("NoFence", kProducer, kLast));
+  const auto report = ExploreAsleep(WithoutOneFence("NoFence", kSender, kLast));
   EXPECT_THAT(report.failure, HasSubstr("every thread waits"));
 }
 

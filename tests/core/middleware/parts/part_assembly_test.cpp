@@ -9,7 +9,7 @@ namespace {
 using Progress = PartAssembly::Progress;
 
 /// A frame of so many bytes.
-Bytes FrameOf(std::size_t size, std::byte fill = std::byte{1}) {
+Bytes FrameOfSize(std::size_t size, std::byte fill = std::byte{1}) {
   FrameHeader header;
   header.type = static_cast<MessageType>(0x100);
   header.size = static_cast<std::uint32_t>(size - FrameHeader::kSize);
@@ -26,8 +26,8 @@ std::span<const std::byte> PartOf(const Bytes& frame, std::size_t place) {
 
 TEST(PartAssembly, PutsPartsOfSeveralFramesTogether) {
   PartAssembly assembly;
-  const Bytes first = FrameOf(2 * kPartSize + 1, std::byte{1});
-  const Bytes second = FrameOf(2 * kPartSize, std::byte{2});
+  const Bytes first = FrameOfSize(2 * kPartSize + 1, std::byte{1});
+  const Bytes second = FrameOfSize(2 * kPartSize, std::byte{2});
   Bytes whole;
 
   EXPECT_EQ(assembly.Add(1, PartOf(first, 0), whole), Progress::kMoreToCome);
@@ -44,7 +44,7 @@ TEST(PartAssembly, PutsPartsOfSeveralFramesTogether) {
 
 TEST(PartAssembly, AFrameMayBeOnePart) {
   PartAssembly assembly;
-  const Bytes frame = FrameOf(100);
+  const Bytes frame = FrameOfSize(100);
   Bytes whole;
 
   EXPECT_EQ(assembly.Add(1, frame, whole), Progress::kWhole);
@@ -52,7 +52,7 @@ TEST(PartAssembly, AFrameMayBeOnePart) {
 }
 
 TEST(PartAssembly, RefusesWhatIsNoPart) {
-  const Bytes frame = FrameOf(2 * kPartSize);
+  const Bytes frame = FrameOfSize(2 * kPartSize);
   Bytes whole;
   Bytes foreign = frame;
   foreign[0] = std::byte{0};
@@ -72,20 +72,20 @@ TEST(PartAssembly, RefusesWhatIsNoPart) {
 TEST(PartAssembly, KeepsNoMoreThanOneSenderLetsOnItsWay) {
   PartAssembly assembly;
   Bytes whole;
-  const Bytes largest = FrameOf(kMaxBodySize + FrameHeader::kSize);
-  const Bytes window = FrameOf(kSendWindow);
+  const Bytes largest = FrameOfSize(kMaxBodySize + FrameHeader::kSize);
+  const Bytes window = FrameOfSize(kSendWindow);
   ASSERT_EQ(assembly.Add(1, PartOf(largest, 0), whole), Progress::kMoreToCome);
   ASSERT_EQ(assembly.Add(2, PartOf(window, 0), whole), Progress::kMoreToCome);
 
-  EXPECT_EQ(assembly.Add(3, FrameOf(FrameHeader::kSize), whole), Progress::kNonsense);
-  EXPECT_EQ(PartAssembly().Add(1, PartOf(FrameOf(largest.size() + 1), 0), whole),
+  EXPECT_EQ(assembly.Add(3, FrameOfSize(FrameHeader::kSize), whole), Progress::kNonsense);
+  EXPECT_EQ(PartAssembly().Add(1, PartOf(FrameOfSize(largest.size() + 1), 0), whole),
             Progress::kNonsense);
 }
 
 TEST(PartAssembly, FreesWhatHasBegun) {
   PartAssembly assembly;
   Bytes whole;
-  const Bytes frame = FrameOf(2 * kPartSize);
+  const Bytes frame = FrameOfSize(2 * kPartSize);
   ASSERT_EQ(assembly.Add(1, PartOf(frame, 0), whole), Progress::kMoreToCome);
   EXPECT_EQ(assembly.claimed(), frame.size());
 

@@ -1,0 +1,132 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <random>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/ice/attacks.h"
+
+namespace tendon::ice {
+
+/// How many mutants a program must bear. A sanitizer slows each down some ten times, and looks at
+/// fewer.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr int kMutants = 2'000;
+inline constexpr std::size_t kMostGrowth = std::size_t{256} << 20U;  // it keeps what was freed
+#else
+inline constexpr int kMutants = 20'000;
+inline constexpr std::size_t kMostGrowth = std::size_t{4} << 20U;
+#endif
+/// So many before the memory is measured: pools and arenas have their size then.
+inline constexpr int kWarmUp = kMutants / 4;
+
+/// Messages that were right until one to four of their bytes were changed: always the same ones.
+class Mutants {
+ public:
+  Bytes Next() {
+    Bytes mutant = right_[random_() % right_.size()];
+    const unsigned changes = 1 + random_() % 4U;
+    for (unsigned i = 0; i < changes; ++i) {
+      mutant[random_() % mutant.size()] = static_cast<std::byte>(random_());
+    }
+    return mutant;
+  }
+
+ private:
+  static Bytes WithFrame() {
+    const Bytes frame = conformance::FrameOf(1);
+    const std::string_view text(reinterpret_cast<const char*>(frame.data()), frame.size());
+    return Request()
+        .Int(static_cast<int>(7 + frame.size()))
+        .Byte(1)
+        .Byte(1)
+        .String(text)
+        .Finished();
+  }
+
+  std::mt19937 random_{4711};
+  const std::vector<Bytes> right_{
+      WithSequence(4).Finished(), WithFrame(),
+      Request("ice_isA").Int(20).Byte(1).Byte(1).String("::Ice::Object").Finished(),
+      RawMessage(RawMessage::kBatch).Int(1).String("tendon").Finished()};
+};
+
+/// What a message of Ice says of itself, which begins so.
+struct IceHeader {
+  static constexpr std::size_t kSize = 14;
+
+  explicit IceHeader(std::span<const std::byte> bytes) : size(IntAt(bytes, 10)) {
+    const bool is_reply = bytes[8] == std::byte{RawMessage::kReply};
+    is_end = bytes[8] == std::byte{RawMessage::kClose};
+    if (is_reply && bytes.size() >= kSize + 4) request = IntAt(bytes, kSize);
+  }
+  static std::uint32_t IntAt(std::span<const std::byte> bytes, std::size_t place) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 4; i > 0; --i) {
+      value = (value << 8U) | std::to_integer<std::uint32_t>(bytes[place + i - 1]);
+    }
+    return value;
+  }
+
+  std::uint32_t size = 0;
+  std::uint32_t request = 0;  // that it answers, or 0
+  bool is_end = false;        // of the connection; who says so waits for the other to hang up
+};
+
+/// What is said over one connection until it ends. A connection has Send(), which says whether it
+/// could, and Receive(), which waits for some bytes and returns none at the end.
+template <typename Connection>
+class Conversation {
+ public:
+  explicit Conversation(Connection connection) : connection_(std::move(connection)) {}
+
+  /// Sees that the message was read: what is asked afterwards is answered, or the connection ends,
+  /// which is told by false. One that claims to go on would take the question for its rest: it is
+  /// not asked, and is the last.
+  bool Bears(const Bytes& message) {
+    const Bytes ping = Request("ice_ping", kPing).Int(6).Byte(1).Byte(1).Finished();
+    const bool claims_more = IceHeader(message).size > message.size();
+    return connection_.Send(message) && !claims_more && connection_.Send(ping) && IsAnswered();
+  }
+
+ private:
+  static constexpr std::uint32_t kPing = 0x50494e47;
+
+  bool IsAnswered() {
+    while (true) {
+      while (heard_.size() >= IceHeader::kSize && heard_.size() >= IceHeader(heard_).size) {
+        const IceHeader header(heard_);
+        const bool is_answer = header.request == kPing;
+        heard_.erase(heard_.begin(), heard_.begin() + header.size);
+        if (is_answer || header.is_end) return is_answer;
+      }
+      const Bytes some = connection_.Receive();
+      if (some.empty()) return false;
+      heard_.insert(heard_.end(), some.begin(), some.end());
+    }
+  }
+
+  Connection connection_;
+  Bytes heard_;
+};
+
+/// Says so many over connections that `connect()` makes, as many on each as it bears. Returns how
+/// many connections it took.
+template <typename Connect>
+int SayMutants(Mutants& mutants, int count, Connect connect) {
+  int connections = 0;
+  while (count > 0) {
+    Conversation conversation(connect());
+    ++connections;
+    for (bool goes_on = true; goes_on && count > 0; --count) {
+      goes_on = conversation.Bears(mutants.Next());
+    }
+  }
+  return connections;
+}
+
+}  // namespace tendon::ice

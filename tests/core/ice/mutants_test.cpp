@@ -1,0 +1,136 @@
+#include "core/ice/mutants.h"
+
+#include <poll.h>
+
+#include <iostream>
+
+#include "conformance/resources.h"
+#include "core/ice/tls_client.h"
+#include "core/ice/tls_fixture.h"
+
+namespace tendon::ice {
+namespace {
+
+using conformance::kPatience;
+
+/// Under no TLS.
+class PlainConnection {
+ public:
+  explicit PlainConnection(const HostPort& place) {
+    auto socket = os::ConnectTo(place.host, place.port, kPatience);
+    EXPECT_TRUE(socket.ok()) << (socket.ok() ? "" : socket.error().message);
+    if (socket.ok()) socket_ = *std::move(socket);
+  }
+
+  bool Send(const Bytes& bytes) const { return os::SendSome(socket_, bytes) == bytes.size(); }
+  [[nodiscard]] Bytes Receive() const {
+    Bytes buffer(4096);
+    while (true) {
+      pollfd one{.fd = socket_.descriptor(), .events = POLLIN, .revents = 0};
+      const auto patience = std::chrono::duration_cast<std::chrono::milliseconds>(kPatience);
+      EXPECT_EQ(poll(&one, 1, static_cast<int>(patience.count())), 1) << "no answer, no end";
+      const auto some = os::ReceiveSome(socket_, buffer);
+      if (!some || !one.revents) return {};
+      if (!some->empty()) return {some->begin(), some->end()};
+    }
+  }
+
+ private:
+  os::Socket socket_;
+};
+
+/// A server that counts those whose messages it reads, and keeps the first of them.
+class MutantsTest : public TlsTest {
+ protected:
+  /// Where it listens.
+  HostPort Serve(Middleware& middleware) {
+    auto listener = middleware.Listen(
+        "127.0.0.1:0", [this](const std::shared_ptr<Link>& link) { return Accept(link); });
+    EXPECT_TRUE(listener.ok());
+    listener_ = *std::move(listener);
+    return *ParseAddress(listener_->address(), 1);
+  }
+
+  /// All killers, then so many mutants, measured after the first of them; a good client, whose link
+  /// stood all the time, is then still served, and so is the next.
+  template <typename Connect>
+  void ExpectBorne(Middleware& good, int count, Connect connect) {
+    const auto recorder = std::make_shared<conformance::Recorder>();
+    const auto standing = good.Open(listener_->address(), recorder, kPatience);
+    ASSERT_TRUE(standing.ok()) << standing.error().message;
+    for (const auto& [name, attack] : Attacks()) {
+      SCOPED_TRACE(name);
+      Conversation(connect()).Bears(attack);
+    }
+    Mutants mutants;
+    SayMutants(mutants, count / 4, connect);
+    const std::size_t memory = conformance::MemoryInUse();
+
+    const int connections = SayMutants(mutants, count, connect);
+
+    std::cout << count << " mutants over " << connections << " connections: "
+              << (static_cast<std::ptrdiff_t>(conformance::MemoryInUse() - memory) / 1024)
+              << " KiB more than after the warm-up" << std::endl;
+    EXPECT_LT(conformance::MemoryInUse(), memory + kMostGrowth);
+    EXPECT_EQ(recorder->closed(), 0);
+    ASSERT_EQ((*standing)->Send(conformance::FrameOf(1)), Status::kQueued);
+    EXPECT_TRUE(first_->WaitForFrames(1));
+    EXPECT_TRUE(good.Open(listener_->address(), recorder, kPatience).ok());
+  }
+
+  /// Those of whom a message was read.
+  int heard() const {
+    const std::scoped_lock lock(mutex_);
+    return heard_;
+  }
+
+ private:
+  std::shared_ptr<LinkHandler> Accept(const std::shared_ptr<Link>& link) {
+    const std::scoped_lock lock(mutex_);
+    if (++heard_ > 1) return std::make_shared<conformance::Recorder>();
+    link->Admit();
+    return first_;
+  }
+
+  const std::shared_ptr<conformance::Recorder> first_ = std::make_shared<conformance::Recorder>();
+  mutable std::mutex mutex_;
+  int heard_ = 0;
+  std::unique_ptr<Listener> listener_;
+};
+
+TEST_F(MutantsTest, AServerWithoutTlsBearsThem) {
+  const auto server = MakeIceMiddleware(Exposure::kLoopbackOnly);
+  const auto client = MakeIceMiddleware(Exposure::kLoopbackOnly);
+  const HostPort place = Serve(*server);
+
+  ExpectBorne(*client, kMutants, [&] { return PlainConnection(place); });
+}
+
+TEST_F(MutantsTest, FromInsideTlsTheHolderOfACertificateIsBorne) {
+  const HostPort place = Serve(*robot_);
+  const TlsClient insider(Issue({.name = "eve"}).certificate_file);
+  const int count = kMutants / 10;  // most of them end the connection: the next takes a handshake
+
+  ExpectBorne(*As({.name = "anna"}), count, [&] { return insider.ConnectTo(place); });
+}
+
+TEST_F(MutantsTest, WhatStrangersSayUnderNoTlsIsNotEvenRead) {
+  const HostPort place = Serve(*robot_);
+
+  ExpectBorne(*As({.name = "anna"}), kMutants, [&] { return PlainConnection(place); });
+
+  EXPECT_EQ(heard(), 2);
+}
+
+TEST_F(MutantsTest, WhatStrangersSayUnderTlsIsNotEvenRead) {
+  const HostPort place = Serve(*robot_);
+  const TlsClient stranger(std::nullopt);
+  const int count = kMutants / 20;  // each takes a handshake
+
+  ExpectBorne(*As({.name = "anna"}), count, [&] { return stranger.ConnectTo(place); });
+
+  EXPECT_EQ(heard(), 2);
+}
+
+}  // namespace
+}  // namespace tendon::ice
