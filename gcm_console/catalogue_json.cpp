@@ -44,6 +44,7 @@ ordered_json ToJson(const tendon::ComponentDescription& component) {
   return {{"name", component.name},
           {"class", component.class_name},
           {"library", component.library},
+          {"configuration", component.configuration},
           {"state", ToString(component.state)},
           {"fault", component.fault},
           {"fault_time", component.fault_time},

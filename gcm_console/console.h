@@ -1,5 +1,7 @@
 #pragma once
 
+#include <gcm_console/context.h>
+
 #include <iosfwd>
 #include <string>
 #include <vector>
@@ -11,5 +13,10 @@ namespace console {
 /// it is none. Returns the exit code.
 int RunCommandLine(const std::vector<std::string>& words, std::ostream& out, std::ostream& err,
                    int columns);
+
+int RunCommandLine(const std::vector<std::string>& words, const Streams& streams);
+
+/// The same as one of several lines of a session.
+int RunCommandLine(const std::vector<std::string>& words, const Streams& streams, Session& session);
 
 }  // namespace console

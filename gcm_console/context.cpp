@@ -1,43 +1,72 @@
 #include <gcm_console/context.h>
-#include <program/network_options.h>
 #include <tendon/base/os/termination.h>
 
+#include <cstdlib>
 #include <nlohmann/json.hpp>
-#include <ostream>
+#include <optional>
+#include <string_view>
 #include <utility>
 
 namespace console {
+namespace {
 
-Context::Context(Settings settings, std::string verb, std::ostream& out, std::ostream& err,
-                 int columns)
+// NOLINTBEGIN(concurrency-mt-unsafe): read only
+bool WantsNoColor() {
+  const char* no_color = std::getenv("NO_COLOR");
+  const char* terminal = std::getenv("TERM");
+  const bool is_set = no_color != nullptr && *no_color != '\0';
+  return is_set || terminal == nullptr || std::string_view(terminal) == "dumb";
+}
+// NOLINTEND(concurrency-mt-unsafe)
+
+}  // namespace
+
+Context::Context(Settings settings, std::string verb, const Streams& streams, Session* session)
     : settings_(std::move(settings)),
       verb_(std::move(verb)),
-      out_(out),
-      err_(err),
-      columns_(columns) {}
+      streams_(streams),
+      session_(session) {}
+
+Layout Context::layout() const {
+  const bool is_usual = columns() > 0 && !WantsNoColor();
+  return {.columns = columns(),
+          .is_coloured = settings_.color == ColorChoice::kAlways ||
+                         (settings_.color == ColorChoice::kAuto && is_usual),
+          .has_titles = settings_.titles};
+}
 
 tendon::Result<tendon::GcmClient*> Context::Client(std::shared_ptr<tendon::GcmListener> listener) {
   if (client_) return client_.get();
-  auto made = program::MakeMiddleware(settings_.network);
-  if (!made) return made.error();
-  auto client = std::make_unique<tendon::GcmClient>(
-      *made,
-      tendon::GcmClient::Options{
-          .name = "gcm " + verb_,
-          .address = settings_.gcm,
-          .timeout = settings_.timeout,
-          .role = settings_.read_only ? tendon::Role::kViewer : tendon::Role::kOperator},
-      std::move(listener));
-  const tendon::os::TerminationLetThrough impatient;
-  if (auto watching = client->WaitUntilWatching(); !watching) return watching.error();
-  client_ = std::move(client);
+  const auto begin = std::chrono::steady_clock::now();
+  const bool is_shared = session_ != nullptr && !listener && session_->Fits(settings_);
+  auto client =
+      is_shared ? session_->Client() : OpenClient(settings_, "gcm " + verb_, std::move(listener));
+  if (!client) return client.error();
+  std::optional<tendon::os::TerminationLetThrough> impatient;
+  if (session_ == nullptr) impatient.emplace();
+  if (auto watching = (*client)->WaitUntilWatching(); !watching) return watching.error();
+  client_ = *std::move(client);
+  if (settings_.remarks == Remarks::kMore) {
+    const auto passed = std::chrono::duration_cast<std::chrono::milliseconds>(
+        std::chrono::steady_clock::now() - begin);
+    const tendon::Catalog catalog = client_->catalog();
+    err() << "gcm: GCM at " << Plain(settings_.gcm) << " answered within " << passed.count()
+          << " ms: " << catalog.processes().size() << " processes, revision " << catalog.revision()
+          << '\n';
+  }
   return client_.get();
 }
 
 void Context::PrintJson(const nlohmann::ordered_json& content) const {
   nlohmann::ordered_json document = {{"schema", 1}};
   document.update(content);
-  out_ << document.dump(2) << '\n';
+  out() << document.dump(2) << '\n';
+}
+
+void Context::PrintJsonLine(const nlohmann::ordered_json& content) const {
+  nlohmann::ordered_json document = {{"schema", 1}};
+  document.update(content);
+  out() << document.dump() << '\n';
 }
 
 }  // namespace console

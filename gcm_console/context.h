@@ -1,38 +1,47 @@
 #pragma once
 
+#include <gcm_console/line/session.h>
+#include <gcm_console/line/settings.h>
+#include <gcm_console/report.h>
+#include <gcm_console/shell/line_reader.h>
 #include <program/exit_code.h>
-#include <program/network_options.h>
 #include <tendon/base/result.h>
 #include <tendon/gcm/client.h>
 
 #include <chrono>
-#include <iosfwd>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
+#include <ostream>
 #include <string>
 
 namespace console {
 
-/// What holds for every verb, from the command line.
-struct Settings {
-  std::string gcm;
-  program::NetworkOptions network;
-  std::chrono::milliseconds timeout = tendon::GcmClient::Options().timeout;
-  bool json = false;
-  bool read_only = false;
+/// Where the output of a command line goes.
+struct Streams {
+  std::ostream& out;
+  std::ostream& err;
+  int columns = 0;                            ///< of the terminal that `out` is, 0 where it is none
+  MakeLineReader make_line_reader = nullptr;  ///< where a person sits at a terminal
 };
 
 /// Where a verb's output goes, and what it asks the GCM through.
 class Context {
  public:
-  Context(Settings settings, std::string verb, std::ostream& out, std::ostream& err, int columns);
+  /// With a session, the verb uses its link.
+  Context(Settings settings, std::string verb, const Streams& streams, Session* session = nullptr);
 
   [[nodiscard]] const Settings& settings() const { return settings_; }
-  [[nodiscard]] std::ostream& out() const { return out_; }
+  [[nodiscard]] const std::string& verb() const { return verb_; }
+  [[nodiscard]] std::ostream& out() const { return streams_.out; }
   /// For remarks that are no result.
-  [[nodiscard]] std::ostream& err() const { return err_; }
+  [[nodiscard]] std::ostream& err() { return is_quiet() ? nowhere_ : streams_.err; }
   /// The width of the terminal that out() is, 0 where it is none.
-  [[nodiscard]] int columns() const { return columns_; }
+  [[nodiscard]] int columns() const { return streams_.columns; }
+  [[nodiscard]] const Streams& streams() const { return streams_; }
+  /// Null where the line stands alone.
+  [[nodiscard]] Session* session() const { return session_; }
+  /// How tables are printed.
+  [[nodiscard]] Layout layout() const;
 
   /// Asks the client and waits for its answer, a little longer than the client: it gives up after
   /// the time-out by itself, and knows best why. `start(client, handler)` calls one of its
@@ -50,16 +59,21 @@ class Context {
   tendon::Result<tendon::GcmClient*> Client(
       std::shared_ptr<tendon::GcmListener> listener = nullptr);
 
+  void Print(const Table& table) const { table.Print(out(), layout()); }
   /// One JSON document, with "schema": 1 as its first key.
   void PrintJson(const nlohmann::ordered_json& content) const;
+  /// The same in one line, as one of many.
+  void PrintJsonLine(const nlohmann::ordered_json& content) const;
 
  private:
+  [[nodiscard]] bool is_quiet() const { return settings_.remarks == Remarks::kNone; }
+
   Settings settings_;
   std::string verb_;
-  std::ostream& out_;
-  std::ostream& err_;
-  int columns_;
-  std::unique_ptr<tendon::GcmClient> client_;
+  Streams streams_;
+  Session* session_;
+  std::ostream nowhere_{nullptr};
+  std::shared_ptr<tendon::GcmClient> client_;
 };
 
 }  // namespace console

@@ -1,4 +1,5 @@
 #include <gcm_console/console.h>
+#include <gcm_console/shell/line_editor.h>
 #include <tendon/base/os/terminal.h>
 
 #include <iostream>
@@ -6,9 +7,12 @@
 #include <vector>
 
 int main(int argc, char** argv) {
+  using tendon::os::Stream;
   tendon::os::GuardStreams();
   tendon::os::IgnoreBrokenPipes();
   const std::vector<std::string> words(argv + 1, argv + argc);
-  return console::RunCommandLine(words, std::cout, std::cerr,
-                                 tendon::os::TerminalColumns(tendon::os::Stream::kOutput));
+  const int columns = tendon::os::TerminalColumns(Stream::kOutput);
+  const bool is_typed = columns > 0 && tendon::os::TerminalColumns(Stream::kInput) > 0;
+  return console::RunCommandLine(
+      words, {std::cout, std::cerr, columns, is_typed ? &console::MakeLineEditor : nullptr});
 }

@@ -1,7 +1,12 @@
 #include <gcm_console/report.h>
+#include <tendon/base/printable.h>
 
 #include <algorithm>
+#include <functional>
+#include <map>
 #include <ostream>
+#include <string_view>
+#include <utility>
 
 namespace console {
 namespace {
@@ -16,21 +21,79 @@ void PrintSeparated(const Row& row, std::ostream& out) {
   out << '\n';
 }
 
-/// In as many lines as it takes; what is aligned breaks at the same cells in every row.
-void PrintAligned(const Row& row, const std::vector<std::size_t>& widths, std::size_t columns,
-                  std::ostream& out) {
-  std::string line;
-  for (std::size_t i = 0; i < row.size(); ++i) {
-    const bool is_last = i + 1 == row.size();  // where nothing is aligned behind it
-    const std::size_t width = is_last ? row[i].size() : widths[i];
-    if (line.size() > kIndent && line.size() + width > columns) {
-      out << line.substr(0, line.find_last_not_of(' ') + 1) << '\n';
-      line = std::string(kIndent, ' ');
+constexpr const char* kRed = "\x1b[31m";
+constexpr const char* kYellow = "\x1b[33m";
+constexpr const char* kGreen = "\x1b[32m";
+constexpr const char* kBold = "\x1b[1m";
+constexpr const char* kUsual = "\x1b[0m";
+
+/// Of the words for how things are.
+const std::map<std::string_view, const char*> kColours = {
+    {"alive", kGreen},    {"active", kGreen},   {"ok", kGreen}, {"suspect", kYellow},
+    {"pending", kYellow}, {"warning", kYellow}, {"lost", kRed}, {"faulted", kRed},
+    {"failed", kRed},     {"error", kRed},      {"BAD", kRed},
+};
+
+/// In letters, of text in UTF-8.
+std::size_t WidthOf(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char byte) {
+    return (static_cast<unsigned char>(byte) & 0xc0U) != 0x80U;
+  }));
+}
+
+bool IsNumber(const std::string& text) {
+  return !text.empty() && text.find_first_not_of("0123456789.+-e%") == std::string::npos &&
+         text.find_first_of("0123456789") != std::string::npos;
+}
+
+struct Column {
+  std::size_t width = 0;
+  bool is_number = true;  // and aligned at the right
+};
+
+std::vector<Column> ColumnsOf(const Row& titles, const std::vector<Row>& rows) {
+  std::vector<Column> columns;
+  for (std::size_t i = 0; i < titles.size(); ++i) {
+    Column column{.width = WidthOf(titles[i]), .is_number = !rows.empty()};
+    for (const Row& row : rows) {
+      column.width = std::max(column.width, WidthOf(row[i]));
+      if (row[i] != "-" && !IsNumber(row[i])) column.is_number = false;
     }
-    line += row[i] + std::string(width - row[i].size() + kGap, ' ');
+    columns.push_back(column);
   }
-  const std::size_t end = line.find_last_not_of(' ') + 1;
-  if (end > 0) out << line.substr(0, end) << '\n';
+  return columns;
+}
+
+std::string Painted(const std::string& text, const char* paint, const Layout& layout) {
+  return layout.is_coloured ? paint + text + kUsual : text;
+}
+
+/// In as many lines as it takes; what is aligned breaks at the same cells in every row.
+void PrintAligned(const Row& row, const std::vector<Column>& columns, const Layout& layout,
+                  const std::function<std::string(const std::string&)>& paint, std::ostream& out) {
+  std::size_t used = 0;
+  std::string blanks;  // before the next cell
+  bool is_empty = true;
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    const std::size_t length = WidthOf(row[i]);
+    const bool is_last = i + 1 == row.size() && !columns[i].is_number;
+    const std::size_t width = is_last ? length : columns[i].width;
+    if (used > kIndent && used + width > static_cast<std::size_t>(layout.columns)) {
+      out << '\n';
+      used = kIndent;
+      blanks = std::string(kIndent, ' ');
+      is_empty = true;
+    }
+    const std::string fill(width - length, ' ');
+    if (columns[i].is_number) blanks += fill;
+    if (!row[i].empty()) {
+      out << std::exchange(blanks, "") << paint(row[i]);
+      is_empty = false;
+    }
+    blanks += (columns[i].is_number ? "" : fill) + std::string(kGap, ' ');
+    used += width + kGap;
+  }
+  if (!is_empty) out << '\n';
 }
 
 }  // namespace
@@ -40,33 +103,23 @@ void Table::Add(std::vector<std::string> row) {
   rows_.push_back(std::move(row));
 }
 
-void Table::Print(std::ostream& out, int columns) const {
-  if (columns == 0) {
+void Table::Print(std::ostream& out, const Layout& layout) const {
+  if (layout.columns == 0) {
     for (const Row& row : rows_) PrintSeparated(row, out);
     return;
   }
-  std::vector<std::size_t> widths;
-  for (std::size_t column = 0; column < titles_.size(); ++column) {
-    std::size_t width = titles_[column].size();
-    for (const Row& row : rows_) width = std::max(width, row[column].size());
-    widths.push_back(width);
-  }
-  PrintAligned(titles_, widths, static_cast<std::size_t>(columns), out);
-  for (const Row& row : rows_) PrintAligned(row, widths, static_cast<std::size_t>(columns), out);
+  const auto columns = ColumnsOf(titles_, rows_);
+  const auto bold = [&](const std::string& text) { return Painted(text, kBold, layout); };
+  const auto plain = [&](const std::string& text) { return Coloured(text, layout.is_coloured); };
+  if (layout.has_titles) PrintAligned(titles_, columns, layout, bold, out);
+  for (const Row& row : rows_) PrintAligned(row, columns, layout, plain, out);
 }
 
-std::string Plain(const std::string& text) {
-  constexpr char kHex[] = "0123456789abcdef";
-  std::string plain;
-  for (const char letter : text) {
-    const auto byte = static_cast<unsigned char>(letter);
-    if (byte < 0x20 || byte == 0x7f) {
-      plain += {'\\', 'x', kHex[byte >> 4U], kHex[byte & 0xfU]};
-    } else {
-      plain += letter;
-    }
-  }
-  return plain;
+std::string Coloured(const std::string& text, bool is_coloured) {
+  const auto colour = kColours.find(text);
+  return is_coloured && colour != kColours.end() ? colour->second + text + kUsual : text;
 }
+
+std::string Plain(const std::string& text) { return tendon::Printable(text, std::string::npos); }
 
 }  // namespace console

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <gcm_console/context.h>
+#include <gcm_console/line/word_kind.h>
 
 #include <functional>
 #include <string>
@@ -12,27 +13,41 @@ class App;
 
 namespace console {
 
-/// One verb of `gcm`: its name, what `gcm help` says of it, and how it is run. `prepare` adds its
-/// options to its part of the command line and returns what runs it.
+/// One verb of `gcm`: its name, what help says of it, and how it is run. `prepare` adds its options
+/// to its part of the command line, each with what its words name, and returns what runs it.
 struct Verb {
   using Run = std::function<tendon::Result<program::ExitCode>(Context&)>;
 
   std::string name;
   std::string summary;
   std::function<Run(CLI::App&)> prepare;
+  std::vector<std::string> examples = {};  ///< whole command lines
+  std::string group = {};                  ///< as verb_table.cpp says
 };
 
 // In groups of kindred ones.
-std::vector<Verb> LookVerbs();     // ls tree show
-std::vector<Verb> DataVerbs();     // get watch
-std::vector<Verb> ActVerbs();      // call
-std::vector<Verb> WireVerbs();     // connect disconnect undo
-std::vector<Verb> ExplainVerbs();  // candidates explain
-std::vector<Verb> LogVerbs();      // log log-level
-std::vector<Verb> CertVerbs();     // cert
-std::vector<Verb> ServeVerbs();    // serve
+std::vector<Verb> LookVerbs();       // ls tree show
+std::vector<Verb> FindVerbs();       // status find graph
+std::vector<Verb> TopVerbs();        // top
+std::vector<Verb> PlotVerbs();       // plot
+std::vector<Verb> DoctorVerbs();     // doctor
+std::vector<Verb> DataVerbs();       // get watch
+std::vector<Verb> RateVerbs();       // hz
+std::vector<Verb> ActVerbs();        // call
+std::vector<Verb> ClassVerbs();      // load classes create configure
+std::vector<Verb> LifecycleVerbs();  // start suspend stop restart rm
+std::vector<Verb> WireVerbs();       // connect disconnect
+std::vector<Verb> ExplainVerbs();    // candidates explain
+std::vector<Verb> HistoryVerbs();    // undo history
+std::vector<Verb> SystemVerbs();     // save import diff plan apply
+std::vector<Verb> LogVerbs();        // log log-level
+std::vector<Verb> CertVerbs();       // cert
+std::vector<Verb> ServeVerbs();      // serve
+std::vector<Verb> ShellVerbs();      // shell run
+std::vector<Verb> MetaVerbs();       // help version completion
 
-/// All of them: the one table that the program, its help and the window's console are made from.
+/// All of them: the one table that the program, its help, its manual, the completion of words and
+/// the shell are made from.
 std::vector<Verb> AllVerbs();
 
 }  // namespace console

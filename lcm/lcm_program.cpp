@@ -3,7 +3,9 @@
 #include <tendon/base/os/process.h>
 #include <tendon/base/os/termination.h>
 #include <tendon/base/printable.h>
+#include <tendon/manager/bring_to.h>
 #include <tendon/manager/component_loader.h>
+#include <tendon/task/thread/threaded_task.h>
 
 #include <chrono>
 #include <cstdio>
@@ -54,28 +56,51 @@ struct Made {
   tendon::ComponentOrigin origin;
 };
 
+Result<void> SetThread(const tendon::SystemFile::Component& wanted, tendon::Component& component) {
+  if (!wanted.thread) return {};
+  auto* const task = dynamic_cast<tendon::ThreadedTask*>(&component);
+  if (task == nullptr) {
+    return Error{ErrorCode::kInvalid, "component '" + wanted.name + "' (class " +
+                                          wanted.class_name +
+                                          ") has no thread of its own: leave out its \"thread\""};
+  }
+  task->SetThreadOptions(*wanted.thread);
+  return {};
+}
+
 Result<std::vector<Made>> MakeComponents(const Share& share, tendon::ComponentLoader& loader) {
   std::vector<Made> all;
   for (const auto& one : share.components) {
+    if (one.class_name.empty()) {
+      return Error{ErrorCode::kInvalid, "component '" + one.name +
+                                            "' has no class in the file, for its own program makes "
+                                            "it: start that, not lcm"};
+    }
     auto component = loader.Create(one.library, one.class_name, one.name, one.configuration);
     if (!component) return component.error();
-    all.push_back({std::move(*component), {.class_name = one.class_name, .library = one.library}});
+    if (const auto set = SetThread(one, **component); !set) return set.error();
+    all.push_back({std::move(*component),
+                   {.class_name = one.class_name,
+                    .library = one.library,
+                    .configuration = one.configuration}});
   }
   return all;
 }
 
 /// The process, which listens and begins to join.
 Result<std::unique_ptr<tendon::Process>> MakeProcess(
-    const Options& options, const std::shared_ptr<tendon::Middleware>& middleware) {
+    const Options& options, const std::shared_ptr<tendon::Middleware>& middleware,
+    const std::shared_ptr<tendon::ComponentLoader>& loader) {
   if (!options.advertise.empty()) {
     if (auto place = tendon::ParseAddress(options.advertise, 1); !place) return place.error();
   }
   try {
-    return std::make_unique<tendon::Process>(
-        options.name, tendon::ProcessOptions{.middleware = middleware,
-                                             .gcm = options.gcm,
-                                             .listen = options.listen,
-                                             .advertise = options.advertise});
+    return std::make_unique<tendon::Process>(options.name,
+                                             tendon::ProcessOptions{.middleware = middleware,
+                                                                    .gcm = options.gcm,
+                                                                    .listen = options.listen,
+                                                                    .advertise = options.advertise,
+                                                                    .loader = loader});
   } catch (const tendon::ConfigurationError& error) {
     const bool is_taken = error.code() == ErrorCode::kExists;
     const std::string hint = is_taken ? "; give --listen another port, or 0 for a free one" : "";
@@ -130,8 +155,11 @@ void MakeConnections(const Share& share, tendon::Process& process) {
 /// The component's own errors do not end the others.
 void Start(const Share& share, tendon::Process& process, const Options& options) {
   MakeConnections(share, process);
-  if (auto started = process.StartAll(); !started) {
-    tendon::Log(tendon::LogLevel::kError, options.name, started.error().message);
+  for (const auto& one : share.components) {
+    if (tendon::os::TerminationAsked(std::chrono::milliseconds(0))) break;
+    if (const auto begun = BringTo(process, one.name, one.state); !begun) {
+      tendon::Log(tendon::LogLevel::kError, options.name, begun.error().message);
+    }
   }
   if (tendon::os::RunsAsRoot()) {
     tendon::Log(tendon::LogLevel::kWarning, options.name,
@@ -150,11 +178,11 @@ Result<void> Serve(const Options& options) {
   if (!share) return share.error();
   auto middleware = program::MakeMiddleware(options.network);
   if (!middleware) return middleware.error();
-  tendon::ComponentLoader loader;
-  auto components = MakeComponents(*share, loader);  // before anybody hears of this process
+  const auto loader = std::make_shared<tendon::ComponentLoader>();
+  auto components = MakeComponents(*share, *loader);  // before anybody hears of this process
   if (!components) return components.error();
   tendon::SetLogLevel(tendon::LogLevel::kWarning);  // why it has not joined yet is said in the end
-  auto process = MakeProcess(options, *middleware);
+  auto process = MakeProcess(options, *middleware, loader);
   if (!process) return process.error();
   for (Made& one : *components) (*process)->Add(std::move(one.component), std::move(one.origin));
   const auto joined = Join(**process, options);

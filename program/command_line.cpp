@@ -90,4 +90,17 @@ std::string TransformDuration(std::string& text) {
   return {};
 }
 
+std::string TransformMilliseconds(std::string& text) {
+  constexpr double kLongest = 3600000.0;
+  const bool is_plain = text.find_first_not_of("0123456789.") == std::string::npos;
+  std::string seconds = is_plain ? text + "ms" : text;
+  const bool is_time = TransformDuration(seconds).empty();
+  const double milliseconds = is_time ? std::stod(seconds) * 1000.0 : 0.0;
+  if (milliseconds < 1.0 || milliseconds > kLongest) {
+    return "expected a time of 1 ms to 60 min, such as 500ms, 5s or 2min, got '" + text + "'";
+  }
+  text = std::to_string(std::lround(milliseconds));
+  return {};
+}
+
 }  // namespace program

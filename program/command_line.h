@@ -18,4 +18,7 @@ std::string CheckPositive(const std::string& text);
 /// seconds.
 std::string TransformDuration(std::string& text);
 
+/// The same in whole milliseconds, 1 to an hour, which a plain number is too.
+std::string TransformMilliseconds(std::string& text);
+
 }  // namespace program

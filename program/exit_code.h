@@ -14,6 +14,7 @@ enum ExitCode : int {
   kIncompatible = 5,
   kTimeout = 6,
   kDenied = 7,
+  kPartial = 8,  ///< of several things, some were done
   kInterrupted = 130,
 };
 

@@ -1,4 +1,5 @@
 #include <program/network_options.h>
+#include <tendon/base/printable.h>
 #include <tendon/middleware/tcp.h>
 #include <tendon/process/process.h>
 #include <tendon/security/credentials.h>
@@ -73,13 +74,16 @@ void AddNetworkOptions(CLI::App& app, NetworkOptions& options) {
   auto* certificate =
       app.add_option("--certificate", options.certificate,
                      "talk under TLS and show this (made by gcm cert issue), its key beside it")
-          ->envname("TENDON_CERTIFICATE")
+          ->type_name("FILE")
           ->check([](const std::string& file) {
             return std::string(file.empty() ? "--certificate is empty: name a file" : "");
           });
-  app.add_option("--ca", options.authority,
-                 "folder of the CA's ca.crt and crl.pem (default: one of the user's)")
-      ->envname("TENDON_CA");
+  if (options.certificate.empty()) certificate->envname("TENDON_CERTIFICATE");
+  auto* authority =
+      app.add_option("--ca", options.authority,
+                     "folder of the CA's ca.crt and crl.pem (default: one of the user's)")
+          ->type_name("FILE");
+  if (options.authority.empty()) authority->envname("TENDON_CA");
   app.add_flag("--insecure", options.insecure, "allow addresses off this machine, unencrypted")
       ->excludes(certificate);
 }
@@ -106,6 +110,17 @@ std::string GcmAddress(const std::string& option) {
   if (address.empty()) address = "127.0.0.1";
   const bool is_host = address.find(':') == std::string::npos || address.ends_with(']');
   return is_host ? address + ":" + std::to_string(tendon::kDefaultGcmPort) : address;
+}
+
+Result<void> CheckGcmAddress(const std::string& address, const NetworkOptions& options) {
+  const std::string host = address.substr(0, address.rfind(':'));
+  const bool is_word = !host.empty() && host.find_first_of(".:]") == std::string::npos;
+  if (!is_word || host == "localhost" || options.insecure || !options.certificate.empty()) {
+    return {};
+  }
+  return Error{ErrorCode::kInvalid, "--gcm: '" + tendon::Printable(host) +
+                                        "' is no address on this machine, such as 127.0.0.1:10705; "
+                                        "to ask a host of that name, show a --certificate"};
 }
 
 }  // namespace program

@@ -21,12 +21,15 @@ struct NetworkOptions {
   std::string certificate;  ///< a file; empty: no TLS
   std::string authority;    ///< the CA's folder; empty: that of this user
   bool insecure = false;
+
+  bool operator==(const NetworkOptions&) const = default;
 };
 
 /// Where the CA is that says whom to trust.
 std::filesystem::path AuthorityOf(const NetworkOptions& options);
 
-/// --middleware, --certificate, --ca and --insecure.
+/// --middleware, --certificate, --ca and --insecure. What `options` says already comes before what
+/// the environment says.
 void AddNetworkOptions(CLI::App& app, NetworkOptions& options);
 
 /// kInvalid names the middlewares there are. Of a certificate, the errors of CheckCertificate().
@@ -35,5 +38,9 @@ tendon::Result<std::shared_ptr<tendon::Middleware>> MakeMiddleware(const Network
 /// Where the GCM is: `option` if it is not empty, else $TENDON_GCM, else this machine. A host alone
 /// means the port where a GCM usually is.
 std::string GcmAddress(const std::string& option);
+
+/// kInvalid where it is one word, and the options let nobody be asked but this machine: most likely
+/// it was meant as something else.
+tendon::Result<void> CheckGcmAddress(const std::string& address, const NetworkOptions& options);
 
 }  // namespace program

@@ -34,14 +34,18 @@ tendon::Result<program::ExitCode> Call(Context& context, const Arguments& argume
 }  // namespace
 
 std::vector<Verb> ActVerbs() {
-  return {
-      {"call", "execute a command", [](CLI::App& app) -> Verb::Run {
-         auto arguments = std::make_shared<Arguments>();
-         app.add_option("path", arguments->path, "process/component/interface.command")->required();
-         app.add_option("argument", arguments->argument,
-                        "JSON, where the command takes an argument; - reads it from stdin");
-         return [arguments](Context& context) { return Call(context, *arguments); };
-       }}};
+  return {{"call",
+           "execute a command",
+           [](CLI::App& app) -> Verb::Run {
+             auto arguments = std::make_shared<Arguments>();
+             Names(app.add_option("path", arguments->path, "process/component/interface.command"),
+                   WordKind::kCommand)
+                 ->required();
+             app.add_option("argument", arguments->argument,
+                            "JSON, where the command takes an argument; - reads it from stdin");
+             return [arguments](Context& context) { return Call(context, *arguments); };
+           },
+           {"gcm call robot/arm/Control.Stop", "gcm call robot/arm/Control.MoveTo - < goal.json"}}};
 }
 
 }  // namespace console

@@ -53,7 +53,7 @@ void PrintText(Context& context, const tendon::Certificate& certificate,
   table.Add({"serial", certificate.serial});
   table.Add({"valid until", tendon::DateText(certificate.not_after)});
   for (const auto& row : more) table.Add(row);
-  table.Print(context.out(), context.columns());
+  context.Print(table);
 }
 
 Result<ExitCode> Init(Context& context, const Arguments& /*arguments*/) {
@@ -143,7 +143,8 @@ void AddIssueOptions(CLI::App& app, Arguments& arguments) {
   app.add_option("--days", arguments.days, "how long it is valid")
       ->check(CLI::Range(1, 3650))
       ->capture_default_str();
-  app.add_option("--out", arguments.out, "folder of NAME.crt and NAME.key")->capture_default_str();
+  Names(app.add_option("--out", arguments.out, "folder of NAME.crt and NAME.key"), WordKind::kFile)
+      ->capture_default_str();
 }
 
 /// One of `gcm cert ...`.
@@ -154,20 +155,21 @@ struct Act {
   Result<ExitCode> (*run)(Context& context, const Arguments& arguments);
 };
 
-constexpr Act kActs[] = {{"init", "make a CA", [](CLI::App&, Arguments&) {}, &Init},
-                         {"issue", "make a key and a certificate", &AddIssueOptions, &Issue},
-                         {"check", "say whose a certificate is, and whether it is good",
-                          [](CLI::App& app, Arguments& arguments) {
-                            app.add_option("file", arguments.file,
-                                           "NAME.crt; its key is NAME.key beside it")
-                                ->required();
-                          },
-                          &Check},
-                         {"revoke", "make all certificates of a name worthless",
-                          [](CLI::App& app, Arguments& arguments) {
-                            app.add_option("name", arguments.name, "whose")->required();
-                          },
-                          &Revoke}};
+constexpr Act kActs[] = {
+    {"init", "make a CA", [](CLI::App&, Arguments&) {}, &Init},
+    {"issue", "make a key and a certificate", &AddIssueOptions, &Issue},
+    {"check", "say whose a certificate is, and whether it is good",
+     [](CLI::App& app, Arguments& arguments) {
+       Names(app.add_option("file", arguments.file, "NAME.crt; its key is NAME.key beside it"),
+             WordKind::kFile)
+           ->required();
+     },
+     &Check},
+    {"revoke", "make all certificates of a name worthless",
+     [](CLI::App& app, Arguments& arguments) {
+       app.add_option("name", arguments.name, "whose")->required();
+     },
+     &Revoke}};
 
 Verb::Run Prepare(CLI::App& app) {
   const auto chosen = std::make_shared<const Act*>(nullptr);
@@ -176,7 +178,6 @@ Verb::Run Prepare(CLI::App& app) {
   for (const Act& act : kActs) {
     CLI::App* part = app.add_subcommand(act.name, act.summary);
     part->fallthrough();
-    part->footer("--ca and --json go with each of them: gcm --help");
     act.add_options(*part, *arguments);
     part->callback([chosen, &act] { *chosen = &act; });
   }

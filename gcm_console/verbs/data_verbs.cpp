@@ -1,3 +1,4 @@
+#include <gcm_console/catalogue/telemetry_column.h>
 #include <gcm_console/report.h>
 #include <gcm_console/row_printer.h>
 #include <gcm_console/verb.h>
@@ -69,47 +70,16 @@ tendon::RowChoice ChoiceOf(const WatchOptions& options) {
   return rows;
 }
 
-/// The one subscription that gives all paths, which must lie in one table.
-Result<tendon::TableSubscription> SubscriptionFor(const tendon::Catalog& catalog,
-                                                  const std::vector<std::string>& paths,
-                                                  std::vector<RowPrinter::Wanted>& wanted) {
-  tendon::TableSubscription subscription;
-  for (const std::string& text : paths) {
-    auto path = tendon::ParsePath(text);
-    if (!path) return path.error();
-    const tendon::InterfaceName name = path->interface_name();
-    const auto* provided = catalog.FindProvided(name);
-    const bool is_table = name.interface == "state" || name.interface.starts_with("state-");
-    if (provided == nullptr || !is_table) {
-      return Error{ErrorCode::kNotFound, "'" + text +
-                                             "' is no column of a state table; list them " +
-                                             "with gcm ls process/component/state"};
-    }
-    std::vector<std::string> columns;
-    for (const auto& command : provided->commands) columns.push_back(command.name);
-    if (std::find(columns.begin(), columns.end(), path->member) == columns.end()) {
-      return Error{ErrorCode::kNotFound, ToString(name) + " has no column '" + path->member + "'" +
-                                             tendon::DidYouMean(path->member, columns)};
-    }
-    if (wanted.empty()) {
-      subscription = {name.process, name.component, name.interface, {}};
-    } else if (tendon::InterfaceName(subscription.process, subscription.component,
-                                     subscription.table) != name) {
-      return Error{ErrorCode::kInvalid, "'" + text + "' is in another table than '" + paths[0] +
-                                            "'; watch one table at a time"};
-    }
-    const auto known =
-        std::find(subscription.columns.begin(), subscription.columns.end(), path->member);
-    wanted.push_back({*path, static_cast<std::size_t>(known - subscription.columns.begin())});
-    if (known == subscription.columns.end()) subscription.columns.push_back(path->member);
-  }
-  return subscription;
-}
-
-/// Prints rows.
+/// Prints rows, on a terminal under their titles.
 class RowWriter {
  public:
-  RowWriter(Context& context, const WatchOptions& options) : context_(context), options_(options) {}
+  RowWriter(Context& context, const WatchOptions& options) : context_(context), options_(options) {
+    const bool has_titles = context.columns() > 0 && context.settings().titles;
+    if (!has_titles || context.settings().json) return;
+    context.out() << "TIME/ns        \tTICK";  // as wide as a time
+    for (const std::string& path : options.paths) context.out() << '\t' << Plain(path);
+    context.out() << '\n';
+  }
 
   /// False once as many rows as wanted are printed, or when the output is gone.
   bool Write(const PrintedRow& row) {
@@ -126,13 +96,10 @@ class RowWriter {
       for (const auto& [path, value] : row.values) {
         values[path] = ordered_json::parse(value, nullptr, false);
       }
-      const ordered_json line = {{"schema", 1},
-                                 {"time_ns", row.time_ns},
-                                 {"clock_offset_ns", row.clock_offset_ns},
-                                 {"tick", row.tick},
-                                 {"values", values}};
-      context_.out() << line.dump() << '\n';
-      return;
+      return context_.PrintJsonLine({{"time_ns", row.time_ns},
+                                     {"clock_offset_ns", row.clock_offset_ns},
+                                     {"tick", row.tick},
+                                     {"values", values}});
     }
     context_.out() << row.time_ns << '\t' << row.tick;
     for (const auto& [path, value] : row.values) context_.out() << '\t' << value;
@@ -190,7 +157,7 @@ Result<ExitCode> Watch(Context& context, const WatchOptions& options) {
   }
   const tendon::RowCounts counts = (*client)->telemetry().CountsOf(id);
   (*client)->telemetry().Unsubscribe(id);
-  Summarize(writer, counts, context.err());
+  if (context.out().good()) Summarize(writer, counts, context.err());
   return interrupted ? program::kInterrupted : program::kOk;
 }
 
@@ -201,15 +168,19 @@ std::vector<Verb> DataVerbs() {
       {"get", "read a value once",
        [](CLI::App& app) -> Verb::Run {
          auto path = std::make_shared<std::string>();
-         app.add_option("path", *path,
-                        "a read command or column, such as robot/arm/state.Joints.position[0]")
+         Names(app.add_option("path", *path,
+                              "a read command or column, such as "
+                              "robot/arm/state.Joints.position[0]"),
+               WordKind::kReadable)
              ->required();
          return [path](Context& context) { return Get(context, *path); };
        }},
-      {"watch", "print every row of columns of a state table: ns, tick, values",
+      {"watch",
+       "print every row of columns of a state table: ns, tick, values",
        [](CLI::App& app) -> Verb::Run {
          auto options = std::make_shared<WatchOptions>();
-         app.add_option("paths", options->paths, "columns or parts of them, of one table")
+         Names(app.add_option("paths", options->paths, "columns or parts of them, of one table"),
+               WordKind::kColumn)
              ->required();
          app.add_option("--hz", options->rate, "at most so many rows a second (default: all)")
              ->check(&program::CheckPositive);
@@ -218,9 +189,12 @@ std::vector<Verb> DataVerbs() {
          app.add_option("--count", options->count, "end after so many rows")
              ->check(&program::CheckPositive);
          app.add_option("--for", options->seconds, "end after so long: 10s, 500ms, 2min")
-             ->transform(CLI::Validator(&program::TransformDuration, "TIME"));
+             ->type_name("TIME")
+             ->transform(CLI::Validator(&program::TransformDuration, ""));
          return [options](Context& context) { return Watch(context, *options); };
-       }},
+       },
+       {"gcm watch robot/arm/state.Joints --hz 5",
+        "gcm --json watch robot/arm/state.Joints.position[0] --count 100"}},
   };
 }
 

@@ -64,7 +64,7 @@ Result<ExitCode> Candidates(Context& context, const std::string& text) {
     table.Add(
         {ToString(candidate.provided), fits, Share(candidate), candidate.compatibility.Text()});
   }
-  table.Print(context.out(), context.columns());
+  context.Print(table);
   return program::kOk;
 }
 
@@ -157,16 +157,21 @@ std::vector<Verb> ExplainVerbs() {
       {"candidates", "list what a required interface can be connected to, the best first",
        [](CLI::App& app) -> Verb::Run {
          auto required = std::make_shared<std::string>();
-         app.add_option("required", *required, "process/component/interface")->required();
+         Names(app.add_option("required", *required, "process/component/interface"),
+               WordKind::kRequired)
+             ->required();
          return [required](Context& context) { return Candidates(context, *required); };
        }},
       {"explain", "check a connection step by step and say what keeps it from working",
        [](CLI::App& app) -> Verb::Run {
          auto ends = std::make_shared<Ends>();
-         app.add_option("required", ends->required, "process/component/interface")->required();
-         app.add_option("provided", ends->provided,
-                        "what it is to be connected to (default: what it is connected to, else "
-                        "the best candidate)");
+         Names(app.add_option("required", ends->required, "process/component/interface"),
+               WordKind::kRequired)
+             ->required();
+         Names(app.add_option("provided", ends->provided,
+                              "what it is to be connected to (default: what it is connected to, "
+                              "else the best candidate)"),
+               WordKind::kProvided);
          return [ends](Context& context) { return Explain(context, *ends); };
        }},
   };

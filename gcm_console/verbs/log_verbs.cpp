@@ -105,19 +105,18 @@ std::string TimeText(std::int64_t time) {
 
 void Print(const LogRecord& record, const Context& context) {
   if (context.settings().json) {
-    const nlohmann::ordered_json line = {{"schema", 1},
-                                         {"time_ns", record.time},
-                                         {"level", ToString(record.level)},
-                                         {"process", record.process},
-                                         {"source", record.source},
-                                         {"text", record.text}};
-    context.out() << line.dump() << '\n';
-    return;
+    return context.PrintJsonLine({{"time_ns", record.time},
+                                  {"level", ToString(record.level)},
+                                  {"process", record.process},
+                                  {"source", record.source},
+                                  {"text", record.text}});
   }
   const bool is_of_process = record.source == record.process;
-  context.out() << TimeText(record.time) << '\t' << ToString(record.level) << '\t'
-                << Plain(record.process) << (is_of_process ? "" : "/" + Plain(record.source))
-                << '\t' << Plain(record.text) << '\n';
+  const std::string level(ToString(record.level));
+  context.out() << TimeText(record.time) << '\t' << Coloured(level, context.layout().is_coloured)
+                << '\t' << Plain(record.process)
+                << (is_of_process ? "" : "/" + Plain(record.source)) << '\t' << Plain(record.text)
+                << '\n';
 }
 
 void Remark(const LogInbox::Content& content, std::ostream& err) {
@@ -173,7 +172,8 @@ Result<ExitCode> SetLevel(Context& context, const LevelOrder& order) {
 
 std::vector<Verb> LogVerbs() {
   return {
-      {"log", "print what the processes log: time, level, process/source, text",
+      {"log",
+       "print what the processes log: time, level, process/source, text",
        [](CLI::App& app) -> Verb::Run {
          auto options = std::make_shared<LogOptions>();
          app.add_flag("-f,--follow", options->follow, "go on with what is logged from now on");
@@ -182,11 +182,13 @@ std::vector<Verb> LogVerbs() {
          app.add_option("--from", options->from,
                         "process or process/source, with * and ** (default: all)");
          return [options](Context& context) { return ShowLog(context, *options); };
-       }},
+       },
+       {"gcm log --follow --level warning", "gcm log --from 'robot/**'"}},
       {"log-level", "set from which level on a process logs, until it ends",
        [](CLI::App& app) -> Verb::Run {
          auto order = std::make_shared<LevelOrder>();
-         app.add_option("process", order->process, "which process")->required();
+         Names(app.add_option("process", order->process, "which process"), WordKind::kProcess)
+             ->required();
          app.add_option("level", order->level, "debug, info, warning or error")
              ->required()
              ->check(CLI::IsMember(LevelNames()));

@@ -1,3 +1,5 @@
+#include <gcm_console/catalogue/payload_text.h>
+#include <gcm_console/catalogue/things.h>
 #include <gcm_console/catalogue_json.h>
 #include <gcm_console/place.h>
 #include <gcm_console/report.h>
@@ -5,6 +7,8 @@
 #include <tendon/gcm/text/wall_time.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <ostream>
@@ -17,31 +21,6 @@ using program::ExitCode;
 using tendon::Catalog;
 using tendon::InterfaceName;
 using tendon::Result;
-
-/// What a required interface is connected to.
-std::string Provider(const Catalog& catalog, const InterfaceName& required) {
-  const auto* connection = catalog.FindConnection(required);
-  if (connection == nullptr) return "not connected";
-  const std::string provider = "-> " + ToString(connection->provided);
-  if (connection->state == tendon::ConnectionState::kActive) return provider;
-  return provider + " (" + std::string(ToString(connection->state)) + ": " + connection->reason +
-         ")";
-}
-
-/// Who is connected to a provided interface: "<- desk/supervisor/Robot and 2 more".
-std::string Users(const Catalog& catalog, const InterfaceName& provided) {
-  std::string first;
-  std::size_t more = 0;
-  for (const auto& connection : catalog.connections()) {
-    if (connection.provided != provided) continue;
-    if (first.empty()) {
-      first = "<- " + ToString(connection.required);
-    } else {
-      ++more;
-    }
-  }
-  return first + (more == 0 ? "" : " and " + std::to_string(more) + " more");
-}
 
 void ListProcesses(const Catalog& catalog, Table& table) {
   for (const auto& [name, entry] : catalog.processes()) {
@@ -65,12 +44,12 @@ void ListInterfaces(const Catalog& catalog, const Place& place, Table& table) {
   };
   for (const auto& one : place.component->provided) {
     table.Add({one.name, "provided", std::to_string(one.commands.size() + one.events.size()),
-               Users(catalog, name_of(one.name))});
+               UsersOf(catalog, name_of(one.name))});
   }
   for (const auto& one : place.component->required) {
     table.Add({one.name, "required",
                std::to_string(one.functions.size() + one.event_handlers.size()),
-               Provider(catalog, name_of(one.name))});
+               ProviderOf(catalog, name_of(one.name))});
   }
 }
 
@@ -125,6 +104,31 @@ ordered_json JsonOf(const Catalog& catalog, const Place& place) {
   return {{"processes", std::move(processes)}};
 }
 
+struct ListOptions {
+  std::string path;
+  bool is_recursive = false;
+  bool is_long = false;
+  std::vector<std::string> types;  ///< codes of nouns
+};
+
+/// What is to be listed by path instead of by name: everything below a path, or what is right in
+/// it, of some kinds only.
+Result<ExitCode> ListThings(Context& context, const Catalog& catalog, const ListOptions& options) {
+  const bool is_deep = options.is_recursive || !options.types.empty();
+  const int deepest = DepthOf(options.path) + 1;
+  auto things = ThingsIn(catalog, options.path);
+  std::erase_if(things, [&](const Thing& thing) {
+    const auto noun = std::find_if(std::begin(kNouns), std::end(kNouns),
+                                   [&](const Noun& one) { return one.name == thing.noun; });
+    const bool is_wanted =
+        options.types.empty() ||
+        std::find(options.types.begin(), options.types.end(), noun->code) != options.types.end();
+    return !is_wanted || (!is_deep && DepthOf(thing.path) > deepest);
+  });
+  PrintThings(context, things);
+  return program::kOk;
+}
+
 Result<ExitCode> List(Context& context, const std::string& path) {
   const auto client = context.Client();
   if (!client) return client.error();
@@ -134,7 +138,7 @@ Result<ExitCode> List(Context& context, const std::string& path) {
   if (context.settings().json) {
     context.PrintJson(JsonOf(catalog, *place));
   } else {
-    ListingOf(catalog, *place).Print(context.out(), context.columns());
+    context.Print(ListingOf(catalog, *place));
   }
   return program::kOk;
 }
@@ -145,16 +149,30 @@ void PrintTree(const Catalog& catalog, std::ostream& out) {
     for (const auto& [name, component] : entry.components) {
       out << "  " << Plain(name) << "  " << ToString(component.state) << '\n';
       for (const auto& one : component.provided) {
-        const std::string users = Users(catalog, {process_name, name, one.name});
+        const std::string users = UsersOf(catalog, {process_name, name, one.name});
         out << "    " << Plain(one.name) << "  provided" << (users.empty() ? "" : "  ")
             << Plain(users) << '\n';
       }
       for (const auto& one : component.required) {
         out << "    " << Plain(one.name) << "  required  "
-            << Plain(Provider(catalog, {process_name, name, one.name})) << '\n';
+            << Plain(ProviderOf(catalog, {process_name, name, one.name})) << '\n';
       }
     }
   }
+}
+
+Result<ExitCode> List(Context& context, const ListOptions& options) {
+  ListOptions wanted = options;
+  if (wanted.path.empty()) wanted.path = context.settings().at;
+  if (!wanted.is_recursive && !wanted.is_long && wanted.types.empty()) {
+    return List(context, wanted.path);
+  }
+  const auto client = context.Client();
+  if (!client) return client.error();
+  const Catalog catalog = (*client)->catalog();
+  const auto place = wanted.path.empty() ? Result<Place>(Place{}) : FindPlace(catalog, wanted.path);
+  if (!place) return place.error();
+  return ListThings(context, catalog, wanted);
 }
 
 Result<ExitCode> Tree(Context& context) {
@@ -183,6 +201,7 @@ Table Facts(const Catalog& catalog, const Place& place) {
   table.Add({"component", component.name});
   table.Add({"class", component.class_name});
   if (!component.library.empty()) table.Add({"library", component.library});
+  if (!component.configuration.empty()) table.Add({"configuration", component.configuration});
   table.Add({"state", std::string(ToString(component.state))});
   if (!component.fault.empty()) {
     table.Add({"fault", component.fault});
@@ -196,17 +215,55 @@ Table Facts(const Catalog& catalog, const Place& place) {
   };
   if (place.provided != nullptr) {
     table.Add({"provided", place.provided->name});
-    const std::string users = Users(catalog, name_of(place.provided->name));
+    const std::string users = UsersOf(catalog, name_of(place.provided->name));
     if (!users.empty()) table.Add({"connection", users});
   }
   if (place.required != nullptr) {
     table.Add({"required", place.required->name});
-    table.Add({"connection", Provider(catalog, name_of(place.required->name))});
+    table.Add({"connection", ProviderOf(catalog, name_of(place.required->name))});
   }
   if (place.member != nullptr && !place.member->hazard.empty()) {
     table.Add({"hazard", place.member->hazard});
   }
   return table;
+}
+
+/// What goes into a member or comes out of it, field by field; best effort, for the process may be
+/// gone.
+void PrintPayload(Context& context, const std::string& process, const std::string& title,
+                  const tendon::Fingerprint& fingerprint) {
+  const auto schema = context.Ask<tendon::Schema>([&](tendon::GcmClient& client, auto handler) {
+    client.GetSchema(process, fingerprint, handler);
+  });
+  if (!schema) {
+    context.err() << "gcm: what is in the " << title
+                  << " is unknown: " << Plain(schema.error().message) << '\n';
+    return;
+  }
+  context.out() << '\n' << title << '\n';
+  context.Print(FieldsOf(*schema));
+}
+
+/// How it is called, to be copied.
+void PrintCall(Context& context, const Place& place, const std::string& path) {
+  const auto& member = *place.member;
+  std::string argument;
+  if (TakesArgument(member)) {
+    const auto schema = context.Ask<tendon::Schema>([&](tendon::GcmClient& client, auto handler) {
+      client.GetSchema(place.process->process.name, member.signature.in, handler);
+    });
+    if (!schema) return;
+    argument = " '" + JsonSkeleton(*schema) + "'";
+  }
+  context.out() << "\ngcm call " << path << argument << '\n';
+}
+
+void PrintPayloads(Context& context, const Place& place, const std::string& path) {
+  const auto& member = *place.member;
+  const std::string& process = place.process->process.name;
+  if (TakesArgument(member)) PrintPayload(context, process, "argument", member.signature.in);
+  if (GivesAnswer(member)) PrintPayload(context, process, "answer", member.signature.out);
+  if (place.noun == "command") PrintCall(context, place, path);
 }
 
 Result<ExitCode> Show(Context& context, const std::string& path) {
@@ -216,28 +273,42 @@ Result<ExitCode> Show(Context& context, const std::string& path) {
   const Catalog catalog = (*client)->catalog();
   const auto place = FindPlace(catalog, path);
   if (!place) return place.error();
-  Facts(catalog, *place).Print(context.out(), context.columns());
+  context.Print(Facts(catalog, *place));
   context.out() << '\n';
-  ListingOf(catalog, *place).Print(context.out(), context.columns());
+  context.Print(ListingOf(catalog, *place));
+  if (place->member != nullptr) PrintPayloads(context, *place, path);
   return program::kOk;
+}
+
+Verb::Run PrepareList(CLI::App& app) {
+  auto options = std::make_shared<ListOptions>();
+  Names(app.add_option("path", options->path,
+                       "process/component/interface.member, or the beginning of it"),
+        WordKind::kPath);
+  app.add_flag("-R,--recursive", options->is_recursive, "and what is in that, by path");
+  app.add_flag("-l,--long", options->is_long, "by path, with type, state and who is connected");
+  std::vector<std::string> codes;
+  for (const Noun& noun : kNouns) codes.emplace_back(noun.code);
+  app.add_option("--type", options->types, "only these, at any depth; several with commas between")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember(codes));
+  return [options](Context& context) { return List(context, *options); };
 }
 
 }  // namespace
 
 std::vector<Verb> LookVerbs() {
   return {
-      {"ls", "list processes, or what is in one thing",
-       [](CLI::App& app) -> Verb::Run {
-         auto path = std::make_shared<std::string>();
-         app.add_option("path", *path,
-                        "process/component/interface.member, or the beginning of it");
-         return [path](Context& context) { return List(context, *path); };
-       }},
+      {"ls",
+       "list processes, or what is in one thing",
+       &PrepareList,
+       {"gcm ls robot/arm", "gcm ls -R -l", "gcm ls robot --type cmd,event"}},
       {"tree", "show the whole catalogue", [](CLI::App&) -> Verb::Run { return &Tree; }},
-      {"show", "tell all about one process, component or interface",
+      {"show", "tell all about one process, component, interface or member",
        [](CLI::App& app) -> Verb::Run {
          auto path = std::make_shared<std::string>();
-         app.add_option("path", *path, "what to show")->required();
+         Names(app.add_option("path", *path, "what to show"), WordKind::kPath)->required();
          return [path](Context& context) { return Show(context, *path); };
        }},
   };

@@ -19,10 +19,14 @@ tendon::Error WithHint(tendon::Error error) {
 
 tendon::Result<program::ExitCode> Serve(Context& context) {
   tendon::os::HoldTerminationSignals();
-  auto middleware = program::MakeMiddleware(context.settings().network);
+  const Settings& settings = context.settings();
+  if (auto address = program::CheckGcmAddress(settings.gcm, settings.network); !address) {
+    return address.error();
+  }
+  auto middleware = program::MakeMiddleware(settings.network);
   if (!middleware) return middleware.error();
   auto manager = tendon::GlobalManager::Start(
-      *middleware, {.address = context.settings().gcm, .state_folder = tendon::os::StateFolder()});
+      *middleware, {.address = settings.gcm, .state_folder = tendon::os::StateFolder()});
   if (!manager) return WithHint(manager.error());
   if (tendon::os::RunsAsRoot()) {
     tendon::Log(tendon::LogLevel::kWarning, "gcm", "runs as root, which a GCM does not need");

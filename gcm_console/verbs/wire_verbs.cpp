@@ -29,6 +29,20 @@ ExitCode WarnOfUnknown(Context& context, const tendon::Error& unknown, const End
   return program::kNotFound;
 }
 
+/// Nobody who looks from the other side means something else.
+Result<void> CheckOrder(const tendon::Catalog& catalog, const InterfaceName& required,
+                        const InterfaceName& provided) {
+  const bool is_swapped = catalog.FindRequired(required) == nullptr &&
+                          catalog.FindProvided(required) != nullptr &&
+                          catalog.FindRequired(provided) != nullptr;
+  if (!is_swapped) return {};
+  return tendon::Error{tendon::ErrorCode::kInvalid,
+                       ToString(required) +
+                           " is what is provided: the required interface comes "
+                           "first; run: gcm connect " +
+                           ToString(provided) + " " + ToString(required)};
+}
+
 Result<ExitCode> Connect(Context& context, const Ends& ends) {
   const auto required = tendon::ParseInterfaceName(ends.required);
   if (!required) return required.error();
@@ -36,6 +50,9 @@ Result<ExitCode> Connect(Context& context, const Ends& ends) {
   if (!provided) return provided.error();
   const auto client = context.Client();
   if (!client) return client.error();
+  if (auto good = CheckOrder((*client)->catalog(), *required, *provided); !good) {
+    return good.error();
+  }
   const auto made = context.Ask<tendon::ConnectionDescription>(
       [&](tendon::GcmClient& asked, auto handler) {
         if (ends.replace) {
@@ -59,7 +76,7 @@ Result<ExitCode> Connect(Context& context, const Ends& ends) {
   } else {
     const bool is_said = is_unknown || made->reason.empty();
     context.out() << ToString(made->required) << " -> " << ToString(made->provided) << "  " << state
-                  << (is_said ? "" : ": " + made->reason) << '\n';
+                  << (is_said ? "" : ": " + Plain(made->reason)) << '\n';
   }
   return is_unknown ? WarnOfUnknown(context, provider.error(), ends) : program::kOk;
 }
@@ -78,48 +95,33 @@ Result<ExitCode> Disconnect(Context& context, const Ends& ends) {
   return program::kOk;
 }
 
-Result<ExitCode> Undo(Context& context) {
-  const auto undone = context.Ask<tendon::message::HistoryEntry>(
-      [](tendon::GcmClient& client, auto handler) { client.Undo(handler); },
-      tendon::GcmClient::kOrdersOfAReplacement);
-  if (!undone) return undone.error();
-  const std::string required = ToString(undone->wire.required);
-  const std::string provided = ToString(undone->wire.provided);
-  const bool was_replaced = undone->verb == "replace";
-  if (context.settings().json) {
-    nlohmann::ordered_json content = {
-        {"undone", undone->verb}, {"required", required}, {"provided", provided}};
-    if (was_replaced) content["former"] = ToString(undone->former);
-    context.PrintJson(content);
-  } else {
-    context.out() << "undone: " << undone->verb << ' ' << required << ' ' << provided
-                  << (was_replaced ? "; it is connected to " + ToString(undone->former) : "")
-                  << '\n';
-  }
-  return program::kOk;
-}
-
 }  // namespace
 
 std::vector<Verb> WireVerbs() {
   return {
-      {"connect", "connect a required interface to a provided one",
+      {"connect",
+       "connect a required interface to a provided one",
        [](CLI::App& app) -> Verb::Run {
          auto ends = std::make_shared<Ends>();
-         app.add_option("required", ends->required, "process/component/interface")->required();
-         app.add_option("provided", ends->provided, "process/component/interface")->required();
+         Names(app.add_option("required", ends->required, "process/component/interface"),
+               WordKind::kRequired)
+             ->required();
+         Names(app.add_option("provided", ends->provided, "process/component/interface"),
+               WordKind::kProvided)
+             ->required();
          app.add_flag("--replace", ends->replace,
                       "end what the required interface is connected to, in one step");
          return [ends](Context& context) { return Connect(context, *ends); };
-       }},
+       },
+       {"gcm connect desk/teleoperation/Robot robot/arm/Control"}},
       {"disconnect", "end the connection of a required interface",
        [](CLI::App& app) -> Verb::Run {
          auto ends = std::make_shared<Ends>();
-         app.add_option("required", ends->required, "process/component/interface")->required();
+         Names(app.add_option("required", ends->required, "process/component/interface"),
+               WordKind::kRequired)
+             ->required();
          return [ends](Context& context) { return Disconnect(context, *ends); };
        }},
-      {"undo", "take back the last change of the system's connections",
-       [](CLI::App&) -> Verb::Run { return &Undo; }},
   };
 }
 

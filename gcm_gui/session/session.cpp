@@ -1,5 +1,6 @@
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/session/session.h>
+#include <tendon/gcm/text/step_text.h>
 
 #include <algorithm>
 #include <chrono>
@@ -15,6 +16,20 @@ double SecondsSince(std::chrono::steady_clock::time_point start) {
 template <typename T>
 std::optional<Error> RefusalOf(const Result<T>& result) {
   return result.ok() ? std::nullopt : std::optional(result.error());
+}
+
+/// The newest step, which the window takes back only where it is one of a connection: what was
+/// ordered of a component elsewhere could set a robot in motion.
+Result<std::uint64_t> StepToUndo(const Result<message::History>& history) {
+  if (!history) return history.error();
+  const auto& all = history->entries;
+  const auto newest = std::find_if(
+      all.rbegin(), all.rend(), [](const auto& step) { return !step.undone && !step.passed_over; });
+  if (newest == all.rend()) return Error{ErrorCode::kFailed, "there is nothing to undo"};
+  if (newest->life.process.empty()) return newest->id;
+  return Error{ErrorCode::kFailed, "the last change is " + WholeText(*newest) +
+                                       ", not of a connection; to take it back: gcm undo --step " +
+                                       std::to_string(newest->id)};
 }
 
 }  // namespace
@@ -134,7 +149,18 @@ void Session::undo() {
   action.verb = Action::Verb::kUndo;
   const ActivityModel::Id id = activity_.begin(std::move(action));
   const auto start = std::chrono::steady_clock::now();
-  client_->Undo([this, courier = courier_, id, start](const auto& result) {
+  client_->GetHistory([this, courier = courier_, id, start](const auto& history) {
+    courier->post([this, id, start, history] {
+      const Result<std::uint64_t> step = StepToUndo(history);
+      if (!step) return finish(id, SecondsSince(start), step.error());
+      undoStep(id, start, *step);
+    });
+  });
+}
+
+void Session::undoStep(ActivityModel::Id id, std::chrono::steady_clock::time_point start,
+                       std::uint64_t step) {
+  const auto heard = [this, courier = courier_, id, start](const auto& result) {
     courier->post([this, id, start, result] {
       finish(id, SecondsSince(start), RefusalOf(result));
       if (!result.ok()) return;
@@ -143,7 +169,8 @@ void Session::undo() {
                                                     : Action::Verb::kDisconnect;
       activity_.markUndone(id, verb, result->wire.required, result->wire.provided);
     });
-  });
+  };
+  client_->Undo(heard, step);
 }
 
 void Session::forget(const std::string& process) {

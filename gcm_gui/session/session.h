@@ -9,6 +9,8 @@
 #include <tendon/gcm/client.h>
 
 #include <QObject>
+#include <chrono>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -47,6 +49,8 @@ class Session : public QObject, public SystemActions {
   void learnTypes();
   /// Enters the action, and returns what takes its result to the GUI thread from any thread.
   Finish begin(Action action);
+  void undoStep(ActivityModel::Id id, std::chrono::steady_clock::time_point start,
+                std::uint64_t step);
   void finish(ActivityModel::Id id, double seconds, const std::optional<Error>& refusal);
 
   CatalogueStore store_;

@@ -37,7 +37,7 @@ class Place:
 
     def run(self, line):
         """As patient as a busy machine needs. What only looks may have to wait until there is something to see."""
-        if re.match(r"gcm (--json )?(ls|tree|show|get|watch) ", line):
+        if re.match(r"gcm (--json )?(ls|tree|show|get|watch|status|find|graph|top|hz|plot|doctor|run|shell) ", line):
             return self.eventually(line, "")
         return self.run_once(line)
 

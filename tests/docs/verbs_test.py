@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""verbs_test.py GCM PAGE: the page explains every verb that `gcm --help` lists, and shows each as a command."""
+"""verbs_test.py GCM PAGE: the page explains every verb that `gcm help` lists, and shows each as a command."""
 import pathlib
 import re
 import subprocess
@@ -7,13 +7,13 @@ import sys
 
 
 def main(gcm, page):
-    printed = subprocess.run([gcm, "--help"], text=True, stdout=subprocess.PIPE, check=True).stdout
-    verbs = re.findall(r"^  ([a-z-]+)  ", printed.split("Subcommands:")[1], re.M)
+    printed = subprocess.run([gcm, "help"], text=True, stdout=subprocess.PIPE, check=True).stdout
+    verbs = re.findall(r"^  ([a-z-]+)  ", printed.split("\noptions\n")[0], re.M)
     text = pathlib.Path(page).read_text(encoding="utf-8")
     commands = "\n".join(re.findall(r"^```sh\n(.*?)^```", text, re.M | re.S))
     missing = [verb for verb in verbs if not re.search(rf"^gcm .*\b{verb}\b", commands, re.M)]
     for verb in missing:
-        print(f"{page} has no command with the verb '{verb}' of gcm --help")
+        print(f"{page} has no command with the verb '{verb}' of gcm help")
     return 1 if missing or not verbs else 0
 
 

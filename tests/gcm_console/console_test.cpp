@@ -11,28 +11,14 @@
 #include <sstream>
 #include <thread>
 
-#include "gcm_console/system_fixture.h"
+#include "gcm_console/demo_fixture.h"
 
 namespace {
 
 using nlohmann::json;
 using testing::HasSubstr;
 
-/// The demo system, complete.
-class ConsoleTest : public SystemFixture {
- protected:
-  void SetUp() override {
-    StartGcm();
-    robot = StartLcm("robot", demo);
-    desk = StartLcm("desk", demo);
-    ASSERT_TRUE(EventuallySays({"ls", "robot"}, "arm\tactive")) << robot->err();
-    ASSERT_TRUE(EventuallySays({"ls", "desk"}, "teleoperation\tactive")) << desk->err();
-    ASSERT_TRUE(EventuallySays({"get", "robot/arm/state.Joints"}, "position"));  // its first cycle
-    ASSERT_TRUE(EventuallySays({"ls", "desk/supervisor"}, "-> robot/arm/Control\n"));
-  }
-  std::unique_ptr<Program> robot;
-  std::unique_ptr<Program> desk;
-};
+using ConsoleTest = DemoFixture;
 
 TEST_F(ConsoleTest, ListsAndShowsTheSystem) {
   EXPECT_TRUE(EventuallySays({"ls"}, "robot\talive"));

@@ -35,6 +35,26 @@ TEST(Table, BreaksItsRowsWhereTheTerminalEnds) {
             "a-desk-of-mine  lost\\x0a\n");
 }
 
+TEST(Table, AlignsNumbersAtTheRight) {
+  Table table({"NAME", "PID", "WHERE"});
+  table.Add({"robot", "7", "here"});
+  table.Add({"desk", "12345", "-"});
+  std::ostringstream out;
+  table.Print(out, 80);
+  EXPECT_EQ(out.str(),
+            "NAME     PID  WHERE\n"
+            "robot      7  here\n"
+            "desk   12345  -\n");
+}
+
+TEST(Table, ColoursTakeNoRoomAndTitlesMayBeLeftOut) {
+  Table table({"STATE", "NAME"});
+  table.Add({"lost", "robot"});
+  std::ostringstream out;
+  table.Print(out, {.columns = 80, .is_coloured = true, .has_titles = false});
+  EXPECT_EQ(out.str(), "\x1b[31mlost\x1b[0m   robot\n");
+}
+
 TEST(Table, IsPrintedOnTheNarrowestTerminal) { EXPECT_FALSE(Printed(1).empty()); }
 
 }  // namespace

@@ -21,7 +21,12 @@ class SystemFixture : public testing::Test {
     words.insert(words.begin(), {Binary("gcm"), "--gcm", address, "--timeout", kPatience});
     return RunProgram(words);
   }
-  /// The same in a shell: `gcm ... WORDS`, where words may redirect.
+  /// `gcm WORDS...` as a newcomer types it.
+  Outcome Typed(Program::Words words) const {
+    words.insert(words.begin(), Binary("gcm"));
+    return RunProgram(words, {{"TENDON_GCM", address}});
+  }
+  /// Gcm() in a shell: `gcm ... WORDS`, where words may redirect.
   Outcome Shell(const std::string& words) const {
     return RunProgram(
         {"/bin/sh", "-c",

@@ -72,6 +72,13 @@ def wait_for(what, succeeds, *processes):
         time.sleep(0.1)
 
 
+def check_pages(share):
+    for page in ("man/man1/gcm.1", "man/man1/gcm-watch.1", "bash-completion/completions/gcm",
+                 "zsh/site-functions/_gcm", "fish/vendor_completions.d/gcm.fish"):
+        if not (share / page).read_text(encoding="utf-8"):
+            sys.exit(f"{page} is empty")
+
+
 def run_lamp(prefix, plugins, folder):
     environment = {**os.environ, "TENDON_COMPONENTS": str(plugins), "XDG_STATE_HOME": str(folder),
                    "XDG_RUNTIME_DIR": str(folder)}
@@ -103,6 +110,7 @@ def main():
         prefix = folder / "prefix"
         install(arguments, prefix)
         check_headers(prefix / "include")
+        check_pages(prefix / "share")
         build_lamp(arguments, prefix, folder / "build")
         run_lamp(prefix, folder / "build", folder)
     print("the installed plug-in runs in the installed lcm")

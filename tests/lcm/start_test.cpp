@@ -117,16 +117,33 @@ TEST_F(LcmStart, AFileThatSaysSomethingElse) {
     return R"({"version": 1, "name": "x", "processes": )" + processes + "}";
   };
   ExpectTextRefused(R"({"version": 99})", "file is version 99, this program reads 1");
-  ExpectTextRefused(with("7"), "processes: expected a list, got number");
+  ExpectTextRefused(with("7"), "line 1, column 29: processes: expected a list, got number");
   ExpectTextRefused(with(R"([{"name": "a", "name": "b"}])"),
-                    "processes[0]: key 'name' occurs twice");
+                    "line 1, column 57: processes[0]: key 'name' occurs twice");
   ExpectTextRefused(with(R"([{"nam": "robot"}])"),
-                    "processes[0]: unknown key 'nam'; did you mean 'name'?");
-  ExpectTextRefused(with(R"([{"name": "robot", "components": [{"name": "arm", "class": 7}]}])"),
-                    "processes[0].components[0].class: expected text, got number");
-  ExpectTextRefused(with(R"([{"name": "robot", "components": [
+                    "line 1, column 44: processes[0]: unknown key 'nam'; did you mean 'name'?");
+  ExpectTextRefused(
+      with(R"([{"name": "robot", "components": [{"name": "arm", "class": 7}]}])"),
+      "line 1, column 92: processes[0].components[0].class: expected string, got number");
+  ExpectTextRefused(
+      with(R"([{"name": "robot", "components": [
                       {"name": "arm", "class": "A", "library": "../../x.so"}]}])"),
-                    "processes[0].components[0].library: library '../../x.so' is a path");
+      "line 2, column 53: processes[0].components[0].library: library '../../x.so' is a path");
+}
+
+TEST_F(LcmStart, WhatTheFileSaysOfAComponentThatCannotHaveIt) {
+  const std::string file = folder / "system.json";
+  const auto with = [&](const std::string& component) {
+    std::ofstream(file) << R"({"version": 1, "name": "x", "processes": [{"name": "robot",
+                               "components": [{"name": "arm", )" +
+                               component + "}]}]}";
+    return file;
+  };
+  ExpectFileRefused(with(R"("class": null)"),
+                    "component 'arm' has no class in the file, for its own program makes it");
+  ExpectFileRefused(with(R"("class": "SimulatedArm", "library": "simulated_arm",
+                            "thread": {"priority": 7})"),
+                    "system.json: line 3, column 29: processes[0].components[0].thread: ");
 }
 
 }  // namespace

@@ -144,7 +144,12 @@ Fingerprint Catalog::ContentHash() const {
     Append(
         ProcessDescription{.name = name, .host = entry.process.host, .state = entry.process.state},
         bytes);
-    for (const auto& [component_name, component] : entry.components) Append(component, bytes);
+    for (const auto& [component_name, component] : entry.components) {
+      ComponentDescription content = component;
+      content.fault_time = 0;
+      content.warning.clear();  // comes and goes with the load
+      Append(content, bytes);
+    }
     std::vector<ConnectionDescription> connections;
     for (const auto& [id, connection] : entry.connections) {
       connections.push_back({.required = connection.required,

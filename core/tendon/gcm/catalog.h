@@ -46,8 +46,8 @@ class Catalog {
   /// Empty, at this revision: where a snapshot begins.
   static Catalog At(std::uint64_t revision);
 
-  /// Of everything but pids, instances, times, addresses, connection ids and reasons: two systems
-  /// that look alike to their users have the same.
+  /// Of everything but pids, instances, times, addresses, connection ids, reasons and warnings: two
+  /// systems that look alike to their users have the same.
   [[nodiscard]] Fingerprint ContentHash() const;
 
   bool operator==(const Catalog&) const = default;

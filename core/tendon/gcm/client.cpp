@@ -47,6 +47,7 @@ class GcmClient::Implementation {
                  std::shared_ptr<GcmListener> listener)
       : middleware_(std::move(middleware)),
         name_(options.name),
+        timeout_(options.timeout),
         link_(std::make_shared<client::GcmLink>(
             *middleware_, options,
             client::GcmLink::Events{std::move(listener),
@@ -83,6 +84,25 @@ class GcmClient::Implementation {
     const std::scoped_lock lock(mutex_);
     if (!telemetry_) telemetry_ = MakeTelemetryClient(middleware_, AddressResolver(), Mine());
     return *telemetry_;
+  }
+
+  [[nodiscard]] std::chrono::milliseconds timeout() const { return timeout_; }
+
+  void Steer(message::LifeOrder order, DoneHandler done) {
+    if (order.patience <= std::chrono::nanoseconds(0)) order.patience = timeout_;
+    if (order.instance == 0) {
+      order.instance = link_->WithCatalog([&](const Catalog& catalog) {
+        const ProcessEntry* entry = catalog.FindProcess(order.process);
+        return entry == nullptr ? std::uint64_t{0} : entry->process.instance;
+      });
+    }
+    const auto answered_within =
+        kOrdersOfALife * std::max<std::chrono::nanoseconds>(order.patience, timeout_);
+    const auto orders = (answered_within + timeout_ - std::chrono::nanoseconds(1)) / timeout_;
+    link_->Request<None>(
+        message::kLife, order,
+        [done = std::move(done)](const auto& answer) { done(Ignored(answer)); },
+        static_cast<int>(std::min<std::int64_t>(orders, 1'000'000)));
   }
 
   /// All who ask before the next look at the catalogue share it; there are few, however fast that
@@ -152,6 +172,7 @@ class GcmClient::Implementation {
   /// Here alone: it must not end in a thread of its own, where the links may end.
   const std::shared_ptr<Middleware> middleware_;
   const std::string name_;
+  const std::chrono::milliseconds timeout_;
   const std::shared_ptr<client::Outstanding> outstanding_ = std::make_shared<client::Outstanding>();
   const std::shared_ptr<Worker> timer_ = std::make_shared<Worker>("client-timer");  // never blocked
   const SharedLink link_;
@@ -197,9 +218,27 @@ void GcmClient::Disconnect(const InterfaceName& required, DoneHandler handler) {
                                             const auto& answer) { done(Ignored(answer)); });
 }
 
-void GcmClient::Undo(std::function<void(Result<message::HistoryEntry>)> handler) {
+void GcmClient::Steer(const message::LifeOrder& order, DoneHandler handler) {
+  implementation_->Steer(order, implementation_->Guarded(std::move(handler)));
+}
+
+void GcmClient::GetClasses(const std::string& process,
+                           std::function<void(Result<message::Classes>)> handler) {
+  implementation_->link().Request<message::Classes>(message::kGetClasses,
+                                                    message::GetClasses{process},
+                                                    implementation_->Guarded(std::move(handler)));
+}
+
+void GcmClient::Undo(StepHandler handler, std::uint64_t step) {
+  const message::WhichStep which{.id = step, .patience = implementation_->timeout() * 2 / 3};
   implementation_->link().Request<message::HistoryEntry>(
-      message::kUndo, None{}, implementation_->Guarded(std::move(handler)), kOrdersOfAReplacement);
+      message::kUndo, which, implementation_->Guarded(std::move(handler)), kOrdersOfAnUndo);
+}
+
+void GcmClient::PassOver(StepHandler handler, std::uint64_t step) {
+  implementation_->link().Request<message::HistoryEntry>(
+      message::kPassOver, message::WhichStep{.id = step},
+      implementation_->Guarded(std::move(handler)));
 }
 
 void GcmClient::GetHistory(std::function<void(Result<message::History>)> handler) {

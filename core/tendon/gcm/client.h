@@ -48,6 +48,12 @@ class GcmClient {
   /// to break, to make, and where that fails to make again what was there.
   static constexpr int kOrdersOfAReplacement = 3;
 
+  /// Undo() may take `timeout` so many times: to make a component, connect, start and suspend it.
+  static constexpr int kOrdersOfAnUndo = 6;
+
+  /// Steer() may take `timeout` so many times: to be done, and to be heard of.
+  static constexpr int kOrdersOfALife = 2;
+
   /// Who asks, and whom.
   struct Options {
     std::string name = "viewer";  ///< for the GCM's history and log: "gcm connect", "gcm-gui"
@@ -84,7 +90,19 @@ class GcmClient {
   void Replace(const InterfaceName& required, const InterfaceName& provided,
                ConnectHandler handler);
   void Disconnect(const InterfaceName& required, DoneHandler handler);
-  void Undo(std::function<void(Result<message::HistoryEntry>)> handler);
+  /// An order for the life of a component, or to load a plug-in: may take `order.patience` and as
+  /// long again; without a patience, it is `timeout`. It is for the process as the catalogue has it
+  /// now: one that is started anew meanwhile is not given it.
+  void Steer(const message::LifeOrder& order, DoneHandler handler);
+  /// Of which classes a process makes components, and which plug-ins it could load.
+  void GetClasses(const std::string& process,
+                  std::function<void(Result<message::Classes>)> handler);
+  using StepHandler = std::function<void(Result<message::HistoryEntry>)>;
+  /// Takes back the newest step; where `step` is not 0, only if it is that one.
+  void Undo(StepHandler handler, std::uint64_t step = 0);
+  /// Leaves the newest step as it is, for good, so that those before it can be undone; kFailed
+  /// where that can be undone itself and is not named by `step`, or its process may come back.
+  void PassOver(StepHandler handler, std::uint64_t step = 0);
   void GetHistory(std::function<void(Result<message::History>)> handler);
   /// Removes a tombstone.
   void Forget(const std::string& process, DoneHandler handler);

@@ -1,6 +1,7 @@
 #include <tendon/base/log.h>
 #include <tendon/base/os/file.h>
 #include <tendon/gcm/history.h>
+#include <tendon/payload/json.h>
 
 #include <algorithm>
 #include <fstream>
@@ -18,12 +19,19 @@ std::string LineOf(const message::HistoryEntry& step) {
   Json line;
   line["id"] = step.id;
   line["verb"] = step.verb;
-  line["required"] = ToString(step.wire.required);
-  line["provided"] = ToString(step.wire.provided);
+  if (step.life.process.empty()) {
+    line["required"] = ToString(step.wire.required);
+    line["provided"] = ToString(step.wire.provided);
+  } else {
+    line["life"] = Json::parse(ToJson(step.life));
+  }
   if (step.verb == "replace") line["former"] = ToString(step.former);
   line["who"] = step.who;
   line["when"] = step.when;
+  line["instance"] = step.instance;
+  if (step.is_unknown) line["unknown"] = true;
   if (step.undone) line["undone"] = true;
+  if (step.passed_over) line["passed over"] = true;
   return line.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -32,10 +40,16 @@ std::optional<message::HistoryEntry> StepOf(const Json& line) {
   message::HistoryEntry step;
   step.id = line.at("id").get<std::uint64_t>();
   step.verb = line.at("verb").get<std::string>();
-  const auto required = ParseInterfaceName(line.at("required").get<std::string>());
-  const auto provided = ParseInterfaceName(line.at("provided").get<std::string>());
-  if (!required || !provided) return std::nullopt;
-  step.wire = {*required, *provided};
+  if (line.contains("life")) {
+    auto life = FromJson<message::LifeStep>(line.at("life").dump());
+    if (!life) return std::nullopt;
+    step.life = *std::move(life);
+  } else {
+    const auto required = ParseInterfaceName(line.at("required").get<std::string>());
+    const auto provided = ParseInterfaceName(line.at("provided").get<std::string>());
+    if (!required || !provided) return std::nullopt;
+    step.wire = {*required, *provided};
+  }
   if (step.verb == "replace") {
     const auto former = ParseInterfaceName(line.at("former").get<std::string>());
     if (!former) return std::nullopt;
@@ -43,13 +57,20 @@ std::optional<message::HistoryEntry> StepOf(const Json& line) {
   }
   step.who = line.at("who").get<std::string>();
   step.when = line.at("when").get<std::int64_t>();
+  step.instance = line.value("instance", std::uint64_t{0});
+  step.is_unknown = line.value("unknown", false);
   step.undone = line.value("undone", false);
+  step.passed_over = line.value("passed over", false);
   return step;
 }
 
-void MarkIn(std::vector<message::HistoryEntry>& steps, std::uint64_t id) {
+// What a line says that marks an earlier step.
+constexpr const char* kUndo = "undo";
+constexpr const char* kPassOver = "pass over";
+
+void MarkIn(std::vector<message::HistoryEntry>& steps, std::uint64_t id, std::string_view what) {
   for (message::HistoryEntry& step : steps) {
-    if (step.id == id) step.undone = true;
+    if (step.id == id) (what == kUndo ? step.undone : step.passed_over) = true;
   }
 }
 
@@ -57,8 +78,9 @@ void MarkIn(std::vector<message::HistoryEntry>& steps, std::uint64_t id) {
 bool ReadLine(std::string_view text, std::vector<message::HistoryEntry>& steps) {
   try {
     const Json line = Json::parse(text);
-    if (line.contains("undo")) {
-      MarkIn(steps, line.at("undo").get<std::uint64_t>());
+    for (const char* mark : {kUndo, kPassOver}) {
+      if (!line.contains(mark)) continue;
+      MarkIn(steps, line.at(mark).get<std::uint64_t>(), mark);
       return true;
     }
     auto step = StepOf(line);
@@ -70,6 +92,13 @@ bool ReadLine(std::string_view text, std::vector<message::HistoryEntry>& steps) 
 }
 
 }  // namespace
+
+std::string ToString(const message::HistoryEntry& step) {
+  if (!step.life.process.empty()) {
+    return step.verb + " " + step.life.process + "/" + step.life.component;
+  }
+  return step.verb + " " + ToString(step.wire.required) + " " + ToString(step.wire.provided);
+}
 
 History::History(std::filesystem::path file) : file_(std::move(file)) { Load(); }
 
@@ -91,35 +120,69 @@ void History::Load() {
     Log(LogLevel::kWarning, "gcm",
         std::to_string(unreadable) + " lines of " + file_.string() + " do not read: left out");
   }
-  for (const auto& step : steps_) last_id_ = std::max(last_id_, step.id);
-  if (begin < text.size() || unreadable > 0 || steps_.size() > kMaxSteps) Compact();
+  const std::size_t read = steps_.size();
+  for (auto& step : std::exchange(steps_, {})) {
+    last_id_ = std::max(last_id_, step.id);
+    const std::size_t bytes = LineOf(step).size();
+    Keep(std::move(step), bytes);
+  }
+  file_bytes_ = text.size();
+  const bool is_kept_whole = begin == text.size() && unreadable == 0 && steps_.size() == read;
+  if (!is_kept_whole) is_torn_ = !Replace(Text()) && begin < text.size();
 }
 
-void History::Compact() {
-  if (steps_.size() > kMaxSteps) {
-    steps_.erase(steps_.begin(), steps_.end() - static_cast<std::ptrdiff_t>(kMaxSteps));
+void History::Keep(message::HistoryEntry step, std::size_t bytes) {
+  steps_.push_back(std::move(step));
+  bytes_.push_back(bytes);
+  all_bytes_ += bytes;
+  std::size_t gone = 0;
+  for (; steps_.size() - gone > 1; ++gone) {
+    if (steps_.size() - gone <= kMaxSteps && all_bytes_ <= kMaxBytes) break;
+    all_bytes_ -= bytes_.front();
+    bytes_.pop_front();
   }
+  steps_.erase(steps_.begin(), steps_.begin() + static_cast<std::ptrdiff_t>(gone));
+}
+
+std::string History::Text() const {
   std::string text;
   for (const auto& step : steps_) text += LineOf(step);
-  if (const auto replaced = os::ReplaceDurably(file_, text); !replaced) {
-    Log(LogLevel::kWarning, "gcm", replaced.error().message);
-  }
+  return text;
+}
+
+bool History::Replace(const std::string& text) {
+  const auto replaced = os::ReplaceDurably(file_, text);
+  if (!replaced) Log(LogLevel::kWarning, "gcm", replaced.error().message);
+  if (replaced) file_bytes_ = text.size();
+  return replaced.ok();
+}
+
+bool History::Append(const std::vector<Line>& lines) {
+  std::string text = is_torn_ ? "\n" : "";
+  for (const Line& line : lines) text += line.text;
+  const auto written = os::AppendDurably(file_, text);
+  if (!written) Log(LogLevel::kWarning, "gcm", "history: " + written.error().message);
+  file_bytes_ += text.size();
+  return written.ok();
 }
 
 std::uint64_t History::Record(message::HistoryEntry step, Done done) {
   const std::scoped_lock lock(mutex_);
   step.id = ++last_id_;
-  steps_.push_back(step);
-  if (steps_.size() > kMaxSteps) steps_.erase(steps_.begin());
   unwritten_.push_back({LineOf(step), std::move(done)});
+  Keep(std::move(step), unwritten_.back().text.size());
   writer_.Post([this] { Write(); });
-  return step.id;
+  return last_id_;
 }
 
-void History::MarkUndone(std::uint64_t id, Done done) {
+void History::MarkUndone(std::uint64_t id, Done done) { Mark(id, kUndo, std::move(done)); }
+
+void History::MarkPassedOver(std::uint64_t id, Done done) { Mark(id, kPassOver, std::move(done)); }
+
+void History::Mark(std::uint64_t id, const char* what, Done done) {
   const std::scoped_lock lock(mutex_);
-  MarkIn(steps_, id);
-  unwritten_.push_back({Json{{"undo", id}}.dump() + "\n", std::move(done)});
+  MarkIn(steps_, id, what);
+  unwritten_.push_back({Json{{what, id}}.dump() + "\n", std::move(done)});
   writer_.Post([this] { Write(); });
 }
 
@@ -130,17 +193,16 @@ void History::Close() {
 
 /// All that waits, in one go: a slow disk is waited for once.
 void History::Write() {
+  const bool is_long = file_bytes_ > 2 * kMaxBytes;
   std::vector<Line> lines;
+  std::string all;
   {
     const std::scoped_lock lock(mutex_);
     lines.swap(unwritten_);
+    if (is_long) all = Text();
   }
   if (lines.empty()) return;
-  std::string text = is_torn_ ? "\n" : "";
-  for (const Line& line : lines) text += line.text;
-  const auto written = os::AppendDurably(file_, text);
-  is_torn_ = !written;
-  if (!written) Log(LogLevel::kWarning, "gcm", "history: " + written.error().message);
+  is_torn_ = !(is_long && Replace(all)) && !Append(lines);
   for (const Line& line : lines) line.done();
 }
 
@@ -151,8 +213,9 @@ message::History History::steps() const {
 
 std::optional<message::HistoryEntry> History::last() const {
   const std::scoped_lock lock(mutex_);
-  const auto found =
-      std::find_if(steps_.rbegin(), steps_.rend(), [](const auto& step) { return !step.undone; });
+  const auto found = std::find_if(steps_.rbegin(), steps_.rend(), [](const auto& step) {
+    return !step.undone && !step.passed_over;
+  });
   return found == steps_.rend() ? std::nullopt : std::optional(*found);
 }
 

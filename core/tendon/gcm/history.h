@@ -3,7 +3,9 @@
 #include <tendon/gcm/messages.h>
 #include <tendon/process/worker.h>
 
+#include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <filesystem>
 #include <functional>
 #include <mutex>
@@ -13,9 +15,13 @@
 
 namespace tendon {
 
+/// "connect desk/teleoperation/Robot robot/arm/Control", "start robot/arm": the step for people.
+[[nodiscard]] std::string ToString(const message::HistoryEntry& step);
+
 /// The steps that were made, kept in a file of one JSON object a line, so that they can be undone
-/// after a restart too. The newest kMaxSteps are kept. A last line that a crash cut short is left
-/// out; another one that does not read is left out with a warning.
+/// after a restart too. The newest kMaxSteps are kept, or as many as fit into kMaxBytes of the
+/// file; that is written anew when it has grown to twice as much. A last line that a crash cut
+/// short is left out; another one that does not read is left out with a warning.
 ///
 /// A step is known at once. A thread of its own waits for the disk, so that a slow one delays
 /// nobody but who waits for `done`: a kill loses at most the steps whose `done` was not called yet.
@@ -25,6 +31,7 @@ namespace tendon {
 class History {
  public:
   static constexpr std::size_t kMaxSteps = 1000;
+  static constexpr std::size_t kMaxBytes = std::size_t{4} << 20U;
   /// Called once, in the order of the steps, by the history's thread or by Close().
   using Done = std::function<void()>;
 
@@ -38,12 +45,13 @@ class History {
   /// Adds a step; returns its number.
   std::uint64_t Record(message::HistoryEntry step, Done done);
   void MarkUndone(std::uint64_t id, Done done);
-  /// Waits until the disk has everything. Record() and MarkUndone() must not be called any more.
+  void MarkPassedOver(std::uint64_t id, Done done);
+  /// Waits until the disk has everything. Record() and the others must not be called any more.
   void Close();
 
   /// Oldest first.
   [[nodiscard]] message::History steps() const;
-  /// The newest step that was not undone.
+  /// The newest step that was neither undone nor passed over.
   [[nodiscard]] std::optional<message::HistoryEntry> last() const;
 
  private:
@@ -52,14 +60,23 @@ class History {
     Done done;
   };
 
+  void Mark(std::uint64_t id, const char* what, Done done);
   void Load();
-  void Compact();
+  void Keep(message::HistoryEntry step, std::size_t bytes);
+  [[nodiscard]] std::string Text() const;
+  bool Replace(const std::string& text);
+  bool Append(const std::vector<Line>& lines);
   void Write();
 
   const std::filesystem::path file_;
-  bool is_torn_ = false;  // of the thread that writes: the file may end in the middle of a line
-  mutable std::mutex mutex_;
+  // Of the thread that writes.
+  bool is_torn_ = false;  // the file may end in the middle of a line
+  std::size_t file_bytes_ = 0;
+
+  mutable std::mutex mutex_;  // of what follows
   std::vector<message::HistoryEntry> steps_;
+  std::deque<std::size_t> bytes_;  // of the line of each step
+  std::size_t all_bytes_ = 0;
   std::uint64_t last_id_ = 0;
   std::vector<Line> unwritten_;
   Worker writer_{"gcm-history"};

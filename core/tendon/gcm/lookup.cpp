@@ -202,6 +202,11 @@ Result<ConnectionDescription> PlanDisconnect(const Catalog& catalog,
                ToString(required) + " is not connected: there is nothing to disconnect"};
 }
 
+std::uint64_t InstanceOf(const Catalog& catalog, const std::string& process) {
+  const ProcessEntry* entry = catalog.FindProcess(process);
+  return entry == nullptr ? 0 : entry->process.instance;
+}
+
 bool IsPresent(const ProcessDescription& process) {
   return process.state == ProcessState::kAlive || process.state == ProcessState::kSuspect;
 }

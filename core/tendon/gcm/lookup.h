@@ -5,6 +5,7 @@
 #include <tendon/gcm/catalog.h>
 #include <tendon/process/membership_messages.h>
 
+#include <cstdint>
 #include <string>
 
 /// Names that people type, looked up in a catalogue. Errors are of code kNotFound unless they say
@@ -42,6 +43,9 @@ Result<message::Wiring> PlanConnect(const Catalog& catalog, const message::Wire&
 /// The connection that a disconnect would end. Errors: kInvalid, kNotFound; kFailed where it is not
 /// connected or its process is not there.
 Result<ConnectionDescription> PlanDisconnect(const Catalog& catalog, const InterfaceName& required);
+
+/// New at each start of the process; 0 where there is none of that name.
+[[nodiscard]] std::uint64_t InstanceOf(const Catalog& catalog, const std::string& process);
 
 /// Whether the process can be talked to: it is there, if perhaps a little late.
 [[nodiscard]] bool IsPresent(const ProcessDescription& process);

@@ -1,15 +1,18 @@
 #pragma once
 
 #include <tendon/gcm/catalog.h>
+#include <tendon/process/life/messages.h>
 #include <tendon/process/log/messages.h>
 #include <tendon/process/membership_messages.h>
 
+#include <chrono>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 /// What travels between a GCM and the viewers that watch it; what it says to LCMs is in
-/// process/membership_messages.h. Each struct is the body of a frame.
+/// process/membership_messages.h, and what it passes on to them in process/life/messages.h. Each
+/// struct is the body of a frame.
 namespace tendon::message {
 
 // From a viewer; all are requests. A viewer also sends kRenew each second, to see that the GCM
@@ -17,10 +20,11 @@ namespace tendon::message {
 inline constexpr auto kWatch = static_cast<MessageType>(0x310);    // None -> Snapshot
 inline constexpr auto kConnect = static_cast<MessageType>(0x311);  // Wire -> ConnectionDescription
 inline constexpr auto kDisconnect = static_cast<MessageType>(0x312);  // Wire -> None
-inline constexpr auto kUndo = static_cast<MessageType>(0x313);        // None -> HistoryEntry
+inline constexpr auto kUndo = static_cast<MessageType>(0x313);        // WhichStep -> HistoryEntry
 inline constexpr auto kHistory = static_cast<MessageType>(0x314);     // None -> History
 inline constexpr auto kForget = static_cast<MessageType>(0x315);      // Forget -> None
 inline constexpr auto kReplace = static_cast<MessageType>(0x316);   // Wire -> ConnectionDescription
+inline constexpr auto kPassOver = static_cast<MessageType>(0x31f);  // WhichStep -> HistoryEntry
 inline constexpr auto kWatchLog = static_cast<MessageType>(0x342);  // WatchLog -> LogWatched
 // From the GCM, besides process/log/messages.h.
 inline constexpr auto kChanges = static_cast<MessageType>(0x320);  // notice to a viewer: Changes
@@ -56,15 +60,43 @@ struct Forget {
   std::string process;
 };
 
+/// What a step in the life of a component was about, and what there was before it.
+struct LifeStep {
+  std::string process;
+  std::string component;
+  std::string class_name;
+  std::string library;
+  std::string configuration;                            ///< "create", "configure": that it has now
+  std::string former;                                   ///< "configure", "remove": that it had
+  std::string thread;                                   ///< "remove": as LifeOrder has it
+  std::string leader;                                   ///< "remove": likewise
+  ComponentState state = ComponentState::kConstructed;  ///< before
+  std::vector<Wire> connections;                        ///< "remove": of this component
+
+  bool operator==(const LifeStep&) const = default;
+};
+
+/// Which step is to be taken back, or passed over.
+struct WhichStep {
+  std::uint64_t id = 0;  ///< refused where it is not the newest any more; 0: whichever that is
+  std::chrono::nanoseconds patience{0};  ///< for each of its orders; 0: as the GCM finds right
+};
+
 /// One step that was made, and can be unmade.
 struct HistoryEntry {
   std::uint64_t id = 0;
-  std::string verb;  ///< "connect", "disconnect" or "replace"
+  std::string verb;  ///< "connect", "disconnect", "replace", or that of a LifeOrder
   Wire wire;
   InterfaceName former;   ///< "replace": what the required interface was connected to
+  LifeStep life;          ///< of a LifeOrder, else without a process
   std::string who;        ///< the program that asked: "gcm connect", "gcm-gui"
   std::int64_t when = 0;  ///< ns since 1970
+  /// Of the process of the required side, which had made it: one that was started again has
+  /// nothing of it to undo.
+  std::uint64_t instance = 0;
+  bool is_unknown = false;  ///< it was begun, and nobody has heard whether it was done
   bool undone = false;
+  bool passed_over = false;  ///< it could not be undone any more, and somebody has said so
 
   bool operator==(const HistoryEntry&) const = default;
 };
@@ -102,14 +134,36 @@ inline constexpr auto tendon::kPayload<tendon::message::Forget> =
     tendon::Describe("tendon.Forget", tendon::Field{"process", &tendon::message::Forget::process});
 
 template <>
+inline constexpr auto tendon::kPayload<tendon::message::WhichStep> =
+    tendon::Describe("tendon.WhichStep", tendon::Field{"id", &tendon::message::WhichStep::id},
+                     tendon::Field{"patience", &tendon::message::WhichStep::patience});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::LifeStep> = tendon::Describe(
+    "tendon.LifeStep", tendon::Field{"process", &tendon::message::LifeStep::process},
+    tendon::Field{"component", &tendon::message::LifeStep::component},
+    tendon::Field{"class_name", &tendon::message::LifeStep::class_name},
+    tendon::Field{"library", &tendon::message::LifeStep::library},
+    tendon::Field{"configuration", &tendon::message::LifeStep::configuration},
+    tendon::Field{"former", &tendon::message::LifeStep::former},
+    tendon::Field{"thread", &tendon::message::LifeStep::thread},
+    tendon::Field{"leader", &tendon::message::LifeStep::leader},
+    tendon::Field{"state", &tendon::message::LifeStep::state},
+    tendon::Field{"connections", &tendon::message::LifeStep::connections});
+
+template <>
 inline constexpr auto tendon::kPayload<tendon::message::HistoryEntry> =
     tendon::Describe("tendon.HistoryEntry", tendon::Field{"id", &tendon::message::HistoryEntry::id},
                      tendon::Field{"verb", &tendon::message::HistoryEntry::verb},
                      tendon::Field{"wire", &tendon::message::HistoryEntry::wire},
                      tendon::Field{"former", &tendon::message::HistoryEntry::former},
+                     tendon::Field{"life", &tendon::message::HistoryEntry::life},
                      tendon::Field{"who", &tendon::message::HistoryEntry::who},
                      tendon::Field{"when", &tendon::message::HistoryEntry::when, "ns"},
-                     tendon::Field{"undone", &tendon::message::HistoryEntry::undone});
+                     tendon::Field{"instance", &tendon::message::HistoryEntry::instance},
+                     tendon::Field{"is_unknown", &tendon::message::HistoryEntry::is_unknown},
+                     tendon::Field{"undone", &tendon::message::HistoryEntry::undone},
+                     tendon::Field{"passed_over", &tendon::message::HistoryEntry::passed_over});
 
 template <>
 inline constexpr auto tendon::kPayload<tendon::message::History> = tendon::Describe(

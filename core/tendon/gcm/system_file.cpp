@@ -1,5 +1,7 @@
 #include <tendon/base/os/file.h>
+#include <tendon/base/printable.h>
 #include <tendon/gcm/system_file.h>
+#include <tendon/payload/json.h>
 #include <tendon/payload/json/strict_json.h>
 
 #include <algorithm>
@@ -28,45 +30,101 @@ Result<std::string> ReadBytes(const fs::path& path) {
   return text;
 }
 
-OrderedJson ToJson(const SystemFile::Component& component) {
+void AddComment(OrderedJson& json, const std::string& comment) {
+  if (!comment.empty()) json["comment"] = comment;
+}
+
+/// What to ask for, so that a component gets into the state of another, or where that was meant to
+/// be.
+ComponentState DesiredFor(ComponentState state) {
+  if (state == ComponentState::kFaulted) return ComponentState::kActive;
+  if (state == ComponentState::kReady) return ComponentState::kConstructed;
+  return state;
+}
+
+OrderedJson JsonOf(const SystemFile::Component& component) {
   OrderedJson json;
   json["name"] = component.name;
   json["class"] = component.class_name;
+  if (component.class_name.empty()) json["class"] = nullptr;
   if (!component.library.empty()) json["library"] = component.library;
   if (!component.configuration.empty()) {
     json["configuration"] = OrderedJson::parse(component.configuration);
   }
+  if (component.period > 0.0) json["period"] = component.period;
+  if (component.thread) json["thread"] = OrderedJson::parse(ToJson(*component.thread));
+  const ComponentState desired = DesiredFor(component.state);
+  if (desired != ComponentState::kActive) json["state"] = ToString(desired);
+  AddComment(json, component.comment);
   return json;
 }
 
-OrderedJson ToJson(const SystemFile& system) {
+OrderedJson JsonOf(const SystemFile::Process& process) {
+  OrderedJson components = OrderedJson::array();
+  for (const auto& component : process.components) components.push_back(JsonOf(component));
+  OrderedJson json = {{"name", process.name}, {"components", std::move(components)}};
+  AddComment(json, process.comment);
+  return json;
+}
+
+OrderedJson JsonOf(const SystemFile::Connection& connection) {
+  OrderedJson json = {{"required", ToString(connection.required)},
+                      {"provided", ToString(connection.provided)}};
+  AddComment(json, connection.comment);
+  return json;
+}
+
+OrderedJson JsonOf(const SystemFile& system) {
   OrderedJson json;
   json["version"] = SystemFile::kVersion;
   json["name"] = system.name;
+  AddComment(json, system.comment);
   json["processes"] = OrderedJson::array();
-  for (const auto& process : system.processes) {
-    OrderedJson components = OrderedJson::array();
-    for (const auto& component : process.components) components.push_back(ToJson(component));
-    json["processes"].push_back({{"name", process.name}, {"components", std::move(components)}});
-  }
+  for (const auto& process : system.processes) json["processes"].push_back(JsonOf(process));
   json["connections"] = OrderedJson::array();
   for (const auto& connection : system.connections) {
-    json["connections"].push_back(
-        {{"required", ToString(connection.required)}, {"provided", ToString(connection.provided)}});
+    json["connections"].push_back(JsonOf(connection));
+  }
+  for (const auto& [path, position] : system.layout) {
+    json["layout"][path] = OrderedJson::array({position.x, position.y});
   }
   return json;
+}
+
+/// Before anything walks over them: JSON may be nested too deep for that.
+Result<void> CheckConfigurations(const SystemFile& system) {
+  for (const auto& process : system.processes) {
+    for (const auto& component : process.components) {
+      if (component.configuration.empty()) continue;
+      if (const auto parsed = ParseStrictJson(component.configuration); !parsed) {
+        return Error{ErrorCode::kInvalid, "the configuration of " + process.name + "/" +
+                                              component.name + ": " + parsed.error().message};
+      }
+    }
+  }
+  return {};
+}
+
+template <typename T>
+const T* FindNamed(const std::vector<T>& elements, const std::string& name) {
+  const auto found = std::find_if(elements.begin(), elements.end(),
+                                  [&](const T& element) { return element.name == name; });
+  return found == elements.end() ? nullptr : &*found;
 }
 
 }  // namespace
 
 const SystemFile::Process* SystemFile::FindProcess(const std::string& process_name) const {
-  const auto found = std::find_if(processes.begin(), processes.end(), [&](const Process& process) {
-    return process.name == process_name;
-  });
-  return found == processes.end() ? nullptr : &*found;
+  return FindNamed(processes, process_name);
 }
 
-Result<SystemFile> ReadSystemFile(const fs::path& path) {
+const SystemFile::Component* SystemFile::FindComponent(const std::string& process_name,
+                                                       const std::string& component_name) const {
+  const Process* process = FindProcess(process_name);
+  return process == nullptr ? nullptr : FindNamed(process->components, component_name);
+}
+
+Result<std::string> ReadSystemText(const fs::path& path) {
   std::error_code reason;
   const fs::file_status status = fs::status(path, reason);
   if (status.type() == fs::file_type::not_found) {
@@ -77,20 +135,32 @@ Result<SystemFile> ReadSystemFile(const fs::path& path) {
   }
   if (reason) return Refused(path, reason.message());
   if (status.type() != fs::file_type::regular) return Refused(path, "is no regular file");
-  const auto text = ReadBytes(path);
+  return ReadBytes(path);
+}
+
+Result<SystemFile> ReadSystemFile(const fs::path& path) {
+  const auto text = ReadSystemText(path);
   if (!text) return text.error();
   return ParseSystemFile(*text, path.string());
 }
 
 Result<std::string> SystemFileText(const SystemFile& system) {
+  const auto refuse = [&](const std::string& why) {
+    return Error{ErrorCode::kInvalid, "system '" + Printable(system.name, 256) +
+                                          "' cannot be written as a file: " + why};
+  };
+  if (const auto checked = CheckConfigurations(system); !checked) {
+    return refuse(checked.error().message);
+  }
+  std::string text;
   try {
     constexpr int kIndent = 2;
-    return ToJson(system).dump(kIndent) + "\n";
-  } catch (const OrderedJson::exception& exception) {
-    return Error{ErrorCode::kInvalid,
-                 "system '" + system.name +
-                     "' cannot be written, for a text in it is no JSON: " + exception.what()};
+    text = JsonOf(system).dump(kIndent) + "\n";
+  } catch (const OrderedJson::exception& exception) {  // a text is no UTF-8
+    return refuse(exception.what());
   }
+  const auto again = ParseSystemFile(text, "it would not be read again");
+  return again ? Result<std::string>(std::move(text)) : refuse(again.error().message);
 }
 
 Result<void> WriteSystemFile(const fs::path& path, const SystemFile& system) {

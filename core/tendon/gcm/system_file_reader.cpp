@@ -1,173 +1,169 @@
 #include <tendon/base/printable.h>
+#include <tendon/gcm/system/file_object.h>
+#include <tendon/gcm/system/system_index.h>
 #include <tendon/gcm/system_file.h>
-#include <tendon/payload/json/strict_json.h>
+#include <tendon/payload/json.h>
+#include <tendon/task/thread/thread_setup.h>
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 namespace tendon {
 namespace {
 
-/// What is wrong, and where; thrown by Reader alone and caught in ParseSystemFile().
-struct Mistake {
-  std::string text;
-};
+using file::FileObject;
+using file::Refuse;
+using file::Shown;
 
-[[noreturn]] void Refuse(const std::string& place, const std::string& reason) {
-  throw Mistake{place.empty() ? reason : place + ": " + reason};
+/// What is left out has its default.
+std::optional<ThreadOptions> ReadThread(const FileObject& object, const std::string& task) {
+  const Json* given = object.Find("thread");
+  if (given == nullptr) return std::nullopt;
+  const std::string place = object.Place("thread");
+  Json merged = Json::parse(ToJson(ThreadOptions()));
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : merged.items()) keys.push_back(key);
+  const FileObject known(*given, place, keys);
+  merged.update(*given);
+  const auto options = FromJson<ThreadOptions>(merged.dump());
+  if (!options) Refuse(place, options.error().message);
+  try {
+    CheckThreadOptions(*options, task);
+  } catch (const ConfigurationError& mistake) {
+    Refuse(place, mistake.what());
+  }
+  return *options;
 }
 
-std::string Shown(const Json& value) {
-  if (!value.is_string()) return KindOf(value);
-  return "text '" + Printable(value.get_ref<const std::string&>(), 64) + "'";
+/// One that a component can be asked to be in.
+ComponentState ReadState(const FileObject& object) {
+  if (object.Find("state") == nullptr) return ComponentState::kActive;
+  const std::string text = object.Text("state");
+  std::vector<std::string> names;
+  for (const ComponentState state : SystemFile::kDesirable) {
+    if (ToString(state) == text) return state;
+    names.emplace_back(ToString(state));
+  }
+  const std::string shown = Printable(text, 64);
+  Refuse(object.Place("state"), "expected one of active, suspended, finished, constructed, got '" +
+                                    shown + "'" + DidYouMean(shown, names));
 }
 
-/// One object of the file with its place: "processes[0]".
-class Reader {
- public:
-  Reader(const Json& object, std::string place, const std::vector<std::string>& keys)
-      : object_(object), place_(std::move(place)) {
-    if (!object.is_object()) Refuse(place_, "expected an object, got " + KindOf(object));
-    for (const auto& [key, value] : object.items()) {
-      if (std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
-      const std::string shown = Printable(key, 64);
-      Refuse(place_, "unknown key '" + shown + "'" + DidYouMean(shown, keys));
+/// null: its own program makes it, and nobody else can.
+std::string ReadClass(const FileObject& object) {
+  if (object.Get("class").is_null()) {
+    for (const char* key : {"library", "configuration", "thread"}) {
+      if (object.Find(key) == nullptr) continue;
+      Refuse(object.Place(key),
+             "a component without a class is made by its own program, which "
+             "alone gives it that");
     }
+    return {};
   }
-
-  [[nodiscard]] std::string Place(const std::string& key) const {
-    return place_.empty() ? key : place_ + "." + key;
-  }
-
-  [[nodiscard]] const Json* Find(const std::string& key) const {
-    const auto found = object_.find(key);
-    return found == object_.end() ? nullptr : &*found;
-  }
-
-  [[nodiscard]] const Json& Get(const std::string& key) const {
-    Require(key);
-    return *Find(key);
-  }
-
-  void Require(const std::string& key) const {
-    if (Find(key) == nullptr) Refuse(place_, "key '" + key + "' is missing");
-  }
-
-  [[nodiscard]] std::string Text(const std::string& key) const {
-    const Json& value = Get(key);
-    if (!value.is_string()) Refuse(Place(key), "expected text, got " + KindOf(value));
-    return value.get<std::string>();
-  }
-
-  [[nodiscard]] std::string Name(const std::string& key, const std::string& what) const {
-    std::string name = Text(key);
-    if (auto checked = CheckName(what, name); !checked) Refuse(Place(key), checked.error().message);
-    return name;
-  }
-
-  [[nodiscard]] InterfaceName Interface(const std::string& key) const {
-    auto name = ParseInterfaceName(Text(key));
-    if (!name) Refuse(Place(key), name.error().message);
-    return *std::move(name);
-  }
-
-  /// Calls `read(element, place)` for each; a missing list is empty.
-  template <typename Read>
-  void ForEach(const std::string& key, Read&& read) const {
-    const Json* list = Find(key);
-    if (list == nullptr) return;
-    if (!list->is_array()) Refuse(Place(key), "expected a list, got " + Shown(*list));
-    std::size_t index = 0;
-    for (const Json& element : *list)
-      read(element, Place(key) + "[" + std::to_string(index++) + "]");
-  }
-
- private:
-  const Json& object_;
-  const std::string place_;
-};
-
-void CheckLibrary(const std::string& library, const std::string& place) {
-  const std::string shown = "library '" + Printable(library, 64) + "' ";
-  if (library.empty()) Refuse(place, "library name is empty; leave the key out for none");
-  if (library.find('/') != library.npos || library.find('\\') != library.npos ||
-      library.find("..") != library.npos) {
-    Refuse(place,
-           shown + "is a path; give the name alone, it is looked for in the plug-in folders");
-  }
-  if (Printable(library) != library) Refuse(place, shown + "has a character that no name has");
+  return file::ReadClassName(object, "class");
 }
 
 SystemFile::Component ReadComponent(const Json& json, const std::string& place) {
-  const Reader reader(json, place, {"name", "class", "library", "configuration"});
+  const FileObject object(
+      json, place,
+      {"name", "class", "library", "configuration", "period", "thread", "state", "comment"});
   SystemFile::Component component;
-  component.name = reader.Name("name", "component");
-  component.class_name = reader.Text("class");
-  if (component.class_name.empty()) Refuse(reader.Place("class"), "class name is empty");
-  if (reader.Find("library") != nullptr) {
-    component.library = reader.Text("library");
-    CheckLibrary(component.library, reader.Place("library"));
+  component.name = object.Name("name", "component");
+  component.class_name = ReadClass(object);
+  if (object.Find("library") != nullptr) {
+    component.library = object.Text("library");
+    file::CheckLibrary(component.library, object.Place("library"));
   }
-  if (const Json* configuration = reader.Find("configuration")) {
-    if (!configuration->is_object()) {
-      Refuse(reader.Place("configuration"), "expected an object, got " + Shown(*configuration));
-    }
-    component.configuration = configuration->dump();
+  if (const Json* configuration = object.Find("configuration")) {
+    component.configuration =
+        file::ConfigurationText(*configuration, object.Place("configuration"));
   }
+  component.period = object.Period("period");
+  component.thread = ReadThread(object, component.name);
+  component.state = ReadState(object);
+  component.comment = object.Comment();
   return component;
 }
 
-template <typename T>
-void RequireNewName(const std::vector<T>& known, const std::string& name, const std::string& place,
-                    const std::string& what) {
-  const auto same = std::find_if(known.begin(), known.end(),
-                                 [&](const T& element) { return element.name == name; });
-  if (same != known.end()) Refuse(place + ".name", what + " '" + name + "' is there already");
-}
-
 SystemFile::Process ReadProcess(const Json& json, const std::string& place) {
-  const Reader reader(json, place, {"name", "components"});
+  const FileObject object(json, place, {"name", "components", "comment"});
   SystemFile::Process process;
-  process.name = reader.Name("name", "process");
-  reader.Require("components");
-  reader.ForEach("components", [&](const Json& element, const std::string& at) {
-    auto component = ReadComponent(element, at);
-    RequireNewName(process.components, component.name, at, "component");
-    process.components.push_back(std::move(component));
+  process.name = object.Name("name", "process");
+  object.Require("components");
+  file::NewNames names("component");
+  object.ForEach("components", [&](const Json& element, const std::string& at) {
+    process.components.push_back(ReadComponent(element, at));
+    names.Add(process.components.back().name, at + ".name");
   });
+  process.comment = object.Comment();
   return process;
 }
 
-/// That the file has the component; whether that has the interface is known when it runs.
-void CheckEnd(const SystemFile& system, const InterfaceName& end, const std::string& place) {
-  std::vector<std::string> names;
-  for (const auto& process : system.processes) names.push_back(process.name);
-  const SystemFile::Process* process = system.FindProcess(end.process);
-  if (process == nullptr) {
-    Refuse(place, "the file has no process '" + end.process + "'" + DidYouMean(end.process, names));
-  }
-  names.clear();
-  for (const auto& component : process->components) names.push_back(component.name);
-  if (std::find(names.begin(), names.end(), end.component) == names.end()) {
-    Refuse(place, "the file has no component '" + end.process + "/" + end.component + "'" +
-                      DidYouMean(end.component, names));
-  }
-}
+/// What a file says beside its processes, which it is about.
+class LinkReader {
+ public:
+  explicit LinkReader(SystemFile& system) : system_(system) {}
 
-SystemFile::Connection ReadConnection(const Json& json, const std::string& place,
-                                      const SystemFile& system) {
-  const Reader reader(json, place, {"required", "provided"});
-  SystemFile::Connection connection{reader.Interface("required"), reader.Interface("provided")};
-  CheckEnd(system, connection.required, reader.Place("required"));
-  CheckEnd(system, connection.provided, reader.Place("provided"));
-  for (const auto& other : system.connections) {
-    if (other.required != connection.required) continue;
-    Refuse(reader.Place("required"),
-           ToString(other.required) + " is connected to " + ToString(other.provided) + " already");
+  void ReadConnection(const Json& json, const std::string& place) {
+    const FileObject object(json, place, {"required", "provided", "comment"});
+    const SystemFile::Connection connection{object.Interface("required"),
+                                            object.Interface("provided"), object.Comment()};
+    const auto& [required, provided, comment] = connection;
+    CheckComponent(required.process, required.component, object.Place("required"));
+    CheckComponent(provided.process, provided.component, object.Place("provided"));
+    const auto [other, is_new] = connected_.emplace(required, provided);
+    if (!is_new) {
+      Refuse(object.Place("required"),
+             ToString(required) + " is connected to " + ToString(other->second) + " already");
+    }
+    system_.connections.push_back(connection);
   }
-  return connection;
-}
+
+  void ReadLayout(const FileObject& object) {
+    const Json* layout = object.Find("layout");
+    if (layout == nullptr) return;
+    if (!layout->is_object()) Refuse("layout", "expected an object, got " + Shown(*layout));
+    for (const auto& [path, value] : layout->items()) ReadPosition(path, value);
+  }
+
+ private:
+  /// That the file has the component; whether that has the interface is known when it runs.
+  void CheckComponent(const std::string& process, const std::string& component,
+                      const std::string& place) const {
+    if (index_.FindComponent(process, component) != nullptr) return;
+    std::vector<std::string> names;
+    const auto* found = index_.FindProcess(process);
+    if (found == nullptr) {
+      for (const auto& one : system_.processes) names.push_back(one.name);
+      Refuse(place, "the file has no process '" + process + "'" + DidYouMean(process, names));
+    }
+    for (const auto& one : found->components) names.push_back(one.name);
+    Refuse(place, "the file has no component '" + process + "/" + component + "'" +
+                      DidYouMean(component, names));
+  }
+
+  /// "process/component": [x, y]
+  void ReadPosition(const std::string& path, const Json& value) {
+    const std::string shown = Printable(path, 140);
+    const std::string place = "layout." + shown;
+    const std::size_t slash = path.find('/');
+    if (slash == path.npos) {
+      Refuse(place, "'" + shown + "' is no component: expected process/component");
+    }
+    CheckComponent(Printable(path.substr(0, slash), 64), Printable(path.substr(slash + 1), 64),
+                   place);
+    const bool is_pair =
+        value.is_array() && value.size() == 2 && value[0].is_number() && value[1].is_number();
+    if (!is_pair) Refuse(place, "expected [x, y], got " + Shown(value));
+    system_.layout[path] = {value[0].get<double>(), value[1].get<double>()};
+  }
+
+  SystemFile& system_;
+  const SystemIndex index_{system_};
+  std::map<InterfaceName, InterfaceName> connected_;
+};
 
 void CheckVersion(const Json& json) {
   if (!json.is_object() || !json.contains("version")) return;
@@ -184,19 +180,23 @@ void CheckVersion(const Json& json) {
 
 SystemFile ReadSystem(const Json& json) {
   CheckVersion(json);  // first: another version may have other keys
-  const Reader reader(json, "", {"version", "name", "processes", "connections"});
-  reader.Require("version");
+  const FileObject object(json, "",
+                          {"version", "name", "processes", "connections", "layout", "comment"});
+  object.Require("version");
   SystemFile system;
-  system.name = Printable(reader.Text("name"), 256);
-  reader.Require("processes");
-  reader.ForEach("processes", [&](const Json& element, const std::string& place) {
-    auto process = ReadProcess(element, place);
-    RequireNewName(system.processes, process.name, place, "process");
-    system.processes.push_back(std::move(process));
+  system.name = Printable(object.Text("name"), 256);
+  object.Require("processes");
+  file::NewNames names("process");
+  object.ForEach("processes", [&](const Json& element, const std::string& place) {
+    system.processes.push_back(ReadProcess(element, place));
+    names.Add(system.processes.back().name, place + ".name");
   });
-  reader.ForEach("connections", [&](const Json& element, const std::string& place) {
-    system.connections.push_back(ReadConnection(element, place, system));
+  LinkReader links(system);
+  object.ForEach("connections", [&](const Json& element, const std::string& place) {
+    links.ReadConnection(element, place);
   });
+  links.ReadLayout(object);
+  system.comment = object.Comment();
   return system;
 }
 
@@ -206,13 +206,7 @@ Result<SystemFile> ParseSystemFile(std::string_view text, const std::string& sou
   if (text.size() > SystemFile::kMaxSize) {
     return Error{ErrorCode::kInvalid, source + ": is larger than 16 MB"};
   }
-  const auto json = ParseStrictJson(text);
-  if (!json) return Error{ErrorCode::kInvalid, source + ": " + json.error().message};
-  try {
-    return ReadSystem(*json);
-  } catch (const Mistake& mistake) {
-    return Error{ErrorCode::kInvalid, source + ": " + mistake.text};
-  }
+  return file::ReadText<SystemFile>(text, source, ReadSystem);
 }
 
 }  // namespace tendon

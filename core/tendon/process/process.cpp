@@ -1,6 +1,7 @@
 #include <tendon/base/os/process.h>
 #include <tendon/middleware/tcp.h>
 #include <tendon/process/client/remote_connections.h>
+#include <tendon/process/life/life_cycle.h>
 #include <tendon/process/membership/membership.h>
 #include <tendon/process/process.h>
 #include <tendon/process/server/session.h>
@@ -44,7 +45,8 @@ class Process::Parts final : public MembershipDelegate {
                   .connections = ServedConnections(context_),
                   .calls = MemberCalls(context_),
                   .telemetry = TelemetryServer(context_)},
-        connections_(context_) {}
+        connections_(context_),
+        life_({.manager = process, .process = name, .loader = options.loader}) {}
 
   Parts(const Parts&) = delete;
   Parts& operator=(const Parts&) = delete;
@@ -62,6 +64,7 @@ class Process::Parts final : public MembershipDelegate {
 
   /// While the process still knows them.
   void Close() {
+    life_.Stop();             // while the worker can do what it may wait for
     context_.worker->Stop();  // from now on the structure is changed here alone
     if (membership_) membership_->Leave();
     connections_.Close();
@@ -146,11 +149,29 @@ class Process::Parts final : public MembershipDelegate {
     return process_.Disconnect(required);
   }
 
+  void Obey(const message::LifeOrder& order, std::function<Result<void>()> begin,
+            std::function<void(const Result<message::LifeOutcome>&)> done) override {
+    life_.Obey(order, std::move(begin), OnWorker(std::move(done)));
+  }
+
+  void ListClasses(std::function<void(const Result<message::Classes>&)> done) override {
+    life_.ListClasses(OnWorker(std::move(done)));
+  }
+
+  /// `done`, called there.
+  template <typename T>
+  LifeCycle::Done<T> OnWorker(std::function<void(const Result<T>&)> done) {
+    return [&worker = *context_.worker, done = std::move(done)](const Result<T>& result) {
+      worker.Post([done, result] { done(result); });
+    };
+  }
+
   Process& process_;
   const std::shared_ptr<NetworkThread> network_;
   ProcessContext context_;
   Services services_;
   RemoteConnections connections_;
+  LifeCycle life_;
   std::string address_;
   std::unique_ptr<Membership> membership_;
   std::unique_ptr<Listener> listener_;

@@ -12,6 +12,8 @@
 
 namespace tendon {
 
+class ComponentLoader;
+
 inline constexpr std::uint16_t kDefaultGcmPort = 10705;
 
 /// How a process takes part in the network. Tcp() and Ice() fill in the middleware.
@@ -21,6 +23,9 @@ struct ProcessOptions {
   std::string listen = "127.0.0.1:0";  ///< for peers and viewers; port 0 takes a free one
   std::string advertise;               ///< where others reach it, if not where it listens
   bool retry = true;                   ///< looks for the GCM until it is found
+  /// For those who order components from afar, through the GCM; nobody else uses it meanwhile.
+  /// Null: none are made.
+  std::shared_ptr<ComponentLoader> loader{};
 };
 
 /// A local component manager with a network: it joins a GCM under its name, and its components can
@@ -33,7 +38,11 @@ struct ProcessOptions {
 /// What its program logs goes to the GCM, too, which may be asked to set the level: so many records
 /// of each source as LogLimiter lets through.
 ///
-/// Thread safety: as LocalManager. Threads: two of its own, and the middleware's.
+/// Through the GCM, its components can be started, suspended and stopped; those of plug-ins also be
+/// made and removed, where its options have a loader.
+///
+/// Thread safety: as LocalManager. Threads: two of its own, one for each order from afar that is
+/// under way, and the middleware's.
 class Process final : public LocalManager, private ProcessHost {
  public:
   /// Listens, and begins to join the GCM. ConfigurationError: a bad name or address; kExists where

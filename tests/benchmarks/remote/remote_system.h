@@ -77,5 +77,6 @@ void Require(bool done, const char* what);
 std::vector<Case> RemoteCases(const Effort& effort, const TheSystem& system);
 std::vector<Case> StreamCases(const Effort& effort, const TheSystem& system);
 std::vector<Case> JoiningCases(const Effort& effort, const TheSystem& system);
+std::vector<Case> CatalogueCases(const Effort& effort, const TheSystem& system);
 
 }  // namespace tendon::benchmark

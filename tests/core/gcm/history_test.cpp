@@ -15,7 +15,8 @@ message::HistoryEntry Step(int number) {
   return {.verb = number % 2 == 0 ? "connect" : "disconnect",
           .wire = {{"desk", "teleoperation", interface}, {"robot", "arm", "Control"}},
           .who = "gcm \"connect\"\n",
-          .when = 1'700'000'000'000'000'000 + number};
+          .when = 1'700'000'000'000'000'000 + number,
+          .instance = 0xfedcba9876543210U};
 }
 
 /// Adds the step and waits until it is kept; returns it with its number.
@@ -39,13 +40,15 @@ TEST(History, KnowsItsStepsAfterARestart) {
     }
     steps[59].undone = true;
     history.MarkUndone(steps[59].id, [&kept] { ++kept; });
+    steps[58].passed_over = true;
+    history.MarkPassedOver(steps[58].id, [&kept] { ++kept; });
   }
 
-  EXPECT_EQ(kept, 61);  // an end waits for the disk
+  EXPECT_EQ(kept, 62);  // an end waits for the disk
   const History again(file);
 
   EXPECT_EQ(again.steps().entries, steps);
-  EXPECT_EQ(again.last(), steps[58]);
+  EXPECT_EQ(again.last(), steps[57]);
 }
 
 TEST(History, KnowsWhatWasReplacedAfterARestart) {
@@ -60,6 +63,30 @@ TEST(History, KnowsWhatWasReplacedAfterARestart) {
   }
 
   EXPECT_EQ(History(file).last(), step);
+}
+
+TEST(History, KnowsTheLifeOfAComponentAfterARestart) {
+  const test::Folder folder;
+  const auto file = folder.path() / "history.jsonl";
+  message::HistoryEntry step{
+      .verb = "remove",
+      .life = {.process = "robot",
+               .component = "arm",
+               .class_name = "SimulatedArm",
+               .library = "simulated_arm",
+               .configuration = R"({"noise":0.1,"name":"\u00e9\n"})",
+               .state = ComponentState::kActive,
+               .connections = {{{"desk", "teleoperation", "Robot"}, {"robot", "arm", "Control"}}}},
+      .who = "gcm rm",
+      .when = 1'700'000'000'000'000'000};
+  {
+    History history(file);
+    step = Record(history, step);
+  }
+
+  EXPECT_EQ(History(file).last(), step);
+  EXPECT_EQ(ToString(step), "remove robot/arm");
+  EXPECT_EQ(ToString(Step(0)), "connect desk/teleoperation/Robot0 robot/arm/Control");
 }
 
 TEST(History, ALastLineCutShortAnywhereIsLeftOut) {
@@ -127,6 +154,23 @@ TEST(History, KeepsTheNewestStepsWhenThereAreTooMany) {
   ASSERT_EQ(steps.size(), History::kMaxSteps);
   EXPECT_EQ(steps.front().id, 11U);
   EXPECT_LT(folder.Read("h").size(), many.size());
+}
+
+TEST(History, KeepsNoMoreThanItsBytesOfLargeStepsNorALargerFile) {
+  const test::Folder folder;
+  const auto file = folder.path() / "h";
+  message::HistoryEntry large{.verb = "configure", .life = {.process = "robot"}};
+  large.life.former.assign(History::kMaxBytes / 4, 'x');
+  {
+    History history(file);
+    for (int i = 0; i < 10; ++i) Record(history, large);
+    EXPECT_EQ(history.steps().entries.size(), 3U);
+  }
+
+  EXPECT_LT(folder.Read("h").size(), 3 * History::kMaxBytes);
+  const History again(file);
+  EXPECT_EQ(again.steps().entries.size(), 3U);
+  EXPECT_EQ(again.last()->id, 10U);
 }
 
 TEST(History, WhatCannotBeWrittenIsLoggedAndStillKnown) {

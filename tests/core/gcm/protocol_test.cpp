@@ -27,12 +27,14 @@ TEST(Protocol, WhoChangesAMessageRaisesTheVersion) {
                        message::Peers, ConnectionDescription,  // membership
                        message::Snapshot, message::Changes, message::Wire, message::HistoryEntry,
                        message::History, message::Forget, message::LogRecords, message::SetLogLevel,
-                       message::WatchLog, message::LogWatched>();  // gcm
+                       message::WatchLog, message::LogWatched, message::LifeOrder,
+                       message::LifeOutcome, message::BeginOrder, message::GetClasses,
+                       message::Classes, message::WhichStep>();  // gcm
 
   // Another fingerprint belongs to another version: two programs that know different messages would
   // otherwise misread each other. Raise FrameHeader::kProtocolVersion, then put both down here.
-  EXPECT_EQ(FrameHeader::kProtocolVersion, 3);
-  EXPECT_EQ(ToString(messages), "62ed3e6e6a8f742c091e18bee17192e8");
+  EXPECT_EQ(FrameHeader::kProtocolVersion, 4);
+  EXPECT_EQ(ToString(messages), "96d624d6a9c1963528c02abad65fc3a4");
 }
 
 }  // namespace

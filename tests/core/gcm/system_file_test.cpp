@@ -1,3 +1,4 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <tendon/gcm/system_file.h>
 #include <tests/support/folder.h>
@@ -60,10 +61,97 @@ TEST(SystemFile, ReadsProcessesComponentsAndConnections) {
   EXPECT_EQ(system->FindProcess("none"), nullptr);
 }
 
+TEST(SystemFile, ReadsHowComponentsRunAndWhereTheyAreDrawn) {
+  const auto system = ParseSystemFile(
+      Demo("\"class\": \"HostMonitor\"}\n     ]}",
+           R"("class": "HostMonitor", "period": 0.5, "state": "suspended", "comment": "slow",
+              "thread": {"policy": "fifo", "priority": 40}},
+             {"name": "own", "class": null}], "comment": "of the lab"})"),
+      "demo.json");
+
+  ASSERT_TRUE(system) << system.error().message;
+  const auto* host = system->FindComponent("robot", "host");
+  ASSERT_NE(host, nullptr);
+  EXPECT_EQ(host->period, 0.5);
+  EXPECT_EQ(host->state, ComponentState::kSuspended);
+  EXPECT_EQ(host->comment, "slow");
+  ThreadOptions thread;
+  thread.policy = SchedulingPolicy::kFifo;
+  thread.priority = 40;
+  EXPECT_EQ(host->thread, thread);
+  EXPECT_EQ(system->FindComponent("robot", "own")->class_name, "");
+  EXPECT_EQ(system->FindComponent("robot", "arm")->state, ComponentState::kActive);
+  EXPECT_EQ(system->processes[0].comment, "of the lab");
+
+  const auto drawn = ParseSystemFile(
+      Demo("\"connections\": [", R"("layout": {"robot/arm": [12, -3.5]}, "connections": [)"), "x");
+  ASSERT_TRUE(drawn) << drawn.error().message;
+  EXPECT_EQ(drawn->layout.at("robot/arm"), (SystemFile::Position{12, -3.5}));
+}
+
+TEST(SystemFile, WhatAComponentMayHaveIsChecked) {
+  const auto error = [](const std::string& member) {
+    const std::string text = ErrorOf(Demo("\"HostMonitor\"", "\"HostMonitor\", " + member));
+    const std::string place = "line 9, column 49: processes[0].components[1]";
+    EXPECT_TRUE(text.starts_with(place)) << text;
+    return text.substr(std::min(place.size(), text.size()));
+  };
+
+  EXPECT_EQ(error(R"("period": "1ms")"), ".period: expected number (seconds), got string '1ms'");
+  EXPECT_EQ(error(R"("preiod": 1)"), ": unknown key 'preiod'; did you mean 'period'?");
+  EXPECT_EQ(error(R"("period": 0)"), ".period: period must be 10 us..3600 s, got 0");
+  EXPECT_EQ(error(R"("period": -0.0)"), ".period: period must be 10 us..3600 s, got -0.0");
+  EXPECT_EQ(error(R"("period": 9223372036854775808)"),
+            ".period: period must be 10 us..3600 s, got 9223372036854775808");
+  EXPECT_EQ(
+      error(R"("state": "activ")"),
+      ".state: expected one of active, suspended, finished, constructed, got 'activ'; did you "
+      "mean 'active'?");
+  EXPECT_EQ(error(R"("state": "faulted")"),
+            ".state: expected one of active, suspended, finished, constructed, got 'faulted'");
+  EXPECT_EQ(error(R"("thread": 7)"), ".thread: expected an object, got number");
+  EXPECT_THAT(error(R"("thread": {"policy": "fifi"})"), testing::HasSubstr("policy"));
+  EXPECT_THAT(error(R"("thread": {"policy": "fifo", "priority": 400})"),
+              testing::HasSubstr("priority"));
+  EXPECT_THAT(ErrorOf(Demo("\"HostMonitor\"", R"("HostMonitor", "thread": {"polcy": "fifo"})")),
+              testing::HasSubstr("thread: unknown key 'polcy'; did you mean 'policy'?"));
+}
+
+TEST(SystemFile, WhatNobodyCanMakeIsGivenNothing) {
+  EXPECT_THAT(
+      ErrorOf(Demo("\"SimulatedArm\"", "null")),
+      testing::HasSubstr("library: a component without a class is made by its own program"));
+}
+
+TEST(SystemFile, TheLayoutIsOfComponentsOfTheFile) {
+  const auto error = [](const std::string& layout) {
+    const std::string text =
+        ErrorOf(Demo("\"connections\": [", "\"layout\": " + layout + ", \"connections\": ["));
+    const std::size_t begin = text.find("layout");
+    return begin == text.npos ? text : text.substr(begin);
+  };
+
+  EXPECT_EQ(error("[]"), "layout: expected an object, got a list");
+  EXPECT_EQ(error(R"({"arm": [1, 2]})"),
+            "layout.arm: 'arm' is no component: expected process/component");
+  EXPECT_EQ(error(R"({"robot/arn": [1, 2]})"),
+            "layout.robot/arn: the file has no component 'robot/arn'; did you mean 'arm'?");
+  EXPECT_EQ(error(R"({"robot/arm": [1]})"), "layout.robot/arm: expected [x, y], got a list");
+}
+
 TEST(SystemFile, WhatIsWrittenReadsBackTheSame) {
   const test::Folder folder;
-  const auto system = ParseSystemFile(kDemo, "demo.json");
+  auto system = ParseSystemFile(kDemo, "demo.json");
   ASSERT_TRUE(system);
+  system->comment = "two robots";
+  system->layout["robot/arm"] = {0.5, 1e6};
+  system->connections[0].comment = "by hand";
+  auto& arm = system->processes[0].components[0];
+  arm.period = 0.001;
+  arm.thread.emplace().cpus = {0};
+  arm.state = ComponentState::kConstructed;
+  system->processes[0].components.push_back(
+      {.name = "own", .class_name = "", .library = "", .configuration = ""});
   const auto file = folder.path() / "saved.json";
 
   ASSERT_TRUE(WriteSystemFile(file, *system));
@@ -80,6 +168,75 @@ TEST(SystemFile, AConfigurationThatIsNoJsonIsNotWritten) {
 
   EXPECT_FALSE(WriteSystemFile(folder.path() / "x", system));
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(SystemFile, WhatWouldNotBeReadAgainIsNotWritten) {
+  const auto error = [](const std::string& configuration) {
+    const SystemFile system{.name = "x",
+                            .processes = {{"robot", {{"arm", "Arm", "", configuration}}}}};
+    const auto text = SystemFileText(system);
+    return text ? "no error" : text.error().message;
+  };
+  const std::string deep = std::string(100'000, '[') + std::string(100'000, ']');
+
+  EXPECT_EQ(error(R"({"gain": 1})"), "no error");
+  EXPECT_THAT(error("{"), testing::HasSubstr("the configuration of robot/arm: line 1, column 2: "));
+  EXPECT_THAT(error(deep), testing::HasSubstr("nesting deeper than 64"));
+  EXPECT_THAT(error("7"), testing::HasSubstr("configuration: expected an object, got number"));
+  EXPECT_THAT(error("{\"a\": \"" + std::string(SystemFile::kMaxConfiguration, 'x') + "\"}"),
+              testing::HasSubstr("configuration: expected a configuration of at most 65536 bytes"));
+}
+
+TEST(SystemFile, AConfigurationIsKeptInAsciiAndReadByPeopleInTheFile) {
+  const std::string umlaut = "\xc3\xa4";
+  const auto system = ParseSystemFile(Demo("\"gain\": 0.5", "\"gain\": \"" + umlaut + "\""), "x");
+
+  ASSERT_TRUE(system) << system.error().message;
+  EXPECT_EQ(system->processes[0].components[0].configuration,
+            R"({"gain":"\u00e4","limits":[1,2]})");
+  const auto text = SystemFileText(*system);
+  ASSERT_TRUE(text);
+  EXPECT_NE(text->find(umlaut), text->npos);
+}
+
+TEST(SystemFile, AConfigurationHasALimitThatIsNamedWithItsPlace) {
+  const auto of_size = [](std::size_t size) {  // as it is kept
+    const std::string rest = R"({"gain":"","limits":[1,2]})";
+    return Demo("0.5", "\"" + std::string(size - rest.size(), 'x') + "\"");
+  };
+  constexpr std::size_t kMost = 65'536;
+
+  EXPECT_EQ(ErrorOf(of_size(kMost)), "no error");
+  EXPECT_EQ(ErrorOf(of_size(kMost + 1)),
+            "line 8, column 9: processes[0].components[0].configuration: expected a configuration "
+            "of at most 65536 bytes, got 65537");
+}
+
+TEST(SystemFile, OneOfThousandsOfComponentsIsRead) {
+  constexpr std::size_t kComponents = 10'000;  // half of them in processes of their own
+  std::string processes;
+  std::string components;
+  std::string connections;
+  for (std::size_t i = 0; i < kComponents / 2; ++i) {
+    const std::string name = std::to_string(i);
+    const std::string component = R"({"name": "c)" + name + R"(", "class": "Arm"})";
+    const std::string comma = i == 0 ? "" : ",\n";
+    components += comma + component;
+    processes += ",\n" + (R"({"name": "p)" + name + R"(", "components": [)" + component + "]}");
+    connections += comma + R"({"required": "robot/c)" + name + R"(/Robot", "provided": "p)" + name +
+                   "/c" + name + R"(/Control"})";
+  }
+  const std::string text = R"({"version": 1, "name": "large", "processes": [
+      {"name": "robot", "components": [)" +
+                           components + "]}" + processes + R"(], "connections": [)" + connections +
+                           "]}";
+
+  const auto system = ParseSystemFile(text, "large");
+
+  ASSERT_TRUE(system) << system.error().message;
+  EXPECT_EQ(system->processes.size(), kComponents / 2 + 1);
+  EXPECT_EQ(system->processes[0].components.size(), kComponents / 2);
+  EXPECT_EQ(system->connections.size(), kComponents / 2);
 }
 
 TEST(SystemFile, SyntaxErrorsNameLineAndColumn) {
@@ -118,7 +275,7 @@ TEST(SystemFile, AFileThatIsNoneIsSaidToBe) {
   EXPECT_EQ(ErrorOf(Demo("\"version\": 1", "\"version\": 99")),
             "file is version 99, this program reads 1");
   EXPECT_EQ(ErrorOf(Demo("\"version\": 1", "\"version\": \"1\"")),
-            "version: expected 1, got text '1'");
+            "line 2, column 3: version: expected 1, got string '1'");
   EXPECT_EQ(ErrorOf(Demo("\"version\": 1", "\"version\": 9223372036854775808")),
             "file is version 9223372036854775808, this program reads 1");
 }
@@ -135,39 +292,46 @@ TEST(SystemFile, NestingHasALimitThatIsNamed) {
 
 TEST(SystemFile, KeysAreCheckedWithTheirPlace) {
   EXPECT_EQ(ErrorOf(Demo("\"class\": \"HostMonitor\"", "\"class\": 7")),
-            "processes[0].components[1].class: expected text, got number");
-  EXPECT_EQ(ErrorOf(Demo("\"class\": \"HostMonitor\"", "\"clas\": \"HostMonitor\"")),
-            "processes[0].components[1]: unknown key 'clas'; did you mean 'class'?");
+            "line 9, column 25: processes[0].components[1].class: expected string, got number");
+  EXPECT_EQ(
+      ErrorOf(Demo("\"class\": \"HostMonitor\"", "\"clas\": \"HostMonitor\"")),
+      "line 9, column 25: processes[0].components[1]: unknown key 'clas'; did you mean 'class'?");
   EXPECT_EQ(ErrorOf(Demo(", \"class\": \"HostMonitor\"", "")),
-            "processes[0].components[1]: key 'class' is missing");
+            "line 9, column 8: processes[0].components[1]: key 'class' is missing");
   EXPECT_EQ(ErrorOf(Demo("\"class\": \"HostMonitor\"", "\"class\": \"A\", \"class\": \"B\"")),
-            "processes[0].components[1]: key 'class' occurs twice");
+            "line 9, column 39: processes[0].components[1]: key 'class' occurs twice");
   EXPECT_EQ(ErrorOf(Demo("{\"gain\": 0.5", "{\"gain\": 1, \"gain\": 0.5")),
-            "processes[0].components[0].configuration: key 'gain' occurs twice");
+            "line 8, column 38: processes[0].components[0].configuration: key 'gain' occurs twice");
   EXPECT_EQ(ErrorOf(Demo("{\"gain\": 0.5, \"limits\": [1, 2]}", "\"fast\"")),
-            "processes[0].components[0].configuration: expected an object, got text 'fast'");
+            "line 8, column 9: processes[0].components[0].configuration: expected an object, got "
+            "string 'fast'");
   EXPECT_EQ(ErrorOf("{\"version\": 1, \"name\": \"x\"}"), "key 'processes' is missing");
   EXPECT_EQ(ErrorOf("{\"name\": \"x\", \"processes\": []}"), "key 'version' is missing");
   EXPECT_EQ(ErrorOf("{\"version\": 1, \"name\": \"x\", \"processes\": {}}"),
-            "processes: expected a list, got an object");
+            "line 1, column 29: processes: expected a list, got an object");
 }
 
 TEST(SystemFile, NamesAreCheckedWithTheirPlace) {
   EXPECT_EQ(ErrorOf(Demo("\"name\": \"arm\"", "\"name\": \"a m\"")),
-            "processes[0].components[0].name: component name 'a m' has ' ' at 2; allowed: letters "
+            "line 7, column 9: processes[0].components[0].name: component name 'a m' has ' ' at 2; "
+            "allowed: letters "
             "digits _ - (max 64)");
   EXPECT_EQ(ErrorOf(Demo("\"name\": \"host\"", "\"name\": \"arm\"")),
-            "processes[0].components[1].name: component 'arm' is there already");
+            "line 9, column 9: processes[0].components[1].name: component 'arm' is there already");
   EXPECT_EQ(ErrorOf(Demo("\"name\": \"desk\"", "\"name\": \"robot\"")),
-            "processes[1].name: process 'robot' is there already");
+            "line 11, column 6: processes[1].name: process 'robot' is there already");
+  EXPECT_EQ(ErrorOf(Demo("\"class\": \"HostMonitor\"", "\"class\": \"a\\u001bb\"")),
+            "line 9, column 25: processes[0].components[1].class: class name 'a\\x1bb' has a "
+            "character that no name has");
   EXPECT_EQ(ErrorOf(Demo("\"class\": \"HostMonitor\"", "\"class\": \"\"")),
-            "processes[0].components[1].class: class name is empty");
+            "line 9, column 25: processes[0].components[1].class: class name is empty");
 }
 
 TEST(SystemFile, ALibraryIsANameAndNoPath) {
   for (const std::string library : {"../../x.so", "/lib/x", "a/b", "..", "a\\\\b"}) {
     const std::string error = ErrorOf(Demo("\"simulated_arm\"", "\"" + library + "\""));
-    EXPECT_EQ(error.find("processes[0].components[0].library: library '"), 0U) << error;
+    EXPECT_EQ(error.find("line 7, column 49: processes[0].components[0].library: library '"), 0U)
+        << error;
     EXPECT_NE(error.find("is a path; give the name alone"), std::string::npos) << error;
   }
   EXPECT_NE(ErrorOf(Demo("\"simulated_arm\"", "\"a\\u0000b\"")), "no error");
@@ -175,17 +339,20 @@ TEST(SystemFile, ALibraryIsANameAndNoPath) {
 
 TEST(SystemFile, ConnectionsNameWhatTheFileHas) {
   EXPECT_EQ(ErrorOf(Demo("\"robot/arm/Control\"", "\"robot/arn/Control\"")),
-            "connections[0].provided: the file has no component 'robot/arn'; did you mean 'arm'?");
+            "line 14, column 46: connections[0].provided: the file has no component 'robot/arn'; "
+            "did you mean 'arm'?");
   EXPECT_EQ(ErrorOf(Demo("\"desk/teleoperation/Robot\"", "\"desk2/teleoperation/Robot\"")),
-            "connections[0].required: the file has no process 'desk2'; did you mean 'desk'?");
+            "line 14, column 6: connections[0].required: the file has no process 'desk2'; did you "
+            "mean 'desk'?");
   EXPECT_EQ(ErrorOf(Demo("\"robot/arm/Control\"", "\"robot/arm\"")),
-            "connections[0].provided: 'robot/arm' is no interface: expected "
+            "line 14, column 46: connections[0].provided: 'robot/arm' is no interface: expected "
             "process/component/interface");
   const std::string twice =
       "\"connections\": [{\"required\": \"desk/teleoperation/Robot\", \"provided\": "
       "\"robot/arm/Other\"},";
   EXPECT_EQ(ErrorOf(Demo("\"connections\": [", twice)),
-            "connections[1].required: desk/teleoperation/Robot is connected to robot/arm/Other "
+            "line 14, column 6: connections[1].required: desk/teleoperation/Robot is connected to "
+            "robot/arm/Other "
             "already");
 }
 

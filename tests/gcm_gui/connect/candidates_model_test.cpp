@@ -11,9 +11,9 @@
 namespace tendon::gui {
 namespace {
 
-const PortName kRobot{Side::kRequired, {"desk", "teleoperation", "Robot"}};
-const PortName kControl{Side::kProvided, {"robot", "controller", "Control"}};
-const PortName kDrives{Side::kProvided, {"robot", "arm", "Drives"}};
+const PortName kRobotPort{Side::kRequired, {"desk", "teleoperation", "Robot"}};
+const PortName kControlPort{Side::kProvided, {"robot", "controller", "Control"}};
+const PortName kDrivesPort{Side::kProvided, {"robot", "arm", "Drives"}};
 
 class CandidatesModelTest : public ::testing::Test {
  protected:
@@ -33,7 +33,7 @@ class CandidatesModelTest : public ::testing::Test {
 TEST_F(CandidatesModelTest, IsEmptyUntilAPortIsChosen) {
   EXPECT_EQ(model_.rowCount({}), 0);
 
-  mode_.start(kRobot);
+  mode_.start(kRobotPort);
   EXPECT_GT(model_.rowCount({}), 0);
 
   mode_.leave();
@@ -41,29 +41,29 @@ TEST_F(CandidatesModelTest, IsEmptyUntilAPortIsChosen) {
 }
 
 TEST_F(CandidatesModelTest, WhatFitsStandsFirstWithTheDigitThatPicksIt) {
-  mode_.start(kRobot);
+  mode_.start(kRobotPort);
 
   EXPECT_EQ(Name(0), "robot/controller/Control");
   EXPECT_EQ(Row(0).data(kGlyphRole).toString(), "1");
   EXPECT_EQ(Row(0).data(kTrailRole).toString(), "2 of 2");
   EXPECT_TRUE(model_.fits(Row(0)));
-  EXPECT_EQ(model_.portOf(Row(0)), kControl);
+  EXPECT_EQ(model_.portOf(Row(0)), kControlPort);
   EXPECT_EQ(model_.rowCount(Row(0)), 0);
 }
 
 TEST_F(CandidatesModelTest, ANearMissHasItsReasonsBelowIt) {
-  mode_.start(kRobot);
+  mode_.start(kRobotPort);
 
   EXPECT_EQ(Name(1), "robot/arm/Drives");
   EXPECT_FALSE(model_.fits(Row(1)));
   ASSERT_EQ(model_.rowCount(Row(1)), 1);
   const QModelIndex reason = model_.index(0, 0, Row(1));
   EXPECT_EQ(reason.data().toString(), "missing write command 'MoveTo' of arm.JointGoal");
-  EXPECT_EQ(model_.portOf(reason), kDrives);
+  EXPECT_EQ(model_.portOf(reason), kDrivesPort);
 }
 
 TEST_F(CandidatesModelTest, WhatHasNothingOfItIsOnlyCounted) {
-  mode_.start(kRobot);
+  mode_.start(kRobotPort);
 
   const QModelIndex last = Row(model_.rowCount({}) - 1);
   EXPECT_TRUE(last.data().toString().endsWith(" more do not fit at all"))
@@ -80,7 +80,7 @@ TEST_F(CandidatesModelTest, OfVeryManyTheRestIsCountedAndFoundByTyping) {
     system_.Component("robot", copy);
   }
   store_.apply(system_.TakeChanges());
-  mode_.start(kRobot);
+  mode_.start(kRobotPort);
 
   const int rest = static_cast<int>(CandidatesModel::kMostShown);
   EXPECT_TRUE(Name(rest).endsWith(" more; type to find one")) << Name(rest).toStdString();
@@ -90,7 +90,7 @@ TEST_F(CandidatesModelTest, OfVeryManyTheRestIsCountedAndFoundByTyping) {
 }
 
 TEST_F(CandidatesModelTest, AFilterShowsTheOthersOneByOne) {
-  mode_.start(kRobot);
+  mode_.start(kRobotPort);
 
   model_.setFilter("wrench force");
 

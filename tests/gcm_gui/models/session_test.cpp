@@ -7,15 +7,16 @@
 
 #include <QTemporaryDir>
 #include <QTest>
+#include <atomic>
 #include <functional>
 
 namespace tendon::gui {
 namespace {
 
-constexpr int kPatience = 20000;  // ms; bounds a test that fails
+constexpr int kSessionPatience = 20000;  // ms; bounds a test that fails
 
-const InterfaceName kRobot{"desk", "operator", "Robot"};
-const InterfaceName kControl{"robot", "plant", "Control"};
+const InterfaceName kOperated{"desk", "operator", "Robot"};
+const InterfaceName kPlantControl{"robot", "plant", "Control"};
 
 /// A GCM and two processes with real components over loopback, and the window's session.
 class SessionTest : public ::testing::Test {
@@ -42,14 +43,16 @@ class SessionTest : public ::testing::Test {
 
   const Catalog& Catalogue() { return session_->store().catalogue(); }
   bool IsConnected() {
-    const auto* connection = Catalogue().FindConnection(kRobot);
+    const auto* connection = Catalogue().FindConnection(kOperated);
     return connection != nullptr && connection->state == ConnectionState::kActive;
   }
-  bool Eventually(const std::function<bool()>& holds) { return QTest::qWaitFor(holds, kPatience); }
+  bool Eventually(const std::function<bool()>& holds) {
+    return QTest::qWaitFor(holds, kSessionPatience);
+  }
   bool EverythingIsThere() {
     return Eventually([&] {
-      return Catalogue().FindProvided(kControl) != nullptr &&
-             Catalogue().FindRequired(kRobot) != nullptr;
+      return Catalogue().FindProvided(kPlantControl) != nullptr &&
+             Catalogue().FindRequired(kOperated) != nullptr;
     });
   }
 
@@ -69,19 +72,36 @@ TEST_F(SessionTest, TheCatalogueArrivesByItself) {
 TEST_F(SessionTest, ConnectsDisconnectsAndUndoesWithoutWaiting) {
   ASSERT_TRUE(EverythingIsThere());
 
-  session_->connectInterfaces(kRobot, kControl);
+  session_->connectInterfaces(kOperated, kPlantControl);
   EXPECT_EQ(session_->activity().action(0).outcome, Action::Outcome::kRunning);
   EXPECT_TRUE(Eventually([&] { return IsConnected(); }));
   EXPECT_TRUE(Eventually([&] { return session_->activity().canUndo(0); }));
 
   session_->undo();
-  EXPECT_TRUE(Eventually([&] { return Catalogue().FindConnection(kRobot) == nullptr; }));
+  EXPECT_TRUE(Eventually([&] { return Catalogue().FindConnection(kOperated) == nullptr; }));
   EXPECT_TRUE(Eventually([&] { return session_->activity().action(1).undone; }));
 
-  session_->disconnectInterface(kRobot);
+  session_->disconnectInterface(kOperated);
   EXPECT_TRUE(Eventually(
       [&] { return session_->activity().action(0).outcome == Action::Outcome::kRefused; }));
   EXPECT_FALSE(session_->activity().action(0).refusal.isEmpty());
+}
+
+TEST_F(SessionTest, WhatWasOrderedOfAComponentElsewhereIsNotTakenBackByTheWindow) {
+  ASSERT_TRUE(EverythingIsThere());
+  GcmClient console(Node(), {.name = "gcm stop", .address = manager_->address()});
+  ASSERT_TRUE(console.WaitUntilWatching().ok());
+  std::atomic<bool> is_stopped = false;
+  console.Steer({.verb = LifeVerb::kStop, .process = "robot", .component = "plant"},
+                [&](const auto& result) { is_stopped = result.ok(); });
+  ASSERT_TRUE(Eventually([&] { return is_stopped.load(); }));
+
+  session_->undo();
+  ASSERT_TRUE(Eventually(
+      [&] { return session_->activity().action(0).outcome == Action::Outcome::kRefused; }));
+
+  EXPECT_TRUE(session_->activity().action(0).refusal.contains("stop robot/plant"));
+  EXPECT_EQ(robot_->Find("plant")->state(), ComponentState::kFinished);
 }
 
 TEST_F(SessionTest, AConnectionIsReplacedAndThatUndoneAsOneStep) {
@@ -90,28 +110,28 @@ TEST_F(SessionTest, AConnectionIsReplacedAndThatUndoneAsOneStep) {
   ASSERT_TRUE(EverythingIsThere());
   ASSERT_TRUE(Eventually([&] { return Catalogue().FindProvided(other) != nullptr; }));
   const auto is_connected_to = [&](const InterfaceName& provided) {
-    const auto* connection = Catalogue().FindConnection(kRobot);
+    const auto* connection = Catalogue().FindConnection(kOperated);
     return connection != nullptr && connection->provided == provided;
   };
-  session_->connectInterfaces(kRobot, kControl);
+  session_->connectInterfaces(kOperated, kPlantControl);
   ASSERT_TRUE(Eventually([&] { return session_->activity().canUndo(0); }));
 
-  session_->replaceConnection(kRobot, other);
+  session_->replaceConnection(kOperated, other);
   EXPECT_TRUE(Eventually([&] { return is_connected_to(other); }));
   EXPECT_TRUE(Eventually([&] { return session_->activity().canUndo(0); }));
   EXPECT_EQ(session_->activity().action(0).verb, Action::Verb::kReplace);
 
   session_->undo();
-  EXPECT_TRUE(Eventually([&] { return is_connected_to(kControl); }));
+  EXPECT_TRUE(Eventually([&] { return is_connected_to(kPlantControl); }));
   EXPECT_TRUE(Eventually([&] { return session_->activity().action(1).undone; }));
 }
 
 TEST_F(SessionTest, ARefusedReplacementLeavesTheConnectionAsItWas) {
   ASSERT_TRUE(EverythingIsThere());
-  session_->connectInterfaces(kRobot, kControl);
+  session_->connectInterfaces(kOperated, kPlantControl);
   ASSERT_TRUE(Eventually([&] { return session_->activity().canUndo(0); }));
 
-  session_->replaceConnection(kRobot, {"robot", "plant", "NoSuchInterface"});
+  session_->replaceConnection(kOperated, {"robot", "plant", "NoSuchInterface"});
 
   EXPECT_TRUE(Eventually(
       [&] { return session_->activity().action(0).outcome == Action::Outcome::kRefused; }));
@@ -159,7 +179,7 @@ TEST_F(SessionTest, ALostGcmIsSeenAndFoundAgain) {
 
   manager_.reset();
   EXPECT_TRUE(Eventually([&] { return session_->link().state() == GcmLink::State::kLost; }));
-  EXPECT_NE(Catalogue().FindProvided(kControl), nullptr);  // what was known stays
+  EXPECT_NE(Catalogue().FindProvided(kPlantControl), nullptr);  // what was known stays
 
   auto manager = GlobalManager::Start(
       Node(), {.address = address, .state_folder = folder_.path().toStdString()});
@@ -172,7 +192,7 @@ TEST_F(SessionTest, ALostGcmIsSeenAndFoundAgain) {
 TEST_F(SessionTest, ItCanGoWhileARequestIsUnderWay) {
   ASSERT_TRUE(EverythingIsThere());
 
-  session_->connectInterfaces(kRobot, kControl);
+  session_->connectInterfaces(kOperated, kPlantControl);
   session_.reset();
 
   QTest::qWait(50);  // a late answer finds nobody

@@ -1,4 +1,7 @@
+#include <algorithm>
 #include <csignal>
+#include <filesystem>
+#include <fstream>
 
 #include "system/faults/harness/fault_test.h"
 
@@ -7,6 +10,17 @@ namespace {
 
 using tendon::ProcessState;
 using testing::HasSubstr;
+
+/// Whether all threads of the process have heard a SIGSTOP.
+bool HasStopped(int pid) {
+  const std::filesystem::path threads = "/proc/" + std::to_string(pid) + "/task";
+  const auto is_stopped = [](const auto& thread) {
+    std::string stat;
+    std::getline(std::ifstream(thread.path() / "stat"), stat);
+    return stat.find(") T ") != std::string::npos;
+  };
+  return std::ranges::all_of(std::filesystem::directory_iterator(threads), is_stopped);
+}
 
 class HungLcm : public FaultTest {};
 
@@ -54,6 +68,31 @@ TEST_P(HungLcm, OneThatIsStoppedForAMomentLosesNothing) {
   ExpectNoRowLost();
   ExpectNeverLost("robot");
   ExpectHonestCommands();
+}
+
+/// Row 4: an order that was read late.
+TEST_P(HungLcm, WhatItHasNotBegunInTimeItDoesNotDoOnceItIsAwake) {
+  ASSERT_NO_FATAL_FAILURE(StartSystem());
+  robot_->Signal(SIGSTOP);
+  ASSERT_TRUE(Eventually([&] { return HasStopped(robot_->pid()); }));
+
+  const auto stopped = tendon::Wait<void>(std::chrono::seconds(20), [&](auto handler) {
+    viewer_->Steer({.verb = tendon::LifeVerb::kStop,
+                    .process = "robot",
+                    .component = "ledger",
+                    .patience = std::chrono::milliseconds(200)},
+                   std::move(handler));
+  });
+  robot_->Signal(SIGCONT);
+
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().code, tendon::ErrorCode::kFailed) << stopped.error().message;
+  ASSERT_TRUE(Eventually([&] {
+    return robot_->err().find("ordered from afar: stop 'ledger': nothing was done") !=
+           std::string::npos;
+  })) << robot_->err();
+  EXPECT_TRUE(Flows());
+  Tell(stopped.error().message);
 }
 
 /// Row 4: fencing.

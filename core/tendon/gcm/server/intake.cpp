@@ -1,5 +1,6 @@
 #include <tendon/base/printable.h>
 #include <tendon/gcm/server/intake.h>
+#include <tendon/process/life/messages.h>
 
 #include <set>
 #include <vector>
@@ -50,6 +51,13 @@ Result<void> TakeIn(ComponentDescription& component) {
   if (auto checked = CheckName("component", component.name); !checked) return checked;
   component.class_name = Printable(component.class_name, kLongestWord);
   component.library = Printable(component.library, kLongestWord);
+  if (component.configuration.size() > message::kLongestConfiguration ||
+      component.configuration !=
+          Printable(component.configuration, message::kLongestConfiguration)) {
+    return Invalid("the configuration of component '" + component.name + "' is longer than " +
+                   std::to_string(message::kLongestConfiguration) +
+                   " bytes, or has characters that do not print; JSON in one line is expected");
+  }
   component.fault = Printable(component.fault);
   for (ProvidedDescription& provided : component.provided) {
     if (auto checked = CheckName("interface", provided.name); !checked) return checked;

@@ -1,7 +1,9 @@
 #include <tendon/base/log.h>
 #include <tendon/gcm/disputed_types.h>
+#include <tendon/gcm/life/life_plan.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/server/orders.h>
+#include <tendon/gcm/text/step_text.h>
 #include <tendon/gcm/text/wall_time.h>
 #include <tendon/process/ask.h>
 #include <tendon/process/schema_exchange.h>
@@ -27,6 +29,55 @@ void LogHandBack(const message::Wire& wire, const Result<void>& outcome,
 /// Whether the process may have obeyed all the same, or may yet.
 bool IsOutcomeUnknown(const Error& error) {
   return error.code == ErrorCode::kTimeout || error.code == ErrorCode::kUnreachable;
+}
+
+Error NothingToUndo() { return {ErrorCode::kFailed, "there is nothing to undo"}; }
+
+Error CannotUndo(const message::HistoryEntry& step, const Error& why) {
+  return {why.code, "cannot undo " + WholeText(step) + ": " + why.message};
+}
+
+/// Its objects are not as it left them, or cannot be as before.
+Error CannotUndoNow(const message::HistoryEntry& step, const std::string& why) {
+  const std::string joint = why.ends_with("?") ? " " : "; ";
+  const std::string next = "to leave it as it is and undo what was before it: gcm undo --skip";
+  return CannotUndo(step, {ErrorCode::kFailed, why + joint + next});
+}
+
+bool IsOfLife(const message::HistoryEntry& step) { return !step.life.process.empty(); }
+
+/// Who has made it, and would unmake it.
+const std::string& ProcessOf(const message::HistoryEntry& step) {
+  return IsOfLife(step) ? step.life.process : step.wire.required.process;
+}
+
+Error MayComeBack(const message::HistoryEntry& step) {
+  return {ErrorCode::kFailed, WholeText(step) + " is not passed over, for process '" +
+                                  ProcessOf(step) +
+                                  "' is lost and may come back with it; when it is gone for good: "
+                                  "gcm forget " +
+                                  ProcessOf(step)};
+}
+
+Error Changed(const std::string& why) { return {ErrorCode::kFailed, why}; }
+
+/// Whether the ends are still as the step left them, and can be as before.
+Result<void> CheckUndoOfWire(const Catalog& catalog, const message::HistoryEntry& step) {
+  const InterfaceName& needed = step.wire.required;
+  const std::string required = ToString(needed);
+  if (const auto found = LookUpRequired(catalog, needed); !found) return found.error();
+  const auto* now = catalog.FindConnection(needed);
+  if (step.verb != "disconnect" && now == nullptr) {
+    return Changed(required + " is no longer connected to " + ToString(step.wire.provided));
+  }
+  if (now != nullptr && now->provided != step.wire.provided) {
+    return Changed(required + " was since connected to " + ToString(now->provided));
+  }
+  if (step.verb == "connect" || (step.verb == "disconnect" && now != nullptr)) return {};
+  const bool swaps = step.verb == "replace";
+  const auto planned =
+      PlanConnect(catalog, {needed, swaps ? step.former : step.wire.provided}, Occupied::kReplaced);
+  return planned ? Result<void>() : planned.error();
 }
 
 Result<void> OutcomeOf(const auto& result) { return result ? Result<void>() : result.error(); }
@@ -67,17 +118,26 @@ void Orders::Disconnect(const InterfaceName& required, const std::string& who, D
   });
 }
 
-void Orders::Undo(const std::string& who, Done<message::HistoryEntry> done) {
+Result<message::HistoryEntry> Orders::Newest(const message::WhichStep& which) const {
   const auto step = parts_.history.last();
-  if (!step)
-    return Answer(std::move(done), Result<message::HistoryEntry>(
-                                       Error{ErrorCode::kFailed, "there is nothing to undo"}));
+  if (!step) return NothingToUndo();
+  if (which.id == 0 || which.id == step->id) return *step;
+  return Error{ErrorCode::kFailed, "step " + std::to_string(which.id) +
+                                       " is not the newest any more, but " + WholeText(*step) +
+                                       "; see: gcm history"};
+}
+
+void Orders::Undo(const message::WhichStep& which, const std::string& who,
+                  Done<message::HistoryEntry> done) {
+  const auto step = Newest(which);
+  if (!step) return Answer(std::move(done), step);
   if (const auto checked = CheckUndo(*step); !checked) {
     return Answer(std::move(done), Result<message::HistoryEntry>(checked.error()));
   }
   const auto finish = [locked = locked_, step = *step, done](const auto& outcome) {
     locked([&](Orders& orders) { orders.FinishUndo(step, OutcomeOf(outcome), done); });
   };
+  if (IsOfLife(*step)) return UndoLife(*step, which.patience, std::move(done));
   const InterfaceName& required = step->wire.required;
   if (step->verb == "connect") {
     Break(required, finish);
@@ -88,6 +148,30 @@ void Orders::Undo(const std::string& who, Done<message::HistoryEntry> done) {
   } else {  // a late process has undone it
     FinishUndo(*step, {}, done);
   }
+}
+
+void Orders::PassOver(const message::WhichStep& which, const std::string& who,
+                      Done<message::HistoryEntry> done) {
+  auto step = Newest(which);
+  if (!step) return Answer(std::move(done), step);
+  if (which.id == 0 && CheckUndo(*step)) {
+    const Error error{ErrorCode::kFailed,
+                      WholeText(*step) +
+                          " can be undone, so it is not passed over; to leave it as "
+                          "it is all the same: gcm undo --skip --step " +
+                          std::to_string(step->id)};
+    return Answer(std::move(done), Result<message::HistoryEntry>(error));
+  }
+  const auto* owner = parts_.registry.catalog().FindProcess(ProcessOf(*step));
+  if (owner != nullptr && owner->process.state == ProcessState::kLost &&
+      owner->process.instance == step->instance) {
+    const Error error = MayComeBack(*step);
+    return Answer(std::move(done), Result<message::HistoryEntry>(error));
+  }
+  parts_.outbox.Add(
+      [text = who + " passes over " + WholeText(*step)] { Log(LogLevel::kInfo, "gcm", text); });
+  step->passed_over = true;
+  parts_.history.MarkPassedOver(step->id, [step = *step, done = std::move(done)] { done(step); });
 }
 
 void Orders::HandBack(const message::Wire& wire) {
@@ -124,6 +208,7 @@ Orders::Done<T> Orders::Claim(const InterfaceName& required, Done<T> done) {
 template <typename T>
 void Orders::Record(message::HistoryEntry step, std::type_identity_t<Result<T>> answer,
                     Done<T> done) {
+  step.instance = InstanceOf(parts_.registry.catalog(), step.wire.required.process);
   step.when = WallTime();
   parts_.history.Record(std::move(step),
                         [answer = std::move(answer), done = std::move(done)] { done(answer); });
@@ -287,26 +372,72 @@ void Orders::GiveBreak(const InterfaceName& required, Done<None> done) {
   Give<None>(message::kBreakConnection, required, message::Wire{required, {}}, heard);
 }
 
-/// Whether the objects are still as the step left them.
-Result<void> Orders::CheckUndo(const message::HistoryEntry& step) const {
-  const auto* now = parts_.registry.catalog().FindConnection(step.wire.required);
-  const std::string required = ToString(step.wire.required);
-  const bool connects = step.verb != "disconnect";
-  if (connects && now == nullptr) {
-    return Error{ErrorCode::kFailed, "cannot undo: " + required + " is no longer connected to " +
-                                         ToString(step.wire.provided)};
+void Orders::UndoLife(const message::HistoryEntry& step, std::chrono::nanoseconds patience,
+                      Done<message::HistoryEntry> done) {
+  const auto connect = [locked = locked_, step](const Done<None>& connected) {
+    locked([&](Orders& orders) { orders.MakeAgain(step, connected); });
+  };
+  const auto undone = [locked = locked_, step, done = std::move(done)](const auto& outcome) {
+    locked([&](Orders& orders) { orders.FinishUndo(step, OutcomeOf(outcome), done); });
+  };
+  parts_.life.Undo(step, patience, connect, undone);
+}
+
+/// The connections of a component that is there again. Where one cannot be made again, the
+/// component is not to run.
+void Orders::MakeAgain(const message::HistoryEntry& step, const Done<None>& done) {
+  struct Answers {
+    std::size_t missing;
+    Result<None> outcome;
+  };
+  const auto answers = std::make_shared<Answers>(
+      Answers{1 + step.life.connections.size(), None{}});  // under the lock
+  const auto answered = [locked = locked_, done, answers](const message::Wire& wire,
+                                                          const auto& made) {
+    locked([&](Orders& orders) {
+      const auto* now = orders.parts_.registry.catalog().FindConnection(wire.required);
+      if (!made && (now == nullptr || now->provided != wire.provided)) {
+        answers->outcome = Error{ErrorCode::kFailed,
+                                 "it is there again, but does not run, for it "
+                                 "is not connected as before: " +
+                                     made.error().message};
+      }
+      if (--answers->missing == 0) orders.Answer(done, answers->outcome);
+    });
+  };
+  for (const message::Wire& wire : step.life.connections) {
+    Make(wire, [answered, wire](const auto& made) { answered(wire, made); });
   }
-  const bool changed = now != nullptr && now->provided != step.wire.provided;
-  if (!changed) return {};
-  return Error{ErrorCode::kFailed,
-               "cannot undo: " + required + " was since connected to " + ToString(now->provided)};
+  Answer<ConnectionDescription>([answered](const auto& none) { answered({}, none); },
+                                ConnectionDescription());
+}
+
+/// Whether the objects are still as the step left them, and can be as before.
+Result<void> Orders::CheckUndo(const message::HistoryEntry& step) const {
+  const Catalog& catalog = parts_.registry.catalog();
+  const std::string& process = ProcessOf(step);
+  const auto owner = LookUpProcess(catalog, process);
+  if (!owner) return CannotUndoNow(step, owner.error().message);
+  if (const auto present = RequirePresent((*owner)->process); !present) {
+    return CannotUndo(step, {ErrorCode::kFailed, present.error().message +
+                                                     "; once it is back, try "
+                                                     "again, or forget it: "
+                                                     "gcm forget " +
+                                                     process});
+  }
+  if ((*owner)->process.instance != step.instance) {
+    return CannotUndoNow(step, "process '" + process + "' was started again since");
+  }
+  const auto checked =
+      IsOfLife(step) ? tendon::CheckUndo(catalog, step) : CheckUndoOfWire(catalog, step);
+  return checked ? checked : CannotUndoNow(step, checked.error().message);
 }
 
 void Orders::FinishUndo(message::HistoryEntry step, const Result<void>& outcome,
                         Done<message::HistoryEntry> done) {
   if (!outcome) {
-    const Error error{outcome.error().code, "cannot undo: " + outcome.error().message};
-    return Answer(std::move(done), Result<message::HistoryEntry>(error));
+    return Answer(std::move(done),
+                  Result<message::HistoryEntry>(CannotUndo(step, outcome.error())));
   }
   step.undone = true;
   parts_.history.MarkUndone(step.id, [step, done = std::move(done)] { done(step); });

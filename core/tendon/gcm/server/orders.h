@@ -1,6 +1,7 @@
 #pragma once
 
 #include <tendon/gcm/history.h>
+#include <tendon/gcm/life/life_orders.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/server/outbox.h>
 #include <tendon/gcm/server/registry.h>
@@ -33,7 +34,8 @@ class Orders {
     Registry& registry;
     History& history;
     Outbox& outbox;
-    Worker& worker;  ///< watches over deadlines
+    Worker& worker;    ///< watches over deadlines
+    LifeOrders& life;  ///< unmakes its own steps
   };
   Orders(Parts parts, Locked locked, std::chrono::milliseconds timeout);
 
@@ -42,7 +44,13 @@ class Orders {
   /// As Connect() where it is not connected.
   void Replace(const message::Wire& wire, const std::string& who, ConnectDone done);
   void Disconnect(const InterfaceName& required, const std::string& who, Done<None> done);
-  void Undo(const std::string& who, Done<message::HistoryEntry> done);
+  void Undo(const message::WhichStep& which, const std::string& who,
+            Done<message::HistoryEntry> done);
+  /// Leaves the newest step as it is, for good, so that those before it can be undone; only where
+  /// that cannot be undone as things are, or is named, and not because its process is away, which
+  /// may come back.
+  void PassOver(const message::WhichStep& which, const std::string& who,
+                Done<message::HistoryEntry> done);
 
   /// A connection which a returned process had before. Not a step in the history.
   void HandBack(const message::Wire& wire);
@@ -85,6 +93,10 @@ class Orders {
   void GiveMake(const message::Wiring& wiring, ConnectDone done);
   void GiveBreak(const InterfaceName& required, Done<None> done);
 
+  [[nodiscard]] Result<message::HistoryEntry> Newest(const message::WhichStep& which) const;
+  void UndoLife(const message::HistoryEntry& step, std::chrono::nanoseconds patience,
+                Done<message::HistoryEntry> done);
+  void MakeAgain(const message::HistoryEntry& step, const Done<None>& done);
   [[nodiscard]] Result<void> CheckUndo(const message::HistoryEntry& step) const;
   void FinishUndo(message::HistoryEntry step, const Result<void>& outcome,
                   Done<message::HistoryEntry> done);

@@ -4,6 +4,7 @@
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/server/intake.h>
 #include <tendon/gcm/server/server.h>
+#include <tendon/gcm/text/audit_object.h>
 #include <tendon/process/access/guarded_handler.h>
 #include <tendon/process/ask.h>
 
@@ -58,24 +59,6 @@ bool IsOwn(const ProcessDescription& process) {
          process.host == os::HostName();
 }
 
-/// What a request is about, for the audit log.
-std::string ObjectOf(MessageType type, std::span<const std::byte> body) {
-  if (type == message::kForget) {
-    const auto forget = DecodeBody<message::Forget>(body);
-    return forget ? forget->process : std::string();
-  }
-  if (type == message::kSetLogLevel) {
-    const auto order = DecodeBody<message::SetLogLevel>(body);
-    return order ? order->process : std::string();
-  }
-  const bool has_ends =
-      type == message::kConnect || type == message::kReplace || type == message::kDisconnect;
-  const auto wire = has_ends ? DecodeBody<message::Wire>(body) : Result(message::Wire());
-  if (!has_ends || !wire) return {};
-  const bool has_provided = type != message::kDisconnect;
-  return ToString(wire->required) + (has_provided ? " " + ToString(wire->provided) : "");
-}
-
 /// Answers whatever the result is of.
 auto AnswerOf(const std::shared_ptr<Responder>& responder) {
   return [responder](const auto& result) { responder->Answer(result); };
@@ -110,7 +93,7 @@ class Server::Peer final : public GuardedHandler {
 
   [[nodiscard]] std::string ObjectOf(const FrameHeader& header,
                                      std::span<const std::byte> body) const override {
-    return server::ObjectOf(header.type, body);
+    return AuditObject(header.type, body);
   }
 
   Session session = 0;  // under the server's lock; 0: not a member
@@ -125,8 +108,14 @@ Server::Server(Options options)
       registry_(options_.leases, *options_.clock) {}
 
 void Server::Start() {
+  life_ = std::make_unique<LifeOrders>(
+      LifeOrders::Parts{registry_, history_, outbox_, worker_},
+      [weak = weak_from_this()](const std::function<void(LifeOrders&)>& action) {
+        if (const auto self = weak.lock()) self->Locked([&] { action(*self->life_); });
+      },
+      options_.order_timeout);
   orders_ = std::make_unique<Orders>(
-      Orders::Parts{registry_, history_, outbox_, worker_},
+      Orders::Parts{registry_, history_, outbox_, worker_, *life_},
       [weak = weak_from_this()](const std::function<void(Orders&)>& action) {
         if (const auto self = weak.lock()) self->Locked([&] { action(*self->orders_); });
       },
@@ -240,7 +229,9 @@ Server::Serve Server::ServeOf(MessageType type) {
       {message::kConnect, &Server::Connect},   {message::kDisconnect, &Server::Disconnect},
       {message::kUndo, &Server::Undo},         {message::kHistory, &Server::Tell},
       {message::kForget, &Server::Forget},     {message::kReplace, &Server::Replace},
-      {message::kWatchLog, &Server::WatchLog}, {message::kSetLogLevel, &Server::SetLogLevel}};
+      {message::kWatchLog, &Server::WatchLog}, {message::kSetLogLevel, &Server::SetLogLevel},
+      {message::kLife, &Server::Steer},        {message::kGetClasses, &Server::ListClasses},
+      {message::kPassOver, &Server::PassOver}, {message::kBeginOrder, &Server::BeginOrder}};
   const auto found = kServes.find(type);
   return found == kServes.end() ? nullptr : found->second;
 }
@@ -325,8 +316,37 @@ void Server::Disconnect(const Request& request) {
   });
 }
 
+void Server::Steer(const Request& request) {
+  const auto order = DecodeBody<message::LifeOrder>(request.body);
+  if (!order) return request.responder->Refuse(order.error());
+  Locked([&] { life_->Steer(*order, NameOf(*request.channel), AnswerOf(request.responder)); });
+}
+
+void Server::ListClasses(const Request& request) {
+  const auto wanted = DecodeBody<message::GetClasses>(request.body);
+  if (!wanted) return request.responder->Refuse(wanted.error());
+  Locked([&] { life_->ListClasses(wanted->process, AnswerOf(request.responder)); });
+}
+
+void Server::BeginOrder(const Request& request) {
+  const auto order = DecodeBody<message::BeginOrder>(request.body);
+  if (!order) return request.responder->Refuse(order.error());
+  Locked([&] {
+    const ProcessDescription* const member = registry_.FindMember(request.peer.session);
+    Answer(request, life_->Begin(order->id, member == nullptr ? "" : member->name));
+  });
+}
+
 void Server::Undo(const Request& request) {
-  Locked([&] { orders_->Undo(NameOf(*request.channel), AnswerOf(request.responder)); });
+  const auto which = DecodeBody<message::WhichStep>(request.body);
+  if (!which) return request.responder->Refuse(which.error());
+  Locked([&] { orders_->Undo(*which, NameOf(*request.channel), AnswerOf(request.responder)); });
+}
+
+void Server::PassOver(const Request& request) {
+  const auto which = DecodeBody<message::WhichStep>(request.body);
+  if (!which) return request.responder->Refuse(which.error());
+  Locked([&] { orders_->PassOver(*which, NameOf(*request.channel), AnswerOf(request.responder)); });
 }
 
 void Server::Tell(const Request& request) { request.responder->Answer(Result(history_.steps())); }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <tendon/base/clock.h>
+#include <tendon/gcm/life/life_orders.h>
 #include <tendon/gcm/server/log_book.h>
 #include <tendon/gcm/server/orders.h>
 #include <tendon/gcm/server/outbox.h>
@@ -76,7 +77,11 @@ class Server final : public std::enable_shared_from_this<Server> {
   void Connect(const Request& request);
   void Replace(const Request& request);
   void Disconnect(const Request& request);
+  void Steer(const Request& request);
+  void ListClasses(const Request& request);
+  void BeginOrder(const Request& request);
   void Undo(const Request& request);
+  void PassOver(const Request& request);
   void Tell(const Request& request);
   void Forget(const Request& request);
   void WatchLog(const Request& request);
@@ -97,6 +102,7 @@ class Server final : public std::enable_shared_from_this<Server> {
   LogQueue own_log_;
   mutable std::mutex mutex_;
   Registry registry_;
+  std::unique_ptr<LifeOrders> life_;
   std::unique_ptr<Orders> orders_;
   bool stopped_ = false;
   bool peers_owed_ = false;

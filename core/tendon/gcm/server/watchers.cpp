@@ -28,6 +28,7 @@ void Watchers::Publish(const std::vector<CatalogChange>& changes) {
 void Watchers::Pump() {
   Batch batch;
   for (auto& [key, watcher] : watchers_) Pump(watcher, batch);
+  DropSent();
 }
 
 void Watchers::Pump(Watcher& watcher, Batch& batch) const {
@@ -36,6 +37,12 @@ void Watchers::Pump(Watcher& watcher, Batch& batch) const {
     if (!watcher.channel->Notify(message::kChanges, 0, batch.body)) return;
     watcher.revision = batch.last;
   }
+}
+
+void Watchers::DropSent() {
+  std::uint64_t sent = newest_;
+  for (const auto& [key, watcher] : watchers_) sent = std::min(sent, watcher.revision);
+  while (!log_.empty() && log_.front().revision <= sent) log_.pop_front();
 }
 
 void Watchers::Fill(Batch& batch, std::uint64_t after) const {

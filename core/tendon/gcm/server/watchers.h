@@ -40,8 +40,9 @@ class Watchers {
 
   void Pump(Watcher& watcher, Batch& batch) const;
   void Fill(Batch& batch, std::uint64_t after) const;
+  void DropSent();
 
-  std::deque<CatalogChange> log_;
+  std::deque<CatalogChange> log_;  // of what some watcher was not sent yet
   std::uint64_t newest_ = 0;
   std::map<const Channel*, Watcher> watchers_;
 };

@@ -14,6 +14,7 @@ namespace {
 constexpr std::chrono::milliseconds kOpenTimeout(1000);
 constexpr std::chrono::milliseconds kJoinTimeout(2000);
 constexpr std::chrono::milliseconds kLeaveTimeout(300);
+constexpr std::chrono::milliseconds kBeginTimeout(1000);
 constexpr std::chrono::milliseconds kBetweenRenewals(250);
 constexpr std::chrono::milliseconds kRenewalTimeout(500);
 constexpr std::chrono::milliseconds kSilence(1500);  // of a GCM that is lost
@@ -54,6 +55,25 @@ class Membership::GcmHandler final : public ChannelHandler {
         const auto broken = membership.delegate_.BreakConnection(required);
         membership.Report();
         shared->Answer(broken);
+      });
+    } else if (header.type == message::kLife) {
+      const auto order = DecodeBody<message::LifeOrder>(body);
+      if (!order) return shared->Refuse(order.error());
+      const auto begin = [channel, id = order->id]() -> Result<void> {
+        const message::BeginOrder asked{id};
+        const auto begun = channel->Call<None>(message::kBeginOrder, 0, asked, kBeginTimeout);
+        return begun ? Result<void>() : begun.error();
+      };
+      worker_->Post([&membership = membership_, order = *order, begin, shared] {
+        const auto done = [&membership, shared](const auto& outcome) {
+          membership.Report();
+          shared->Answer(outcome);
+        };
+        membership.delegate_.Obey(order, begin, done);
+      });
+    } else if (header.type == message::kGetClasses) {
+      worker_->Post([&membership = membership_, shared] {
+        membership.delegate_.ListClasses([shared](const auto& all) { shared->Answer(all); });
       });
     } else if (header.type == message::kSetLogLevel) {
       const auto order = DecodeBody<message::SetLogLevel>(body);

@@ -3,6 +3,7 @@
 #include <tendon/lockfree/flag.h>
 #include <tendon/middleware/channel.h>
 #include <tendon/process/context.h>
+#include <tendon/process/life/messages.h>
 #include <tendon/process/log/log_forwarder.h>
 #include <tendon/process/membership/differences.h>
 #include <tendon/process/membership_messages.h>
@@ -28,6 +29,11 @@ class MembershipDelegate {
   virtual void MakeConnection(const message::Wiring& wiring,
                               std::function<void(const Result<ConnectionDescription>&)> done) = 0;
   virtual Result<void> BreakConnection(const InterfaceName& required) = 0;
+  /// `begin` is called in a thread that may wait, and says whether the order still holds; `done` is
+  /// called on the worker.
+  virtual void Obey(const message::LifeOrder& order, std::function<Result<void>()> begin,
+                    std::function<void(const Result<message::LifeOutcome>&)> done) = 0;
+  virtual void ListClasses(std::function<void(const Result<message::Classes>&)> done) = 0;
 };
 
 /// The process as a member of a GCM: joins, keeps it informed, sends it what is logged, renews the

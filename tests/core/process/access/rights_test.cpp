@@ -17,15 +17,16 @@ using Types = std::set<MessageType>;
 /// What a viewer may send.
 const Types kLooks = {message::kPing,        message::kGetSchemas, message::kSubscribe,
                       message::kUnsubscribe, message::kRowTaken,   message::kRenew,
-                      message::kWatch,       message::kHistory,    message::kWatchLog};
+                      message::kWatch,       message::kHistory,    message::kWatchLog,
+                      message::kGetClasses};
 
 /// What an operator may send besides.
-const Types kActs = {message::kOpenInterface, message::kCloseInterface, message::kCommands,
-                     message::kRead,          message::kWait,           message::kEventsLost,
-                     message::kCallMember,    message::kJoin,           message::kReport,
-                     message::kLeave,         message::kConnect,        message::kDisconnect,
-                     message::kUndo,          message::kForget,         message::kReplace,
-                     message::kLogRecords,    message::kSetLogLevel};
+const Types kActs = {
+    message::kOpenInterface, message::kCloseInterface, message::kCommands,   message::kRead,
+    message::kWait,          message::kEventsLost,     message::kCallMember, message::kJoin,
+    message::kReport,        message::kLeave,          message::kConnect,    message::kDisconnect,
+    message::kUndo,          message::kForget,         message::kReplace,    message::kLogRecords,
+    message::kSetLogLevel,   message::kLife,           message::kPassOver,   message::kBeginOrder};
 
 /// By name: a number in the table that belongs to another message would show here.
 TEST(Rights, AreThoseOfTheMessages) {
@@ -48,7 +49,7 @@ TEST(Rights, WhatChangesTheSystemIsWrittenDown) {
   const Types written = {message::kOpenInterface, message::kCallMember, message::kJoin,
                          message::kLeave,         message::kConnect,    message::kDisconnect,
                          message::kUndo,          message::kForget,     message::kReplace,
-                         message::kSetLogLevel};
+                         message::kSetLogLevel,   message::kLife,       message::kPassOver};
   for (const Right& right : kRights) {
     EXPECT_EQ(right.audit == Audit::kAll, written.contains(static_cast<MessageType>(right.type)))
         << right.act;

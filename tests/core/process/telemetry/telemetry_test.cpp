@@ -279,14 +279,16 @@ TEST_P(Telemetry, LetsAViewerThatStopsReadingLoseRowsAndNobodyElse) {
   const auto hold_up = [&] {
     std::unique_lock held(blocked_sink->gate);
     const std::size_t before = sink->count();
-    const bool others_go_on =
-        EventuallyTrue([&] { return sink->count() > before + 500; }, std::chrono::seconds(1));
+    EventuallyTrue([&] { return sink->count() > before + 500; }, std::chrono::seconds(1));
+    const bool others_go_on = sink->count() > before + 100;  // a busy machine has fewer for them
     held.unlock();
     const std::size_t blocked_before = blocked_sink->count();
-    EXPECT_TRUE(EventuallyTrue([&] { return blocked_sink->count() > blocked_before + 500; }));
+    EXPECT_TRUE(EventuallyTrue([&] { return blocked_sink->count() > blocked_before + 10; }));
     return others_go_on && blocked_sink->lost_network() > 0;
   };
   EXPECT_TRUE(EventuallyTrue(hold_up, std::chrono::seconds(60)));
+  const std::size_t blocked_rows = blocked_sink->count();
+  EXPECT_TRUE(EventuallyTrue([&] { return blocked_sink->count() > blocked_rows + 500; }));
   ExpectWithoutHoles(sink->rows());
   EXPECT_EQ(sink->lost_table() + sink->lost_network(), 0U);
 }

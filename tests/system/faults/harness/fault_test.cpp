@@ -17,25 +17,49 @@ using tendon::ProcessState;
 
 const tendon::InterfaceName kClient("desk", "client", "Ledger");
 
-/// robot has the ledger; desk and mate each have a client of it.
+/// One of class `class_name`; those that keep a journal are told where.
+std::string ComponentText(const std::string& name, const std::string& class_name,
+                          const std::string& journals = {}) {
+  const std::string configuration =
+      journals.empty() ? "" : R"(, "configuration": {"folder": ")" + journals + R"("})";
+  return R"({"name": ")" + name + R"(", "class": ")" + class_name +
+         R"(", "library": "fault_instruments")" + configuration + "}";
+}
+
+/// robot has the ledger; desk and mate each have a client of it. The others are for one row each.
 std::string SystemFile(const std::string& folder) {
-  const auto process = [&](const std::string& name, const std::string& component,
-                           const std::string& class_name) {
-    return R"({"name": ")" + name + R"(", "components": [{"name": ")" + component +
-           R"(", "class": ")" + class_name +
-           R"(", "library": "fault_instruments", "configuration": {"folder": ")" + folder +
-           R"("}}]})";
+  const auto process = [&](const std::string& name, const std::string& components) {
+    return R"({"name": ")" + name + R"(", "components": [)" + components + "]}";
   };
-  const auto connection = [](const std::string& client) {
-    return R"({"required": ")" + client + R"(/client/Ledger", "provided": "robot/ledger/Control"})";
+  const auto connection = [](const std::string& required, const std::string& provided) {
+    return R"({"required": ")" + required + R"(", "provided": ")" + provided + R"("})";
   };
+  std::string pushers = ComponentText("pusher", "Pusher");
+  for (const std::string& edit : Edits()) {
+    pushers += ", " + ComponentText(edit, "Pusher" + edit);
+  }
   return R"({"version": 1, "name": "faults", "processes": [)" +
-         process("robot", "ledger", "Ledger") + ", " + process("desk", "client", "Client") + ", " +
-         process("mate", "client", "Client") + R"(], "connections": [)" + connection("desk") +
-         ", " + connection("mate") + "]}";
+         process("robot", ComponentText("ledger", "Ledger", folder)) + ", " +
+         process("desk", ComponentText("client", "Client", folder)) + ", " +
+         process("mate", ComponentText("client", "Client", folder)) + ", " +
+         process("well", ComponentText("fountain", "Fountain")) + ", " +
+         process("noisy", ComponentText("raver", "Raver") + ", " + ComponentText("calm", "Calm")) +
+         ", " + process("post", ComponentText("receiver", "Receiver", folder)) + ", " +
+         process("shop", ComponentText("sender", "Sender")) + ", " +
+         process("wrist", ComponentText("sensor", "Sensor")) + ", " + process("hand", pushers) +
+         R"(], "connections": [)" + connection("desk/client/Ledger", "robot/ledger/Control") +
+         ", " + connection("mate/client/Ledger", "robot/ledger/Control") + ", " +
+         connection("shop/sender/Parcels", "post/receiver/Parcels") + "]}";
 }
 
 }  // namespace
+
+const std::vector<std::string>& Edits() {
+  static const std::vector<std::string> edits{"InFloats",     "InPounds",     "Renamed",
+                                              "WithMore",     "WithLess",     "InOtherOrder",
+                                              "OfOtherShape", "InOtherFrames"};
+  return edits;
+}
 
 std::vector<std::string> Middlewares() { return program::MiddlewareNames(); }
 
@@ -56,9 +80,11 @@ FaultTest::~FaultTest() {
 
 FaultTest::Environment FaultTest::environment() const {
   const std::string home = home_.path();
-  return {{"XDG_RUNTIME_DIR", home},
-          {"XDG_STATE_HOME", home},
-          {"TENDON_COMPONENTS", TENDON_TEST_INSTRUMENTS}};
+  Environment all{{"XDG_RUNTIME_DIR", home},
+                  {"XDG_STATE_HOME", home},
+                  {"TENDON_COMPONENTS", TENDON_TEST_INSTRUMENTS}};
+  all.insert(more_environment_.begin(), more_environment_.end());
+  return all;
 }
 
 FaultTest::Words FaultTest::Command(const std::string& program, const Words& words) const {

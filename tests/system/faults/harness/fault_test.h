@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "support/folder.h"
 #include "support/program.h"
@@ -71,6 +72,7 @@ class FaultTest : public testing::TestWithParam<std::string> {
 
   const StallMeter stalls_;
   const tendon::test::Folder home_;
+  Environment more_environment_;  ///< of the programs that are begun from now on
   std::string gcm_address_;
   std::unique_ptr<Program> gcm_;
   std::unique_ptr<Program> robot_;
@@ -85,6 +87,9 @@ class FaultTest : public testing::TestWithParam<std::string> {
   /// How many commands, by client.
   [[nodiscard]] std::map<std::string, std::size_t> Executed() const;
 };
+
+/// How the types of the process `hand` were edited: each is the name of a component there.
+const std::vector<std::string>& Edits();
 
 /// One of all the middlewares, the default first.
 std::vector<std::string> Middlewares();

@@ -20,6 +20,11 @@ std::size_t ProcessWatch::snapshots() const {
   return snapshots_;
 }
 
+std::size_t ProcessWatch::connection_changes() const {
+  const std::scoped_lock lock(mutex_);
+  return connection_changes_;
+}
+
 void ProcessWatch::OnSnapshot(const tendon::Catalog& catalog) {
   const std::scoped_lock lock(mutex_);
   ++snapshots_;
@@ -31,6 +36,7 @@ void ProcessWatch::OnChanges(const std::vector<tendon::CatalogChange>& changes) 
   const std::scoped_lock lock(mutex_);
   for (const auto& change : changes) {
     for (const auto& process : change.processes) See(process);
+    connection_changes_ += change.connections.size();
   }
 }
 

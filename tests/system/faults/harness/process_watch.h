@@ -18,6 +18,8 @@ class ProcessWatch final : public tendon::GcmListener {
   /// Every name that went from one instance to another which the first had not lost or left.
   [[nodiscard]] std::vector<std::string> double_holders() const;
   [[nodiscard]] std::size_t snapshots() const;
+  /// How often something about a connection was told to have changed.
+  [[nodiscard]] std::size_t connection_changes() const;
 
  private:
   void OnSnapshot(const tendon::Catalog& catalog) override;
@@ -30,6 +32,7 @@ class ProcessWatch final : public tendon::GcmListener {
   std::map<std::pair<std::string, tendon::ProcessState>, std::size_t> counts_;
   std::vector<std::string> double_holders_;
   std::size_t snapshots_ = 0;
+  std::size_t connection_changes_ = 0;
 };
 
 }  // namespace faults

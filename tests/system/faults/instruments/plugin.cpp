@@ -1,8 +1,28 @@
 #include <tendon/manager/component_registry.h>
 #include <tests/system/faults/instruments/client.h>
+#include <tests/system/faults/instruments/edited.h>
+#include <tests/system/faults/instruments/fountain.h>
 #include <tests/system/faults/instruments/ledger.h>
+#include <tests/system/faults/instruments/loggers.h>
+#include <tests/system/faults/instruments/parcels.h>
 
 extern "C" void TendonRegisterComponents(tendon::ComponentRegistry& registry) {
-  registry.Add<faults::Client>("Client");
-  registry.Add<faults::Ledger>("Ledger");
+  using namespace faults;  // NOLINT(google-build-using-namespace): all is from there
+  registry.Add<Client>("Client");
+  registry.Add<Ledger>("Ledger");
+  registry.Add<Fountain>("Fountain");
+  registry.Add<Raver>("Raver");
+  registry.Add<Calm>("Calm");
+  registry.Add<Sender>("Sender");
+  registry.Add<Receiver>("Receiver");
+  registry.Add<Sensor>("Sensor");
+  registry.Add<Pusher<Force>>("Pusher");
+  registry.Add<Pusher<ForceInFloats>>("PusherInFloats");
+  registry.Add<Pusher<ForceInPounds>>("PusherInPounds");
+  registry.Add<Pusher<ForceRenamed>>("PusherRenamed");
+  registry.Add<Pusher<ForceWithMore>>("PusherWithMore");
+  registry.Add<Pusher<ForceWithLess>>("PusherWithLess");
+  registry.Add<Pusher<ForceInOtherOrder>>("PusherInOtherOrder");
+  registry.Add<Pusher<ForceOfOtherShape>>("PusherOfOtherShape");
+  registry.Add<Pusher<ForceInOtherFrames>>("PusherInOtherFrames");
 }

@@ -1,0 +1,152 @@
+#include <tendon/gcm/lookup.h>
+#include <tendon/gcm/system/client_executor.h>
+
+#include <thread>
+
+namespace tendon {
+namespace {
+
+using Kind = PlanStep::Kind;
+
+/// The client knows best why there was no answer: it is waited for a little longer.
+constexpr std::chrono::milliseconds kLonger(500);
+
+/// Between two looks at the catalogue.
+constexpr std::chrono::milliseconds kLook(20);
+
+/// Whether it is connected as the wire says; why not.
+Result<void> CheckConnected(const Catalog& catalog, const message::Wire& wire) {
+  const auto refuse = [&](const std::string& why) {
+    return Error{ErrorCode::kFailed, "not started, for " + ToString(wire.required) +
+                                         " is not connected to " + ToString(wire.provided) +
+                                         (why.empty() ? "" : ": " + why)};
+  };
+  const auto* now = catalog.FindConnection(wire.required);
+  if (now == nullptr) return refuse("");
+  if (now->provided != wire.provided) return refuse("but to " + ToString(now->provided));
+  return now->state == ConnectionState::kActive ? Result<void>() : refuse(now->reason);
+}
+
+bool IsOutcomeUnknown(const Error& error) {
+  return error.code == ErrorCode::kTimeout || error.code == ErrorCode::kUnreachable;
+}
+
+/// Whether the component is already as the verb would leave it: by itself, or by somebody else.
+bool IsSo(const Catalog& catalog, LifeVerb verb, const PlanStep& step) {
+  const auto* now = catalog.FindComponent(step.process, step.component.name);
+  if (now == nullptr) return verb == LifeVerb::kRemove;
+  if (verb == LifeVerb::kStop) return !IsRunning(now->state);
+  if (verb == LifeVerb::kStart) return now->state == ComponentState::kActive;
+  return verb == LifeVerb::kSuspend && now->state == ComponentState::kSuspended;
+}
+
+}  // namespace
+
+Result<void> ClientExecutor::Execute(const PlanStep& step) {
+  if (auto checked = CheckInstance(step); !checked) return checked;
+  switch (step.kind) {
+    case Kind::kStop:
+      return Steer(LifeVerb::kStop, step);
+    case Kind::kSuspend:
+      return Steer(LifeVerb::kSuspend, step);
+    case Kind::kDisconnect:
+      return Wait<void>(timeout_ + kLonger,
+                        [&](auto handler) { client_.Disconnect(step.wire.required, handler); });
+    case Kind::kRemove:
+      return Steer(LifeVerb::kRemove, step);
+    case Kind::kConfigure:
+      return Steer(LifeVerb::kConfigure, step);
+    case Kind::kCreate:
+      return Steer(LifeVerb::kCreate, step);
+    case Kind::kConnect:
+    case Kind::kReplace:
+      return Connect(step);
+    case Kind::kStart:
+    case Kind::kStartSuspended:
+      break;
+  }
+  if (auto connected = AwaitConnections(step); !connected) return connected;
+  return step.kind == Kind::kStart ? Steer(LifeVerb::kStart, step) : StartSuspended(step);
+}
+
+Result<void> ClientExecutor::CheckInstance(const PlanStep& step) const {
+  const bool is_of_connection = step.process.empty();
+  const std::string& process = is_of_connection ? step.wire.required.process : step.process;
+  if (step.instance == 0 || InstanceOf(client_.catalog(), process) == step.instance) return {};
+  return Error{ErrorCode::kFailed, "process '" + process +
+                                       "' was started anew, or is gone, since the plan was made; "
+                                       "make another one"};
+}
+
+/// One that was just asked for is perhaps being made.
+Result<void> ClientExecutor::AwaitConnections(const PlanStep& step) const {
+  for (const message::Wire& wire : step.needs) {
+    Result<void> connected = CheckConnected(client_.catalog(), wire);
+    for (auto waited = kLook; !connected && waited <= timeout_; waited += kLook) {
+      std::this_thread::sleep_for(kLook);
+      connected = CheckConnected(client_.catalog(), wire);
+    }
+    if (!connected) return connected;
+  }
+  return {};
+}
+
+Result<void> ClientExecutor::Connect(const PlanStep& step) {
+  const auto& [required, provided] = step.wire;
+  const auto made = Wait<ConnectionDescription>(
+      GcmClient::kOrdersOfAReplacement * timeout_ + kLonger, [&](auto handler) {
+        if (step.kind == Kind::kReplace) {
+          client_.Replace(required, provided, handler);
+        } else {
+          client_.Connect(required, provided, handler);
+        }
+      });
+  if (made || IsMadeByOthers(step.wire, made.error().code)) return {};
+  return made.error();
+}
+
+/// To a component that is there again the GCM gives its former connections back by itself, perhaps
+/// at this moment.
+bool ClientExecutor::IsMadeByOthers(const message::Wire& wire, ErrorCode refusal) const {
+  if (refusal != ErrorCode::kExists && refusal != ErrorCode::kFailed) return false;
+  for (auto waited = kLook; waited <= kLonger; waited += kLook) {
+    const Catalog catalog = client_.catalog();
+    const auto* now = catalog.FindConnection(wire.required);
+    if (now != nullptr) return now->provided == wire.provided;
+    std::this_thread::sleep_for(kLook);
+  }
+  return false;
+}
+
+Result<void> ClientExecutor::Steer(LifeVerb verb, const PlanStep& step) {
+  message::LifeOrder order{.verb = verb,
+                           .process = step.process,
+                           .instance = step.instance,
+                           .component = step.component.name};
+  if (verb == LifeVerb::kCreate) {
+    order.class_name = step.component.class_name;
+    order.library = step.component.library;
+  }
+  if (verb == LifeVerb::kCreate || verb == LifeVerb::kConfigure) {
+    order.configuration = step.component.configuration;
+  }
+  const auto made = Wait<void>(GcmClient::kOrdersOfALife * timeout_ + kLonger,
+                               [&](auto handler) { client_.Steer(order, handler); });
+  const bool is_refused = !made && made.error().code == ErrorCode::kFailed;
+  return is_refused && IsSo(client_.catalog(), verb, step) ? Result<void>() : made;
+}
+
+/// It was not to run: where it does not come to be suspended, it is stopped.
+Result<void> ClientExecutor::StartSuspended(const PlanStep& step) {
+  const auto started = Steer(LifeVerb::kStart, step);
+  if (!started && !IsOutcomeUnknown(started.error())) return started;
+  const auto done = started ? Steer(LifeVerb::kSuspend, step) : started;
+  if (done) return done;
+  const auto stopped = Steer(LifeVerb::kStop, step);
+  const std::string before = "it was to be suspended: " + done.error().message;
+  if (stopped) return Error{done.error().code, before + "; so it was stopped"};
+  return Error{done.error().code,
+               before + "; it may run still, for it does not stop: " + stopped.error().message};
+}
+
+}  // namespace tendon

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <tendon/gcm/client.h>
+#include <tendon/gcm/system/plan_execution.h>
+
+#include <chrono>
+#include <string>
+
+namespace tendon {
+
+/// Carries out steps by asking a GCM for them. Refuses a step of a process that was started anew
+/// since it was planned, and the start of a component that lacks a connection which it needs.
+class ClientExecutor final : public PlanExecutor {
+ public:
+  /// The client gives up each request after `timeout` by itself, and outlives the executor. So long
+  /// a start waits for the connections that it needs.
+  ClientExecutor(GcmClient& client, std::chrono::milliseconds timeout)
+      : client_(client), timeout_(timeout) {}
+
+  Result<void> Execute(const PlanStep& step) override;
+
+ private:
+  [[nodiscard]] Result<void> CheckInstance(const PlanStep& step) const;
+  [[nodiscard]] Result<void> AwaitConnections(const PlanStep& step) const;
+  Result<void> Connect(const PlanStep& step);
+  [[nodiscard]] bool IsMadeByOthers(const message::Wire& wire, ErrorCode refusal) const;
+  Result<void> Steer(LifeVerb verb, const PlanStep& step);
+  Result<void> StartSuspended(const PlanStep& step);
+
+  GcmClient& client_;
+  const std::chrono::milliseconds timeout_;
+};
+
+}  // namespace tendon

@@ -1,0 +1,154 @@
+#include <tendon/gcm/system/comparison.h>
+#include <tendon/gcm/system/system_index.h>
+#include <tendon/payload/json.h>
+#include <tendon/payload/json/strict_json.h>
+
+#include <nlohmann/json.hpp>
+
+namespace tendon {
+namespace {
+
+using Kind = SystemDifference::Kind;
+
+std::string OrNone(const std::string& text) { return text.empty() ? "none" : text; }
+
+std::string SecondsText(double seconds) { return nlohmann::json(seconds).dump() + " s"; }
+
+/// Puts one more change behind those there are.
+void AddChange(std::string& changes, const std::string& name, const std::string& first,
+               const std::string& second) {
+  if (!changes.empty()) changes += "; ";
+  changes += name + " " + first + " -> " + second;
+}
+
+class Comparer {
+ public:
+  Comparer(const SystemFile& first, const SystemFile& second, Threads threads)
+      : first_(first), second_(second), threads_(threads) {}
+
+  SystemComparison Run() {
+    for (const auto& process : first_.processes) CompareProcess(process);
+    for (const auto& process : second_.processes) {
+      if (first_index_.FindProcess(process.name) == nullptr) AddWhole(Kind::kExtra, process);
+    }
+    CompareConnections();
+    return std::move(comparison_);
+  }
+
+ private:
+  void Add(Kind kind, const std::string& what, const std::string& how = "") {
+    comparison_.differences.push_back({kind, what, how});
+  }
+
+  void AddWhole(Kind kind, const SystemFile::Process& process) {
+    Add(kind, "process " + process.name);
+    for (const auto& component : process.components) {
+      Add(kind, "component " + process.name + "/" + component.name);
+    }
+  }
+
+  void CompareProcess(const SystemFile::Process& process) {
+    const auto* other = second_index_.FindProcess(process.name);
+    if (other == nullptr) return AddWhole(Kind::kMissing, process);
+    ++comparison_.equal;
+    const std::string begin = "component " + process.name + "/";
+    for (const auto& component : process.components) {
+      const auto* same = second_index_.FindComponent(process.name, component.name);
+      if (same == nullptr) {
+        Add(Kind::kMissing, begin + component.name);
+        continue;
+      }
+      const std::string changes = ChangesOf(component, *same, threads_);
+      if (changes.empty()) {
+        ++comparison_.equal;
+      } else {
+        Add(Kind::kChanged, begin + component.name, changes);
+      }
+    }
+    for (const auto& component : other->components) {
+      const bool is_known = first_index_.FindComponent(process.name, component.name) != nullptr;
+      if (!is_known) Add(Kind::kExtra, begin + component.name);
+    }
+  }
+
+  void CompareConnections() {
+    const auto whole = [](const SystemFile::Connection& connection) {
+      return "connection " + ToString(connection.required) + " -> " + ToString(connection.provided);
+    };
+    for (const auto& connection : first_.connections) {
+      const auto* other = second_index_.FindConnection(connection.required);
+      if (other == nullptr) {
+        Add(Kind::kMissing, whole(connection));
+      } else if (other->provided == connection.provided) {
+        ++comparison_.equal;
+      } else {
+        Add(Kind::kChanged, "connection " + ToString(connection.required),
+            "to " + ToString(connection.provided) + " -> " + ToString(other->provided));
+      }
+    }
+    for (const auto& connection : second_.connections) {
+      if (first_index_.FindConnection(connection.required) == nullptr) {
+        Add(Kind::kExtra, whole(connection));
+      }
+    }
+  }
+
+  const SystemFile& first_;
+  const SystemFile& second_;
+  const Threads threads_;
+  const SystemIndex first_index_{first_};
+  const SystemIndex second_index_{second_};
+  SystemComparison comparison_;
+};
+
+}  // namespace
+
+SystemComparison CompareSystems(const SystemFile& first, const SystemFile& second,
+                                Threads threads) {
+  return Comparer(first, second, threads).Run();
+}
+
+std::string ChangesOf(const SystemFile::Component& first, const SystemFile::Component& second,
+                      Threads threads) {
+  std::string changes;
+  if (first.class_name != second.class_name) {
+    AddChange(changes, "class", OrNone(first.class_name), OrNone(second.class_name));
+  }
+  if (!IsSameLibrary(first, second)) {
+    AddChange(changes, "library", OrNone(first.library), OrNone(second.library));
+  }
+  if (!IsSameJson(first.configuration, second.configuration)) {
+    AddChange(changes, "configuration", OrNone(first.configuration), OrNone(second.configuration));
+  }
+  const bool has_periods = first.period > 0.0 && second.period > 0.0;
+  if (has_periods && first.period != second.period) {
+    AddChange(changes, "period", SecondsText(first.period), SecondsText(second.period));
+  }
+  const ThreadOptions thread = first.thread.value_or(ThreadOptions());
+  const ThreadOptions other_thread = second.thread.value_or(ThreadOptions());
+  if (threads == Threads::kKnown && thread != other_thread) {
+    AddChange(changes, "thread", ToJson(thread), ToJson(other_thread));
+  }
+  if (!IsSameDesire(first.state, second.state)) {
+    AddChange(changes, "state", std::string(ToString(first.state)),
+              std::string(ToString(second.state)));
+  }
+  return changes;
+}
+
+bool IsSameDesire(ComponentState one, ComponentState other) {
+  return one == other || (!IsRunning(one) && !IsRunning(other));
+}
+
+bool IsSameLibrary(const SystemFile::Component& one, const SystemFile::Component& other) {
+  return one.library.empty() || other.library.empty() || one.library == other.library;
+}
+
+bool IsSameJson(const std::string& one, const std::string& other) {
+  if (one == other) return true;
+  const auto parsed = ParseStrictJson(one);  // which is not nested deeper than can be compared
+  const auto other_parsed = ParseStrictJson(other);
+  return parsed && other_parsed && *parsed == *other_parsed;
+}
+
+}  // namespace tendon

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <tendon/gcm/catalog.h>
+#include <tendon/gcm/system_file.h>
+#include <tendon/process/membership_messages.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tendon {
+
+/// One thing to be done to a running system.
+struct PlanStep {
+  enum class Kind {
+    kStop,
+    kSuspend,
+    kDisconnect,
+    kRemove,
+    kConfigure,  ///< makes a component at rest anew; its connections stay
+    kCreate,
+    kConnect,
+    kReplace,  ///< what a required interface is connected to
+    kStart,
+    kStartSuspended,  ///< by way of active
+  };
+
+  Kind kind = Kind::kConnect;
+  message::Wire wire{};                ///< of connections: the ends
+  std::string process{};               ///< of components: where
+  std::uint64_t instance = 0;          ///< of the process that carries it out, when it was planned
+  SystemFile::Component component{};   ///< of components: which; to make one: as the file has it
+  std::vector<message::Wire> needs{};  ///< to start: what must be connected before
+  bool takes_away = false;             ///< what runs or is connected now is not so afterwards
+
+  bool operator==(const PlanStep&) const = default;
+};
+
+/// "create", "connect", "start-suspended", ...
+[[nodiscard]] std::string_view ToString(PlanStep::Kind kind);
+/// "create robot/arm (SimulatedArm of simulated_arm)", "connect a/b/C -> d/e/F".
+[[nodiscard]] std::string ToString(const PlanStep& step);
+
+/// How a running system becomes that of a file: steps in the order in which they are to be made,
+/// each of which the catalogue lets expect to succeed. What is to rest, or to be made anew, rests
+/// first, clients before their servers. Then connections and components go, components are made and
+/// connected, and in the end started, servers before their clients.
+struct Plan {
+  std::vector<PlanStep> steps;
+  std::vector<std::string> obstacles;  ///< a sentence for each thing that no step can bring about
+  std::size_t untouched = 0;           ///< things that are as they should be
+
+  /// Whether one of the steps does.
+  [[nodiscard]] bool TakesAway() const;
+};
+
+/// In the processes that the file names, all becomes as it says: what it does not have there is
+/// removed. Other processes are left alone. A component that lacks a connection of the file, since
+/// that cannot be made, is not started.
+[[nodiscard]] Plan MakePlan(const Catalog& catalog, const SystemFile& wanted);
+
+}  // namespace tendon

@@ -1,0 +1,88 @@
+#include <tendon/gcm/system/plan_execution.h>
+#include <tendon/gcm/system/system_index.h>
+
+#include <map>
+
+namespace tendon {
+namespace {
+
+using Fate = StepOutcome::Fate;
+using Kind = PlanStep::Kind;
+
+bool IsOfConnection(const PlanStep& step) { return step.process.empty(); }
+
+ComponentPath OwnerOf(const InterfaceName& name) { return {name.process, name.component}; }
+
+/// What cannot be built on any more.
+class Failures {
+ public:
+  /// A step that was not made; `cause` has failed, itself or one before it.
+  void Note(const PlanStep& step, const std::string& cause) {
+    if (IsOfConnection(step)) {
+      lacking_.emplace(OwnerOf(step.wire.required), cause);
+    } else {
+      unfit_.emplace(ComponentPath(step.process, step.component.name), cause);
+    }
+  }
+
+  /// What has failed that the step builds on; empty where there is none.
+  [[nodiscard]] std::string Before(const PlanStep& step) const {
+    if (step.kind == Kind::kDisconnect) return {};
+    if (IsOfConnection(step)) {
+      const std::string client = Find(unfit_, OwnerOf(step.wire.required));
+      return client.empty() ? Find(unfit_, OwnerOf(step.wire.provided)) : client;
+    }
+    const ComponentPath path(step.process, step.component.name);
+    const bool starts = step.kind == Kind::kStart || step.kind == Kind::kStartSuspended;
+    std::string before = Find(unfit_, path);
+    if (before.empty() && starts) before = Find(lacking_, path);
+    for (const message::Wire& wire : step.needs) {
+      if (before.empty()) before = Find(unfit_, OwnerOf(wire.provided));
+    }
+    return before;
+  }
+
+ private:
+  using Steps = std::map<ComponentPath, std::string>;
+
+  static std::string Find(const Steps& steps, const ComponentPath& path) {
+    const auto found = steps.find(path);
+    return found == steps.end() ? std::string() : found->second;
+  }
+
+  Steps unfit_;    // components that are not as the plan wants them
+  Steps lacking_;  // those that are not connected so
+};
+
+}  // namespace
+
+PlanOutcome ExecutePlan(const Plan& plan, PlanExecutor& executor, AfterError after_error,
+                        const PlanProgress& progress) {
+  PlanOutcome outcome;
+  Failures failures;
+  std::size_t number = 0;
+  for (const PlanStep& step : plan.steps) {
+    ++number;
+    if (outcome.error && after_error == AfterError::kStop) {
+      ++outcome.left;
+      progress(number, step, {Fate::kLeft, ""});
+      continue;
+    }
+    if (const std::string before = failures.Before(step); !before.empty()) {
+      ++outcome.left;
+      failures.Note(step, before);
+      progress(number, step, {Fate::kLeft, "not tried, for this has failed: " + before});
+      continue;
+    }
+    const Result<void> made = executor.Execute(step);
+    ++(made ? outcome.done : outcome.failed);
+    if (!made) {
+      failures.Note(step, ToString(step));
+      if (!outcome.error) outcome.error = made.error();
+    }
+    progress(number, step, made ? StepOutcome() : StepOutcome{Fate::kFailed, made.error().message});
+  }
+  return outcome;
+}
+
+}  // namespace tendon

@@ -1,0 +1,147 @@
+#include <tendon/base/printable.h>
+#include <tendon/gcm/system/file_object.h>
+#include <tendon/gcm/system/reference_file.h>
+#include <tendon/gcm/system/system_index.h>
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <utility>
+
+namespace tendon {
+namespace {
+
+using file::FileObject;
+using file::Refuse;
+
+class ReferenceReader {
+ public:
+  ReferenceReader(std::string name, std::string process) : process_(std::move(process)) {
+    imported_.file.name = std::move(name);
+    ProcessNamed(process_);
+  }
+
+  ImportedSystem Read(const Json& json) {
+    const Json* inner = json.is_object() ? Find(json, "component-manager") : nullptr;
+    if (inner == nullptr) {
+      ReadManager(FileObject(json, "", {"components", "connections"}));
+    } else {
+      const FileObject outer(json, "", {"component-manager"});
+      ReadManager(FileObject(*inner, "component-manager", {"components", "connections"}));
+    }
+    return std::move(imported_);
+  }
+
+ private:
+  static const Json* Find(const Json& object, const char* key) {
+    const auto found = object.find(key);
+    return found == object.end() ? nullptr : &*found;
+  }
+
+  SystemFile::Process& ProcessNamed(const std::string& name) {
+    auto& processes = imported_.file.processes;
+    const auto found = std::find_if(processes.begin(), processes.end(),
+                                    [&](const auto& process) { return process.name == name; });
+    if (found != processes.end()) return *found;
+    return processes.emplace_back(SystemFile::Process{name, {}});
+  }
+
+  void ReadManager(const FileObject& manager) {
+    manager.ForEach("components", [&](const Json& element, const std::string& place) {
+      auto component = ReadComponent(element, place);
+      names_.Add(component.name, place + ".constructor-arg.Name");
+      known_.insert({process_, component.name});
+      ProcessNamed(process_).components.push_back(std::move(component));
+    });
+    manager.ForEach("connections", [&](const Json& element, const std::string& place) {
+      ReadConnection(element, place);
+    });
+  }
+
+  SystemFile::Component ReadComponent(const Json& json, const std::string& place) {
+    const FileObject object(
+        json, place, {"shared-library", "class-name", "constructor-arg", "configure-parameter"});
+    const FileObject argument(object.Get("constructor-arg"), object.Place("constructor-arg"),
+                              {"Name", "Period", "IsHardRealTime", "NewThread", "StateTableSize"});
+    SystemFile::Component component;
+    component.name = argument.Name("Name", "component");
+    component.class_name = file::ReadClassName(object, "class-name");
+    if (object.Find("shared-library") != nullptr) {
+      component.library = object.Text("shared-library");
+      file::CheckLibrary(component.library, object.Place("shared-library"));
+    }
+    const bool is_periodic = argument.Number("Period", "seconds", 0.0) != 0.0;
+    if (is_periodic) component.period = argument.Period("Period");
+    for (const char* key : {"IsHardRealTime", "NewThread", "StateTableSize"}) {
+      if (argument.Find(key) == nullptr) continue;
+      LeaveOut(argument.Place(key), "the class decides that, or \"thread\" in the system file");
+    }
+    if (object.Find("configure-parameter") != nullptr) ReadParameter(object, component);
+    return component;
+  }
+
+  /// A JSON object is the configuration; else it names a file that the class itself would read.
+  void ReadParameter(const FileObject& object, SystemFile::Component& component) {
+    const std::string text = object.Text("configure-parameter");
+    if (text.empty()) return;
+    if (const auto parsed = ParseStrictJson(text); parsed && parsed->is_object()) {
+      component.configuration =
+          file::ConfigurationText(*parsed, object.Place("configure-parameter"));
+      return;
+    }
+    component.comment = "configure-parameter: " + Printable(text, 200);
+    LeaveOut(
+        object.Place("configure-parameter"),
+        "kept as a comment; write what '" + Printable(text, 64) + "' says into \"configuration\"");
+  }
+
+  void LeaveOut(const std::string& place, const std::string& why) {
+    imported_.left_out.push_back(place + " is left out: " + why);
+  }
+
+  InterfaceName ReadEnd(const FileObject& connection, const std::string& key) {
+    const FileObject end(connection.Get(key), connection.Place(key),
+                         {"process", "component", "interface"});
+    const bool is_here = end.Find("process") == nullptr;
+    const InterfaceName name(is_here ? process_ : end.Name("process", "process"),
+                             end.Name("component", "component"),
+                             end.Name("interface", "interface"));
+    if (known_.insert({name.process, name.component}).second) {
+      ProcessNamed(name.process).components.push_back({name.component, "", "", ""});
+    }
+    return name;
+  }
+
+  void ReadConnection(const Json& json, const std::string& place) {
+    const FileObject object(json, place, {"required", "provided"});
+    const InterfaceName required = ReadEnd(object, "required");
+    const InterfaceName provided = ReadEnd(object, "provided");
+    const auto [other, is_new] = connected_.emplace(required, provided);
+    if (!is_new) {
+      Refuse(object.Place("required"),
+             ToString(required) + " is connected to " + ToString(other->second) + " already");
+    }
+    imported_.file.connections.push_back({required, provided});
+  }
+
+  const std::string process_;
+  ImportedSystem imported_;
+  file::NewNames names_{"component"};
+  std::set<ComponentPath> known_;
+  std::map<InterfaceName, InterfaceName> connected_;
+};
+
+}  // namespace
+
+Result<ImportedSystem> ParseComponentManagerFile(std::string_view text, const std::string& source,
+                                                 const std::string& process) {
+  if (auto checked = CheckName("process", process); !checked) return checked.error();
+  if (text.size() > SystemFile::kMaxSize) {
+    return Error{ErrorCode::kInvalid, source + ": is larger than 16 MB"};
+  }
+  return file::ReadText<ImportedSystem>(
+      text, source, [&](const Json& json) { return ReferenceReader(source, process).Read(json); });
+}
+
+}  // namespace tendon

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <tendon/gcm/system_file.h>
+
+#include <map>
+#include <string>
+#include <utility>
+
+namespace tendon {
+
+/// A process and a component in it.
+using ComponentPath = std::pair<std::string, std::string>;
+
+/// Finds what a system file has in logarithmic time. The file outlives it; what is in its lists
+/// stays where it is.
+class SystemIndex {
+ public:
+  explicit SystemIndex(const SystemFile& system);
+
+  // Null where there is none.
+
+  [[nodiscard]] const SystemFile::Process* FindProcess(const std::string& process) const;
+  [[nodiscard]] const SystemFile::Component* FindComponent(const std::string& process,
+                                                           const std::string& component) const;
+  [[nodiscard]] const SystemFile::Connection* FindConnection(const InterfaceName& required) const;
+
+ private:
+  std::map<std::string, const SystemFile::Process*> processes_;
+  std::map<ComponentPath, const SystemFile::Component*> components_;
+  std::map<InterfaceName, const SystemFile::Connection*> connections_;
+};
+
+}  // namespace tendon

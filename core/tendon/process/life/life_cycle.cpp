@@ -1,0 +1,365 @@
+#include <tendon/base/log.h>
+#include <tendon/payload/json.h>
+#include <tendon/process/life/life_cycle.h>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+#include <vector>
+
+namespace tendon {
+namespace {
+
+using message::LifeOrder;
+
+constexpr Patience kLongestPatience = std::chrono::hours(1);
+
+/// Never kNoWait, which would take what has only begun for done.
+Patience Left(SteadyTime deadline) {
+  return std::max<Patience>(std::chrono::milliseconds(1), deadline - SteadyClock().Now());
+}
+
+std::string WordsFor(const LifeOrder& order) {
+  const std::string& object = order.component.empty() ? order.library : order.component;
+  return std::string(ToString(order.verb)) + " '" + object + "'";
+}
+
+/// Of an order that was obeyed by a component that was there before.
+message::LifeOutcome OutcomeAfter(const ComponentDescription& before) {
+  return {.state = before.state, .class_name = before.class_name, .library = before.library};
+}
+
+bool IsAmong(const std::vector<ConnectionDescription>& all, const ConnectionDescription& wanted) {
+  return std::ranges::any_of(all, [&wanted](const ConnectionDescription& one) {
+    return one.required == wanted.required && one.provided == wanted.provided;
+  });
+}
+
+}  // namespace
+
+/// One order at a time for a component; a stop is told to it.
+class LifeCycle::Claim {
+ public:
+  Claim(LifeCycle& life, std::string component) : life_(life), component_(std::move(component)) {
+    const std::scoped_lock lock(life_.claims_mutex_);
+    is_ours_ = life_.claims_.emplace(component_, false).second;
+  }
+  Claim(const Claim&) = delete;
+  Claim& operator=(const Claim&) = delete;
+  ~Claim() {
+    const std::scoped_lock lock(life_.claims_mutex_);
+    if (is_ours_) life_.claims_.erase(component_);
+  }
+
+  [[nodiscard]] Result<void> Check() const {
+    if (is_ours_) return {};
+    return Error{ErrorCode::kFailed, "component '" + component_ +
+                                         "' has another order to obey first: nothing was done; try "
+                                         "again when that is done"};
+  }
+  [[nodiscard]] bool is_to_stop() const {
+    const std::scoped_lock lock(life_.claims_mutex_);
+    return life_.is_ending_ || life_.claims_.at(component_);
+  }
+
+ private:
+  LifeCycle& life_;
+  const std::string component_;
+  bool is_ours_ = false;
+};
+
+void LifeCycle::Obey(const LifeOrder& order, Begin begin, Done<message::LifeOutcome> done) {
+  const Patience patience = std::clamp(Patience(order.patience), kNoWait, kLongestPatience);
+  const SteadyTime deadline = SteadyClock().Now() + patience;
+  Errands& errands = order.verb == LifeVerb::kStop ? stops_ : errands_;
+  const bool is_under_way = errands.Do([this, order, begin = std::move(begin), done, deadline] {
+    const Outcome outcome = ExecuteGuarded({order, deadline, begin});
+    const std::string words = "ordered from afar: " + WordsFor(order);
+    if (outcome) {
+      Log(LogLevel::kInfo, parts_.process, words);
+    } else {
+      Log(LogLevel::kWarning, parts_.process, words + ": " + outcome.error().message);
+    }
+    done(outcome);
+  });
+  if (is_under_way) return;
+  done(Error{ErrorCode::kFailed,
+             "process '" + parts_.process +
+                 "' has too many orders to obey, or is about to end: nothing was "
+                 "done"});
+}
+
+void LifeCycle::ListClasses(Done<message::Classes> done) {
+  const bool is_under_way = looks_.Do([this, done] { done(maker_.classes()); });
+  if (!is_under_way) done(Error{ErrorCode::kFailed, "process '" + parts_.process + "' is busy"});
+}
+
+void LifeCycle::Stop() {
+  constexpr std::chrono::milliseconds kBetweenStops(100);
+  for (Errands* const errands : {&errands_, &stops_, &looks_}) errands->Close();
+  {
+    const std::scoped_lock lock(claims_mutex_);
+    is_ending_ = true;
+  }
+  while (!errands_.WaitUntilIdle(std::chrono::milliseconds(0))) {
+    (void)parts_.manager.StopAll(kNoWait);
+    (void)errands_.WaitUntilIdle(kBetweenStops);
+  }
+  for (Errands* const errands : {&errands_, &stops_, &looks_}) errands->Stop();
+}
+
+/// A plug-in may throw anything.
+LifeCycle::Outcome LifeCycle::ExecuteGuarded(const Given& given) {
+  try {
+    return Execute(given);
+  } catch (...) {
+    return Error{ErrorCode::kFailed,
+                 WordsFor(given.order) + ": " + ReasonOf(std::current_exception())};
+  }
+}
+
+LifeCycle::Outcome LifeCycle::Execute(const Given& given) {
+  switch (given.order.verb) {
+    case LifeVerb::kLoad:
+      return Load(given);
+    case LifeVerb::kCreate:
+      return Create(given);
+    case LifeVerb::kConfigure:
+      return Configure(given);
+    case LifeVerb::kStart:
+    case LifeVerb::kSuspend:
+      return Steer(given);
+    case LifeVerb::kStop:
+      return StopIt(given);
+    case LifeVerb::kRestart:
+      return Restart(given);
+    case LifeVerb::kRemove:
+      return Remove(given);
+  }
+  return Error{ErrorCode::kInvalid, "an LCM does not know this order; it is older than its GCM"};
+}
+
+Result<void> LifeCycle::BeginNow(const Given& given) const {
+  if (SteadyClock().Now() > given.deadline) {
+    return Error{ErrorCode::kFailed, "process '" + parts_.process +
+                                         "' was busy with other orders for as long as this one was "
+                                         "to wait: nothing was done; try again"};
+  }
+  auto begun = given.begin();
+  if (begun) return begun;
+  return Error{begun.error().code, "nothing was done: " + begun.error().message};
+}
+
+LifeCycle::Outcome LifeCycle::Load(const Given& given) {
+  const auto loaded = maker_.Load(given.order.library, [&] { return BeginNow(given); });
+  if (!loaded) return loaded.error();
+  return message::LifeOutcome{};
+}
+
+LifeCycle::Outcome LifeCycle::Create(const Given& given) {
+  const LifeOrder& order = given.order;
+  if (auto checked = CheckName("component", order.component); !checked) return checked.error();
+  const Claim claim(*this, order.component);
+  if (auto checked = claim.Check(); !checked) return checked.error();
+  if (parts_.manager.Find(order.component) != nullptr) {
+    return Error{ErrorCode::kExists, "component '" + order.component +
+                                         "' already exists in process '" + parts_.process +
+                                         "'; choose another name, or remove it first"};
+  }
+  auto made = maker_.Make(order, [&] { return BeginNow(given); });
+  if (!made) return made.error();
+  message::LifeOutcome outcome{.class_name = made->origin.class_name,
+                               .library = made->origin.library,
+                               .configuration = made->origin.configuration};
+  if (auto added = Add(*std::move(made)); !added) return added.error();
+  if (order.leader.empty()) return outcome;
+  const auto follows = parts_.manager.RunAfter(order.component, order.leader, Left(given.deadline));
+  if (follows) return outcome;
+  (void)parts_.manager.Remove(order.component, Left(given.deadline));
+  return follows.error();
+}
+
+/// The new one is made first: where its class refuses, the old one is untouched.
+LifeCycle::Outcome LifeCycle::Configure(const Given& given) {
+  const std::string& component = given.order.component;
+  const Claim claim(*this, component);
+  if (auto checked = claim.Check(); !checked) return checked.error();
+  const auto before = FindOfClass(component, "configured anew");
+  if (!before) return before.error();
+  const auto settings = parts_.manager.SettingsOf(component);
+  if (!settings) return settings.error();
+  if (!settings->is_at_rest) {
+    const bool is_running = IsRunning(before->state);
+    return Error{ErrorCode::kFailed,
+                 "component '" + component + "' is " +
+                     (is_running ? std::string(ToString(before->state)) : "starting") +
+                     "; stop it first to configure it anew"};
+  }
+  LifeOrder create = given.order;
+  create.class_name = before->class_name;
+  create.library = before->library;
+  create.thread = settings->thread ? ToJson(*settings->thread) : "";
+  auto made = maker_.Make(create, [&] { return BeginNow(given); });
+  if (!made) return made.error();
+  message::LifeOutcome outcome = OutcomeAfter(*before);
+  outcome.former = before->configuration;
+  outcome.configuration = made->origin.configuration;
+  const auto connections = ConnectionsOf(component);
+  if (auto removed = TakeOut(component, given.deadline); !removed) return removed.error();
+  if (auto added = Add(*std::move(made)); !added) return added.error();
+  Result<void> whole;
+  if (!settings->leader.empty()) {
+    whole = parts_.manager.RunAfter(component, settings->leader, Left(given.deadline));
+  }
+  if (const auto connected = Reconnect(connections); whole) whole = connected;
+  if (!whole) outcome.warning = whole.error().message;
+  return outcome;
+}
+
+LifeCycle::Outcome LifeCycle::Steer(const Given& given) {
+  const std::string& component = given.order.component;
+  const Claim claim(*this, component);
+  if (auto checked = claim.Check(); !checked) return checked.error();
+  const auto before = Find(component);
+  if (!before) return before.error();
+  if (auto begun = BeginNow(given); !begun) return begun.error();
+  const auto steered = given.order.verb == LifeVerb::kStart
+                           ? StartUnlessStopped(given, claim)
+                           : parts_.manager.Suspend(component, Left(given.deadline));
+  if (!steered) return steered.error();
+  return OutcomeAfter(*before);
+}
+
+/// No claim keeps it away, nor a GCM that is slow to consent or gone. What it is to end is told of
+/// it first.
+LifeCycle::Outcome LifeCycle::StopIt(const Given& given) {
+  const std::string& component = given.order.component;
+  const auto before = Find(component);
+  if (!before) return before.error();
+  {
+    const std::scoped_lock lock(claims_mutex_);
+    const auto claim = claims_.find(component);
+    if (claim != claims_.end()) claim->second = true;
+  }
+  const auto begun = BeginNow(given);
+  const bool is_void = !begun && begun.error().code == ErrorCode::kFailed;
+  if (is_void) return begun.error();
+  const auto stopped = parts_.manager.Stop(component, Left(given.deadline));
+  if (!stopped) return stopped.error();
+  return OutcomeAfter(*before);
+}
+
+LifeCycle::Outcome LifeCycle::Restart(const Given& given) {
+  const std::string& component = given.order.component;
+  const Claim claim(*this, component);
+  if (auto checked = claim.Check(); !checked) return checked.error();
+  const auto before = Find(component);
+  if (!before) return before.error();
+  if (auto begun = BeginNow(given); !begun) return begun.error();
+  if (IsRunning(before->state)) {
+    if (auto stopped = parts_.manager.Stop(component, Left(given.deadline)); !stopped) {
+      return stopped.error();
+    }
+  }
+  if (auto started = StartUnlessStopped(given, claim); !started) return started.error();
+  return OutcomeAfter(*before);
+}
+
+/// A stop that has come before is found in the claim, one that comes later finds the component
+/// starting.
+Result<void> LifeCycle::StartUnlessStopped(const Given& given, const Claim& claim) {
+  return parts_.manager.Start(given.order.component, Left(given.deadline),
+                              [&claim] { return !claim.is_to_stop(); });
+}
+
+LifeCycle::Outcome LifeCycle::Remove(const Given& given) {
+  const std::string& component = given.order.component;
+  const Claim claim(*this, component);
+  if (auto checked = claim.Check(); !checked) return checked.error();
+  const auto before = FindOfClass(component, "removed");
+  if (!before) return before.error();
+  const auto settings = parts_.manager.SettingsOf(component);
+  if (!settings) return settings.error();
+  if (auto begun = BeginNow(given); !begun) return begun.error();
+  if (auto removed = TakeOut(component, given.deadline); !removed) return removed.error();
+  message::LifeOutcome outcome = OutcomeAfter(*before);
+  outcome.former = before->configuration;
+  outcome.thread = settings->thread ? ToJson(*settings->thread) : "";
+  outcome.leader = settings->leader;
+  return outcome;
+}
+
+/// Its connections end once it is known that it can be removed.
+Result<void> LifeCycle::TakeOut(const std::string& component, SteadyTime deadline) {
+  const auto connections = ConnectionsOf(component);
+  const auto stopped = parts_.manager.Stop(component, Left(deadline));
+  if (!stopped && stopped.error().code == ErrorCode::kTimeout) {
+    return Error{ErrorCode::kTimeout, "component '" + component +
+                                          "' is not taken out, for it has not stopped in time: " +
+                                          stopped.error().message};
+  }
+  auto removed = parts_.manager.Remove(component, Left(deadline));
+  if (!removed) (void)Reconnect(connections);
+  return removed;
+}
+
+std::vector<ConnectionDescription> LifeCycle::ConnectionsOf(const std::string& component) const {
+  std::vector<ConnectionDescription> connections = parts_.manager.connections();
+  std::erase_if(connections, [&](const ConnectionDescription& one) {
+    const bool is_own = one.required.component == component;
+    const bool is_served =
+        one.provided.component == component && one.provided.process == one.required.process;
+    return !is_own && !is_served;
+  });
+  return connections;
+}
+
+Result<void> LifeCycle::Add(ComponentMaker::Made made) {
+  try {
+    parts_.manager.Add(std::move(made.component), std::move(made.origin));
+    return {};
+  } catch (const ConfigurationError& error) {  // the program was faster
+    return Error{ErrorCode::kExists, error.what()};
+  }
+}
+
+/// Each is tried; the error names the first that is missing now.
+Result<void> LifeCycle::Reconnect(const std::vector<ConnectionDescription>& connections) {
+  Result<void> outcome;
+  for (const ConnectionDescription& one : connections) {
+    const auto made = parts_.manager.Connect(one.required, one.provided);
+    if (made || !outcome || IsAmong(parts_.manager.connections(), one)) continue;
+    outcome = Error{made.error().code, "configured, but " + ToString(one.required) +
+                                           " is no longer connected to " + ToString(one.provided) +
+                                           ": " + made.error().message};
+  }
+  return outcome;
+}
+
+Result<ComponentDescription> LifeCycle::FindOfClass(const std::string& component,
+                                                    const std::string& what) const {
+  auto found = Find(component);
+  if (!found) return found;
+  const auto settings = parts_.manager.SettingsOf(component);
+  if (settings && !settings->followers.empty()) {
+    return Error{ErrorCode::kFailed, "component '" + component + "' cannot be " + what +
+                                         " from afar, for '" + settings->followers.front() +
+                                         "' runs after it; remove that first"};
+  }
+  if (!found->class_name.empty()) return found;
+  return Error{ErrorCode::kFailed, "component '" + component + "' cannot be " + what +
+                                       " from afar, for the program of process '" + parts_.process +
+                                       "' has made it by itself; it can be started and stopped"};
+}
+
+Result<ComponentDescription> LifeCycle::Find(const std::string& component) const {
+  std::vector<std::string> names;
+  for (ComponentDescription& one : parts_.manager.components()) {
+    if (one.name == component) return std::move(one);
+    names.push_back(one.name);
+  }
+  return Error{ErrorCode::kNotFound,
+               "no component '" + component + "'" + DidYouMean(component, names)};
+}
+
+}  // namespace tendon

@@ -1,0 +1,144 @@
+#include <gcm_console/catalogue/telemetry_column.h>
+#include <gcm_console/catalogue/things.h>
+#include <gcm_console/place.h>
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+namespace console {
+namespace {
+
+using tendon::Catalog;
+using tendon::InterfaceName;
+
+/// Who uses each provided interface: so that a long list is not looked through for each of them.
+using Users = std::map<InterfaceName, std::vector<InterfaceName>>;
+
+std::string TextOf(const std::vector<InterfaceName>& users) {
+  if (users.empty()) return "";
+  const std::size_t more = users.size() - 1;
+  return "<- " + ToString(users[0]) + (more == 0 ? "" : " and " + std::to_string(more) + " more");
+}
+
+class Walk {
+ public:
+  Walk(const Catalog& catalog, const std::string& below) : catalog_(catalog), below_(below) {
+    for (const auto& connection : catalog.connections()) {
+      users_[connection.provided].push_back(connection.required);
+    }
+  }
+
+  void Go() {
+    for (const auto& [name, entry] : catalog_.processes()) {
+      host_ = entry.process.host;
+      Add(name, "process", "", std::string(ToString(entry.process.state)), entry.process.reason);
+      for (const auto& [component, description] : entry.components) Go(name, description);
+    }
+  }
+  std::vector<Thing> Take() { return std::move(things_); }
+
+ private:
+  void Go(const std::string& process, const tendon::ComponentDescription& component) {
+    Add(process + "/" + component.name, "component", component.class_name,
+        std::string(ToString(component.state)),
+        component.fault.empty() ? component.warning : component.fault);
+    for (const auto& one : component.provided) {
+      const InterfaceName name(process, component.name, one.name);
+      const auto users = users_.find(name);
+      Add(ToString(name), "provided interface", "", users == users_.end() ? "" : "connected",
+          users == users_.end() ? "" : TextOf(users->second));
+      AddMembers(name, IsTable(one.name) ? "column" : "command", one.commands);
+      AddMembers(name, "event", one.events);
+    }
+    for (const auto& one : component.required) {
+      const InterfaceName name(process, component.name, one.name);
+      const auto* connection = catalog_.FindConnection(name);
+      Add(ToString(name), "required interface", "",
+          connection == nullptr ? "" : std::string(ToString(connection->state)),
+          ProviderOf(catalog_, name));
+      AddMembers(name, "function", one.functions);
+      AddMembers(name, "event handler", one.event_handlers);
+    }
+  }
+  void AddMembers(const InterfaceName& interface, std::string_view noun,
+                  const std::vector<tendon::MemberDescription>& members) {
+    for (const auto& member : members) {
+      Add(ToString(interface) + "." + member.name, noun, TypesOf(member), "", "");
+    }
+  }
+  void Add(std::string path, std::string_view noun, std::string type, std::string state,
+           std::string detail) {
+    const bool is_below =
+        below_.empty() || path.starts_with(below_ + "/") || path.starts_with(below_ + ".");
+    if (!is_below) return;
+    things_.push_back({.path = std::move(path),
+                       .noun = noun,
+                       .type = std::move(type),
+                       .state = std::move(state),
+                       .detail = std::move(detail),
+                       .host = host_});
+  }
+
+  const Catalog& catalog_;
+  const std::string below_;
+  Users users_;
+  std::string host_;
+  std::vector<Thing> things_;
+};
+
+}  // namespace
+
+std::vector<Thing> ThingsIn(const Catalog& catalog, const std::string& path) {
+  Walk walk(catalog, path);
+  walk.Go();
+  return walk.Take();
+}
+
+void PrintThings(Context& context, const std::vector<Thing>& things) {
+  if (context.settings().json) {
+    nlohmann::ordered_json all = nlohmann::ordered_json::array();
+    for (const Thing& thing : things) {
+      all.push_back({{"path", thing.path},
+                     {"what", thing.noun},
+                     {"type", thing.type},
+                     {"state", thing.state},
+                     {"detail", thing.detail},
+                     {"host", thing.host}});
+    }
+    context.PrintJson({{"things", std::move(all)}});
+    return;
+  }
+  Table table({"PATH", "WHAT", "TYPE", "STATE", "DETAIL"});
+  for (const Thing& thing : things) {
+    table.Add({thing.path, std::string(thing.noun), thing.type, thing.state, thing.detail});
+  }
+  context.Print(table);
+}
+
+int DepthOf(const std::string& path) {
+  if (path.empty()) return 0;
+  return 1 + static_cast<int>(std::count_if(path.begin(), path.end(), [](char letter) {
+           return letter == '/' || letter == '.';
+         }));
+}
+
+std::string ProviderOf(const Catalog& catalog, const InterfaceName& required) {
+  const auto* connection = catalog.FindConnection(required);
+  if (connection == nullptr) return "not connected";
+  const std::string provider = "-> " + ToString(connection->provided);
+  if (connection->state == tendon::ConnectionState::kActive) return provider;
+  return provider + " (" + std::string(ToString(connection->state)) + ": " + connection->reason +
+         ")";
+}
+
+std::string UsersOf(const Catalog& catalog, const InterfaceName& provided) {
+  std::vector<InterfaceName> users;
+  for (const auto& connection : catalog.connections()) {
+    if (connection.provided == provided) users.push_back(connection.required);
+  }
+  return TextOf(users);
+}
+
+}  // namespace console

@@ -1,0 +1,112 @@
+#include <gcm_console/completion/completer.h>
+#include <gcm_console/line/command_line.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace console {
+namespace {
+
+const Page::Option* FindOption(const Page& gcm, const Page& verb, const std::string& name) {
+  for (const Page* page : {&verb, &gcm}) {
+    for (const auto& option : page->options) {
+      if (std::find(option.names.begin(), option.names.end(), name) != option.names.end()) {
+        return &option;
+      }
+    }
+  }
+  return nullptr;
+}
+
+/// What the words before the last one have settled.
+struct Standing {
+  const Page* page = nullptr;            // the verb, or `gcm` while there is none
+  const Page::Option* option = nullptr;  // whose value comes next
+  std::size_t arguments = 0;             // that the verb has already
+};
+
+Standing StandingOf(const Page& gcm, const std::vector<std::string>& words) {
+  Standing standing{.page = &gcm};
+  for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+    const std::string& word = words[i];
+    if (std::exchange(standing.option, nullptr) != nullptr) continue;
+    if (word.starts_with('-') && word.size() > 1) {
+      const auto* option = FindOption(gcm, *standing.page, word);
+      if (option != nullptr && !option->value.empty()) standing.option = option;
+    } else if (const Page* part = standing.page->Find(word)) {
+      standing.page = part;
+    } else {
+      ++standing.arguments;
+    }
+  }
+  return standing;
+}
+
+class Collector {
+ public:
+  Collector(std::string word, const AskCatalog& catalog, std::string at)
+      : word_(std::move(word)), catalog_(catalog), at_(std::move(at)) {}
+
+  /// A word that is whole.
+  void Offer(const std::string& text, const std::string& help) {
+    if (text.starts_with(word_)) found_.candidates.push_back({text + " ", help});
+  }
+  void OfferOptions(const Page& page) {
+    for (const auto& option : page.options) Offer(option.names.back(), option.help);
+  }
+  void OfferParts(const Page& page) {
+    for (const Page& part : page.parts) Offer(part.last_word(), part.summary);
+  }
+  void OfferValues(WordKind kind, const std::vector<std::string>& choices, const Page& gcm) {
+    for (const std::string& choice : choices) Offer(choice, "");
+    if (kind == WordKind::kVerb) OfferParts(gcm);
+    if (kind == WordKind::kFile) found_.is_file = true;
+    if (IsPath(kind)) OfferPaths(kind);
+  }
+  Completion Take() { return std::move(found_); }
+
+ private:
+  /// What is typed stays as it is; it is completed behind its end.
+  void OfferPaths(WordKind kind) {
+    const bool goes_deeper = word_.empty() || word_.ends_with('/');
+    std::string prefix = ResolvedPath(at_, word_);
+    if (goes_deeper && !prefix.empty()) {
+      prefix += std::count(prefix.begin(), prefix.end(), '/') == 2 ? "." : "/";
+    }
+    if (word_.ends_with("..")) return;
+    for (const std::string& path : PathsOf(catalog_(), kind, prefix)) {
+      const bool goes_on = path.ends_with('/') || path.ends_with('.');
+      found_.candidates.push_back({word_ + path.substr(prefix.size()) + (goes_on ? "" : " "), ""});
+    }
+  }
+
+  const std::string word_;
+  const AskCatalog& catalog_;
+  const std::string at_;
+  Completion found_;
+};
+
+}  // namespace
+
+Completion Complete(const Page& gcm, const std::vector<std::string>& words,
+                    const AskCatalog& catalog, const std::string& at) {
+  const std::string word = words.empty() ? "" : words.back();
+  const Standing standing = StandingOf(gcm, words);
+  Collector collector(word, catalog, at);
+  if (standing.option != nullptr) {
+    collector.OfferValues(standing.option->kind, standing.option->choices, gcm);
+  } else if (word.starts_with('-')) {
+    collector.OfferOptions(*standing.page);
+    if (standing.page != &gcm) collector.OfferOptions(gcm);
+  } else if (!standing.page->parts.empty()) {
+    collector.OfferParts(*standing.page);
+  } else if (const auto& arguments = standing.page->arguments; !arguments.empty()) {
+    const std::size_t last = arguments.size() - 1;
+    if (standing.arguments > last && !arguments[last].is_many) return {};
+    const auto& argument = arguments[std::min(standing.arguments, last)];
+    collector.OfferValues(argument.kind, argument.choices, gcm);
+  }
+  return collector.Take();
+}
+
+}  // namespace console

@@ -1,0 +1,102 @@
+#include <gcm_console/completion/completer.h>
+#include <gcm_console/completion/completion.h>
+#include <gcm_console/line/command_line.h>
+
+#include <algorithm>
+#include <map>
+
+namespace console {
+namespace {
+
+/// Nobody waits longer for a key.
+constexpr std::chrono::milliseconds kPatience(300);
+
+constexpr const char* kBash = R"(# bash completion of gcm
+_gcm() {
+  local word="${COMP_WORDS[COMP_CWORD]}" line
+  COMPREPLY=()
+  while IFS= read -r line; do
+    if [[ $line == :files ]]; then
+      compopt -o filenames
+      mapfile -t COMPREPLY < <(compgen -f -- "$word")
+      return
+    fi
+    COMPREPLY+=("${line%%$'\t'*}")
+  done < <(gcm complete "${COMP_WORDS[@]:1:COMP_CWORD-1}" "$word" 2>/dev/null)
+  if [[ ${#COMPREPLY[@]} -eq 1 && ${COMPREPLY[0]} == *[/.] ]]; then compopt -o nospace; fi
+}
+complete -F _gcm gcm
+)";
+
+constexpr const char* kZsh = R"(#compdef gcm
+# zsh completion of gcm
+_gcm() {
+  local line
+  local -a whole begun
+  for line in "${(@f)$(gcm complete "${(@)words[2,CURRENT-1]}" "${words[CURRENT]}" 2>/dev/null)}"; do
+    if [[ $line == :files ]]; then
+      _files
+      return
+    fi
+    line=${line%%$'\t'*}
+    if [[ $line == *[/.] ]]; then begun+=("$line"); elif [[ -n $line ]]; then whole+=("$line"); fi
+  done
+  compadd -- $whole
+  compadd -S '' -- $begun
+}
+if [[ $funcstack[1] == _gcm ]]; then _gcm "$@"; else compdef _gcm gcm; fi
+)";
+
+constexpr const char* kFish = R"(# fish completion of gcm
+function __gcm_complete
+  set -l words (commandline -opc)
+  set -l word (commandline -ct)
+  for line in (gcm complete $words[2..-1] "$word" 2>/dev/null)
+    if test "$line" = ":files"
+      __fish_complete_path "$word"
+      return
+    end
+    echo $line
+  end
+end
+complete -c gcm -f -a '(__gcm_complete)'
+)";
+
+/// The value of an option that holds for every verb, as the words give it.
+std::string Given(const std::vector<std::string>& words, const std::string& option) {
+  const auto found = std::find(words.begin(), words.end(), option);
+  return found == words.end() || found + 1 == words.end() ? "" : *(found + 1);
+}
+
+tendon::Catalog CatalogFor(const std::vector<std::string>& words) {
+  Settings settings;
+  settings.timeout = kPatience;
+  settings.gcm = program::GcmAddress(Given(words, "--gcm"));
+  settings.network.certificate = Given(words, "--certificate");
+  const auto client = OpenClient(settings, "gcm complete");
+  if (!client || !(*client)->WaitUntilWatching()) return {};
+  return (*client)->catalog();
+}
+
+}  // namespace
+
+int PrintCompletions(const std::vector<std::string>& words, const Streams& streams) {
+  const std::vector<std::string> typed(words.begin() + 1, words.end());
+  const Completion found =
+      Complete(CommandLine({}).page(), typed, [&typed] { return CatalogFor(typed); });
+  if (found.is_file) streams.out << ":files\n";
+  for (const auto& [text, help] : found.candidates) {
+    const std::size_t end = text.find_last_not_of(' ') + 1;
+    streams.out << text.substr(0, end) << (help.empty() ? "" : "\t") << help << '\n';
+  }
+  return streams.out.flush() ? program::kOk : program::kRefused;
+}
+
+std::string CompletionFile(const std::string& shell) {
+  static const std::map<std::string, std::string> kFiles = {
+      {"bash", kBash}, {"zsh", kZsh}, {"fish", kFish}};
+  const auto found = kFiles.find(shell);
+  return found == kFiles.end() ? "" : found->second;
+}
+
+}  // namespace console

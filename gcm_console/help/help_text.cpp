@@ -1,0 +1,194 @@
+#include <gcm_console/help/help_text.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace console {
+namespace {
+
+using Row = std::vector<std::string>;
+
+constexpr std::size_t kUsualColumns = 80;
+constexpr std::size_t kWidest = 100;  // longer lines are hard to read
+constexpr std::size_t kIndent = 2;
+constexpr std::size_t kWidestTerm = 26;
+
+std::size_t WidthOf(int columns) {
+  constexpr std::size_t kNarrowest = 40;
+  if (columns == 0) return kUsualColumns;
+  return std::clamp(static_cast<std::size_t>(columns), kNarrowest, kWidest);
+}
+
+/// The words in lines of at most `width`, each behind `indent` blanks but for the first.
+std::string Wrapped(const std::string& text, std::size_t indent, std::size_t width) {
+  std::istringstream words(text);
+  std::string lines;
+  std::size_t column = indent;
+  for (std::string word; words >> word;) {
+    const bool is_first = lines.empty();
+    if (!is_first && column + 1 + word.size() > width) {
+      lines += "\n" + std::string(indent, ' ') + word;
+      column = indent + word.size();
+      continue;
+    }
+    lines += (is_first ? "" : " ") + word;
+    column += (is_first ? 0 : 1) + word.size();
+  }
+  return lines + "\n";
+}
+
+/// Terms with what they mean, aligned.
+std::string Listed(const std::vector<Row>& rows, std::size_t width) {
+  std::size_t widest = 0;
+  for (const Row& row : rows) {
+    if (row.size() > 1) widest = std::max(widest, std::min(row[0].size(), kWidestTerm));
+  }
+  const std::size_t begin = kIndent + widest + 2;
+  const std::string margin(kIndent, ' ');
+  std::string text;
+  for (const Row& row : rows) {
+    if (row.size() == 1) {
+      text += margin + Wrapped(row[0], kIndent, width);
+      continue;
+    }
+    const bool fits = row[0].size() <= widest;
+    text += margin + row[0];
+    text +=
+        fits ? std::string(begin - kIndent - row[0].size(), ' ') : "\n" + std::string(begin, ' ');
+    text += Wrapped(row[1], begin, width);
+  }
+  return text;
+}
+
+std::string Joined(const std::vector<std::string>& words, const std::string& between) {
+  std::string all;
+  for (const std::string& word : words) all += (all.empty() ? "" : between) + word;
+  return all;
+}
+
+std::vector<Row> RowsOf(const std::vector<Page::Argument>& arguments) {
+  std::vector<Row> rows;
+  for (const auto& argument : arguments) {
+    const std::string only =
+        argument.choices.empty() || argument.help.find(", ") != std::string::npos
+            ? ""
+            : ": " + Joined(argument.choices, ", ");
+    rows.push_back({argument.name, argument.help + only});
+  }
+  return rows;
+}
+
+std::vector<Row> RowsOf(const std::vector<Page::Option>& options) {
+  std::vector<Row> rows;
+  for (const auto& option : options) {
+    const std::string value = option.choices.empty() ? option.value : Joined(option.choices, "|");
+    rows.push_back({Joined(option.names, ", ") + (value.empty() ? "" : " " + value), option.help});
+  }
+  return rows;
+}
+
+/// Verbs, by their groups, in the order in which these come first.
+std::vector<std::pair<std::string, std::vector<Row>>> GroupsOf(const std::vector<Page>& parts) {
+  std::vector<std::pair<std::string, std::vector<Row>>> groups;
+  for (const Page& part : parts) {
+    auto known = std::find_if(groups.begin(), groups.end(),
+                              [&](const auto& group) { return group.first == part.group; });
+    if (known == groups.end()) known = groups.insert(groups.end(), {part.group, {}});
+    known->second.push_back({part.last_word(), part.summary});
+  }
+  return groups;
+}
+
+std::vector<Row> RowsOf(const std::vector<Topic>& topics) {
+  std::vector<Row> rows;
+  for (const Topic& topic : topics) rows.push_back({topic.name, topic.summary});
+  return rows;
+}
+
+std::vector<Row> RowsOf(const std::vector<std::string>& examples) {
+  std::vector<Row> rows;
+  for (const std::string& example : examples) rows.push_back({example});
+  return rows;
+}
+
+bool IsWhole(const Page& page) { return page.name.find(' ') == std::string::npos; }
+
+/// Its sections with their titles.
+std::vector<std::pair<std::string, std::vector<Row>>> SectionsOf(const Page& page) {
+  auto sections = GroupsOf(page.parts);
+  sections.insert(sections.begin(), {"arguments", RowsOf(page.arguments)});
+  sections.push_back({"options", RowsOf(page.options)});
+  sections.push_back({"examples", RowsOf(page.examples)});
+  if (IsWhole(page)) sections.push_back({"topics of gcm help", RowsOf(Topics())});
+  return sections;
+}
+
+/// For `man`: what begins a line or a letter is taken as it is.
+std::string Roff(const std::string& text) {
+  std::string plain;
+  for (const char letter : text) {
+    if (letter == '\\') {
+      plain += "\\e";
+    } else if (letter == '-') {
+      plain += "\\-";
+    } else {
+      plain += letter;
+    }
+  }
+  const bool is_order = plain.starts_with('.') || plain.starts_with('\'');
+  return (is_order ? "\\&" : "") + plain;
+}
+
+std::string RoffSection(std::string title, const std::vector<Row>& rows) {
+  if (rows.empty()) return "";
+  std::transform(title.begin(), title.end(), title.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::toupper(letter)); });
+  std::string text = ".SH \"" + Roff(title) + "\"\n";
+  for (const Row& row : rows) {
+    text += row.size() == 1 ? ".PP\n" + Roff(row[0]) + "\n"
+                            : ".TP\n.B " + Roff(row[0]) + "\n" + Roff(row[1]) + "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string HelpText(const Page& page, int columns) {
+  const std::size_t width = WidthOf(columns);
+  std::string text = Wrapped(page.name + ": " + page.summary, 0, width) +
+                     "\nusage: " + Wrapped(UsageOf(page), 7, width);
+  for (const auto& [title, rows] : SectionsOf(page)) {
+    if (!rows.empty()) text += "\n" + title + "\n" + Listed(rows, width);
+  }
+  text += "\n";
+  text +=
+      Wrapped(IsWhole(page) ? "Options go before or behind the verb. More: gcm help VERB"
+                            : "--gcm, --timeout, --json and others go with every verb: gcm help",
+              0, width);
+  return text;
+}
+
+std::string HelpText(const Topic& topic, int columns) {
+  const std::size_t width = WidthOf(columns);
+  return Wrapped(topic.name + ": " + topic.summary, 0, width) + "\n" + Listed(topic.lines, width);
+}
+
+std::string ManualName(const Page& page) {
+  std::string name = page.name;
+  std::replace(name.begin(), name.end(), ' ', '-');
+  return name;
+}
+
+std::string ManualPage(const Page& page, const std::string& version) {
+  std::string text = ".TH \"" + ManualName(page) + "\" 1 \"\" \"tendon " + version + "\"\n";
+  text += ".SH NAME\n" + Roff(ManualName(page)) + " \\- " + Roff(page.summary) + "\n";
+  text += ".SH SYNOPSIS\n.B " + Roff(UsageOf(page)) + "\n";
+  for (const auto& [title, rows] : SectionsOf(page)) text += RoffSection(title, rows);
+  if (IsWhole(page)) {
+    for (const Topic& topic : Topics()) text += RoffSection(topic.name, topic.lines);
+  }
+  text += ".SH \"SEE ALSO\"\n";
+  return text + (IsWhole(page) ? "gcm\\-VERB(1) of each verb\n" : ".BR gcm (1)\n");
+}
+
+}  // namespace console

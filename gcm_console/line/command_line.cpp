@@ -1,0 +1,189 @@
+#include <gcm_console/line/command_line.h>
+#include <gcm_console/report.h>
+#include <program/command_line.h>
+#include <program/network_options.h>
+#include <tendon/base/name.h>
+
+#include <map>
+#include <sstream>
+#include <utility>
+
+namespace console {
+namespace {
+
+using tendon::Error;
+using tendon::ErrorCode;
+using tendon::Result;
+
+/// What to ask for help: the verb, if one was given.
+std::string HelpCommand(const CLI::App& app) {
+  std::string command = app.get_name();
+  for (const CLI::App* verb : app.get_subcommands()) command += " " + HelpCommand(*verb);
+  return command;
+}
+
+std::vector<std::string> VerbsOf(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* verb : app.get_subcommands({})) names.push_back(verb->get_name());
+  return names;
+}
+
+/// What a word like "--gcm" names, in a part or in what that is a part of; null where it is
+/// nothing.
+const CLI::Option* OptionOf(const CLI::App* part, const std::string& word) {
+  for (; part != nullptr; part = part->get_parent()) {
+    if (const CLI::Option* option = part->get_option_no_throw(word)) return option;
+  }
+  return nullptr;
+}
+
+/// "no verb 'conect'; did you mean 'connect'? gcm --help lists them", for the first word where a
+/// verb is expected, which is no option nor an option's value; nothing where it is one, or where an
+/// unknown option comes first.
+std::string UnknownVerb(const std::vector<std::string>& words, const CLI::App& app) {
+  const CLI::App* part = &app;
+  std::string command = app.get_name();
+  for (std::size_t i = 0; i < words.size() && part->get_require_subcommand_min() > 0; ++i) {
+    if (words[i].starts_with('-')) {
+      const std::size_t value = words[i].find('=');
+      const CLI::Option* option = OptionOf(part, words[i].substr(0, value));
+      if (option == nullptr) return "";
+      if (value == std::string::npos && option->get_expected_min() > 0) ++i;
+      continue;
+    }
+    const auto named =
+        part->get_subcommands([&](const CLI::App* verb) { return verb->get_name() == words[i]; });
+    if (named.empty()) {
+      const std::string near = tendon::DidYouMean(words[i], VerbsOf(*part));
+      return "no verb '" + words[i] + "'" + near + (near.empty() ? "; " : " ") + command +
+             " --help lists them";
+    }
+    part = named[0];
+    command += " " + words[i];
+  }
+  return "";
+}
+
+const std::map<std::string, ColorChoice>& Colors() {
+  static const std::map<std::string, ColorChoice> kColors = {{"auto", ColorChoice::kAuto},
+                                                             {"always", ColorChoice::kAlways},
+                                                             {"never", ColorChoice::kNever}};
+  return kColors;
+}
+
+}  // namespace
+
+CommandLine::CommandLine(Settings usual) : settings_(std::move(usual)) {
+  app_.require_subcommand(1);
+  app_.fallthrough();
+  AddSettings();
+  for (const Verb& verb : AllVerbs()) AddVerb(verb);
+}
+
+void CommandLine::AddSettings() {
+  app_.set_help_flag("-h,--help", "say what there is, or all of one verb");
+  app_.set_version_flag("--version", VersionLine(), "say which gcm this is");
+  app_.add_option("--gcm", settings_.gcm,
+                  "address of the GCM (default: $TENDON_GCM, 127.0.0.1:10705)")
+      ->type_name("ADDRESS");
+  timeout_ms_ = static_cast<int>(settings_.timeout.count());
+  app_.add_option("--timeout", timeout_ms_,
+                  "how long an answer may take: 500ms, 5s, 2min or a number of ms (default: 2s)")
+      ->type_name("TIME")
+      ->transform(CLI::Validator(&program::TransformMilliseconds, ""));
+  app_.add_flag("--json,--jsonl", settings_.json, "print JSON: one document, or one a row");
+  app_.add_flag("--no-header", has_no_titles_, "print tables on a terminal without their titles");
+  for (const auto& [name, choice] : Colors()) {
+    if (choice == settings_.color) color_ = name;
+  }
+  app_.add_option("--color", color_, "when to use colours")
+      ->check(CLI::IsMember(Colors()))
+      ->capture_default_str();
+  auto* quiet = app_.add_flag("-q,--quiet", is_quiet_, "no remarks beside results and errors");
+  app_.add_flag("-v,--verbose", is_verbose_, "say whom gcm asks, and how fast it answers")
+      ->excludes(quiet);
+  app_.add_flag("--read-only", settings_.read_only, "ask as a viewer, to whom changes are denied");
+  program::AddNetworkOptions(app_, settings_.network);
+}
+
+void CommandLine::AddVerb(const Verb& verb) {
+  CLI::App* part = app_.add_subcommand(verb.name, verb.summary);
+  part->group(verb.group);
+  part->fallthrough();
+  std::string examples;
+  for (const std::string& example : verb.examples) examples += example + "\n";
+  part->footer(examples);
+  part->callback([this, runner = verb.prepare(*part), name = verb.name] {
+    run_ = runner;
+    verb_ = name;
+  });
+  if (settings_.in_session) Resolve(*part);
+}
+
+/// Lets paths begin where `at` says.
+void CommandLine::Resolve(CLI::App& part) const {
+  for (CLI::Option* option : part.get_options()) {
+    if (!IsPath(KindOf(*option))) continue;
+    option->transform(CLI::Validator(
+        [at = settings_.at](std::string& typed) {
+          typed = ResolvedPath(at, typed);
+          return std::string();
+        },
+        ""));
+  }
+}
+
+Result<void> CommandLine::Parse(const std::vector<std::string>& words) {
+  if (const std::string unknown = UnknownVerb(words, app_); !unknown.empty()) {
+    return Error{ErrorCode::kInvalid, unknown};
+  }
+  try {
+    app_.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+  } catch (const CLI::Success&) {
+    throw;
+  } catch (const CLI::ParseError& mistake) {
+    return Error{ErrorCode::kInvalid, program::SentenceOf(mistake, app_, HelpCommand(app_))};
+  }
+  settings_.gcm = program::GcmAddress(settings_.gcm);
+  settings_.timeout = std::chrono::milliseconds(timeout_ms_);
+  settings_.color = Colors().at(color_);
+  if (has_no_titles_) settings_.titles = false;
+  if (is_quiet_) settings_.remarks = Remarks::kNone;
+  if (is_verbose_) settings_.remarks = Remarks::kMore;
+  return {};
+}
+
+Page CommandLine::chosen_page() const {
+  const Page all = page();
+  const Page* chosen = &all;
+  for (const CLI::App* part = &app_; !part->get_subcommands().empty();) {
+    part = part->get_subcommands().front();
+    if (const Page* found = chosen->Find(part->get_name())) chosen = found;
+  }
+  return *chosen;
+}
+
+std::string ResolvedPath(const std::string& at, const std::string& typed) {
+  const bool is_from_top = typed.starts_with('/');
+  std::vector<std::string> parts;
+  for (const std::string& text : {is_from_top ? std::string() : at, typed}) {
+    std::istringstream all(text);
+    for (std::string part; std::getline(all, part, '/');) {
+      if (part == "..") {
+        if (!parts.empty()) parts.pop_back();
+      } else if (!part.empty() && part != ".") {
+        parts.push_back(part);
+      }
+    }
+  }
+  constexpr std::size_t kInterface = 3;  // its members are behind a dot
+  std::string path;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    path += (i == 0 ? "" : i == kInterface ? "." : "/") + parts[i];
+  }
+  return path;
+}
+
+std::string VersionLine() { return std::string("gcm ") + TENDON_VERSION; }
+
+}  // namespace console

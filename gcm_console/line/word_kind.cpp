@@ -1,0 +1,32 @@
+#include <gcm_console/line/word_kind.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <string_view>
+
+namespace console {
+namespace {
+
+/// By the order of the enumerators, as the help calls them.
+constexpr std::array<std::string_view, 11> kNames = {"TEXT",      "FILE",  "VERB",      "PROCESS",
+                                                     "COMPONENT", "PATH",  "INTERFACE", "PROVIDED",
+                                                     "COMMAND",   "VALUE", "COLUMN"};
+
+}  // namespace
+
+CLI::Option* Names(CLI::Option* option, WordKind kind) {
+  return option->type_name(std::string(kNames.at(static_cast<std::size_t>(kind))));
+}
+
+WordKind KindOf(const CLI::Option& option) {
+  const std::string all = option.get_type_name();  // checks follow behind a colon
+  const std::string name = all.substr(0, all.find(':'));
+  for (std::size_t i = 0; i < kNames.size(); ++i) {
+    if (kNames.at(i) == name) return static_cast<WordKind>(i);
+  }
+  return WordKind::kText;
+}
+
+bool IsPath(WordKind kind) { return kind >= WordKind::kProcess; }
+
+}  // namespace console

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+
+namespace CLI {  // NOLINT(readability-identifier-naming): the library's name
+class Option;
+}
+
+namespace console {
+
+/// What a word of a command line names: for help, for completion, and for paths that are relative.
+enum class WordKind {
+  kText,
+  kFile,
+  kVerb,
+  kProcess,    ///< from here on: paths of a system
+  kComponent,  ///< and processes on the way to one
+  kPath,       ///< of anything
+  kRequired,   ///< a required interface
+  kProvided,
+  kCommand,
+  kReadable,  ///< a read command or a column
+  kColumn,    ///< of a state table
+};
+
+/// Says what the words of an option or an argument name.
+CLI::Option* Names(CLI::Option* option, WordKind kind);
+
+/// What was said of it; kText where nothing was.
+WordKind KindOf(const CLI::Option& option);
+
+[[nodiscard]] bool IsPath(WordKind kind);
+
+}  // namespace console

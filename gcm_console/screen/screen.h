@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdio>
+#include <ostream>
+#include <sstream>
+#include <string>
+
+namespace console {
+
+/// Takes the whole screen of a terminal as long as it lives, and gives it back as it was.
+class Screen {
+ public:
+  explicit Screen(std::ostream& out) : out_(out) { out_ << "\x1b[?1049h\x1b[?25l" << std::flush; }
+  Screen(const Screen&) = delete;
+  Screen& operator=(const Screen&) = delete;
+  ~Screen() { out_ << "\x1b[?25h\x1b[?1049l" << std::flush; }
+
+  /// Lines that do not fit into so many rows are left out.
+  void Show(const std::string& text, int rows) {
+    std::istringstream lines(text);
+    out_ << "\x1b[H";
+    int row = 1;
+    for (std::string line; row < rows && std::getline(lines, line); ++row) {
+      out_ << line << "\x1b[K\r\n";
+    }
+    out_ << "\x1b[J" << std::flush;
+  }
+
+ private:
+  std::ostream& out_;
+};
+
+/// With so many digits behind the point.
+inline std::string Fixed(double value, int digits) {
+  char text[64];
+  std::snprintf(text, sizeof(text), "%.*f", digits, value);
+  return text;
+}
+
+/// As a scale says it: with four digits that matter.
+inline std::string Short(double value) {
+  char text[64];
+  std::snprintf(text, sizeof(text), "%.4g", value);
+  return text;
+}
+
+}  // namespace console

@@ -1,0 +1,122 @@
+#include <gcm_console/screen/task_feed.h>
+#include <tendon/gcm/lookup.h>
+#include <tendon/payload/plot_channel.h>
+
+#include <algorithm>
+#include <chrono>
+#include <mutex>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace console {
+namespace {
+
+constexpr const char* kSummary = "CycleSummary";
+constexpr const char* kCycle = "Cycle";
+
+bool HasColumns(const tendon::ComponentDescription& component) {
+  for (const auto& table : component.tables) {
+    if (table.name != "state") continue;
+    const auto has = [&](const std::string& name) {
+      return std::any_of(table.columns.begin(), table.columns.end(),
+                         [&](const auto& column) { return column.name == name; });
+    };
+    return has(kSummary) && has(kCycle);
+  }
+  return false;
+}
+
+}  // namespace
+
+/// Keeps the newest figures.
+class TaskFeed::Listener final : public tendon::RowSink {
+ public:
+  void OnSubscribed(const std::vector<tendon::Schema>& columns) override {
+    const std::scoped_lock lock(mutex_);
+    const auto find = [&](std::size_t column,
+                          const char* field) -> std::optional<tendon::PlotChannel> {
+      auto channel = tendon::FindChannel(columns.at(column), field);
+      return channel ? std::optional(*std::move(channel)) : std::nullopt;
+    };
+    cycles_ = find(0, ".cycles");
+    period_ = find(0, ".period.mean");
+    late_ = find(0, ".lateness.p50");
+    latest_ = find(0, ".lateness.max");
+    compute_ = find(0, ".compute.mean");
+    skipped_ = find(1, ".overruns");
+  }
+  std::size_t OnRows(const tendon::RowBatch& batch) override {
+    const std::scoped_lock lock(mutex_);
+    if (batch.count == 0) return 0;
+    const std::size_t row = batch.count - 1;
+    const auto value = [&](const std::optional<tendon::PlotChannel>& channel, std::size_t column) {
+      return channel ? ReadChannel(*channel, batch.cell(row, column)).value_or(0.0) : 0.0;
+    };
+    figures_.skipped = static_cast<std::uint64_t>(value(skipped_, 1));
+    const double period = value(period_, 0);
+    figures_.is_known = value(cycles_, 0) > 0 && period > 0.0;
+    if (!figures_.is_known) return 0;
+    figures_.rate = 1.0 / period;
+    figures_.late = value(late_, 0);
+    figures_.latest = value(latest_, 0);
+    figures_.compute = value(compute_, 0);
+    figures_.load = figures_.compute / period;
+    return 0;
+  }
+  void OnStale(const tendon::Error& /*reason*/) override {
+    const std::scoped_lock lock(mutex_);
+    figures_ = {};
+  }
+
+  TaskFigures figures() {
+    const std::scoped_lock lock(mutex_);
+    return figures_;
+  }
+
+ private:
+  std::mutex mutex_;
+  TaskFigures figures_;
+  std::optional<tendon::PlotChannel> cycles_;
+  std::optional<tendon::PlotChannel> period_;
+  std::optional<tendon::PlotChannel> late_;
+  std::optional<tendon::PlotChannel> latest_;
+  std::optional<tendon::PlotChannel> compute_;
+  std::optional<tendon::PlotChannel> skipped_;
+};
+
+TaskFeed::~TaskFeed() {
+  for (const auto& [path, entry] : entries_) client_.telemetry().Unsubscribe(entry.id);
+}
+
+std::vector<TaskFigures> TaskFeed::Look() {
+  constexpr std::chrono::milliseconds kOften(200);
+  std::vector<TaskFigures> all;
+  std::map<std::string, Entry> there;
+  const tendon::Catalog catalog = client_.catalog();
+  for (const auto& [process, entry] : catalog.processes()) {
+    for (const auto& [name, component] : entry.components) {
+      if (!HasColumns(component) || !IsPresent(entry.process)) continue;
+      const std::string path = process + "/" + name;
+      auto known = entries_.extract(path);
+      if (known.empty()) {
+        const auto listener = std::make_shared<Listener>();
+        tendon::TableSubscription wanted{process, name, "state", {kSummary, kCycle}};
+        wanted.rows = {.period = kOften, .delivery = tendon::RowDelivery::kNewest};
+        there[path] = {client_.telemetry().Subscribe(wanted, listener), listener};
+      } else {
+        there.insert(std::move(known));
+      }
+      TaskFigures figures = there[path].listener->figures();
+      figures.path = path;
+      figures.state = ToString(component.state);
+      figures.period = component.period;
+      all.push_back(std::move(figures));
+    }
+  }
+  for (const auto& [path, entry] : entries_) client_.telemetry().Unsubscribe(entry.id);
+  entries_ = std::move(there);
+  return all;
+}
+
+}  // namespace console

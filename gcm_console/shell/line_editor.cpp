@@ -1,0 +1,159 @@
+#include <gcm_console/report.h>
+#include <gcm_console/shell/line_editor.h>
+#include <histedit.h>
+#include <tendon/base/os/termination.h>
+
+#include <algorithm>
+#include <clocale>
+#include <cstdio>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace console {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kRemembered = 1000;
+
+struct EndEditLine {
+  void operator()(EditLine* editor) const { el_end(editor); }
+};
+struct EndHistory {
+  void operator()(History* history) const { history_end(history); }
+};
+
+/// What all candidates begin with.
+std::string CommonBegin(const std::vector<Completion::Candidate>& candidates) {
+  std::string common = candidates.front().text;
+  for (const auto& [text, help] : candidates) {
+    const auto end = std::mismatch(common.begin(), common.end(), text.begin(), text.end());
+    common.erase(end.first, common.end());
+  }
+  return common;
+}
+
+/// The names in a folder that begin as a word does.
+std::vector<Completion::Candidate> Files(const std::string& word) {
+  const auto slash = word.rfind('/');
+  const std::string folder = slash == std::string::npos ? "" : word.substr(0, slash + 1);
+  std::vector<Completion::Candidate> files;
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, none)) {
+    const std::string path = folder + entry.path().filename().string();
+    if (!path.starts_with(word)) continue;
+    files.push_back({path + (entry.is_directory(none) ? "/" : " "), ""});
+  }
+  std::sort(files.begin(), files.end(),
+            [](const auto& a, const auto& b) { return a.text < b.text; });
+  return files;
+}
+
+class LineEditor final : public LineReader {
+ public:
+  LineEditor(fs::path file, AskCompletion completion)
+      : file_(std::move(file)),
+        completion_(std::move(completion)),
+        history_(history_init()),
+        editor_(el_init("gcm", stdin, stdout, stderr)) {
+    std::setlocale(LC_CTYPE, "");
+    HistEvent event{};
+    history(history_.get(), &event, H_SETSIZE, kRemembered);
+    history(history_.get(), &event, H_SETUNIQUE, 1);
+    history(history_.get(), &event, H_LOAD, file_.c_str());
+    EditLine* editor = editor_.get();
+    el_set(editor, EL_CLIENTDATA, this);
+    el_set(editor, EL_PROMPT, &Prompt);
+    el_set(editor, EL_SIGNAL, 1);  // the terminal is given back before one ends the program
+    el_set(editor, EL_EDITOR, "emacs");
+    el_set(editor, EL_HIST, &::history, history_.get());
+    el_set(editor, EL_ADDFN, "gcm-complete", "complete a word", &OnTab);
+    el_set(editor, EL_ADDFN, "gcm-abandon", "begin anew", &OnInterrupt);
+    el_set(editor, EL_BIND, "^R", "em-inc-search-prev", nullptr);
+    el_source(editor, nullptr);
+    el_set(editor, EL_BIND, "^I", "gcm-complete", nullptr);
+    el_set(editor, EL_BIND, "^C", "gcm-abandon", nullptr);
+    el_set(editor, EL_SETTY, "-d", "-isig", nullptr);  // while a line is edited
+  }
+
+  std::optional<std::string> Read(const std::string& prompt) override {
+    prompt_ = prompt;
+    el_set(editor_.get(), EL_PREP_TERM, 1);  // before the prompt: Ctrl-C is a key from here on
+    tendon::os::ForgetInterrupt();           // it was for the command that ran
+    const tendon::os::TerminationLetThrough while_typing;
+    int count = 0;
+    const char* typed = el_gets(editor_.get(), &count);
+    if (std::exchange(is_abandoned_, false)) return "";
+    if (typed == nullptr || count <= 0) return std::nullopt;
+    std::string line(typed, static_cast<std::size_t>(count));
+    while (line.ends_with('\n') || line.ends_with('\r')) line.pop_back();
+    Remember(line);
+    return line;
+  }
+
+ private:
+  static LineEditor& Of(EditLine* editor) {
+    void* self = nullptr;
+    el_get(editor, EL_CLIENTDATA, &self);
+    return *static_cast<LineEditor*>(self);
+  }
+  static char* Prompt(EditLine* editor) { return Of(editor).prompt_.data(); }
+  static unsigned char OnTab(EditLine* editor, int /*key*/) { return Of(editor).Complete(); }
+  static unsigned char OnInterrupt(EditLine* editor, int /*key*/) {
+    Of(editor).is_abandoned_ = true;
+    std::fputs("^C\n", stdout);
+    std::fflush(stdout);
+    return CC_NEWLINE;
+  }
+
+  void Remember(const std::string& line) {
+    if (line.find_first_not_of(" \t") == std::string::npos) return;
+    HistEvent event{};
+    history(history_.get(), &event, H_ENTER, line.c_str());
+    history(history_.get(), &event, H_SAVE, file_.c_str());
+  }
+
+  unsigned char Complete() {
+    const LineInfo* info = el_line(editor_.get());
+    const Unfinished line =
+        UnfinishedOf({info->buffer, static_cast<std::size_t>(info->cursor - info->buffer)});
+    const std::string& word = line.words.back();
+    Completion found = completion_(line);
+    if (found.is_file) found.candidates = Files(word);
+    if (found.candidates.empty() || word != line.typed) return CC_REFRESH_BEEP;
+    const std::string common = CommonBegin(found.candidates);
+    if (common.size() > word.size()) {
+      el_insertstr(editor_.get(), common.substr(word.size()).c_str());
+      return CC_REFRESH;
+    }
+    List(found.candidates);
+    return CC_REDISPLAY;
+  }
+
+  static void List(const std::vector<Completion::Candidate>& candidates) {
+    std::size_t widest = 0;
+    for (const auto& [text, help] : candidates) widest = std::max(widest, text.size());
+    std::fputc('\n', stdout);
+    for (const auto& [text, help] : candidates) {
+      std::fprintf(stdout, "%-*s  %s\n", static_cast<int>(widest), Plain(text).c_str(),
+                   Plain(help).c_str());
+    }
+    std::fflush(stdout);
+  }
+
+  const fs::path file_;
+  const AskCompletion completion_;
+  const std::unique_ptr<History, EndHistory> history_;
+  const std::unique_ptr<EditLine, EndEditLine> editor_;
+  std::string prompt_;
+  bool is_abandoned_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<LineReader> MakeLineEditor(const fs::path& history, AskCompletion completion) {
+  return std::make_unique<LineEditor>(history, std::move(completion));
+}
+
+}  // namespace console

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <gcm_console/completion/completer.h>
+#include <gcm_console/console.h>
+#include <gcm_console/line/session.h>
+#include <gcm_console/shell/words.h>
+
+#include <string>
+
+namespace console {
+
+/// Lines of text as commands of `gcm`, without that word: what `gcm shell`, `gcm run` and the
+/// window's console have in common. Paths begin where the last `cd` went. Used by one thread.
+class Shell {
+ public:
+  explicit Shell(Settings settings);
+
+  /// What is to be done once a command of a line has failed.
+  enum class AfterFailure { kGoOn, kStop };
+
+  /// Runs the commands of one line; the exit code of the last that ran, 0 of an empty line.
+  int Run(const std::string& line, const Streams& streams, AfterFailure after);
+  /// Somebody has typed `exit`.
+  [[nodiscard]] bool has_ended() const { return has_ended_; }
+
+  /// "robot/arm> ", by where paths begin.
+  [[nodiscard]] std::string prompt() const;
+  /// What a line may go on with, from the catalogue as it is known at this moment: never waits.
+  [[nodiscard]] Completion Complete(const Unfinished& line);
+
+ private:
+  int RunCommand(const Words& words, const Streams& streams);
+  tendon::Result<void> GoTo(const std::string& typed);
+
+  Session session_;
+  const Page page_;
+  bool has_ended_ = false;
+};
+
+}  // namespace console

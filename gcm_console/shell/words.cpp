@@ -1,0 +1,134 @@
+#include <gcm_console/shell/words.h>
+
+#include <cctype>
+#include <utility>
+
+namespace console {
+namespace {
+
+using tendon::Error;
+using tendon::ErrorCode;
+using tendon::Result;
+
+bool IsBlank(char letter) { return std::isspace(static_cast<unsigned char>(letter)) != 0; }
+
+class Reader {
+ public:
+  explicit Reader(std::string_view line) : line_(line) {}
+
+  Result<void> Read() {
+    while (true) {
+      while (!at_end() && IsBlank(next())) ++place_;
+      if (at_end() || next() == '#') return {};
+      if (next() == ';') {
+        ++place_;
+        EndCommand();
+        continue;
+      }
+      begin_ = place_;
+      if (auto word = ReadWord(); !word) return word;
+    }
+  }
+  void EndCommand() {
+    if (!words_.empty()) commands_.push_back(std::exchange(words_, {}));
+  }
+
+  [[nodiscard]] std::vector<Words>& commands() { return commands_; }
+  [[nodiscard]] Words& words() { return words_; }
+  /// Where the last word begins; the line's end where none was begun.
+  [[nodiscard]] std::size_t begin() const {
+    return line_.empty() || IsBlank(line_.back()) || line_.back() == ';' ? line_.size() : begin_;
+  }
+  /// What there is of a word without its end.
+  [[nodiscard]] const std::string& rest() const { return word_; }
+
+ private:
+  [[nodiscard]] bool at_end() const { return place_ >= line_.size(); }
+  [[nodiscard]] char next() const { return line_[place_]; }
+  char Take() {
+    word_ += line_[place_];
+    return line_[place_++];
+  }
+
+  Result<void> ReadWord() {
+    word_.clear();
+    const bool is_json = next() == '{' || next() == '[';
+    if (auto read = is_json ? ReadJson() : ReadPlain(); !read) return read;
+    words_.push_back(std::exchange(word_, ""));
+    return {};
+  }
+  Result<void> ReadPlain() {
+    while (!at_end() && !IsBlank(next()) && next() != ';') {
+      if (next() == '\\' && place_ + 1 < line_.size()) {
+        ++place_;
+        Take();
+      } else if (next() == '\'' || next() == '"') {
+        if (auto read = ReadQuoted(next()); !read) return read;
+      } else {
+        Take();
+      }
+    }
+    return {};
+  }
+  Result<void> ReadQuoted(char quote) {
+    const std::size_t begin = place_++;
+    while (!at_end() && next() != quote) {
+      if (quote == '"' && next() == '\\' && place_ + 1 < line_.size()) ++place_;
+      Take();
+    }
+    if (at_end()) return NoEnd("quote", begin);
+    ++place_;
+    return {};
+  }
+  Result<void> ReadJson() {
+    const std::size_t begin = place_;
+    int depth = 0;
+    bool is_in_string = false;
+    while (!at_end()) {
+      const char letter = Take();
+      if (is_in_string) {
+        if (letter == '\\' && !at_end()) Take();
+        if (letter == '"') is_in_string = false;
+        continue;
+      }
+      if (letter == '"') is_in_string = true;
+      if (letter == '{' || letter == '[') ++depth;
+      if ((letter == '}' || letter == ']') && --depth == 0) return {};
+    }
+    return NoEnd("bracket", begin);
+  }
+  [[nodiscard]] Error NoEnd(const std::string& what, std::size_t begin) const {
+    return {ErrorCode::kInvalid,
+            "the " + what + " in column " + std::to_string(begin + 1) + " has no end"};
+  }
+
+  std::string_view line_;
+  std::size_t place_ = 0;
+  std::size_t begin_ = 0;
+  std::string word_;
+  Words words_;
+  std::vector<Words> commands_;
+};
+
+}  // namespace
+
+Result<std::vector<Words>> CommandsOf(std::string_view line) {
+  Reader reader(line);
+  if (auto read = reader.Read(); !read) return read.error();
+  reader.EndCommand();
+  return std::move(reader.commands());
+}
+
+Unfinished UnfinishedOf(std::string_view line) {
+  Reader reader(line);
+  const bool is_whole = static_cast<bool>(reader.Read());
+  Unfinished unfinished{std::move(reader.words()), std::string(line.substr(reader.begin()))};
+  if (!is_whole) {
+    unfinished.words.push_back(reader.rest());
+  } else if (unfinished.typed.empty()) {
+    unfinished.words.emplace_back();
+  }
+  return unfinished;
+}
+
+}  // namespace console

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <tendon/base/result.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace console {
+
+using Words = std::vector<std::string>;
+
+/// The commands of a line: their words, those between blanks. `;` ends a command, `#` where a word
+/// would begin ends the line. Between '...' a letter is only a letter, between "..." and elsewhere
+/// \ makes it one. A word that begins with { or [ is JSON and ends with its bracket, quotes and
+/// all. kInvalid where a quote or a bracket has no end.
+tendon::Result<std::vector<Words>> CommandsOf(std::string_view line);
+
+/// The words of the last command of a line that is being typed; the last one, of which `typed` are
+/// the letters as they stand in the line, is empty behind a blank.
+struct Unfinished {
+  Words words;
+  std::string typed;
+};
+Unfinished UnfinishedOf(std::string_view line);
+
+}  // namespace console

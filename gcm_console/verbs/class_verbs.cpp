@@ -1,0 +1,282 @@
+#include <gcm_console/report.h>
+#include <gcm_console/verb.h>
+#include <tendon/gcm/life/life_plan.h>
+#include <tendon/gcm/lookup.h>
+#include <tendon/payload/schema.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+namespace console {
+namespace {
+
+using program::ExitCode;
+using tendon::Catalog;
+using tendon::ClassDescription;
+using tendon::Error;
+using tendon::ErrorCode;
+using tendon::LifeVerb;
+using tendon::Result;
+using tendon::message::Classes;
+using tendon::message::LifeOrder;
+
+struct Arguments {
+  std::string process;
+  std::string library;
+  std::string class_name;
+  std::string component;
+  std::string json;
+  std::string file;
+  bool dry_run = false;
+};
+
+/// The one that is named; else the only one that is there.
+Result<std::string> ProcessOf(const Catalog& catalog, const std::string& named) {
+  if (!named.empty()) return named;
+  std::vector<std::string> present;
+  for (const auto& [name, entry] : catalog.processes()) {
+    if (IsPresent(entry.process)) present.push_back(name);
+  }
+  if (present.size() == 1) return present.front();
+  if (present.empty()) {
+    return Error{ErrorCode::kNotFound,
+                 "no process has joined the GCM; start one with: lcm --name "
+                 "NAME"};
+  }
+  std::string list;
+  for (const std::string& name : present) list += (list.empty() ? "" : ", ") + name;
+  return Error{ErrorCode::kInvalid, "there are several processes: name one of " + list};
+}
+
+/// From the command line or a file; empty where neither is given.
+Result<std::string> ConfigurationOf(const Arguments& arguments) {
+  if (arguments.file.empty()) return arguments.json;
+  constexpr std::size_t kMost = std::size_t{16} << 20U;
+  std::ifstream stream(arguments.file, std::ios::binary);
+  if (!stream) {
+    const ErrorCode code = errno == ENOENT ? ErrorCode::kNotFound : ErrorCode::kInvalid;
+    return Error{code, arguments.file + " cannot be read: " + std::strerror(errno)};
+  }
+  std::string text(kMost + 1, '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (stream.bad()) return Error{ErrorCode::kInvalid, arguments.file + " cannot be read"};
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  if (text.size() > kMost) return Error{ErrorCode::kInvalid, arguments.file + " is over 16 MB"};
+  if (text.empty()) {
+    return Error{ErrorCode::kInvalid, arguments.file + ": expected a JSON object, found nothing"};
+  }
+  return text;
+}
+
+/// Carries the order out, or says what would be; `object` and `done` are for people.
+Result<ExitCode> Carry(Context& context, const LifeOrder& order, const std::string& object,
+                       const std::string& done, bool is_dry) {
+  const auto client = context.Client();
+  if (!client) return client.error();
+  const Result<void> outcome =
+      is_dry ? CheckLife((*client)->catalog(), order)
+             : context.Ask<void>(
+                   [&](tendon::GcmClient& asked, auto handler) { asked.Steer(order, handler); },
+                   tendon::GcmClient::kOrdersOfALife);
+  if (!outcome) return outcome.error();
+  if (context.settings().json) {
+    context.PrintJson({{"verb", ToString(order.verb)}, {"path", object}, {"dry_run", is_dry}});
+  } else {
+    context.out() << Plain(object) << '\t' << (is_dry ? "would be " : "") << done << '\n';
+  }
+  return program::kOk;
+}
+
+Result<ExitCode> Load(Context& context, const Arguments& arguments) {
+  const auto client = context.Client();
+  if (!client) return client.error();
+  const auto process = ProcessOf((*client)->catalog(), arguments.process);
+  if (!process) return process.error();
+  const LifeOrder order{.verb = LifeVerb::kLoad, .process = *process, .library = arguments.library};
+  return Carry(context, order, *process + " " + arguments.library, "loaded", arguments.dry_run);
+}
+
+Result<ExitCode> Create(Context& context, const Arguments& arguments) {
+  const auto client = context.Client();
+  if (!client) return client.error();
+  const auto path = tendon::ParsePath(arguments.component);
+  const bool is_whole = arguments.component.find('/') != std::string::npos;
+  if (is_whole && !path) return path.error();
+  if (is_whole && (!path->interface.empty() || !arguments.process.empty())) {
+    return Error{ErrorCode::kInvalid, "'" + arguments.component +
+                                          "' names no component: expected process/component, or "
+                                          "its name alone with --in process"};
+  }
+  const auto process =
+      ProcessOf((*client)->catalog(), is_whole ? path->process : arguments.process);
+  if (!process) return process.error();
+  const auto configuration = ConfigurationOf(arguments);
+  if (!configuration) return configuration.error();
+  const LifeOrder order{.verb = LifeVerb::kCreate,
+                        .process = *process,
+                        .component = is_whole ? path->component : arguments.component,
+                        .class_name = arguments.class_name,
+                        .library = arguments.library,
+                        .configuration = *configuration};
+  return Carry(context, order, *process + "/" + order.component, "created", arguments.dry_run);
+}
+
+Result<ExitCode> Configure(Context& context, const Arguments& arguments) {
+  const auto client = context.Client();
+  if (!client) return client.error();
+  const auto found = LookUpComponents((*client)->catalog(), arguments.component);
+  if (!found) return found.error();
+  if (found->size() > 1) {
+    return Error{ErrorCode::kInvalid, "'" + arguments.component + "' names " +
+                                          std::to_string(found->size()) +
+                                          " components; configure one at a time"};
+  }
+  const auto configuration = ConfigurationOf(arguments);
+  if (!configuration) return configuration.error();
+  const LifeOrder order{.verb = LifeVerb::kConfigure,
+                        .process = found->front().process,
+                        .component = found->front().component,
+                        .configuration = *configuration};
+  return Carry(context, order, ToString(found->front()), "configured", arguments.dry_run);
+}
+
+/// "arm.Configuration", or "-" where the class takes none.
+std::string ConfigurationType(const ClassDescription& one) {
+  const auto schema = tendon::Schema::Parse(one.configuration);
+  if (!schema) return "?";
+  return schema->is_none() ? "-" : schema->TypeName();
+}
+
+void PrintJson(const Context& context, const std::string& process, const Classes& all) {
+  using Json = nlohmann::ordered_json;
+  auto classes = Json::array();
+  for (const ClassDescription& one : all.classes) {
+    const Json defaults = Json::parse(one.defaults, nullptr, false);  // null where it takes none
+    classes.push_back({{"class", one.name},
+                       {"library", one.library},
+                       {"configuration", one.configuration},
+                       {"defaults", defaults.is_object() ? defaults : Json::object()}});
+  }
+  context.PrintJson(
+      {{"process", process}, {"classes", std::move(classes)}, {"plugins", all.plugins}});
+}
+
+Result<ExitCode> Show(const Context& context, const Classes& all, const std::string& class_name) {
+  std::vector<std::string> names;
+  for (const ClassDescription& one : all.classes) {
+    names.push_back(one.name);
+    if (one.name != class_name) continue;
+    context.out() << Plain(one.library) << '/' << Plain(one.name) << '\n';
+    std::string line;  // the text of a schema has lines, each of them from outside
+    for (const char letter : one.configuration + "\n") {
+      if (letter != '\n') {
+        line += letter;
+      } else if (!line.empty()) {
+        context.out() << Plain(std::exchange(line, "")) << '\n';
+      }
+    }
+    context.out() << "defaults: " << Plain(one.defaults) << '\n';
+    return program::kOk;
+  }
+  return Error{ErrorCode::kNotFound, "no class '" + class_name + "' is loaded there" +
+                                         tendon::DidYouMean(class_name, names)};
+}
+
+Result<ExitCode> List(Context& context, const Arguments& arguments) {
+  const auto client = context.Client();
+  if (!client) return client.error();
+  const auto process = ProcessOf((*client)->catalog(), arguments.process);
+  if (!process) return process.error();
+  const auto all = context.Ask<Classes>([&](tendon::GcmClient& asked, auto handler) {
+    asked.GetClasses(*process, std::move(handler));
+  });
+  if (!all) return all.error();
+  if (context.settings().json) {
+    PrintJson(context, *process, *all);
+    return program::kOk;
+  }
+  if (!arguments.class_name.empty()) return Show(context, *all, arguments.class_name);
+  Table table({"CLASS", "LIBRARY", "CONFIGURATION"});
+  for (const ClassDescription& one : all->classes) {
+    table.Add({one.name, one.library, ConfigurationType(one)});
+  }
+  context.Print(table);
+  std::string more;
+  for (const std::string& plugin : all->plugins) {
+    const auto is_loaded = [&](const ClassDescription& one) { return one.library == plugin; };
+    if (std::ranges::none_of(all->classes, is_loaded)) more += " " + plugin;
+  }
+  if (!more.empty()) context.err() << "gcm: can be loaded, too:" << Plain(more) << '\n';
+  return program::kOk;
+}
+
+void AddConfiguration(CLI::App& app, Arguments& arguments) {
+  auto* json = app.add_option("--arg", arguments.json, "its configuration, as a JSON object");
+  Names(app.add_option("--configure", arguments.file, "a file with its configuration"),
+        WordKind::kFile)
+      ->excludes(json);
+}
+
+void AddProcess(CLI::App& app, Arguments& arguments) {
+  Names(app.add_option("--in", arguments.process, "the process, where there are several"),
+        WordKind::kProcess);
+}
+
+void AddDryRun(CLI::App& app, Arguments& arguments) {
+  app.add_flag("--dry-run", arguments.dry_run, "say what would be done, and do nothing");
+}
+
+}  // namespace
+
+std::vector<Verb> ClassVerbs() {
+  return {
+      {"load", "load a plug-in into a process",
+       [](CLI::App& app) -> Verb::Run {
+         auto arguments = std::make_shared<Arguments>();
+         app.add_option("library", arguments->library, "its name, without path")->required();
+         AddProcess(app, *arguments);
+         AddDryRun(app, *arguments);
+         return [arguments](Context& context) { return Load(context, *arguments); };
+       }},
+      {"classes", "list the classes that a process can make components of",
+       [](CLI::App& app) -> Verb::Run {
+         auto arguments = std::make_shared<Arguments>();
+         Names(app.add_option("process", arguments->process, "needed where there are several"),
+               WordKind::kProcess);
+         app.add_option("class", arguments->class_name, "show what its configuration has");
+         return [arguments](Context& context) { return List(context, *arguments); };
+       }},
+      {"create", "make a component of a class",
+       [](CLI::App& app) -> Verb::Run {
+         auto arguments = std::make_shared<Arguments>();
+         app.add_option("class", arguments->class_name, "see: gcm classes")->required();
+         app.add_option("name", arguments->component, "process/component, or component")
+             ->required();
+         AddProcess(app, *arguments);
+         app.add_option("--library", arguments->library,
+                        "the plug-in with the class; loaded where it is not yet");
+         AddConfiguration(app, *arguments);
+         AddDryRun(app, *arguments);
+         return [arguments](Context& context) { return Create(context, *arguments); };
+       }},
+      {"configure", "make a component that is at rest anew, with another configuration",
+       [](CLI::App& app) -> Verb::Run {
+         auto arguments = std::make_shared<Arguments>();
+         Names(app.add_option("component", arguments->component, "process/component"),
+               WordKind::kComponent)
+             ->required();
+         AddConfiguration(app, *arguments);
+         AddDryRun(app, *arguments);
+         return [arguments](Context& context) { return Configure(context, *arguments); };
+       }},
+  };
+}
+
+}  // namespace console

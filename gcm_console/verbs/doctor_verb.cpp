@@ -1,0 +1,265 @@
+#include <gcm_console/report.h>
+#include <gcm_console/screen/screen.h>
+#include <gcm_console/verb.h>
+#include <tendon/base/os/process.h>
+#include <tendon/gcm/lookup.h>
+#include <tendon/middleware/frame.h>
+#include <tendon/middleware/hello.h>
+#include <tendon/security/certificate_check.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <thread>
+
+namespace console {
+namespace {
+
+using program::ExitCode;
+using tendon::Error;
+using tendon::ErrorCode;
+using tendon::Result;
+using namespace std::chrono_literals;
+
+/// What was looked at, and what was found.
+struct Finding {
+  enum class Verdict { kGood, kBad, kUnknown };
+
+  std::string what;
+  Verdict verdict = Verdict::kGood;
+  std::string text;
+  std::string fix = {};  ///< kBad: what to do
+};
+using Verdict = Finding::Verdict;
+using Findings = std::vector<Finding>;
+
+std::string Milliseconds(std::chrono::nanoseconds time) {
+  constexpr double kMillisecond = 1e6;
+  return Fixed(static_cast<double>(time.count()) / kMillisecond, 1) + " ms";
+}
+
+bool IsLoopback(const std::string& address) {
+  return address.starts_with("127.") || address.starts_with("localhost:") ||
+         address.starts_with("[::1]");
+}
+
+/// The clock offset of a process, from the first rows of any of its tables.
+class ClockListener final : public tendon::RowSink {
+ public:
+  struct Clock {
+    std::chrono::nanoseconds offset{0};
+    std::chrono::nanoseconds uncertainty{0};
+  };
+
+  void OnSubscribed(const std::vector<tendon::Schema>& /*columns*/) override {}
+  std::size_t OnRows(const tendon::RowBatch& batch) override {
+    const bool is_estimated = batch.clock_uncertainty != std::chrono::nanoseconds::max();
+    const std::scoped_lock lock(mutex_);
+    if (is_estimated) clock_ = {batch.clock_offset, batch.clock_uncertainty};
+    return 0;
+  }
+  void OnStale(const Error& /*reason*/) override {}
+
+  std::optional<Clock> clock() {
+    const std::scoped_lock lock(mutex_);
+    return clock_;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::optional<Clock> clock_;
+};
+
+class Doctor {
+ public:
+  explicit Doctor(Context& context) : context_(context) {}
+
+  Findings Examine() {
+    ExamineProgram();
+    ExamineSecrets();
+    const auto client = context_.Client();
+    if (!client) {
+      Bad("GCM", client.error().message,
+          client.error().code == ErrorCode::kUnreachable
+              ? "gcm serve, or --gcm ADDRESS of the one that is meant"
+              : "gcm help, about --gcm, --certificate and --insecure");
+      return std::move(findings_);
+    }
+    ExamineGcm(**client);
+    const tendon::Catalog catalog = (*client)->catalog();
+    if (catalog.processes().empty()) {
+      Bad("processes", "none has joined this GCM",
+          "lcm --name NAME --gcm " + context_.settings().gcm);
+    }
+    for (const auto& [name, entry] : catalog.processes()) ExamineProcess(**client, entry);
+    ExamineConnections(catalog);
+    return std::move(findings_);
+  }
+
+ private:
+  void Good(const std::string& what, const std::string& text) {
+    findings_.push_back({what, Verdict::kGood, text});
+  }
+  void Bad(const std::string& what, const std::string& text, const std::string& fix) {
+    findings_.push_back({what, Verdict::kBad, text, fix});
+  }
+
+  void ExamineProgram() {
+    Good("gcm", std::string("version ") + TENDON_VERSION + ", protocol " +
+                    std::to_string(tendon::FrameHeader::kProtocolVersion) + ", over " +
+                    context_.settings().network.middleware + ", on host " + tendon::os::HostName());
+    if (tendon::os::RunsAsRoot()) {
+      findings_.push_back({"user", Verdict::kUnknown, "root, which nothing here needs"});
+    }
+  }
+  void ExamineSecrets() {
+    const auto& network = context_.settings().network;
+    if (network.certificate.empty()) {
+      const auto cookie = tendon::LoopbackCookie();
+      if (cookie) {
+        Good("cookie", "read in " + tendon::os::RuntimeFolder().string());
+      } else {
+        Bad("cookie", cookie.error().message, "chmod 600 of the file, as the user who owns it");
+      }
+      return;
+    }
+    const auto now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
+    const auto checked =
+        tendon::CheckCertificate(network.certificate, program::AuthorityOf(network), now);
+    if (!checked) {
+      Bad("certificate", checked.error().message, "gcm cert check " + network.certificate);
+    } else if (!checked->warning.empty()) {
+      Bad("certificate", checked->warning, "gcm cert issue " + checked->certificate.name);
+    } else {
+      Good("certificate", "of " + checked->certificate.name + ", good until " +
+                              tendon::DateText(checked->certificate.not_after));
+    }
+  }
+  void ExamineGcm(tendon::GcmClient& client) {
+    const auto begin = std::chrono::steady_clock::now();
+    const auto history = context_.Ask<tendon::message::History>(
+        [](tendon::GcmClient& asked, auto handler) { asked.GetHistory(handler); });
+    const auto passed = std::chrono::steady_clock::now() - begin;
+    const std::string place = "at " + context_.settings().gcm;
+    if (!history) {
+      Bad("GCM", place + ": " + history.error().message, "gcm log --level error");
+      return;
+    }
+    Good("GCM", place + ", answers within " + Milliseconds(passed) + ", revision " +
+                    std::to_string(client.catalog().revision()));
+  }
+  void ExamineProcess(tendon::GcmClient& client, const tendon::ProcessEntry& entry) {
+    const auto& process = entry.process;
+    const std::string what = "process " + process.name;
+    const std::string place = "on " + process.host + ", pid " + std::to_string(process.pid);
+    if (!IsPresent(process)) {
+      Bad(what, std::string(ToString(process.state)) + ": " + process.reason,
+          "start it again: lcm --name " + process.name);
+      return;
+    }
+    const bool is_elsewhere = process.host != tendon::os::HostName();
+    if (is_elsewhere && IsLoopback(process.address)) {
+      Bad(what, place + ", says it is reached at " + process.address + ", which only that host can",
+          "start it with --listen and --advertise and an address of " + process.host);
+      return;
+    }
+    const auto begin = std::chrono::steady_clock::now();
+    const auto answer = context_.Ask<tendon::Schema>([&](tendon::GcmClient& asked, auto handler) {
+      asked.GetSchema(process.name, tendon::FingerprintOf<tendon::None>(), handler);
+    });
+    const auto passed = std::chrono::steady_clock::now() - begin;
+    if (!answer && answer.error().code != ErrorCode::kNotFound) {
+      Bad(what, place + ", at " + process.address + ": " + answer.error().message,
+          "see that no firewall is between, and gcm log --from " + process.name);
+      return;
+    }
+    Good(what, place + ", at " + process.address + ", answers within " + Milliseconds(passed) +
+                   ClockText(client, entry));
+  }
+  /// ", clock 0.0 ms off (+-0.1 ms)", or nothing where no table tells.
+  static std::string ClockText(tendon::GcmClient& client, const tendon::ProcessEntry& entry) {
+    for (const auto& [name, component] : entry.components) {
+      if (component.tables.empty() || component.tables[0].columns.empty()) continue;
+      const auto listener = std::make_shared<ClockListener>();
+      const auto& table = component.tables[0];
+      const auto id = client.telemetry().Subscribe(
+          {entry.process.name, name, table.name, {table.columns[0].name}}, listener);
+      const auto deadline = std::chrono::steady_clock::now() + 1s;
+      while (!listener->clock() && std::chrono::steady_clock::now() < deadline) {
+        std::this_thread::sleep_for(5ms);
+      }
+      client.telemetry().Unsubscribe(id);
+      const auto clock = listener->clock();
+      if (!clock) continue;
+      return ", clock " + Milliseconds(clock->offset) + " off (+-" +
+             Milliseconds(clock->uncertainty) + ")";
+    }
+    return "";
+  }
+  void ExamineConnections(const tendon::Catalog& catalog) {
+    std::size_t active = 0;
+    for (const auto& connection : catalog.connections()) {
+      if (connection.state == tendon::ConnectionState::kActive) {
+        ++active;
+        continue;
+      }
+      Bad("connection " + ToString(connection.required),
+          std::string(ToString(connection.state)) + ": " + connection.reason,
+          "gcm explain " + ToString(connection.required));
+    }
+    if (active > 0) Good("connections", std::to_string(active) + " active");
+  }
+
+  Context& context_;
+  Findings findings_;
+};
+
+const char* WordOf(Verdict verdict) {
+  return verdict == Verdict::kGood ? "ok" : verdict == Verdict::kBad ? "BAD" : "-";
+}
+
+void Print(Context& context, const Findings& findings) {
+  if (context.settings().json) {
+    nlohmann::ordered_json all = nlohmann::ordered_json::array();
+    for (const auto& [what, verdict, text, fix] : findings) {
+      const char* word = verdict == Verdict::kGood  ? "good"
+                         : verdict == Verdict::kBad ? "bad"
+                                                    : "unknown";
+      all.push_back({{"what", what}, {"verdict", word}, {"text", text}, {"fix", fix}});
+    }
+    context.PrintJson({{"findings", std::move(all)}});
+    return;
+  }
+  std::size_t widest = 0;
+  for (const Finding& finding : findings) widest = std::max(widest, finding.what.size());
+  const bool is_coloured = context.layout().is_coloured;
+  for (const auto& [what, verdict, text, fix] : findings) {
+    const std::string word = WordOf(verdict);
+    context.out() << Coloured(word, is_coloured) << std::string(5 - word.size(), ' ') << Plain(what)
+                  << std::string(widest - what.size() + 2, ' ') << Plain(text) << '\n';
+    if (!fix.empty())
+      context.out() << std::string(widest + 7, ' ') << "fix: " << Plain(fix) << '\n';
+  }
+}
+
+Result<ExitCode> Examine(Context& context) {
+  const Findings findings = Doctor(context).Examine();
+  Print(context, findings);
+  const bool is_bad = std::any_of(findings.begin(), findings.end(), [](const Finding& finding) {
+    return finding.verdict == Verdict::kBad;
+  });
+  return is_bad ? program::kRefused : program::kOk;
+}
+
+}  // namespace
+
+std::vector<Verb> DoctorVerbs() {
+  return {{"doctor", "look for what is wrong: keys, addresses, processes, clocks, connections",
+           [](CLI::App&) -> Verb::Run { return &Examine; }}};
+}
+
+}  // namespace console

@@ -1,0 +1,165 @@
+#include <gcm_console/report.h>
+#include <gcm_console/verb.h>
+#include <tendon/gcm/history.h>
+#include <tendon/gcm/text/step_text.h>
+#include <tendon/gcm/text/wall_time.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <ostream>
+#include <vector>
+
+namespace console {
+namespace {
+
+using nlohmann::ordered_json;
+using program::ExitCode;
+using tendon::Error;
+using tendon::Result;
+using tendon::message::HistoryEntry;
+
+ordered_json ToJson(const HistoryEntry& step) {
+  ordered_json json = {{"id", step.id}, {"verb", step.verb}};
+  if (step.life.process.empty()) {
+    json["required"] = ToString(step.wire.required);
+    json["provided"] = ToString(step.wire.provided);
+  } else {
+    json["component"] = step.life.process + "/" + step.life.component;
+  }
+  if (step.verb == "replace") json["former"] = ToString(step.former);
+  json.update({{"who", step.who},
+               {"when", step.when},
+               {"unknown", step.is_unknown},
+               {"undone", step.undone},
+               {"passed_over", step.passed_over}});
+  return json;
+}
+
+struct UndoWords {
+  int count = 1;
+  std::uint64_t step = 0;
+  bool skip = false;
+};
+
+/// What came of an undo of several steps.
+struct Undone {
+  std::vector<HistoryEntry> steps;
+  std::vector<HistoryEntry> passed_over;
+  std::optional<Error> error;  ///< after which there was no further one
+};
+
+Result<HistoryEntry> AskForUndo(Context& context, std::uint64_t step) {
+  return context.Ask<HistoryEntry>(
+      [step](tendon::GcmClient& client, auto handler) { client.Undo(handler, step); },
+      tendon::GcmClient::kOrdersOfAnUndo);
+}
+
+/// One step, before which others may be passed over. An error that passing over does not mend is
+/// that of the undo.
+Result<HistoryEntry> UndoOne(Context& context, const UndoWords& words, Undone& undone) {
+  while (true) {
+    auto step = AskForUndo(context, words.step);
+    if (step || !words.skip || step.error().code != tendon::ErrorCode::kFailed) return step;
+    auto passed = context.Ask<HistoryEntry>([&words](tendon::GcmClient& client, auto handler) {
+      client.PassOver(handler, words.step);
+    });
+    if (!passed) return step;
+    undone.passed_over.push_back(*std::move(passed));
+  }
+}
+
+void Print(Context& context, const Undone& undone) {
+  if (context.settings().json) {
+    ordered_json steps = ordered_json::array();
+    for (const auto& step : undone.steps) steps.push_back(ToJson(step));
+    ordered_json passed_over = ordered_json::array();
+    for (const auto& step : undone.passed_over) passed_over.push_back(ToJson(step));
+    context.PrintJson({{"undone", std::move(steps)}, {"passed_over", std::move(passed_over)}});
+    return;
+  }
+  for (const auto& step : undone.passed_over) {
+    context.err() << "gcm: passed over, and left as it is: " << Plain(tendon::WholeText(step))
+                  << '\n';
+  }
+  for (const auto& step : undone.steps) {
+    const std::string now =
+        step.verb == "replace" ? "; it is connected to " + ToString(step.former) : "";
+    context.out() << "undone: " << Plain(tendon::ToString(step) + now) << '\n';
+  }
+}
+
+Result<ExitCode> Undo(Context& context, const UndoWords& words) {
+  Undone undone;
+  while (!undone.error && undone.steps.size() < static_cast<std::size_t>(words.count)) {
+    auto step = UndoOne(context, words, undone);
+    if (step) {
+      undone.steps.push_back(*std::move(step));
+    } else {
+      undone.error = step.error();
+    }
+  }
+  if (undone.steps.empty() && undone.passed_over.empty()) return *undone.error;
+  Print(context, undone);
+  if (!undone.error) return program::kOk;
+  context.streams().err << "gcm: " << Plain(undone.error->message) << '\n';
+  return undone.steps.empty() ? program::ExitCodeOf(undone.error->code) : program::kPartial;
+}
+
+Result<ExitCode> History(Context& context, std::size_t count) {
+  const auto history = context.Ask<tendon::message::History>(
+      [](tendon::GcmClient& client, auto handler) { client.GetHistory(handler); });
+  if (!history) return history.error();
+  const auto& all = history->entries;
+  const std::vector<HistoryEntry> newest(
+      all.end() - static_cast<std::ptrdiff_t>(std::min(count, all.size())), all.end());
+  if (context.settings().json) {
+    ordered_json steps = ordered_json::array();
+    for (const auto& step : newest) steps.push_back(ToJson(step));
+    context.PrintJson({{"steps", std::move(steps)}});
+    return program::kOk;
+  }
+  Table table({"STEP", "WHEN", "WHO", "STATE", "WHAT"});
+  for (const auto& step : newest) {
+    const std::string state = step.undone        ? "undone"
+                              : step.passed_over ? "passed over"
+                              : step.is_unknown  ? "unknown"
+                                                 : "done";
+    table.Add({std::to_string(step.id), tendon::WallTimeText(step.when), step.who, state,
+               tendon::ToString(step)});
+  }
+  context.Print(table);
+  return program::kOk;
+}
+
+}  // namespace
+
+std::vector<Verb> HistoryVerbs() {
+  return {
+      {"undo", "take back the last changes of the system",
+       [](CLI::App& app) -> Verb::Run {
+         auto words = std::make_shared<UndoWords>();
+         auto* const count = app.add_option("count", words->count, "how many of them")
+                                 ->check(CLI::Range(1, 1000))
+                                 ->capture_default_str();
+         app.add_option("--step", words->step,
+                        "only this one, where it still is the newest; gcm history has the numbers")
+             ->check(CLI::PositiveNumber)
+             ->excludes(count);
+         app.add_flag("--skip", words->skip,
+                      "pass over those that cannot be undone as things are, for good");
+         return [words](Context& context) { return Undo(context, *words); };
+       }},
+      {"history", "list the changes of the system, with who made them and when",
+       [](CLI::App& app) -> Verb::Run {
+         auto count = std::make_shared<std::size_t>(50);
+         app.add_option("--count", *count, "how many, the newest")->capture_default_str();
+         return [count](Context& context) { return History(context, *count); };
+       }},
+  };
+}
+
+}  // namespace console

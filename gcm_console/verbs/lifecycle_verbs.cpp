@@ -1,0 +1,181 @@
+#include <gcm_console/report.h>
+#include <gcm_console/verb.h>
+#include <tendon/base/os/terminal.h>
+#include <tendon/gcm/life/life_plan.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <ostream>
+#include <string_view>
+
+namespace console {
+namespace {
+
+using program::ExitCode;
+using tendon::Catalog;
+using tendon::Error;
+using tendon::ErrorCode;
+using tendon::LifeVerb;
+using tendon::Path;
+using tendon::Result;
+using tendon::message::LifeOrder;
+
+struct Arguments {
+  std::vector<std::string> patterns;
+  bool dry_run = false;
+  bool yes = false;
+};
+
+/// Of one verb, "stop", "stopped".
+struct Wording {
+  LifeVerb verb;
+  std::string_view infinitive;
+  std::string_view done;
+};
+
+struct Outcome {
+  std::string path;
+  Result<void> result;
+};
+
+/// Which components are meant, and how many of those that a glob names have no use for the verb.
+struct Targets {
+  std::vector<Path> paths;
+  std::size_t left_out = 0;
+  bool has_glob = false;
+};
+
+LifeOrder OrderOf(LifeVerb verb, const Path& path) {
+  return {.verb = verb, .process = path.process, .component = path.component};
+}
+
+Result<Targets> FindTargets(const Catalog& catalog, LifeVerb verb, const Arguments& arguments) {
+  Targets targets;
+  for (const std::string& pattern : arguments.patterns) {
+    const bool is_glob = pattern.find('*') != std::string::npos;
+    const auto found = LookUpComponents(catalog, pattern);
+    if (!found) return found.error();
+    targets.has_glob = targets.has_glob || is_glob;
+    for (const Path& path : *found) {
+      if (std::ranges::find(targets.paths, path) != targets.paths.end()) continue;
+      if (is_glob && !CheckLife(catalog, OrderOf(verb, path))) {
+        ++targets.left_out;
+      } else {
+        targets.paths.push_back(path);
+      }
+    }
+  }
+  return targets;
+}
+
+/// A person at a terminal is asked before many are changed at once.
+bool IsConfirmed(const Context& context, const Wording& wording, const Targets& targets,
+                 const Arguments& arguments) {
+  using tendon::os::Stream;
+  using tendon::os::TerminalColumns;
+  const bool is_asked = targets.has_glob && targets.paths.size() > 1 && !arguments.yes;
+  const bool can_answer = context.columns() > 0 && TerminalColumns(Stream::kInput) > 0;
+  if (!is_asked || !can_answer) return true;
+  std::ostream& err = context.streams().err;
+  err << wording.infinitive << ' ' << targets.paths.size() << " components:";
+  for (const Path& path : targets.paths) err << ' ' << Plain(ToString(path));
+  err << "? [y/N] " << std::flush;
+  std::string answer;
+  std::getline(std::cin, answer);
+  return answer == "y" || answer == "yes";
+}
+
+Result<void> Carry(Context& context, const LifeOrder& order) {
+  return context.Ask<void>(
+      [&](tendon::GcmClient& client, auto handler) { client.Steer(order, std::move(handler)); },
+      tendon::GcmClient::kOrdersOfALife);
+}
+
+void Print(const Context& context, const Wording& wording, const std::vector<Outcome>& outcomes,
+           bool is_dry) {
+  const std::string done =
+      is_dry ? "would be " + std::string(wording.done) : std::string(wording.done);
+  if (context.settings().json) {
+    auto results = nlohmann::ordered_json::array();
+    for (const Outcome& one : outcomes) {
+      results.push_back({{"path", one.path},
+                         {"done", one.result.ok() && !is_dry},
+                         {"reason", one.result ? "" : one.result.error().message}});
+    }
+    return context.PrintJson(
+        {{"verb", wording.infinitive}, {"dry_run", is_dry}, {"results", std::move(results)}});
+  }
+  for (const Outcome& one : outcomes) {
+    if (one.result) {
+      context.out() << Plain(one.path) << '\t' << done << '\n';
+    } else {
+      context.streams().err << "gcm: " << Plain(one.path) << ": "
+                            << Plain(one.result.error().message) << '\n';
+    }
+  }
+}
+
+ExitCode ExitCodeOf(const std::vector<Outcome>& outcomes) {
+  const auto failed = [](const Outcome& one) { return !one.result; };
+  const auto first = std::ranges::find_if(outcomes, failed);
+  if (first == outcomes.end()) return program::kOk;
+  const bool is_whole = std::ranges::all_of(outcomes, failed);
+  return is_whole ? program::ExitCodeOf(first->result.error().code) : program::kPartial;
+}
+
+Result<ExitCode> Steer(Context& context, const Wording& wording, const Arguments& arguments) {
+  const auto client = context.Client();
+  if (!client) return client.error();
+  const Catalog catalog = (*client)->catalog();
+  const auto targets = FindTargets(catalog, wording.verb, arguments);
+  if (!targets) return targets.error();
+  if (targets->left_out > 0) {
+    context.err() << "gcm: left out " << targets->left_out << " that "
+                  << (targets->left_out == 1 ? "is" : "are") << " in no state to be "
+                  << wording.done << '\n';
+  }
+  if (!arguments.dry_run && !IsConfirmed(context, wording, *targets, arguments)) {
+    return Error{ErrorCode::kFailed, "nothing was done"};
+  }
+  std::vector<Outcome> outcomes;
+  for (const Path& path : targets->paths) {
+    const LifeOrder order = OrderOf(wording.verb, path);
+    outcomes.push_back(
+        {ToString(path), arguments.dry_run ? CheckLife(catalog, order) : Carry(context, order)});
+  }
+  Print(context, wording, outcomes, arguments.dry_run);
+  return ExitCodeOf(outcomes);
+}
+
+Verb SteeringVerb(std::string name, std::string summary, Wording wording) {
+  return {std::move(name), std::move(summary), [wording](CLI::App& app) -> Verb::Run {
+            auto arguments = std::make_shared<Arguments>();
+            Names(app.add_option("components", arguments->patterns,
+                                 "process/component, or a glob as robot/* or ** for all"),
+                  WordKind::kComponent)
+                ->required();
+            app.add_flag("--dry-run", arguments->dry_run, "say what would be done, and do nothing");
+            app.add_flag("--yes", arguments->yes, "do not ask before a glob changes several");
+            return [=](Context& context) { return Steer(context, wording, *arguments); };
+          }};
+}
+
+}  // namespace
+
+std::vector<Verb> LifecycleVerbs() {
+  return {
+      SteeringVerb("start", "let components run", {LifeVerb::kStart, "start", "started"}),
+      SteeringVerb("suspend", "let the cycles of components rest; start lets them go on",
+                   {LifeVerb::kSuspend, "suspend", "suspended"}),
+      SteeringVerb("stop", "end the run of components", {LifeVerb::kStop, "stop", "stopped"}),
+      SteeringVerb("restart", "stop components that run, and start them",
+                   {LifeVerb::kRestart, "restart", "restarted"}),
+      SteeringVerb("rm", "remove components, with their connections",
+                   {LifeVerb::kRemove, "remove", "removed"}),
+  };
+}
+
+}  // namespace console

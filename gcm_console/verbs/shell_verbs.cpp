@@ -1,0 +1,136 @@
+#include <gcm_console/shell/shell.h>
+#include <gcm_console/verb.h>
+#include <tendon/base/os/process.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <utility>
+
+namespace console {
+namespace {
+
+namespace fs = std::filesystem;
+using program::ExitCode;
+using tendon::Error;
+using tendon::ErrorCode;
+using tendon::Result;
+
+/// Of what was typed in earlier shells.
+fs::path HistoryFile() {
+  const fs::path folder = tendon::os::StateFolder().parent_path() / "gcm";
+  std::error_code none;
+  fs::create_directories(folder, none);
+  fs::permissions(folder, fs::perms::owner_all, none);
+  return folder / "history";
+}
+
+ExitCode TypeLines(Shell& shell, const Streams& streams) {
+  const auto reader = streams.make_line_reader(
+      HistoryFile(), [&shell](const Unfinished& line) { return shell.Complete(line); });
+  int exit_code = program::kOk;
+  while (!shell.has_ended()) {
+    const auto line = reader->Read(shell.prompt());
+    if (!line) {
+      streams.out << '\n';
+      break;
+    }
+    exit_code = shell.Run(*line, streams, Shell::AfterFailure::kGoOn);
+  }
+  return static_cast<ExitCode>(exit_code);
+}
+
+ExitCode ReadLines(Shell& shell, const Streams& streams) {
+  int exit_code = program::kOk;
+  for (std::string line;
+       !shell.has_ended() && exit_code != program::kInterrupted && std::getline(std::cin, line);) {
+    exit_code = shell.Run(line, streams, Shell::AfterFailure::kGoOn);
+  }
+  return static_cast<ExitCode>(exit_code);
+}
+
+Result<ExitCode> RunShell(Context& context) {
+  if (context.session() != nullptr) {
+    return Error{ErrorCode::kInvalid, "this is a shell already; exit ends it"};
+  }
+  Shell shell(context.settings());
+  const bool is_typed = context.streams().make_line_reader != nullptr;
+  return is_typed ? TypeLines(shell, context.streams()) : ReadLines(shell, context.streams());
+}
+
+constexpr int kMostScripts = 10;
+
+struct ScriptOptions {
+  std::string file;
+  bool keeps_going = false;
+};
+
+Result<ExitCode> RunLines(Context& context, const ScriptOptions& options, std::istream& script) {
+  const std::string name = options.file == "-" ? "standard input" : options.file;
+  Settings settings = context.settings();
+  if (++settings.scripts > kMostScripts) {
+    return Error{ErrorCode::kInvalid, "scripts run each other more than " +
+                                          std::to_string(kMostScripts) +
+                                          " deep: does one run itself?"};
+  }
+  Shell shell(std::move(settings));
+  int failure = program::kOk;
+  int number = 0;
+  for (std::string line; !shell.has_ended() && std::getline(script, line);) {
+    ++number;
+    const int exit_code =
+        shell.Run(line, context.streams(),
+                  options.keeps_going ? Shell::AfterFailure::kGoOn : Shell::AfterFailure::kStop);
+    if (exit_code == program::kOk) continue;
+    const bool stops = !options.keeps_going || exit_code == program::kInterrupted;
+    context.err() << "gcm: " << Plain(name) << ", line " << number << ": failed with " << exit_code
+                  << (stops ? ", and nothing after it was run" : "") << '\n';
+    if (failure == program::kOk || stops) failure = exit_code;
+    if (stops) break;
+  }
+  return static_cast<ExitCode>(failure);
+}
+
+Result<ExitCode> RunScript(Context& context, const ScriptOptions& options) {
+  if (options.file == "-") return RunLines(context, options, std::cin);
+  std::error_code none;
+  if (fs::is_directory(options.file, none)) {
+    return Error{ErrorCode::kInvalid, options.file +
+                                          " is a folder: name a file with a command of "
+                                          "gcm in each line"};
+  }
+  std::ifstream script(options.file);
+  if (!script) {
+    return Error{
+        ErrorCode::kNotFound,
+        "cannot read " + options.file +
+            (fs::exists(options.file, none) ? ": not allowed" : ": there is no such file")};
+  }
+  return RunLines(context, options, script);
+}
+
+Verb::Run PrepareScript(CLI::App& app) {
+  auto options = std::make_shared<ScriptOptions>();
+  Names(app.add_option("file", options->file, "lines as in gcm shell; - reads them from stdin"),
+        WordKind::kFile)
+      ->required();
+  app.add_flag("--keep-going", options->keeps_going, "go on behind a line that has failed");
+  return [options](Context& context) { return RunScript(context, *options); };
+}
+
+}  // namespace
+
+std::vector<Verb> ShellVerbs() {
+  return {
+      {"shell", "take verbs from a prompt, with Tab, a history and cd",
+       [](CLI::App&) -> Verb::Run { return &RunShell; }},
+      {"run",
+       "run a file of verbs, up to the first that fails",
+       &PrepareScript,
+       {"gcm run start.gcm", "gcm run --keep-going -"}},
+  };
+}
+
+}  // namespace console

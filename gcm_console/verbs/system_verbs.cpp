@@ -1,0 +1,373 @@
+#include <gcm_console/report.h>
+#include <gcm_console/verb.h>
+#include <tendon/gcm/system/client_executor.h>
+#include <tendon/gcm/system/comparison.h>
+#include <tendon/gcm/system/reference_file.h>
+#include <tendon/gcm/system/running_system.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <ostream>
+#include <system_error>
+#include <utility>
+
+namespace console {
+namespace {
+
+using nlohmann::ordered_json;
+using program::ExitCode;
+using tendon::Error;
+using tendon::ErrorCode;
+using tendon::Plan;
+using tendon::PlanOutcome;
+using tendon::PlanStep;
+using tendon::Result;
+using tendon::StepOutcome;
+using tendon::SystemComparison;
+using tendon::SystemDifference;
+using tendon::SystemFile;
+
+/// "1 step", "2 processes".
+std::string Counted(std::size_t count, const std::string& what) {
+  const std::string plural = what.ends_with('s') ? "es" : "s";
+  return std::to_string(count) + " " + what + (count == 1 ? "" : plural);
+}
+
+std::size_t ComponentsOf(const SystemFile& system) {
+  std::size_t count = 0;
+  for (const auto& process : system.processes) count += process.components.size();
+  return count;
+}
+
+/// What was made of what runs, or of another file.
+struct Saved {
+  SystemFile file;
+  std::vector<std::string> kept = {};  ///< of the file that was there
+  std::vector<std::string> left_out = {};
+};
+
+Result<ExitCode> Write(Context& context, const std::string& file, const Saved& saved) {
+  const SystemFile& system = saved.file;
+  if (const auto written = WriteSystemFile(file, system); !written) return written.error();
+  if (context.settings().json) {
+    context.PrintJson({{"file", file},
+                       {"processes", system.processes.size()},
+                       {"components", ComponentsOf(system)},
+                       {"connections", system.connections.size()},
+                       {"kept", saved.kept},
+                       {"left_out", saved.left_out}});
+    return program::kOk;
+  }
+  context.out() << file << "  " << Counted(system.processes.size(), "process") << ", "
+                << Counted(ComponentsOf(system), "component") << ", "
+                << Counted(system.connections.size(), "connection") << '\n';
+  for (const auto* sentences : {&saved.kept, &saved.left_out}) {
+    for (const std::string& one : *sentences) context.err() << "gcm: " << Plain(one) << '\n';
+  }
+  return program::kOk;
+}
+
+struct ImportWords {
+  std::string from;
+  std::string to;
+  std::string process;
+};
+
+/// What is there is never overwritten, for nothing of it would be left.
+Result<ExitCode> Import(Context& context, const ImportWords& words) {
+  const auto text = tendon::ReadSystemText(words.from);
+  if (!text) return text.error();
+  auto imported = tendon::ParseComponentManagerFile(*text, words.from, words.process);
+  if (!imported) return imported.error();
+  std::error_code ignored;
+  if (std::filesystem::exists(words.to, ignored)) {
+    return Error{ErrorCode::kExists,
+                 words.to + " is there already: give another file, or remove this"};
+  }
+  imported->file.name = std::filesystem::path(words.to).stem().string();
+  return Write(context, words.to,
+               {.file = std::move(imported->file), .left_out = std::move(imported->left_out)});
+}
+
+/// What the file holds that is to be brought up to date, if there is one; what is no system file is
+/// not overwritten.
+Result<std::optional<SystemFile>> FormerOf(const std::string& file) {
+  auto former = tendon::ReadSystemFile(file);
+  if (former) return std::optional(*std::move(former));
+  if (former.error().code == ErrorCode::kNotFound) return std::optional<SystemFile>();
+  return Error{former.error().code,
+               former.error().message + "; nothing is saved: give another file, or remove this"};
+}
+
+Result<ExitCode> Save(Context& context, const std::string& file) {
+  const auto former = FormerOf(file);
+  if (!former) return former.error();
+  const auto client = context.Client();
+  if (!client) return client.error();
+  const std::string stem = std::filesystem::path(file).stem().string();
+  const std::string name = *former ? (*former)->name : stem;
+  tendon::RunningSystem running = SystemOf((*client)->catalog(), name);
+  std::vector<std::string> kept;
+  if (*former) kept = KeepFrom(**former, running);
+  auto left_out = running.LeftOut();
+  return Write(context, file, {std::move(running.file), std::move(kept), std::move(left_out)});
+}
+
+struct Marks {
+  const char* sign;
+  const char* word;
+};
+
+Marks MarksOf(SystemDifference::Kind kind) {
+  switch (kind) {
+    case SystemDifference::Kind::kMissing:
+      return {"-", "missing"};
+    case SystemDifference::Kind::kExtra:
+      return {"+", "extra"};
+    case SystemDifference::Kind::kChanged:
+      return {"~", "changed"};
+  }
+  return {"?", "?"};
+}
+
+void Print(const SystemComparison& comparison, Context& context) {
+  if (context.settings().json) {
+    ordered_json all = ordered_json::array();
+    for (const SystemDifference& one : comparison.differences) {
+      all.push_back({{"kind", MarksOf(one.kind).word}, {"what", one.what}, {"how", one.how}});
+    }
+    context.PrintJson({{"equal", comparison.equal}, {"differences", std::move(all)}});
+    return;
+  }
+  for (const SystemDifference& one : comparison.differences) {
+    context.out() << MarksOf(one.kind).sign << ' ' << Plain(one.what)
+                  << (one.how.empty() ? "" : ": " + Plain(one.how)) << '\n';
+  }
+}
+
+struct DiffWords {
+  std::string first;
+  std::string second;
+};
+
+/// The second file, or what runs.
+Result<SystemFile> SecondOf(Context& context, const DiffWords& words) {
+  if (!words.second.empty()) return tendon::ReadSystemFile(words.second);
+  const auto client = context.Client();
+  if (!client) return client.error();
+  return SystemOf((*client)->catalog(), "").file;
+}
+
+std::size_t ThreadsIn(const SystemFile& system) {
+  std::size_t count = 0;
+  for (const auto& process : system.processes) {
+    for (const auto& component : process.components) count += component.thread ? 1 : 0;
+  }
+  return count;
+}
+
+Result<ExitCode> Diff(Context& context, const DiffWords& words) {
+  const auto first = tendon::ReadSystemFile(words.first);
+  if (!first) return first.error();
+  const auto second = SecondOf(context, words);
+  if (!second) return second.error();
+  const bool runs = words.second.empty();
+  const auto threads = runs ? tendon::Threads::kUnknownInSecond : tendon::Threads::kKnown;
+  const SystemComparison comparison = CompareSystems(*first, *second, threads);
+  Print(comparison, context);
+  if (const std::size_t count = ThreadsIn(*first); runs && count > 0) {
+    context.err() << "gcm: not compared, for what runs does not tell it: the \"thread\" of "
+                  << Counted(count, "component") << '\n';
+  }
+  return comparison.differences.empty() ? program::kOk : program::kRefused;
+}
+
+ordered_json ToJson(const PlanStep& step) {
+  return {{"kind", tendon::ToString(step.kind)},
+          {"text", ToString(step)},
+          {"takes_away", step.takes_away}};
+}
+
+void Print(const Plan& plan, Context& context) {
+  if (context.settings().json) {
+    ordered_json steps = ordered_json::array();
+    for (const PlanStep& step : plan.steps) steps.push_back(ToJson(step));
+    context.PrintJson({{"steps", std::move(steps)},
+                       {"obstacles", plan.obstacles},
+                       {"untouched", plan.untouched}});
+    return;
+  }
+  for (const PlanStep& step : plan.steps) {
+    context.out() << (step.takes_away ? "! " : "  ") << Plain(ToString(step)) << '\n';
+  }
+  for (const std::string& obstacle : plan.obstacles) {
+    context.streams().err << "gcm: " << Plain(obstacle) << '\n';
+  }
+  context.err() << "gcm: " << Counted(plan.steps.size(), "step") << ", "
+                << Counted(plan.untouched, "thing") << " untouched\n";
+}
+
+Result<Plan> PlanOf(Context& context, const std::string& file) {
+  const auto wanted = tendon::ReadSystemFile(file);
+  if (!wanted) return wanted.error();
+  const auto client = context.Client();
+  if (!client) return client.error();
+  return MakePlan((*client)->catalog(), *wanted);
+}
+
+Result<ExitCode> PrintPlan(Context& context, const std::string& file) {
+  const auto plan = PlanOf(context, file);
+  if (!plan) return plan.error();
+  Print(*plan, context);
+  return plan->obstacles.empty() ? program::kOk : program::kRefused;
+}
+
+struct ApplyWords {
+  std::string file;
+  bool yes = false;
+  bool dry_run = false;
+  bool keep_going = false;
+};
+
+/// Whether the plan may be made as it is.
+Result<void> CheckApply(const Plan& plan, const ApplyWords& words) {
+  if (!plan.obstacles.empty() && !words.keep_going) {
+    return Error{ErrorCode::kFailed,
+                 "nothing was done, for the file cannot be had as a whole; to do what can be done: "
+                 "gcm apply " +
+                     words.file + " --keep-going" + (words.yes ? " --yes" : "")};
+  }
+  if (plan.TakesAway() && !words.yes) {
+    return Error{ErrorCode::kFailed,
+                 "nothing was done, for the steps marked with ! take away what runs; if that is "
+                 "meant: gcm apply " +
+                     words.file + " --yes" + (words.keep_going ? " --keep-going" : "")};
+  }
+  return {};
+}
+
+ExitCode ExitCodeOf(const PlanOutcome& outcome, const Plan& plan) {
+  const bool is_whole = !outcome.error && plan.obstacles.empty();
+  if (is_whole) return program::kOk;
+  if (outcome.done > 0) return program::kPartial;
+  return outcome.error ? program::ExitCodeOf(outcome.error->code) : program::kRefused;
+}
+
+void Summarise(Context& context, const PlanOutcome& outcome, const Plan& plan) {
+  for (const std::string& obstacle : plan.obstacles) {
+    context.streams().err << "gcm: " << Plain(obstacle) << '\n';
+  }
+  context.err() << "gcm: " << Counted(outcome.done, "step") << " made, " << outcome.failed
+                << " failed, " << outcome.left << " left, " << Counted(plan.untouched, "thing")
+                << " untouched\n";
+}
+
+/// In a table, and in JSON.
+Marks MarksOf(StepOutcome::Fate fate) {
+  switch (fate) {
+    case StepOutcome::Fate::kDone:
+      return {"ok   ", "done"};
+    case StepOutcome::Fate::kFailed:
+      return {"BAD  ", "failed"};
+    case StepOutcome::Fate::kLeft:
+      return {"left ", "left"};
+  }
+  return {"?", "?"};
+}
+
+Result<ExitCode> Execute(Context& context, const Plan& plan, const ApplyWords& words) {
+  const auto client = context.Client();
+  if (!client) return client.error();
+  tendon::ClientExecutor executor(**client, context.settings().timeout);
+  const bool is_json = context.settings().json;
+  ordered_json steps = ordered_json::array();
+  const PlanOutcome outcome = ExecutePlan(
+      plan, executor, words.keep_going ? tendon::AfterError::kGoOn : tendon::AfterError::kStop,
+      [&](std::size_t number, const PlanStep& step, const StepOutcome& came) {
+        const auto [sign, word] = MarksOf(came.fate);
+        if (is_json) {
+          steps.push_back(ToJson(step));
+          steps.back()["outcome"] = word;
+          if (!came.reason.empty()) steps.back()["error"] = came.reason;
+          return;
+        }
+        context.out() << number << '/' << plan.steps.size() << "  " << sign << Plain(ToString(step))
+                      << (came.reason.empty() ? "" : ": " + Plain(came.reason)) << std::endl;
+      });
+  if (is_json) {
+    context.PrintJson({{"steps", std::move(steps)},
+                       {"obstacles", plan.obstacles},
+                       {"done", outcome.done},
+                       {"failed", outcome.failed},
+                       {"left", outcome.left},
+                       {"untouched", plan.untouched}});
+  } else {
+    Summarise(context, outcome, plan);
+  }
+  return ExitCodeOf(outcome, plan);
+}
+
+Result<ExitCode> Apply(Context& context, const ApplyWords& words) {
+  if (words.dry_run) return PrintPlan(context, words.file);
+  const auto plan = PlanOf(context, words.file);
+  if (!plan) return plan.error();
+  if (const auto allowed = CheckApply(*plan, words); !allowed) {
+    Print(*plan, context);
+    return allowed.error();
+  }
+  return Execute(context, *plan, words);
+}
+
+}  // namespace
+
+std::vector<Verb> SystemVerbs() {
+  return {
+      {"save", "write down what runs in a system file",
+       [](CLI::App& app) -> Verb::Run {
+         auto file = std::make_shared<std::string>();
+         Names(app.add_option("file", *file, "system file to make, or to bring up to date"),
+               WordKind::kFile)
+             ->required();
+         return [file](Context& context) { return Save(context, *file); };
+       }},
+      {"import", "make a system file of a file of the cisst component manager",
+       [](CLI::App& app) -> Verb::Run {
+         auto words = std::make_shared<ImportWords>();
+         Names(app.add_option("from", words->from, "with \"components\" and \"connections\""),
+               WordKind::kFile)
+             ->required();
+         Names(app.add_option("to", words->to, "system file to make"), WordKind::kFile)->required();
+         app.add_option("--process", words->process, "which process it is to be in")->required();
+         return [words](Context& context) { return Import(context, *words); };
+       }},
+      {"diff", "say in what a system file differs from what runs, or from another file",
+       [](CLI::App& app) -> Verb::Run {
+         auto words = std::make_shared<DiffWords>();
+         Names(app.add_option("first", words->first, "system file"), WordKind::kFile)->required();
+         Names(app.add_option("second", words->second, "another one (default: what runs)"),
+               WordKind::kFile);
+         return [words](Context& context) { return Diff(context, *words); };
+       }},
+      {"plan", "list the steps by which what runs becomes what a system file says",
+       [](CLI::App& app) -> Verb::Run {
+         auto file = std::make_shared<std::string>();
+         Names(app.add_option("file", *file, "system file"), WordKind::kFile)->required();
+         return [file](Context& context) { return PrintPlan(context, *file); };
+       }},
+      {"apply", "make what runs what a system file says",
+       [](CLI::App& app) -> Verb::Run {
+         auto words = std::make_shared<ApplyWords>();
+         Names(app.add_option("file", words->file, "system file"), WordKind::kFile)->required();
+         app.add_flag("--yes", words->yes, "also take away what runs and is not in the file");
+         app.add_flag("--dry-run", words->dry_run, "only list the steps, as plan does");
+         app.add_flag("--keep-going", words->keep_going,
+                      "go on after a step that fails, with all that does not build on it");
+         return [words](Context& context) { return Apply(context, *words); };
+       }},
+  };
+}
+
+}  // namespace console

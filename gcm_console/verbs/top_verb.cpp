@@ -1,0 +1,195 @@
+#include <gcm_console/report.h>
+#include <gcm_console/screen/screen.h>
+#include <gcm_console/screen/task_feed.h>
+#include <gcm_console/verb.h>
+#include <tendon/base/os/screen/keyboard.h>
+#include <tendon/base/os/termination.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <sstream>
+
+namespace console {
+namespace {
+
+using program::ExitCode;
+using tendon::Result;
+using namespace std::chrono_literals;
+
+struct TopOptions {
+  std::string sort = "load";
+  std::string filter;
+};
+
+using Less = bool (*)(const TaskFigures&, const TaskFigures&);
+
+/// The key that sorts by it, and what the option calls it.
+struct Order {
+  char key;
+  const char* name;
+  Less less;
+};
+
+constexpr Order kOrders[] = {
+    {'n', "name", [](const TaskFigures& a, const TaskFigures& b) { return a.path < b.path; }},
+    {'r', "rate", [](const TaskFigures& a, const TaskFigures& b) { return a.rate > b.rate; }},
+    {'t', "late", [](const TaskFigures& a, const TaskFigures& b) { return a.latest > b.latest; }},
+    {'l', "load", [](const TaskFigures& a, const TaskFigures& b) { return a.load > b.load; }},
+    {'s', "skipped",
+     [](const TaskFigures& a, const TaskFigures& b) { return a.skipped > b.skipped; }}};
+
+void Arrange(std::vector<TaskFigures>& tasks, const TopOptions& options) {
+  std::erase_if(tasks, [&](const TaskFigures& task) {
+    return task.path.find(options.filter) == std::string::npos;
+  });
+  for (const Order& order : kOrders) {
+    if (order.name == options.sort) std::stable_sort(tasks.begin(), tasks.end(), order.less);
+  }
+}
+
+Table TableOf(const std::vector<TaskFigures>& tasks) {
+  constexpr double kMicro = 1e6;
+  constexpr double kPercent = 100.0;
+  Table table(
+      {"TASK", "STATE", "RATE/Hz", "LATE/us", "LATEST/us", "COMPUTE/us", "LOAD/%", "SKIPPED"});
+  for (const TaskFigures& task : tasks) {
+    if (!task.is_known) {
+      table.Add({task.path, task.state, "-", "-", "-", "-", "-", "-"});
+      continue;
+    }
+    table.Add({task.path, task.state, Fixed(task.rate, 1), Fixed(task.late * kMicro, 0),
+               Fixed(task.latest * kMicro, 0), Fixed(task.compute * kMicro, 1),
+               Fixed(task.load * kPercent, 1), std::to_string(task.skipped)});
+  }
+  return table;
+}
+
+void PrintJson(Context& context, const std::vector<TaskFigures>& tasks) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const TaskFigures& task : tasks) {
+    nlohmann::ordered_json one = {{"path", task.path}, {"state", task.state}};
+    if (task.is_known) {
+      one["rate_hz"] = task.rate;
+      one["late_s"] = task.late;
+      one["latest_s"] = task.latest;
+      one["compute_s"] = task.compute;
+      one["load"] = task.load;
+      one["skipped"] = task.skipped;
+    }
+    all.push_back(std::move(one));
+  }
+  context.PrintJson({{"tasks", std::move(all)}});
+}
+
+/// Once each task has told of a second, or has had the time for it.
+Result<ExitCode> PrintOnce(Context& context, TaskFeed& feed, const TopOptions& options) {
+  const auto deadline = std::chrono::steady_clock::now() + 2s;
+  auto tasks = feed.Look();
+  const auto is_known = [](const TaskFigures& task) { return task.is_known; };
+  while (!std::all_of(tasks.begin(), tasks.end(), is_known) &&
+         std::chrono::steady_clock::now() < deadline) {
+    if (tendon::os::TerminationAsked(20ms)) return program::kInterrupted;
+    tasks = feed.Look();
+  }
+  Arrange(tasks, options);
+  if (context.settings().json) {
+    PrintJson(context, tasks);
+  } else {
+    context.Print(TableOf(tasks));
+  }
+  return program::kOk;
+}
+
+/// What the keys have changed; `is_typing` is of the filter.
+struct TopKeys {
+  bool is_typing = false;
+  bool wants_end = false;
+};
+
+void Press(char key, TopKeys& keys, TopOptions& options) {
+  constexpr char kDelete = 0x7f;
+  constexpr char kEscape = 0x1b;
+  if (keys.is_typing) {
+    if (key == '\n' || key == '\r') {
+      keys.is_typing = false;
+    } else if (key == kEscape) {
+      keys.is_typing = false;
+      options.filter.clear();
+    } else if (key == kDelete || key == '\b') {
+      if (!options.filter.empty()) options.filter.pop_back();
+    } else if (key >= ' ') {
+      options.filter += key;
+    }
+    return;
+  }
+  if (key == 'q') keys.wants_end = true;
+  if (key == '/') {
+    keys.is_typing = true;
+    options.filter.clear();
+  }
+  for (const Order& order : kOrders) {
+    if (order.key == key) options.sort = order.name;
+  }
+}
+
+std::string PictureOf(const std::vector<TaskFigures>& tasks, const TopOptions& options,
+                      const TopKeys& keys, const Layout& layout) {
+  std::ostringstream picture;
+  picture << tasks.size() << (tasks.size() == 1 ? " task" : " tasks") << ", by " << options.sort;
+  if (keys.is_typing || !options.filter.empty()) picture << ", with '" << options.filter << "'";
+  picture << (keys.is_typing ? "_  (Enter, Esc)" : "") << "\n\n";
+  TableOf(tasks).Print(picture, layout);
+  picture << "\nsort: n name, r rate, t latest, l load, s skipped; / filter, q end\n";
+  return picture.str();
+}
+
+ExitCode ShowAlways(Context& context, TaskFeed& feed, TopOptions options) {
+  tendon::os::Keyboard keyboard;
+  Screen screen(context.out());
+  TopKeys keys;
+  while (!keys.wants_end) {
+    auto tasks = feed.Look();
+    Arrange(tasks, options);
+    screen.Show(PictureOf(tasks, options, keys, context.layout()), tendon::os::TerminalRows());
+    if (const auto key = keyboard.NextKey(200ms)) Press(*key, keys, options);
+    if (tendon::os::TerminationAsked(0ms)) return program::kInterrupted;
+  }
+  return program::kOk;
+}
+
+Result<ExitCode> Top(Context& context, const TopOptions& options) {
+  tendon::os::HoldTerminationSignals();
+  const auto client = context.Client();
+  if (!client) return client.error();
+  TaskFeed feed(**client);
+  const bool is_typed = context.streams().make_line_reader != nullptr;
+  if (!is_typed || context.settings().json) return PrintOnce(context, feed, options);
+  return ShowAlways(context, feed, options);
+}
+
+Verb::Run Prepare(CLI::App& app) {
+  auto options = std::make_shared<TopOptions>();
+  std::vector<std::string> orders;
+  for (const Order& order : kOrders) orders.emplace_back(order.name);
+  app.add_option("--sort", options->sort, "what comes first")
+      ->check(CLI::IsMember(orders))
+      ->capture_default_str();
+  app.add_option("--filter", options->filter, "only tasks with this in their path");
+  return [options](Context& context) { return Top(context, *options); };
+}
+
+}  // namespace
+
+std::vector<Verb> TopVerbs() {
+  return {{"top",
+           "show how all tasks keep their time, on the whole screen or once into a pipe",
+           &Prepare,
+           {"gcm top --sort late", "gcm top --filter robot/ | column -t"}}};
+}
+
+}  // namespace console

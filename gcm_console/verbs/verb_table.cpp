@@ -1,0 +1,50 @@
+#include <gcm_console/verb.h>
+
+#include <iterator>
+#include <utility>
+
+namespace console {
+namespace {
+
+struct Group {
+  const char* name;
+  std::vector<Verb> (*verbs)();
+};
+
+/// In the order in which `gcm help` lists them.
+constexpr Group kGroups[] = {
+    {"look", &FindVerbs},       //
+    {"look", &LookVerbs},       //
+    {"look", &TopVerbs},        //
+    {"data", &DataVerbs},       //
+    {"data", &RateVerbs},       //
+    {"data", &PlotVerbs},       //
+    {"data", &LogVerbs},        //
+    {"act", &ActVerbs},         //
+    {"act", &ClassVerbs},       //
+    {"act", &LifecycleVerbs},   //
+    {"wire", &WireVerbs},       //
+    {"wire", &ExplainVerbs},    //
+    {"config", &SystemVerbs},   //
+    {"config", &HistoryVerbs},  //
+    {"security", &CertVerbs},   //
+    {"meta", &ServeVerbs},      //
+    {"meta", &DoctorVerbs},     //
+    {"meta", &ShellVerbs},      //
+    {"meta", &MetaVerbs},       //
+};
+
+}  // namespace
+
+std::vector<Verb> AllVerbs() {
+  std::vector<Verb> all;
+  for (const Group& group : kGroups) {
+    for (Verb& verb : group.verbs()) {
+      verb.group = group.name;
+      all.push_back(std::move(verb));
+    }
+  }
+  return all;
+}
+
+}  // namespace console

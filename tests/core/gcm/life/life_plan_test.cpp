@@ -1,0 +1,167 @@
+#include <gtest/gtest.h>
+#include <tendon/gcm/life/life_plan.h>
+#include <tests/core/gcm/samples.h>
+
+namespace tendon {
+namespace {
+
+using Kind = CatalogChange::Kind;
+using message::HistoryEntry;
+using message::LifeOrder;
+
+/// The process robot has an active arm of a class, desk a constructed teleoperation of none.
+class LifePlan : public testing::Test {
+ protected:
+  LifePlan() {
+    ComponentDescription own = test::Teleoperation("own");
+    own.class_name.clear();
+    own.state = ComponentState::kConstructed;
+    Apply("desk", {.kind = Kind::kProcess, .processes = {test::ProcessNamed("desk", 1)}});
+    Apply("desk", {.kind = Kind::kComponent, .components = {own}});
+    Apply("robot", {.kind = Kind::kProcess, .processes = {test::ProcessNamed("robot", 2)}});
+    Apply("robot", {.kind = Kind::kComponent, .components = {test::Arm()}});
+  }
+
+  void Apply(const std::string& process, CatalogChange change) {
+    change.process = process;
+    change.revision = catalog_.revision() + 1;
+    ASSERT_TRUE(catalog_.Apply(change));
+  }
+  void SetState(ComponentState state) {
+    ComponentDescription arm = test::Arm();
+    arm.state = state;
+    Apply("robot", {.kind = Kind::kComponent, .components = {arm}});
+  }
+
+  /// What a dry run says.
+  [[nodiscard]] std::string Refusal(const LifeOrder& order) const {
+    const auto checked = CheckLife(catalog_, order);
+    return checked ? "" : checked.error().message;
+  }
+  [[nodiscard]] std::string Found(const std::string& pattern) const {
+    const auto found = LookUpComponents(catalog_, pattern);
+    if (!found) return found.error().message;
+    std::string all;
+    for (const Path& path : *found) all += (all.empty() ? "" : " ") + ToString(path);
+    return all;
+  }
+  /// The verbs that unmake a step of the arm, which was in this state before.
+  static std::string Unmaking(LifeVerb verb, ComponentState before) {
+    const HistoryEntry step{.verb = std::string(ToString(verb)),
+                            .life = {.process = "robot", .component = "arm", .state = before}};
+    const UndoPlan plan = PlanUndo(step, std::chrono::seconds(1));
+    std::vector<LifeOrder> orders = plan.first;
+    orders.insert(orders.end(), plan.then.begin(), plan.then.end());
+    std::string verbs;
+    for (const LifeOrder& order : orders) {
+      EXPECT_EQ(order.component, "arm");
+      verbs += (verbs.empty() ? "" : " ") + std::string(ToString(order.verb));
+    }
+    return verbs;
+  }
+
+  [[nodiscard]] HistoryEntry StepOfArm(const std::string& verb) const {
+    const auto* arm = catalog_.FindComponent("robot", "arm");
+    return {.verb = verb,
+            .life = {.process = "robot",
+                     .component = "arm",
+                     .class_name = arm->class_name,
+                     .library = arm->library}};
+  }
+
+  Catalog catalog_;
+};
+
+TEST_F(LifePlan, AGlobNamesTheComponentsOfProcessesThatAreThere) {
+  EXPECT_EQ(Found("robot/arm"), "robot/arm");
+  EXPECT_EQ(Found("**"), "desk/own robot/arm");
+  EXPECT_EQ(Found("*/a*"), "robot/arm");
+  EXPECT_EQ(Found("robot/arn"), "no component 'robot/arn'; did you mean 'arm'?");
+  EXPECT_EQ(Found("robot"),
+            "'robot' names no component: expected process/component, or a glob as process/*");
+  EXPECT_EQ(Found("robot/x*"), "no component fits 'robot/x*'; gcm ls -R lists what there is");
+
+  ProcessDescription robot = test::ProcessNamed("robot", 2);
+  robot.state = ProcessState::kLost;
+  Apply("robot", {.kind = Kind::kProcess, .processes = {robot}});
+  EXPECT_EQ(Found("**"), "desk/own");
+}
+
+TEST_F(LifePlan, ADryRunSaysWhatTheProcessWouldRefuse) {
+  const LifeOrder arm{.process = "robot", .component = "arm"};
+  const auto of = [](LifeOrder order, LifeVerb verb) {
+    order.verb = verb;
+    return order;
+  };
+  EXPECT_EQ(Refusal(of(arm, LifeVerb::kStart)),
+            "component 'arm' is active already; stop it first to start it anew");
+  EXPECT_EQ(Refusal(of(arm, LifeVerb::kConfigure)),
+            "component 'arm' is active; stop it first to configure it anew");
+  for (const LifeVerb verb :
+       {LifeVerb::kStop, LifeVerb::kSuspend, LifeVerb::kRestart, LifeVerb::kRemove}) {
+    EXPECT_EQ(Refusal(of(arm, verb)), "");
+  }
+  EXPECT_EQ(Refusal(of(arm, LifeVerb::kCreate)),
+            "component 'arm' already exists in process 'robot'");
+  EXPECT_EQ(Refusal({.verb = LifeVerb::kRemove, .process = "desk", .component = "own"}),
+            "component 'own' was made by the program of process 'desk' itself, not from a class");
+  EXPECT_EQ(Refusal({.process = "robbot", .component = "arm"}),
+            "no process 'robbot'; did you mean 'robot'?");
+}
+
+TEST_F(LifePlan, AStepIsUnmadeByItsOpposite) {
+  using enum ComponentState;
+  EXPECT_EQ(Unmaking(LifeVerb::kCreate, kConstructed), "remove");
+  EXPECT_EQ(Unmaking(LifeVerb::kRemove, kFinished), "create");
+  EXPECT_EQ(Unmaking(LifeVerb::kRemove, kActive), "create start");
+  EXPECT_EQ(Unmaking(LifeVerb::kRemove, kSuspended), "create start suspend");
+  EXPECT_EQ(Unmaking(LifeVerb::kStart, kReady), "stop");
+  EXPECT_EQ(Unmaking(LifeVerb::kStart, kSuspended), "suspend");
+  EXPECT_EQ(Unmaking(LifeVerb::kSuspend, kActive), "start");
+  EXPECT_EQ(Unmaking(LifeVerb::kStop, kActive), "start");
+  EXPECT_EQ(Unmaking(LifeVerb::kStop, kSuspended), "start suspend");
+  EXPECT_EQ(Unmaking(LifeVerb::kConfigure, kFinished), "configure");
+}
+
+TEST_F(LifePlan, AnUndoRefusesWhatHasChangedSince) {
+  HistoryEntry step = StepOfArm("start");
+  const auto refusal = [&] {
+    const auto checked = CheckUndo(catalog_, step);
+    return checked ? "" : checked.error().message;
+  };
+  EXPECT_EQ(refusal(), "");
+  SetState(ComponentState::kFaulted);
+  EXPECT_EQ(refusal(), "robot/arm is faulted since");
+
+  step.verb = "create";
+  step.life.class_name = "OtherArm";
+  EXPECT_EQ(refusal(), "robot/arm is of class SimulatedArm since");
+  step.life.class_name = "SimulatedArm";
+  EXPECT_EQ(refusal(), "");
+  step.verb = "remove";
+  EXPECT_EQ(refusal(), "robot/arm is there again");
+  step.verb = "create";
+  step.life.component = "other";
+  EXPECT_EQ(refusal(), "robot/other is no longer there");
+}
+
+TEST_F(LifePlan, AnUndoOfWhatNobodyHeardOfWantsToSeeThatItWasDone) {
+  HistoryEntry step = StepOfArm("start");
+  step.life.state = ComponentState::kActive;
+  EXPECT_TRUE(CheckUndo(catalog_, step));
+  step.is_unknown = true;
+
+  EXPECT_EQ(CheckUndo(catalog_, step).error().message, "robot/arm was active before");
+}
+
+TEST_F(LifePlan, AnUndoRefusesAnotherConfiguration) {
+  SetState(ComponentState::kFinished);
+  HistoryEntry step = StepOfArm("configure");
+  EXPECT_TRUE(CheckUndo(catalog_, step));
+  step.life.configuration = "{}";
+
+  EXPECT_EQ(CheckUndo(catalog_, step).error().message, "robot/arm has another configuration since");
+}
+
+}  // namespace
+}  // namespace tendon

@@ -1,0 +1,114 @@
+#include <gmock/gmock.h>
+#include <tendon/gcm/system/comparison.h>
+#include <tendon/gcm/system/running_system.h>
+#include <tests/core/gcm/system/running_catalog.h>
+
+namespace tendon {
+namespace {
+
+using Difference = SystemDifference::Kind;
+
+SystemFile Demo() { return SystemOf(test::RunningDemo().catalog(), "demo").file; }
+
+std::vector<SystemDifference> DifferencesFromDemo(const SystemFile& second) {
+  return CompareSystems(Demo(), second, Threads::kKnown).differences;
+}
+
+TEST(SystemComparison, FindsNothingBetweenASystemAndItself) {
+  const SystemComparison comparison = CompareSystems(Demo(), Demo(), Threads::kKnown);
+
+  EXPECT_TRUE(comparison.differences.empty());
+  EXPECT_EQ(comparison.equal, 6U);  // two processes, three components, a connection
+}
+
+TEST(SystemComparison, NamesWhatOnlyOneOfThemHas) {
+  SystemFile second = Demo();
+  second.processes[1].components.erase(second.processes[1].components.begin());
+  second.processes.push_back({"new", {{"host", "HostMonitor", "", ""}}});
+  second.connections.clear();
+
+  EXPECT_THAT(
+      DifferencesFromDemo(second),
+      testing::ElementsAre(
+          SystemDifference{Difference::kMissing, "component robot/arm", ""},
+          SystemDifference{Difference::kExtra, "process new", ""},
+          SystemDifference{Difference::kExtra, "component new/host", ""},
+          SystemDifference{Difference::kMissing,
+                           "connection desk/teleoperation/Robot -> robot/arm/Control", ""}));
+}
+
+TEST(SystemComparison, SaysHowAComponentHasChanged) {
+  SystemFile second = Demo();
+  auto& arm = second.processes[1].components[0];
+  arm.class_name = "LegacyArm";
+  arm.configuration = R"({"gain":1})";
+  arm.period = 0.5;
+  arm.state = ComponentState::kSuspended;
+
+  EXPECT_THAT(DifferencesFromDemo(second),
+              testing::ElementsAre(SystemDifference{
+                  Difference::kChanged, "component robot/arm",
+                  "class SimulatedArm -> LegacyArm; configuration {\"noise\":0} -> "
+                  "{\"gain\":1}; period "
+                  "0.001 s -> 0.5 s; state active -> suspended"}));
+}
+
+TEST(SystemComparison, SaysWhereAConnectionLeadsInstead) {
+  SystemFile second = Demo();
+  second.connections[0].provided = {"robot", "spare", "Control"};
+
+  EXPECT_THAT(DifferencesFromDemo(second),
+              testing::ElementsAre(
+                  SystemDifference{Difference::kChanged, "connection desk/teleoperation/Robot",
+                                   "to robot/arm/Control -> robot/spare/Control"}));
+}
+
+TEST(SystemComparison, WhatDoesNotMatterIsNoDifference) {
+  SystemFile first = Demo();
+  SystemFile second = Demo();
+  second.name = "other";
+  second.comment = "other";
+  second.layout = {{"robot/arm", {1, 2}}};
+  auto& arm = second.processes[1].components[0];
+  arm.period = 0.0;
+  arm.library.clear();
+  arm.thread.emplace();
+  first.processes[1].components[0].state = ComponentState::kFinished;
+  arm.state = ComponentState::kConstructed;
+  first.processes[1].components[0].configuration = R"({"a": 1, "b": 2})";
+  arm.configuration = R"({"b":2,"a":1})";
+
+  EXPECT_TRUE(CompareSystems(first, second, Threads::kKnown).differences.empty());
+}
+
+TEST(SystemComparison, AThreadThatIsNotMentionedHasTheDefaultsUnlessItRuns) {
+  SystemFile first = Demo();
+  const SystemFile second = Demo();
+  first.processes[1].components[0].thread.emplace().lock_memory = true;
+
+  const auto differences = CompareSystems(first, second, Threads::kKnown).differences;
+  ASSERT_EQ(differences.size(), 1U);
+  EXPECT_THAT(differences[0].how, testing::StartsWith("thread {"));
+  EXPECT_TRUE(CompareSystems(first, second, Threads::kUnknownInSecond).differences.empty());
+}
+
+TEST(SystemComparison, AConfigurationThatCannotBeReadIsComparedAsText) {
+  const std::string deep(100'000, '[');
+
+  EXPECT_TRUE(IsSameJson(deep, deep));
+  EXPECT_FALSE(IsSameJson(deep, deep + "[" + std::string(deep.size() + 1, ']')));
+  EXPECT_FALSE(IsSameJson("", "{}"));
+  EXPECT_TRUE(IsSameJson(R"({"a": "\u00e9"})", "{\"a\":\"\xc3\xa9\"}"));
+}
+
+TEST(SystemComparison, AFaultIsNotWhatWasWanted) {
+  SystemFile second = Demo();
+  second.processes[1].components[0].state = ComponentState::kFaulted;
+
+  EXPECT_THAT(DifferencesFromDemo(second),
+              testing::ElementsAre(SystemDifference{Difference::kChanged, "component robot/arm",
+                                                    "state active -> faulted"}));
+}
+
+}  // namespace
+}  // namespace tendon

@@ -1,0 +1,124 @@
+#include <gmock/gmock.h>
+#include <tendon/gcm/system/plan_execution.h>
+
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tendon {
+namespace {
+
+using testing::ElementsAre;
+using Kind = PlanStep::Kind;
+
+/// Notes the steps, and fails at some of them.
+class FakeExecutor : public PlanExecutor {
+ public:
+  explicit FakeExecutor(std::set<std::string> failing = {}) : failing_(std::move(failing)) {}
+
+  Result<void> Execute(const PlanStep& step) override {
+    const std::string text = ToString(step);
+    tried_.push_back(text);
+    if (failing_.contains(text)) return Error{ErrorCode::kTimeout, "no answer to " + text};
+    return {};
+  }
+  [[nodiscard]] const std::vector<std::string>& tried() const { return tried_; }
+
+ private:
+  const std::set<std::string> failing_;
+  std::vector<std::string> tried_;
+};
+
+PlanStep Step(Kind kind, const std::string& component) {
+  PlanStep step{.kind = kind, .process = "p"};
+  step.component.name = component;
+  return step;
+}
+
+/// Of R of the one to P of the other.
+PlanStep Connect(const std::string& client, const std::string& server) {
+  return {.kind = Kind::kConnect, .wire = {{"p", client, "R"}, {"p", server, "P"}}};
+}
+
+Plan ThreeStarts() {
+  return {.steps = {Step(Kind::kStart, "a"), Step(Kind::kStart, "b"), Step(Kind::kStart, "c")}};
+}
+
+/// What is told of the steps: "2 start p/b failed: no answer".
+std::vector<std::string> Execute(const Plan& plan, FakeExecutor& executor, AfterError after_error) {
+  std::vector<std::string> told;
+  ExecutePlan(plan, executor, after_error,
+              [&](std::size_t number, const PlanStep& step, const StepOutcome& outcome) {
+                const char* const fates[] = {"done", "failed", "left"};
+                told.push_back(std::to_string(number) + " " + ToString(step) + " " +
+                               fates[static_cast<int>(outcome.fate)] +
+                               (outcome.reason.empty() ? "" : ": " + outcome.reason));
+              });
+  return told;
+}
+
+/// Of a plan of which that step fails, and which goes on: what is left.
+std::vector<std::string> LeftAfter(const std::string& failing, const std::vector<PlanStep>& steps) {
+  FakeExecutor executor({failing});
+  std::vector<std::string> left;
+  ExecutePlan({.steps = steps}, executor, AfterError::kGoOn,
+              [&](std::size_t, const PlanStep& step, const StepOutcome& outcome) {
+                if (outcome.fate != StepOutcome::Fate::kLeft) return;
+                EXPECT_EQ(outcome.reason, "not tried, for this has failed: " + failing);
+                left.push_back(ToString(step));
+              });
+  return left;
+}
+
+TEST(ExecutePlan, TellsOfEachStep) {
+  FakeExecutor executor;
+
+  EXPECT_THAT(Execute(ThreeStarts(), executor, AfterError::kStop),
+              ElementsAre("1 start p/a done", "2 start p/b done", "3 start p/c done"));
+}
+
+TEST(ExecutePlan, StopsAtTheFirstErrorAndTellsWhatIsLeft) {
+  FakeExecutor executor({"start p/b"});
+
+  EXPECT_THAT(Execute(ThreeStarts(), executor, AfterError::kStop),
+              ElementsAre("1 start p/a done", "2 start p/b failed: no answer to start p/b",
+                          "3 start p/c left"));
+  EXPECT_THAT(executor.tried(), ElementsAre("start p/a", "start p/b"));
+}
+
+TEST(ExecutePlan, CountsWhatCameOfTheSteps) {
+  const auto nothing = [](std::size_t, const PlanStep&, const StepOutcome&) {};
+  const Error error{ErrorCode::kTimeout, "no answer to start p/b"};
+  FakeExecutor whole;
+  FakeExecutor stopped({"start p/b"});
+  FakeExecutor gone_on({"start p/b"});
+
+  EXPECT_EQ(ExecutePlan(ThreeStarts(), whole, AfterError::kStop, nothing),
+            (PlanOutcome{.done = 3, .failed = 0, .left = 0, .error = {}}));
+  EXPECT_EQ(ExecutePlan(ThreeStarts(), stopped, AfterError::kStop, nothing),
+            (PlanOutcome{.done = 1, .failed = 1, .left = 1, .error = error}));
+  EXPECT_EQ(ExecutePlan(ThreeStarts(), gone_on, AfterError::kGoOn, nothing),
+            (PlanOutcome{.done = 2, .failed = 1, .left = 0, .error = error}));
+}
+
+TEST(ExecutePlan, WhatLacksAConnectionIsNotStarted) {
+  EXPECT_THAT(LeftAfter("connect p/a/R -> p/b/P",
+                        {Connect("a", "b"), Connect("a", "c"), Step(Kind::kStart, "b"),
+                         Step(Kind::kStart, "a"), Step(Kind::kStartSuspended, "c")}),
+              ElementsAre("start p/a"));
+}
+
+TEST(ExecutePlan, AComponentThatIsNotAsWantedIsNotTouchedAnyMoreNorUsed) {
+  EXPECT_THAT(
+      LeftAfter("configure p/b",
+                {Step(Kind::kConfigure, "b"), Connect("b", "c"), Connect("a", "b"),
+                 Step(Kind::kStart, "c"), Step(Kind::kStart, "b"), Step(Kind::kStart, "a")}),
+      ElementsAre("connect p/b/R -> p/c/P", "connect p/a/R -> p/b/P", "start p/b", "start p/a"));
+  EXPECT_THAT(LeftAfter("stop p/a", {Step(Kind::kStop, "a"), Step(Kind::kRemove, "a"),
+                                     Step(Kind::kRemove, "b")}),
+              ElementsAre("remove p/a"));
+}
+
+}  // namespace
+}  // namespace tendon

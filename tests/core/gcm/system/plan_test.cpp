@@ -1,0 +1,277 @@
+#include <gmock/gmock.h>
+#include <tendon/gcm/system/plan.h>
+#include <tendon/gcm/system/running_system.h>
+#include <tests/core/gcm/system/running_catalog.h>
+
+namespace tendon {
+namespace {
+
+using test::CatalogBuilder;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+std::vector<std::string> TextsOf(const Plan& plan) {
+  std::vector<std::string> texts;
+  for (const PlanStep& step : plan.steps) texts.push_back(ToString(step));
+  return texts;
+}
+
+SystemFile DemoFile() { return SystemOf(test::RunningDemo().catalog(), "demo").file; }
+
+/// What it takes to make the file's system of the demo that runs.
+Plan PlanFromDemo(const SystemFile& wanted) {
+  return MakePlan(test::RunningDemo().catalog(), wanted);
+}
+
+TEST(Plan, OfASystemThatRunsIsEmpty) {
+  const Plan plan = PlanFromDemo(DemoFile());
+
+  EXPECT_THAT(plan.steps, IsEmpty());
+  EXPECT_THAT(plan.obstacles, IsEmpty());
+  EXPECT_EQ(plan.untouched, 6U);
+}
+
+TEST(Plan, MakesASystemInEmptyProcessesInTheOrderThatWorks) {
+  CatalogBuilder empty;
+  empty.Process("robot", {}).Process("desk", {});
+  SystemFile wanted = DemoFile();
+  wanted.processes[1].components[1].state = ComponentState::kSuspended;
+  wanted.processes[0].components[0].state = ComponentState::kConstructed;
+
+  const Plan plan = MakePlan(empty.catalog(), wanted);
+
+  EXPECT_THAT(plan.obstacles, IsEmpty());
+  EXPECT_THAT(TextsOf(plan),
+              ElementsAre("create desk/teleoperation (Teleoperation of teleoperation)",
+                          "create robot/arm (SimulatedArm of simulated_arm)",
+                          "create robot/spare (SimulatedArm of simulated_arm)",
+                          "connect desk/teleoperation/Robot -> robot/arm/Control",
+                          "start robot/arm", "start robot/spare, then suspend it"));
+  EXPECT_EQ(plan.steps[1].component, wanted.processes[1].components[0]);
+  EXPECT_EQ(plan.untouched, 2U);   // the processes
+  EXPECT_FALSE(plan.TakesAway());  // what is suspended has not run before
+}
+
+TEST(Plan, TakesAwayWhatTheFileDoesNotHaveInItsProcesses) {
+  SystemFile wanted = DemoFile();
+  wanted.processes[1].components.pop_back();
+  wanted.connections.clear();
+
+  EXPECT_THAT(
+      TextsOf(PlanFromDemo(wanted)),
+      ElementsAre("stop robot/spare", "disconnect desk/teleoperation/Robot -> robot/arm/Control",
+                  "remove robot/spare"));
+}
+
+TEST(Plan, DisconnectsWhatWaitsForAProviderThatTheFileDoesNotWant) {
+  CatalogBuilder builder;
+  builder.Process("desk", {test::Teleoperation()})
+      .Connection(test::kNeeded, test::kOffered, ConnectionState::kPending);
+  const SystemFile wanted = SystemOf(builder.catalog(), "x").file;
+
+  EXPECT_THAT(TextsOf(MakePlan(builder.catalog(), wanted)),
+              ElementsAre("disconnect desk/teleoperation/Robot -> robot/arm/Control"));
+}
+
+TEST(Plan, LeavesOtherProcessesAlone) {
+  SystemFile wanted = DemoFile();
+  wanted.processes.erase(wanted.processes.begin());  // the desk
+  wanted.connections.clear();
+
+  EXPECT_THAT(PlanFromDemo(wanted).steps, IsEmpty());
+}
+
+TEST(Plan, AnotherConfigurationMakesTheComponentAnewAtRestWithItsConnections) {
+  SystemFile wanted = DemoFile();
+  wanted.processes[1].components[0].configuration = R"({"noise":1})";
+
+  const Plan plan = PlanFromDemo(wanted);
+
+  EXPECT_THAT(TextsOf(plan),
+              ElementsAre("stop robot/arm", "configure robot/arm", "start robot/arm"));
+  EXPECT_TRUE(plan.steps[0].takes_away);
+  EXPECT_EQ(plan.steps[1].component, wanted.processes[1].components[0]);
+}
+
+TEST(Plan, AnotherClassIsAnotherComponentThatIsConnectedAgain) {
+  SystemFile wanted = DemoFile();
+  wanted.processes[1].components[0].class_name = "OtherArm";
+
+  EXPECT_THAT(
+      TextsOf(PlanFromDemo(wanted)),
+      ElementsAre("stop robot/arm", "remove robot/arm",
+                  "create robot/arm (OtherArm of simulated_arm)",
+                  "connect desk/teleoperation/Robot -> robot/arm/Control", "start robot/arm"));
+}
+
+TEST(Plan, WhatIsToRestRestsFirstAndClientsBeforeTheirServers) {
+  SystemFile wanted = DemoFile();
+  wanted.processes[0].components[0].state = ComponentState::kSuspended;
+  wanted.processes[1].components[0].state = ComponentState::kFinished;
+  wanted.processes[1].components[1].configuration = R"({"noise":1})";
+  wanted.connections.clear();
+
+  EXPECT_THAT(TextsOf(PlanFromDemo(wanted)),
+              ElementsAre("stop robot/spare", "suspend desk/teleoperation", "stop robot/arm",
+                          "disconnect desk/teleoperation/Robot -> robot/arm/Control",
+                          "configure robot/spare", "start robot/spare"));
+}
+
+TEST(Plan, StartsServersBeforeTheirClientsWhichNeedTheirConnections) {
+  CatalogBuilder empty;
+  empty.Process("robot", {}).Process("desk", {});
+
+  const Plan plan = MakePlan(empty.catalog(), DemoFile());
+
+  ASSERT_EQ(plan.steps.size(), 7U);
+  EXPECT_EQ(ToString(plan.steps[4]), "start robot/arm");
+  EXPECT_THAT(plan.steps[4].needs, IsEmpty());
+  EXPECT_EQ(ToString(plan.steps[5]), "start desk/teleoperation");
+  EXPECT_THAT(plan.steps[5].needs, ElementsAre(message::Wire{test::kNeeded, test::kOffered}));
+}
+
+TEST(Plan, DoesNotStartWhatLacksAConnection) {
+  ComponentDescription teleoperation = test::Teleoperation();
+  teleoperation.state = ComponentState::kFinished;
+  SystemFile wanted = DemoFile();
+  const auto obstacle_of = [&](const CatalogBuilder& builder) {
+    const Plan plan = MakePlan(builder.catalog(), wanted);
+    for (const std::string& text : TextsOf(plan)) EXPECT_NE(text, "start desk/teleoperation");
+    return plan.obstacles.empty() ? "no obstacle" : plan.obstacles.back();
+  };
+
+  CatalogBuilder alone;
+  alone.Process("desk", {teleoperation});
+  EXPECT_EQ(obstacle_of(alone),
+            "desk/teleoperation is not started, for it lacks its connection "
+            "desk/teleoperation/Robot -> robot/arm/Control: process 'robot' is not there");
+
+  CatalogBuilder misfit;
+  ComponentDescription fake = test::FakeArm();
+  misfit.Process("desk", {teleoperation}).Process("robot", {test::Arm(), test::Arm("spare"), fake});
+  wanted.processes[1].components.push_back({"fake", "FakeArm", "simulated_arm", ""});
+  wanted.connections[0].provided.component = "fake";
+  EXPECT_THAT(obstacle_of(misfit), HasSubstr("missing write command 'MoveTo'"));
+}
+
+TEST(Plan, SaysThatAConnectionHasFailed) {
+  CatalogBuilder builder = test::RunningDemo();
+  builder.Connection(test::kNeeded, test::kOffered, ConnectionState::kFailed, "it does not fit");
+
+  EXPECT_THAT(MakePlan(builder.catalog(), DemoFile()).obstacles,
+              ElementsAre("the connection desk/teleoperation/Robot -> robot/arm/Control has "
+                          "failed: it does not fit"));
+}
+
+TEST(Plan, StepsAreForTheProcessesThatItHasSeen) {
+  CatalogBuilder empty;
+  empty.Process("robot", {}).Process("desk", {});
+
+  for (const PlanStep& step : MakePlan(empty.catalog(), DemoFile()).steps) {
+    const bool is_of_robot = step.process == "robot";
+    EXPECT_EQ(step.instance, is_of_robot ? 1U : 2U) << ToString(step);
+  }
+}
+
+TEST(Plan, AComponentWhoseLibraryIsNotSaidIsOfAny) {
+  SystemFile wanted = DemoFile();
+  wanted.processes[1].components[0].library.clear();
+
+  EXPECT_THAT(PlanFromDemo(wanted).steps, IsEmpty());
+}
+
+TEST(Plan, OfThousandsOfComponentsIsMade) {
+  constexpr int kComponents = 10'000;
+  CatalogBuilder empty;
+  empty.Process("robot", {});
+  SystemFile wanted{.name = "large", .processes = {{"robot", {}}}};
+  for (int i = 0; i < kComponents; ++i) {  // each a client of the one behind it
+    const std::string name = "c" + std::to_string(i);
+    const std::string next = "c" + std::to_string(i + 1);
+    wanted.processes[0].components.push_back({name, "Arm", "arm", ""});
+    if (i + 1 == kComponents) continue;
+    wanted.connections.push_back({{"robot", name, "Robot"}, {"robot", next, "Control"}});
+  }
+
+  const Plan plan = MakePlan(empty.catalog(), wanted);
+
+  ASSERT_EQ(plan.steps.size(), 3U * kComponents - 1);
+  EXPECT_EQ(ToString(plan.steps[2 * kComponents - 1]), "start robot/c9999");
+  EXPECT_EQ(ToString(plan.steps.back()), "start robot/c0");
+}
+
+TEST(Plan, ReplacesAConnectionInOneStep) {
+  SystemFile wanted = DemoFile();
+  wanted.connections[0].provided = {"robot", "spare", "Control"};
+
+  const Plan plan = PlanFromDemo(wanted);
+
+  EXPECT_THAT(TextsOf(plan),
+              ElementsAre("replace desk/teleoperation/Robot -> robot/spare/Control"));
+  EXPECT_TRUE(plan.TakesAway());
+}
+
+TEST(Plan, BringsComponentsToTheirStates) {
+  const auto steps = [](ComponentState now, ComponentState wanted) {
+    ComponentDescription arm = test::Arm();
+    arm.state = now;
+    CatalogBuilder builder;
+    builder.Process("robot", {arm});
+    SystemFile file = SystemOf(builder.catalog(), "x").file;
+    file.processes[0].components[0].state = wanted;
+    return TextsOf(MakePlan(builder.catalog(), file));
+  };
+  using enum ComponentState;
+
+  EXPECT_THAT(steps(kActive, kFinished), ElementsAre("stop robot/arm"));
+  EXPECT_THAT(steps(kActive, kConstructed), ElementsAre("stop robot/arm"));
+  EXPECT_THAT(steps(kActive, kSuspended), ElementsAre("suspend robot/arm"));
+  EXPECT_THAT(steps(kSuspended, kActive), ElementsAre("start robot/arm"));
+  EXPECT_THAT(steps(kFaulted, kActive), ElementsAre("start robot/arm"));
+  EXPECT_THAT(steps(kFinished, kSuspended), ElementsAre("start robot/arm, then suspend it"));
+  EXPECT_THAT(steps(kConstructed, kFinished), IsEmpty());
+  EXPECT_THAT(steps(kFaulted, kFinished), IsEmpty());
+}
+
+TEST(Plan, SaysWhichProcessesAreToBeStarted) {
+  CatalogBuilder builder;
+  builder.Process("robot", {test::Arm()}, ProcessState::kLost);
+  SystemFile wanted = DemoFile();
+  wanted.processes[0].components[0].class_name.clear();
+
+  const Plan plan = MakePlan(builder.catalog(), wanted);
+
+  EXPECT_THAT(plan.steps, IsEmpty());
+  EXPECT_THAT(plan.obstacles,
+              ElementsAre("process 'desk' is not there, nor 1 component of it; start its program",
+                          "process 'robot' is not there, nor 2 components of it; start it: lcm "
+                          "--name robot"));
+}
+
+TEST(Plan, SaysWhatNoStepCanBringAbout) {
+  ComponentDescription own = test::Arm("own");
+  own.class_name.clear();
+  CatalogBuilder builder;
+  builder.Process("robot", {test::Arm(), own, test::FakeArm()})
+      .Process("desk", {test::Teleoperation()});
+  SystemFile wanted = SystemOf(builder.catalog(), "x").file;
+  auto& robot = wanted.processes[1];
+  robot.components = {robot.components[0], robot.components[1], {"absent", "", "", ""}};
+  robot.components[0].period = 0.002;
+  wanted.connections.push_back({test::kNeeded, {"robot", "fake", "Control"}});
+
+  const Plan plan = MakePlan(builder.catalog(), wanted);
+
+  ASSERT_EQ(plan.obstacles.size(), 4U) << testing::PrintToString(plan.obstacles);
+  EXPECT_THAT(plan.obstacles[0],
+              HasSubstr("robot/own is not in the file, but was made by its own"));
+  EXPECT_THAT(plan.obstacles[1], HasSubstr("robot/arm has another period than the file says "
+                                           "(period 0.002 s -> 0.001 s)"));
+  EXPECT_THAT(plan.obstacles[2],
+              HasSubstr("robot/absent is not there, and only its own program can make it"));
+  EXPECT_THAT(plan.obstacles[3], HasSubstr("missing write command 'MoveTo'"));
+}
+
+}  // namespace
+}  // namespace tendon

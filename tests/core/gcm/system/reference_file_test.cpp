@@ -1,0 +1,107 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <tendon/gcm/system/reference_file.h>
+
+namespace tendon {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// As the documentation of the reference shows one.
+const std::string kStreamer = R"({
+  "components": [
+    {"shared-library": "sawSocketStreamer",
+     "class-name": "mtsSocketStreamer",
+     "constructor-arg": {"Name": "streamerMTML", "Period": 0.01, "IsHardRealTime": true},
+     "configure-parameter": "streamerMTML.json"}
+  ],
+  "connections": [
+    {"required": {"component": "streamerMTML", "interface": "Required"},
+     "provided": {"component": "MTML", "interface": "Arm"}}
+  ]
+})";
+
+std::string ImportError(const std::string& text) {
+  const auto imported = ParseComponentManagerFile(text, "a.json", "robot");
+  return imported ? "no error" : imported.error().message;
+}
+
+std::string Streamer(const std::string& from, const std::string& to) {
+  std::string text = kStreamer;
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, text.npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+TEST(ComponentManagerFile, BecomesASystemFile) {
+  for (const std::string& text : {kStreamer, "{\"component-manager\": " + kStreamer + "}"}) {
+    const auto imported = ParseComponentManagerFile(text, "a.json", "robot");
+
+    ASSERT_TRUE(imported) << imported.error().message;
+    const SystemFile& file = imported->file;
+    ASSERT_EQ(file.processes.size(), 1U);
+    EXPECT_EQ(file.processes[0].name, "robot");
+    const auto* streamer = file.FindComponent("robot", "streamerMTML");
+    ASSERT_NE(streamer, nullptr);
+    EXPECT_EQ(streamer->class_name, "mtsSocketStreamer");
+    EXPECT_EQ(streamer->library, "sawSocketStreamer");
+    EXPECT_EQ(streamer->period, 0.01);
+    EXPECT_EQ(streamer->comment, "configure-parameter: streamerMTML.json");
+    ASSERT_NE(file.FindComponent("robot", "MTML"), nullptr);
+    EXPECT_EQ(file.FindComponent("robot", "MTML")->class_name, "");  // its program makes it
+    EXPECT_THAT(file.connections,
+                ElementsAre(SystemFile::Connection{{"robot", "streamerMTML", "Required"},
+                                                   {"robot", "MTML", "Arm"}}));
+    EXPECT_THAT(imported->left_out, ElementsAre(HasSubstr("IsHardRealTime is left out"),
+                                                HasSubstr("write what 'streamerMTML.json' says")));
+
+    const auto written = SystemFileText(file);
+    ASSERT_TRUE(written);
+    const auto again = ParseSystemFile(*written, "b");
+    ASSERT_TRUE(again) << again.error().message;
+    EXPECT_EQ(*again, file);
+  }
+}
+
+TEST(ComponentManagerFile, AParameterThatIsJsonIsTheConfiguration) {
+  const auto imported = ParseComponentManagerFile(
+      Streamer("\"streamerMTML.json\"", R"("{\"port\": 5}")"), "a.json", "robot");
+
+  ASSERT_TRUE(imported) << imported.error().message;
+  EXPECT_EQ(imported->file.processes[0].components[0].configuration, R"({"port":5})");
+}
+
+TEST(ComponentManagerFile, AnEndMayNameItsProcess) {
+  const auto imported = ParseComponentManagerFile(
+      Streamer(R"({"component": "MTML")", R"({"process": "arms", "component": "MTML")"), "a.json",
+      "robot");
+
+  ASSERT_TRUE(imported) << imported.error().message;
+  EXPECT_EQ(imported->file.connections[0].provided, InterfaceName("arms", "MTML", "Arm"));
+  EXPECT_NE(imported->file.FindComponent("arms", "MTML"), nullptr);
+}
+
+TEST(ComponentManagerFile, ErrorsNameLineColumnAndPath) {
+  EXPECT_EQ(ImportError(Streamer("\"class-name\"", "\"class-nam\"")),
+            "a.json: line 4, column 6: components[0]: unknown key 'class-nam'; did you mean "
+            "'class-name'?");
+  EXPECT_EQ(ImportError(Streamer("\"Period\": 0.01", "\"Period\": \"10ms\"")),
+            "a.json: line 5, column 50: components[0].constructor-arg.Period: expected number "
+            "(seconds), got string '10ms'");
+  EXPECT_THAT(
+      ImportError(Streamer("\"streamerMTML\", \"Period", "\"streamer MTML\", \"Period")),
+      HasSubstr("components[0].constructor-arg.Name: component name 'streamer MTML' has ' '"));
+  EXPECT_THAT(ImportError(Streamer("\"sawSocketStreamer\"", "\"/usr/lib/x.so\"")),
+              HasSubstr("components[0].shared-library: library '/usr/lib/x.so' is a path"));
+  EXPECT_EQ(ImportError(Streamer("\"Period\": 0.01", "\"Period\": -1")),
+            "a.json: line 5, column 50: components[0].constructor-arg.Period: period must be 10 "
+            "us..3600 s, got -1");
+  EXPECT_EQ(ImportError(Streamer("\"Period\": 0.01", "\"Period\": 0")), "no error");
+  EXPECT_EQ(ImportError("{\"component\": []}"),
+            "a.json: line 1, column 2: unknown key 'component'; did you mean 'components'?");
+  EXPECT_THAT(ImportError("{"), HasSubstr("a.json: line 1, column 2: "));
+}
+
+}  // namespace
+}  // namespace tendon

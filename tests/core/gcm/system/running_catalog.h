@@ -1,0 +1,73 @@
+#pragma once
+
+#include <gtest/gtest.h>
+#include <tendon/gcm/catalog.h>
+#include <tendon/gcm/system_file.h>
+#include <tests/core/gcm/samples.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tendon::test {
+
+/// A catalogue that a test fills.
+class CatalogBuilder {
+ public:
+  CatalogBuilder& Process(const std::string& name, const std::vector<ComponentDescription>& parts,
+                          ProcessState state = ProcessState::kAlive) {
+    ProcessDescription process = ProcessNamed(name, ++instance_);
+    process.state = state;
+    Add({.kind = CatalogChange::Kind::kProcess, .process = name, .processes = {process}});
+    for (const auto& part : parts) {
+      Add({.kind = CatalogChange::Kind::kComponent, .process = name, .components = {part}});
+    }
+    return *this;
+  }
+
+  /// A second one of a required interface takes the place of the first.
+  CatalogBuilder& Connection(const InterfaceName& required, const InterfaceName& provided,
+                             ConnectionState state = ConnectionState::kActive,
+                             const std::string& reason = "") {
+    const auto* before = catalog_.FindConnection(required);
+    const ConnectionDescription made{.id = before == nullptr ? ++connection_ : before->id,
+                                     .required = required,
+                                     .provided = provided,
+                                     .state = state,
+                                     .reason = reason};
+    Add({.kind = CatalogChange::Kind::kConnection,
+         .process = required.process,
+         .connections = {made}});
+    return *this;
+  }
+
+  [[nodiscard]] const Catalog& catalog() const { return catalog_; }
+
+ private:
+  void Add(CatalogChange change) {
+    change.revision = catalog_.revision() + 1;
+    ASSERT_TRUE(catalog_.Apply(change));
+  }
+
+  Catalog catalog_;
+  std::uint64_t instance_ = 0;
+  std::uint64_t connection_ = 0;
+};
+
+inline const InterfaceName kNeeded("desk", "teleoperation", "Robot");
+inline const InterfaceName kOffered("robot", "arm", "Control");
+
+/// A desk and a robot, connected.
+inline CatalogBuilder RunningDemo() {
+  CatalogBuilder demo;
+  ComponentDescription teleoperation = Teleoperation();
+  teleoperation.library = "teleoperation";
+  ComponentDescription arm = Arm();
+  arm.configuration = R"({"noise":0})";
+  demo.Process("robot", {arm, Arm("spare")})
+      .Process("desk", {teleoperation})
+      .Connection(kNeeded, kOffered);
+  return demo;
+}
+
+}  // namespace tendon::test

@@ -1,0 +1,42 @@
+#include <gtest/gtest.h>
+#include <tendon/gcm/system/start_order.h>
+
+namespace tendon {
+namespace {
+
+/// Of components in the process p: "ab" is a client a of a server b.
+SystemFile SystemWith(const std::vector<std::string>& connections) {
+  SystemFile system{.name = "x", .processes = {{"p", {}}}};
+  for (const std::string name : {"a", "b", "c"}) {
+    system.processes[0].components.push_back({name, "A", "", ""});
+  }
+  for (const std::string& one : connections) {
+    system.connections.push_back(
+        {{"p", one.substr(0, 1), "R" + std::to_string(one[1])}, {"p", one.substr(1, 1), "P"}});
+  }
+  return system;
+}
+
+std::string OrderOf(const std::vector<std::string>& connections) {
+  std::string order;
+  for (const auto& [process, component] : StartOrder(SystemWith(connections))) order += component;
+  return order;
+}
+
+TEST(StartOrder, IsThatOfTheFileWhereNothingIsConnected) { EXPECT_EQ(OrderOf({}), "abc"); }
+
+TEST(StartOrder, PutsServersBeforeTheirClients) {
+  EXPECT_EQ(OrderOf({"ab", "bc"}), "cba");
+  EXPECT_EQ(OrderOf({"ac"}), "cab");
+  EXPECT_EQ(OrderOf({"ab", "ac", "cb"}), "bca");
+}
+
+TEST(StartOrder, EndsWhereConnectionsLeadAroundInACircle) {
+  EXPECT_EQ(OrderOf({"ab", "ba"}), "bac");
+  EXPECT_EQ(OrderOf({"aa"}), "abc");
+}
+
+TEST(StartOrder, LeavesOutWhatTheSystemDoesNotHave) { EXPECT_EQ(OrderOf({"az", "za"}), "abc"); }
+
+}  // namespace
+}  // namespace tendon

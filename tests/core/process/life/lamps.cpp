@@ -1,0 +1,138 @@
+#include <tendon/manager/component_registry.h>
+#include <tendon/task/periodic_task.h>
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <utility>
+
+/// A plug-in for tests of what is ordered from afar.
+namespace lamps {
+
+using namespace std::chrono_literals;
+
+struct LampConfiguration {
+  double brightness = 0.5;
+};
+
+/// Refuses to be made where it is to be black.
+class Lamp final : public tendon::PeriodicTask {
+ public:
+  using Configuration = LampConfiguration;
+  Lamp(std::string name, const Configuration& chosen)
+      : PeriodicTask(std::move(name), 5ms), brightness_(chosen.brightness) {
+    if (brightness_ == 0.0) throw std::runtime_error("a black lamp is none");
+    state_table().Add(brightness_, "Brightness");
+    auto& control = AddProvidedInterface("Control");
+    control.AddCommandReadState(state_table(), brightness_, "GetBrightness");
+  }
+  ~Lamp() override { Join(); }
+
+ private:
+  void Run() override {}
+
+  double brightness_;
+};
+
+class Switch final : public tendon::Component {
+ public:
+  explicit Switch(std::string name) : Component(std::move(name)) {
+    AddRequiredInterface("Lamp").AddFunction(get_, "GetBrightness");
+  }
+
+ private:
+  tendon::ReadFunction<double> get_;
+};
+
+struct GateConfiguration {
+  std::string file;
+};
+
+/// Is made once its file is there; leaves one with `.reached` behind its name when it waits for it.
+class Gate final : public tendon::Component {
+ public:
+  using Configuration = GateConfiguration;
+  Gate(std::string name, const Configuration& chosen) : Component(std::move(name)) {
+    std::ofstream(chosen.file + ".reached") << "here";
+    while (!std::filesystem::exists(chosen.file)) std::this_thread::sleep_for(1ms);
+  }
+};
+
+/// Its Startup() returns once its file is there.
+class SlowStarter final : public tendon::PeriodicTask {
+ public:
+  using Configuration = GateConfiguration;
+  SlowStarter(std::string name, const Configuration& chosen)
+      : PeriodicTask(std::move(name), 5ms), file_(chosen.file) {
+    state_table().Add(cycles_, "Cycles");
+  }
+  ~SlowStarter() override { Join(); }
+
+ private:
+  void Startup() override {
+    while (!std::filesystem::exists(file_)) std::this_thread::sleep_for(1ms);
+  }
+  void Run() override { ++cycles_; }
+
+  const std::string file_;
+  std::int32_t cycles_ = 0;
+};
+
+/// A cycle of it lasts until its file is there; leaves one with `.reached` behind its name first.
+class Hung final : public tendon::PeriodicTask {
+ public:
+  using Configuration = GateConfiguration;
+  Hung(std::string name, const Configuration& chosen)
+      : PeriodicTask(std::move(name), 5ms), file_(chosen.file) {
+    AddRequiredInterface("Lamp").AddFunction(get_, "GetBrightness");
+  }
+  ~Hung() override { Join(); }
+
+ private:
+  void Run() override {
+    std::ofstream(file_ + ".reached") << "here";
+    while (!std::filesystem::exists(file_)) std::this_thread::sleep_for(1ms);
+  }
+
+  const std::string file_;
+  tendon::ReadFunction<double> get_;
+};
+
+/// Its Configure(), in the thread of who starts it, returns once its file is there.
+class SlowConfigurer final : public tendon::Component {
+ public:
+  using Configuration = GateConfiguration;
+  SlowConfigurer(std::string name, const Configuration& chosen)
+      : Component(std::move(name)), file_(chosen.file) {}
+
+ private:
+  void Configure() override {
+    while (!std::filesystem::exists(file_)) std::this_thread::sleep_for(1ms);
+  }
+
+  const std::string file_;
+};
+
+}  // namespace lamps
+
+template <>
+inline constexpr auto tendon::kPayload<lamps::LampConfiguration> = tendon::Describe(
+    "lamps.LampConfiguration",
+    tendon::Field{"brightness", &lamps::LampConfiguration::brightness}.Within(0, 1));
+
+template <>
+inline constexpr auto tendon::kPayload<lamps::GateConfiguration> = tendon::Describe(
+    "lamps.GateConfiguration", tendon::Field{"file", &lamps::GateConfiguration::file});
+
+extern "C" void TendonRegisterComponents(tendon::ComponentRegistry& registry) {
+  registry.Add<lamps::Lamp>("Lamp");
+  registry.Add<lamps::Switch>("Switch");
+  registry.Add<lamps::Gate>("Gate");
+  registry.Add<lamps::SlowStarter>("SlowStarter");
+  registry.Add<lamps::Hung>("Hung");
+  registry.Add<lamps::SlowConfigurer>("SlowConfigurer");
+}

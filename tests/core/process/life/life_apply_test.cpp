@@ -1,0 +1,170 @@
+#include <tendon/gcm/lookup.h>
+#include <tendon/gcm/system/client_executor.h>
+#include <tendon/gcm/system/comparison.h>
+#include <tendon/gcm/system/running_system.h>
+
+#include "core/process/life/life_fixture.h"
+
+namespace {
+
+using tendon::LifeVerb;
+using tendon::SystemFile;
+
+/// Goes on where it is to rest.
+class Restless final : public tendon::Component {
+ public:
+  using Component::Component;
+
+ private:
+  void Pause() override {}
+};
+
+/// A system file is made to run in processes that are there.
+class LifeApply : public LifeFixture {
+ protected:
+  tendon::PlanOutcome Apply(const SystemFile& wanted) {
+    const tendon::Plan plan = MakePlan(gcm().catalog(), wanted);
+    EXPECT_THAT(plan.obstacles, testing::IsEmpty());
+    tendon::ClientExecutor executor(*client_, kLong);
+    return ExecutePlan(plan, executor, tendon::AfterError::kStop,
+                       [](std::size_t, const tendon::PlanStep& step, const auto& outcome) {
+                         EXPECT_EQ(outcome.fate, tendon::StepOutcome::Fate::kDone)
+                             << ToString(step) << ": " << outcome.reason;
+                       });
+  }
+  /// As it would be read again.
+  SystemFile Saved() {
+    const auto text = SystemFileText(SystemOf(gcm().catalog(), "lamps").file);
+    EXPECT_TRUE(text);
+    const auto file = tendon::ParseSystemFile(*text, "saved");
+    EXPECT_TRUE(file) << file.error().message;
+    return file ? *file : SystemFile();
+  }
+  void ExpectRuns(const SystemFile& wanted) {
+    const auto comparison = CompareSystems(wanted, SystemOf(gcm().catalog(), "").file,
+                                           tendon::Threads::kUnknownInSecond);
+    for (const auto& one : comparison.differences) ADD_FAILURE() << one.what << ": " << one.how;
+  }
+  /// A lamp with its switch, one that is suspended and one that was never started.
+  void MakeLamps() {
+    ASSERT_EQ(Reason(Create("Lamp", "lamp", R"({"brightness":0.7})")), "");
+    ASSERT_EQ(Reason(Create("Lamp", "night")), "");
+    ASSERT_EQ(Reason(Create("Lamp", "spare")), "");
+    ASSERT_EQ(Reason(Create("Switch", "switch")), "");
+    const auto connected = tendon::Wait<tendon::ConnectionDescription>(kLong, [&](auto handler) {
+      client_->Connect({"robot", "switch", "Lamp"}, {"robot", "lamp", "Control"}, handler);
+    });
+    ASSERT_TRUE(connected) << connected.error().message;
+    for (const std::string name : {"lamp", "night", "switch"}) {
+      ASSERT_EQ(Reason(Order(LifeVerb::kStart, name)), "");
+    }
+    ASSERT_EQ(Reason(Order(LifeVerb::kSuspend, "night")), "");
+  }
+  void RestartEmpty() {
+    tendon::ProcessOptions options = Options();
+    options.loader = std::make_shared<tendon::ComponentLoader>(
+        std::vector<std::filesystem::path>{TENDON_TEST_PLUGINS});
+    robot_.reset();
+    robot_ = std::make_unique<tendon::Process>("robot", options);
+    ASSERT_TRUE(robot_->WaitUntilJoined(kLong).ok());
+    ASSERT_TRUE(EventuallyTrue([&] {  // so does the client
+      const tendon::Catalog known = client_->catalog();
+      const tendon::Catalog now = gcm().catalog();
+      return InstanceOf(known, "robot") == InstanceOf(now, "robot");
+    }));
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(Over, LifeApply, testing::ValuesIn(NetworkKinds()), NameOfNetwork);
+
+TEST_P(LifeApply, ASavedSystemIsTheSameAgainInAnEmptyProcess) {
+  MakeLamps();
+  const tendon::Fingerprint before = gcm().catalog().ContentHash();
+  const SystemFile saved = Saved();
+  RestartEmpty();
+  ASSERT_TRUE(robot_->components().empty());
+
+  const tendon::PlanOutcome applied = Apply(saved);
+
+  EXPECT_EQ(applied.failed, 0U);
+  EXPECT_EQ(gcm().catalog().ContentHash(), before);
+  ExpectRuns(saved);
+  EXPECT_EQ(Apply(saved), tendon::PlanOutcome());  // there is nothing left to do
+}
+
+TEST_P(LifeApply, AnotherConfigurationMakesTheComponentAnewWithItsConnections) {
+  MakeLamps();
+  SystemFile wanted = Saved();
+  for (auto& component : wanted.processes[0].components) {
+    if (component.name == "lamp") component.configuration = R"({"brightness":0.1})";
+    if (component.name == "switch") component.state = tendon::ComponentState::kFinished;
+  }
+  std::erase_if(wanted.processes[0].components,
+                [](const auto& component) { return component.name == "spare"; });
+
+  EXPECT_EQ(Apply(wanted).failed, 0U);
+
+  ExpectRuns(wanted);
+  EXPECT_EQ(Known("lamp").configuration, R"({"brightness":0.1})");
+  EXPECT_EQ(Known("spare").name, "");
+}
+
+TEST_P(LifeApply, WhatDoesNotComeToBeSuspendedIsStopped) {
+  robot_->Add<Restless>("arm");
+  ASSERT_TRUE(EventuallyTrue([&] { return Known("arm").name == "arm"; }));
+  SystemFile wanted = Saved();
+  wanted.processes[0].components[0].state = tendon::ComponentState::kSuspended;
+  const tendon::Plan plan = MakePlan(gcm().catalog(), wanted);
+  ASSERT_EQ(plan.steps.size(), 1U);
+  constexpr std::chrono::milliseconds kSoon(2000);  // it is waited for in vain
+  tendon::GcmClient client(NewMiddleware(),
+                           {.name = "test", .address = gcm().address(), .timeout = kSoon});
+  ASSERT_TRUE(client.WaitUntilWatching());
+  tendon::ClientExecutor executor(client, kSoon);
+
+  const auto made = executor.Execute(plan.steps[0]);
+
+  ASSERT_FALSE(made);
+  EXPECT_THAT(made.error().message, testing::StartsWith("it was to be suspended: "));
+  EXPECT_THAT(made.error().message, testing::EndsWith("; so it was stopped"));
+  EXPECT_EQ(robot_->Find("arm")->state(), tendon::ComponentState::kFinished);
+}
+
+TEST_P(LifeApply, AStepIsNotForAProcessThatWasStartedAnewSinceItWasPlanned) {
+  MakeLamps();
+  SystemFile wanted = Saved();
+  RestartEmpty();
+  const tendon::Plan plan = MakePlan(gcm().catalog(), wanted);
+  ASSERT_FALSE(plan.steps.empty());
+  RestartEmpty();
+  tendon::ClientExecutor executor(*client_, kLong);
+
+  const auto made = executor.Execute(plan.steps[0]);
+
+  ASSERT_FALSE(made);
+  EXPECT_THAT(made.error().message, testing::HasSubstr("process 'robot' was started anew"));
+  EXPECT_TRUE(robot_->components().empty());
+}
+
+TEST_P(LifeApply, WhatWasAppliedIsUndoneStepByStep) {
+  MakeLamps();
+  const SystemFile saved = Saved();
+  const tendon::Fingerprint before = gcm().catalog().ContentHash();
+  SystemFile wanted = saved;
+  wanted.connections.clear();
+  wanted.processes[0].components[0].state = tendon::ComponentState::kSuspended;
+  wanted.processes[0].components.push_back({"extra", "Lamp", "lamps", R"({"brightness":0.2})"});
+  const tendon::PlanOutcome applied = Apply(wanted);
+  ASSERT_EQ(applied.failed, 0U);
+
+  for (std::size_t i = 0; i < applied.done; ++i) {
+    const auto undone = tendon::Wait<tendon::message::HistoryEntry>(
+        2 * kLong, [&](auto handler) { client_->Undo(handler); });
+    ASSERT_TRUE(undone) << undone.error().message;
+  }
+
+  ExpectRuns(saved);
+  EXPECT_EQ(gcm().catalog().ContentHash(), before);
+}
+
+}  // namespace

@@ -1,0 +1,108 @@
+#pragma once
+
+#include <gmock/gmock.h>
+#include <tendon/gcm/client.h>
+#include <tendon/manager/component_loader.h>
+
+#include <future>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "support/network_test.h"
+
+/// A process that makes components of the plug-in `lamps`, its GCM, and somebody who orders them.
+class LifeFixture : public NetworkTest {
+ protected:
+  static constexpr std::chrono::milliseconds kLong{20'000};
+
+  void SetUp() override {
+    tendon::ProcessOptions options = Options();
+    options.loader = std::make_shared<tendon::ComponentLoader>(
+        std::vector<std::filesystem::path>{TENDON_TEST_PLUGINS});
+    robot_ = std::make_unique<tendon::Process>("robot", options);
+    ASSERT_TRUE(robot_->WaitUntilJoined(kLong).ok());
+    client_ = NewClient(tendon::Role::kOperator);
+  }
+  void TearDown() override {
+    client_.reset();
+    robot_.reset();
+  }
+
+  [[nodiscard]] std::unique_ptr<tendon::GcmClient> NewClient(tendon::Role role) {
+    auto client = std::make_unique<tendon::GcmClient>(
+        NewMiddleware(),
+        tendon::GcmClient::Options{
+            .name = "test", .address = gcm().address(), .timeout = kLong, .role = role});
+    EXPECT_TRUE(client->WaitUntilWatching().ok());
+    return client;
+  }
+
+  static tendon::Result<void> Steer(tendon::GcmClient& client,
+                                    const tendon::message::LifeOrder& order) {
+    return tendon::Wait<void>(2 * kLong, [&](auto handler) { client.Steer(order, handler); });
+  }
+  /// Of the process robot.
+  tendon::Result<void> Order(tendon::LifeVerb verb, const std::string& component) {
+    return Steer(*client_, {.verb = verb, .process = "robot", .component = component});
+  }
+  tendon::Result<void> Load(const std::string& library) {
+    return Steer(*client_,
+                 {.verb = tendon::LifeVerb::kLoad, .process = "robot", .library = library});
+  }
+  tendon::Result<void> Create(const std::string& class_name, const std::string& component,
+                              const std::string& configuration = "") {
+    return Steer(*client_, {.verb = tendon::LifeVerb::kCreate,
+                            .process = "robot",
+                            .component = component,
+                            .class_name = class_name,
+                            .library = "lamps",
+                            .configuration = configuration});
+  }
+  tendon::Result<void> Configure(const std::string& component, const std::string& configuration) {
+    return Steer(*client_, {.verb = tendon::LifeVerb::kConfigure,
+                            .process = "robot",
+                            .component = component,
+                            .configuration = configuration});
+  }
+  using Pending = std::future<tendon::Result<void>>;
+  /// An order that is not waited for.
+  Pending OrderLater(const tendon::message::LifeOrder& order) {
+    auto promise = std::make_shared<std::promise<tendon::Result<void>>>();
+    client_->Steer(order, [promise](const auto& result) { promise->set_value(result); });
+    return promise->get_future();
+  }
+  Pending OrderLater(tendon::LifeVerb verb, const std::string& component) {
+    return OrderLater({.verb = verb, .process = "robot", .component = component});
+  }
+  /// The newest steps of the history, each as "start lamp", with what is known of it.
+  [[nodiscard]] std::vector<std::string> Steps() {
+    const auto history = tendon::Wait<tendon::message::History>(
+        kLong, [&](auto handler) { client_->GetHistory(handler); });
+    std::vector<std::string> all;
+    for (const auto& one : history->entries) {
+      all.push_back(one.verb + " " + one.life.component + (one.is_unknown ? ", unknown" : ""));
+    }
+    return all;
+  }
+  /// Which step was taken back, or why none.
+  std::string Undone() {
+    const auto undone = tendon::Wait<tendon::message::HistoryEntry>(
+        3 * kLong, [&](auto handler) { client_->Undo(handler); });
+    return undone ? undone->verb + " " + undone->life.component : undone.error().message;
+  }
+  /// What was refused, and why; empty where nothing was.
+  static std::string Reason(const tendon::Result<void>& result) {
+    return result ? std::string() : result.error().message;
+  }
+
+  /// As the GCM knows it, when an answer is here; of no name where there is none.
+  [[nodiscard]] tendon::ComponentDescription Known(const std::string& component) {
+    const tendon::Catalog catalog = gcm().catalog();
+    const auto* found = catalog.FindComponent("robot", component);
+    return found == nullptr ? tendon::ComponentDescription() : *found;
+  }
+
+  std::unique_ptr<tendon::Process> robot_;
+  std::unique_ptr<tendon::GcmClient> client_;
+};

@@ -1,0 +1,173 @@
+#include <atomic>
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
+#include "core/process/life/life_fixture.h"
+#include "support/folder.h"
+
+namespace {
+
+using tendon::ComponentState;
+using tendon::ErrorCode;
+using tendon::LifeVerb;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// Tells when it has ended.
+class Ended final : public tendon::Component {
+ public:
+  Ended(std::string name, std::atomic<bool>& has_ended)
+      : Component(std::move(name)), has_ended_(has_ended) {}
+
+ private:
+  void Cleanup() override { has_ended_ = true; }
+
+  std::atomic<bool>& has_ended_;
+};
+
+/// Components that take their time, and orders that meet there.
+class SlowLife : public LifeFixture {
+ protected:
+  void TearDown() override {
+    Open();
+    LifeFixture::TearDown();
+  }
+  /// Of a class that waits for the gate.
+  void CreateGated(const std::string& class_name, const std::string& component) {
+    ASSERT_EQ(Reason(Create(class_name, component, R"({"file": ")" + gate_ + "\"}")), "");
+  }
+  /// What waits goes on.
+  void Open() { std::ofstream(gate_) << "open"; }
+  [[nodiscard]] bool IsStarting(const std::string& component) {
+    return robot_->Find(component)->is_starting();
+  }
+
+  const tendon::test::Folder folder_;
+  const std::string gate_ = (folder_.path() / "open").string();
+};
+
+INSTANTIATE_TEST_SUITE_P(Over, SlowLife, testing::ValuesIn(PlainNetworkKinds()), NameOfNetwork);
+
+TEST_P(SlowLife, AStopOfOneComponentDoesNotWaitForTheStartOfAnother) {
+  for (const std::string slow : {"SlowStarter", "SlowConfigurer"}) CreateGated(slow, slow);
+  ASSERT_EQ(Reason(Create("Lamp", "lamp")), "");
+  ASSERT_EQ(Reason(Order(LifeVerb::kStart, "lamp")), "");
+  Pending starter = OrderLater(LifeVerb::kStart, "SlowStarter");
+  Pending configurer = OrderLater(LifeVerb::kStart, "SlowConfigurer");
+  ASSERT_TRUE(EventuallyTrue([&] { return IsStarting("SlowStarter"); }));
+
+  EXPECT_EQ(Reason(Order(LifeVerb::kStop, "lamp")), "");
+
+  EXPECT_EQ(Known("lamp").state, ComponentState::kFinished);
+  EXPECT_NE(Known("SlowStarter").state, ComponentState::kActive);
+  EXPECT_NE(Known("SlowConfigurer").state, ComponentState::kActive);
+  Open();
+  EXPECT_EQ(Reason(starter.get()), "");
+  EXPECT_EQ(Reason(configurer.get()), "");
+}
+
+TEST_P(SlowLife, AStopIsObeyedDuringTheStartOfTheSameComponent) {
+  CreateGated("SlowStarter", "slow");
+  Pending start = OrderLater(LifeVerb::kStart, "slow");
+  ASSERT_TRUE(EventuallyTrue([&] { return IsStarting("slow"); }));
+  EXPECT_THAT(Reason(Order(LifeVerb::kSuspend, "slow")), HasSubstr("by another request"));
+
+  const auto stopped = Steer(*client_, {.verb = LifeVerb::kStop,
+                                        .process = "robot",
+                                        .component = "slow",
+                                        .patience = std::chrono::seconds(2)});
+  EXPECT_EQ(stopped.error().code, ErrorCode::kTimeout);  // it was told, and cannot yet
+  Open();
+
+  EXPECT_TRUE(robot_->WaitFor("slow", ComponentState::kFinished, kLong).ok());
+  (void)start.get();  // it may have been active for a moment
+}
+
+TEST_P(SlowLife, AStartThatNobodyHeardOfIsAStepThatUndoTakesBack) {
+  CreateGated("SlowStarter", "slow");
+
+  const auto started = Steer(*client_, {.verb = LifeVerb::kStart,
+                                        .process = "robot",
+                                        .component = "slow",
+                                        .patience = std::chrono::seconds(2)});
+
+  ASSERT_FALSE(started);
+  EXPECT_EQ(started.error().code, ErrorCode::kTimeout);
+  EXPECT_THAT(started.error().message, HasSubstr("; outcome unknown; see: gcm show robot/slow"));
+  EXPECT_THAT(Steps(), ElementsAre("create slow", "start slow, unknown"));
+  EXPECT_THAT(Undone(), HasSubstr("): robot/slow is ready since; "));
+
+  Open();
+  ASSERT_TRUE(EventuallyTrue([&] { return Known("slow").state == ComponentState::kActive; }));
+
+  EXPECT_EQ(Undone(), "start slow");
+  EXPECT_EQ(Known("slow").state, ComponentState::kFinished);
+}
+
+TEST_P(SlowLife, WhatWasNotBegunInTimeIsNotDoneLater) {
+  ASSERT_EQ(Reason(Load("lamps")), "");
+  Pending made = OrderLater({.verb = LifeVerb::kCreate,
+                             .process = "robot",
+                             .component = "gate",
+                             .class_name = "Gate",
+                             .configuration = R"({"file": ")" + gate_ + "\"}"});
+  ASSERT_TRUE(EventuallyTrue([&] { return std::filesystem::exists(gate_ + ".reached"); }));
+
+  const auto late = Steer(*client_, {.verb = LifeVerb::kCreate,
+                                     .process = "robot",
+                                     .component = "lamp",
+                                     .class_name = "Lamp",
+                                     .patience = std::chrono::seconds(2)});
+
+  ASSERT_FALSE(late);
+  EXPECT_EQ(late.error().code, ErrorCode::kFailed);
+  EXPECT_THAT(late.error().message,
+              HasSubstr("has not begun in time to create robot/lamp: nothing was done, "
+                        "and will not be"));
+  Open();
+  EXPECT_EQ(Reason(made.get()), "");
+  EXPECT_EQ(Reason(Create("Lamp", "after")), "");
+  EXPECT_EQ(Known("lamp").name, "");
+  EXPECT_THAT(Steps(), ElementsAre("create gate", "create after"));
+}
+
+TEST_P(SlowLife, AComponentThatDoesNotStopIsNotRemovedAndKeepsItsConnections) {
+  CreateGated("Hung", "hung");
+  ASSERT_EQ(Reason(Create("Lamp", "lamp")), "");
+  ASSERT_TRUE(robot_->Connect({"hung", "Lamp"}, {"lamp", "Control"}));
+  ASSERT_EQ(Reason(Order(LifeVerb::kStart, "hung")), "");
+  ASSERT_TRUE(EventuallyTrue([&] { return std::filesystem::exists(gate_ + ".reached"); }));
+
+  const auto removed = Steer(*client_, {.verb = LifeVerb::kRemove,
+                                        .process = "robot",
+                                        .component = "hung",
+                                        .patience = std::chrono::seconds(2)});
+
+  ASSERT_FALSE(removed);
+  EXPECT_THAT(removed.error().message,
+              HasSubstr("'hung' is not taken out, for it has not stopped in time"));
+  EXPECT_EQ(robot_->connections().size(), 1U);
+  EXPECT_NE(robot_->Find("hung"), nullptr);
+}
+
+TEST_P(SlowLife, AProcessThatEndsTellsItsComponentsToStopThoughAnOrderIsUnderWay) {
+  CreateGated("SlowConfigurer", "slow");
+  ASSERT_EQ(Reason(Create("Lamp", "lamp")), "");
+  ASSERT_EQ(Reason(Order(LifeVerb::kStart, "lamp")), "");
+  std::atomic<bool> has_ended = false;
+  robot_->Add<Ended>("ended", has_ended);
+  ASSERT_TRUE(robot_->Start("ended").ok());
+  Pending start = OrderLater(LifeVerb::kStart, "slow");
+  ASSERT_TRUE(EventuallyTrue([&] {  // in its Configure()
+    return robot_->Stop("slow", tendon::kNoWait).error().code == ErrorCode::kTimeout;
+  }));
+
+  std::thread ending([this] { robot_.reset(); });
+
+  EXPECT_TRUE(EventuallyTrue([&] { return has_ended.load(); }));
+  Open();
+  ending.join();
+}
+
+}  // namespace

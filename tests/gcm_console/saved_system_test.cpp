@@ -1,0 +1,321 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <program/exit_code.h>
+
+#include <csignal>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "gcm_console/demo_fixture.h"
+
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+/// The demo system, to be saved, changed and restored.
+class SavedSystemTest : public DemoFixture {
+ protected:
+  [[nodiscard]] std::string InHome(const std::string& name) const {
+    return (home.path() / name).string();
+  }
+  /// Saves what runs, and returns where.
+  std::string Saved() const {
+    const std::string file = InHome("saved.json");
+    const Outcome outcome = Gcm({"save", file});
+    EXPECT_EQ(outcome.exit_code, program::kOk) << outcome.err;
+    return file;
+  }
+
+  [[nodiscard]] std::unique_ptr<Program> StartEmpty(const std::string& name) const {
+    return std::make_unique<Program>(
+        Program::Words{Binary("lcm"), "--name", name, "--gcm", address, "--timeout", kPatience});
+  }
+};
+
+TEST_F(SavedSystemTest, SavesWhatRunsAndFindsNoDifference) {
+  const Outcome saved = Gcm({"save", InHome("saved.json")});
+
+  EXPECT_EQ(saved.exit_code, program::kOk) << saved.err;
+  EXPECT_EQ(saved.out, InHome("saved.json") + "  2 processes, 5 components, 1 connection\n");
+  const Outcome same = Gcm({"diff", InHome("saved.json")});
+  EXPECT_EQ(same.exit_code, program::kOk) << same.out << same.err;
+  EXPECT_EQ(same.out + same.err, "");
+  EXPECT_EQ(Gcm({"diff", InHome("saved.json"), demo}).out,
+            "");  // but for the periods, which it lacks
+  const json file = json::parse(home.Read("saved.json"));
+  EXPECT_EQ(file["name"], "saved");
+  EXPECT_EQ(file["processes"][1]["components"][0]["class"], "SimulatedArm");
+}
+
+TEST_F(SavedSystemTest, ASaveKeepsWhatTheFileAloneKnowsAndOverwritesNothingElse) {
+  home.Write("lab.json", R"({"version": 1, "name": "lab", "comment": "of the lab", "processes": [
+      {"name": "robot", "components": [{"name": "arm", "class": null}]}],
+      "layout": {"robot/arm": [1, 2]}})");
+  home.Write("notes.txt", "buy milk");
+
+  EXPECT_EQ(Gcm({"save", InHome("lab.json")}).exit_code, program::kOk);
+  const Outcome refused = Gcm({"save", InHome("notes.txt")});
+
+  const json file = json::parse(home.Read("lab.json"));
+  EXPECT_EQ(file["name"], "lab");
+  EXPECT_EQ(file["comment"], "of the lab");
+  EXPECT_EQ(file["layout"]["robot/arm"], json({1.0, 2.0}));
+  EXPECT_EQ(file["processes"].size(), 2U);
+  EXPECT_EQ(refused.exit_code, program::kUsage);
+  EXPECT_THAT(refused.err, HasSubstr("nothing is saved: give another file, or remove this"));
+  EXPECT_EQ(home.Read("notes.txt"), "buy milk");
+}
+
+TEST_F(SavedSystemTest, ASaveKeepsProcessesThatAreNotThereAndSaysSo) {
+  const std::string file = Saved();
+  std::filesystem::permissions(
+      file, std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+  std::filesystem::create_symlink(file, InHome("link.json"));
+  const json before = json::parse(home.Read("saved.json"));
+  robot->Signal(SIGKILL);
+  ASSERT_TRUE(EventuallySays({"ls"}, "robot\tlost"));
+
+  const Outcome saved = Gcm({"save", InHome("link.json")});
+
+  EXPECT_EQ(saved.exit_code, program::kOk) << saved.err;
+  EXPECT_EQ(saved.out, InHome("link.json") + "  2 processes, 5 components, 1 connection\n");
+  EXPECT_EQ(saved.err,
+            "gcm: process 'robot' is not there now: kept as the file has it, with 2 components\n");
+  EXPECT_EQ(json::parse(home.Read("saved.json")), before);
+  EXPECT_TRUE(std::filesystem::is_symlink(InHome("link.json")));
+  EXPECT_EQ(std::filesystem::status(file).permissions(),
+            std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+  EXPECT_EQ(json::parse(Gcm({"save", file, "--json"}).out)["kept"].size(), 1U);
+}
+
+TEST_F(SavedSystemTest, AStepThatFailsIsSaidWithWhatIsLeft) {
+  const std::string file = Saved();
+  json wanted = json::parse(home.Read("saved.json"));
+  wanted["processes"][1]["components"].push_back(
+      {{"name", "extra"}, {"class", "SimulatedAm"}, {"library", "simulated_arm"}});
+  home.Write("saved.json", wanted.dump());
+  ASSERT_EQ(Gcm({"disconnect", "desk/supervisor/Robot"}).exit_code, program::kOk);
+
+  const Outcome stopped = Gcm({"apply", file});
+  EXPECT_EQ(stopped.exit_code, program::kNotFound) << stopped.err;  // for nothing was done
+  EXPECT_THAT(stopped.out, testing::MatchesRegex(
+                               "1/3  BAD  create robot/extra .SimulatedAm of simulated_arm.: .*\n"
+                               "2/3  left connect desk/supervisor/Robot -> robot/arm/Control\n"
+                               "3/3  left start robot/extra\n"));
+  EXPECT_THAT(stopped.err, HasSubstr("gcm: 0 steps made, 1 failed, 2 left, 7 things untouched\n"));
+
+  const Outcome gone_on = Gcm({"apply", file, "--keep-going", "--json"});
+  EXPECT_EQ(gone_on.exit_code, program::kPartial) << gone_on.err;
+  const json steps = json::parse(gone_on.out)["steps"];
+  EXPECT_EQ(steps[0]["outcome"], "failed");
+  EXPECT_EQ(steps[1]["outcome"], "done");
+  EXPECT_EQ(steps[2]["outcome"], "left");
+  EXPECT_EQ(steps[2]["error"],
+            "not tried, for this has failed: create robot/extra (SimulatedAm of simulated_arm)");
+}
+
+TEST_F(SavedSystemTest, AnApplyBringsConnectionsBackAndASecondOneDoesNothing) {
+  const std::string file = Saved();
+  ASSERT_EQ(Gcm({"disconnect", "desk/supervisor/Robot"}).exit_code, program::kOk);
+
+  const Outcome differs = Gcm({"diff", file});
+  EXPECT_EQ(differs.exit_code, program::kRefused);
+  EXPECT_EQ(differs.out, "- connection desk/supervisor/Robot -> robot/arm/Control\n");
+  const Outcome planned = Gcm({"plan", file});
+  EXPECT_EQ(planned.exit_code, program::kOk) << planned.err;
+  EXPECT_EQ(planned.out, "  connect desk/supervisor/Robot -> robot/arm/Control\n");
+  EXPECT_EQ(planned.err, "gcm: 1 step, 7 things untouched\n");
+  EXPECT_EQ(Gcm({"apply", file, "--dry-run"}).out, planned.out);
+  EXPECT_EQ(Gcm({"diff", file}).exit_code, program::kRefused);  // nothing was done yet
+  const Outcome applied = Gcm({"apply", file});
+  EXPECT_EQ(applied.exit_code, program::kOk) << applied.err;
+  EXPECT_EQ(applied.out, "1/1  ok   connect desk/supervisor/Robot -> robot/arm/Control\n");
+  EXPECT_EQ(Gcm({"diff", file}).out, "");
+  const Outcome again = Gcm({"apply", file});
+  EXPECT_EQ(again.exit_code, program::kOk);
+  EXPECT_EQ(again.out, "");
+  EXPECT_EQ(again.err, "gcm: 0 steps made, 0 failed, 0 left, 8 things untouched\n");
+
+  EXPECT_EQ(Gcm({"undo"}).exit_code, program::kOk);
+  EXPECT_EQ(Gcm({"diff", file}).exit_code, program::kRefused);
+}
+
+TEST_F(SavedSystemTest, AllIsTheSameAgainInEmptyProcessesAfterEverythingWasKilled) {
+  ASSERT_EQ(Gcm({"connect", "desk/teleoperation/Robot", "robot/arm/Control"}).exit_code, 0);
+  const std::string file = Saved();
+  const std::string before = Gcm({"tree"}).out;
+  robot->Signal(SIGKILL);
+  desk->Signal(SIGKILL);
+  gcm->Signal(SIGKILL);
+  ASSERT_TRUE(robot->Wait() && desk->Wait() && gcm->Wait());
+  StartGcm();
+  robot = StartEmpty("robot");
+  desk = StartEmpty("desk");
+  ASSERT_TRUE(EventuallySays({"ls"}, "robot\talive"));
+  ASSERT_TRUE(EventuallySays({"ls"}, "desk\talive"));
+
+  const Outcome applied = Gcm({"apply", file});
+
+  EXPECT_EQ(applied.exit_code, program::kOk) << applied.out << applied.err;
+  EXPECT_THAT(applied.err, HasSubstr("gcm: 12 steps made, 0 failed, 0 left, 2 things untouched\n"));
+  EXPECT_TRUE(EventuallyTrue([&] { return Gcm({"tree"}).out == before; }))
+      << before << "became" << Gcm({"tree"}).out;
+  const Outcome same = Gcm({"diff", file});
+  EXPECT_EQ(same.exit_code, program::kOk) << same.out;
+  EXPECT_EQ(Gcm({"apply", file}).out, "");
+}
+
+TEST_F(SavedSystemTest, WhatRunsIsTakenAwayOnlyByWhoSaysYes) {
+  const std::string file = Saved();
+  ASSERT_EQ(Gcm({"connect", "desk/teleoperation/Robot", "robot/arm/Control"}).exit_code, 0);
+
+  const Outcome refused = Gcm({"apply", file});
+  EXPECT_EQ(refused.exit_code, program::kRefused);
+  EXPECT_EQ(refused.out, "! disconnect desk/teleoperation/Robot -> robot/arm/Control\n");
+  EXPECT_THAT(refused.err, HasSubstr("nothing was done, for the steps marked with ! take away what "
+                                     "runs; if that is meant: gcm apply " +
+                                     file + " --yes"));
+  EXPECT_EQ(Gcm({"diff", file}).out,
+            "+ connection desk/teleoperation/Robot -> robot/arm/Control\n");
+
+  EXPECT_EQ(Gcm({"apply", file, "--yes"}).exit_code, program::kOk);
+  EXPECT_EQ(Gcm({"diff", file}).out, "");
+}
+
+TEST_F(SavedSystemTest, SaysWhatIsToBeStartedAndDoesTheRestOnlyWhenTold) {
+  const std::string file = Saved();
+  ASSERT_EQ(Gcm({"disconnect", "desk/supervisor/Robot"}).exit_code, program::kOk);
+  robot->Signal(SIGKILL);
+  ASSERT_TRUE(EventuallySays({"ls"}, "robot\tlost"));
+  const std::string missing =
+      "process 'robot' is not there, nor 2 components of it; start it: lcm "
+      "--name robot";
+
+  const Outcome refused = Gcm({"apply", file});
+  EXPECT_EQ(refused.exit_code, program::kRefused);
+  EXPECT_THAT(refused.err, HasSubstr(missing));
+  EXPECT_THAT(refused.err, HasSubstr("gcm apply " + file + " --keep-going"));
+  const Outcome partly = Gcm({"apply", file, "--keep-going"});
+
+  EXPECT_EQ(partly.exit_code, program::kPartial);
+  EXPECT_THAT(partly.err, HasSubstr(missing));
+  EXPECT_THAT(Gcm({"show", "desk/supervisor/Robot"}).out, HasSubstr("pending"));
+}
+
+TEST_F(SavedSystemTest, WhatIsNotComparedIsSaid) {
+  const std::string file = Saved();
+  json wanted = json::parse(home.Read("saved.json"));
+  wanted["processes"][1]["components"][0]["thread"] = {{"lock_memory", true}};
+  home.Write("threads.json", wanted.dump());
+
+  const Outcome with_running = Gcm({"diff", InHome("threads.json")});
+  EXPECT_EQ(with_running.exit_code, program::kOk);
+  EXPECT_EQ(with_running.err,
+            "gcm: not compared, for what runs does not tell it: the \"thread\" of 1 component\n");
+  const Outcome with_file = Gcm({"diff", InHome("threads.json"), file});
+  EXPECT_EQ(with_file.exit_code, program::kRefused);
+  EXPECT_THAT(with_file.out, testing::StartsWith("~ component robot/arm: thread {"));
+}
+
+TEST_F(SavedSystemTest, JsonSaysTheSame) {
+  const std::string file = Saved();
+  ASSERT_EQ(Gcm({"disconnect", "desk/supervisor/Robot"}).exit_code, program::kOk);
+
+  const json difference = json::parse(Gcm({"diff", file, "--json"}).out);
+  EXPECT_EQ(difference["schema"], 1);
+  EXPECT_EQ(difference["equal"], 7);
+  EXPECT_EQ(difference["differences"][0]["kind"], "missing");
+  const json plan = json::parse(Gcm({"plan", file, "--json"}).out);
+  EXPECT_EQ(plan["steps"][0]["kind"], "connect");
+  EXPECT_EQ(plan["steps"][0]["takes_away"], false);
+  const json applied = json::parse(Gcm({"apply", file, "--json"}).out);
+  EXPECT_EQ(applied["done"], 1);
+  EXPECT_EQ(applied["left"], 0);
+  EXPECT_EQ(json::parse(Gcm({"save", file, "--json"}).out)["components"], 5);
+}
+
+TEST_F(SavedSystemTest, ABadFileIsRefusedWithItsPlace) {
+  home.Write("bad.json", R"({"version": 1, "name": "x", "processes": [{"name": "a",
+ "components": [{"name": "b", "class": "C", "preiod": 1}]}]})");
+  home.Write("future.json", R"({"version": 99})");
+
+  for (const std::string verb : {"diff", "plan", "apply"}) {
+    const Outcome bad = Gcm({verb, InHome("bad.json")});
+    EXPECT_EQ(bad.exit_code, program::kUsage);
+    EXPECT_EQ(bad.err, "gcm: " + InHome("bad.json") +
+                           ": line 2, column 45: processes[0].components[0]: unknown key "
+                           "'preiod'; did you mean 'period'?\n");
+    EXPECT_THAT(Gcm({verb, InHome("future.json")}).err,
+                HasSubstr("file is version 99, this program reads 1"));
+    EXPECT_EQ(Gcm({verb, InHome("none.json")}).exit_code, program::kNotFound);
+  }
+}
+
+TEST_F(SavedSystemTest, ImportsAFileOfTheReferenceSystem) {
+  home.Write("cisst.json", R"({"components": [{"class-name": "mtsArm",
+      "constructor-arg": {"Name": "arm", "Period": 0.01}, "configure-parameter": "arm.cal"}]})");
+
+  const Outcome imported =
+      Gcm({"import", InHome("cisst.json"), InHome("new.json"), "--process", "robot"});
+
+  EXPECT_EQ(imported.exit_code, program::kOk) << imported.err;
+  EXPECT_THAT(imported.err, HasSubstr("kept as a comment"));
+  const json file = json::parse(home.Read("new.json"));
+  EXPECT_EQ(file["processes"][0]["components"][0]["class"], "mtsArm");
+
+  const Outcome again =
+      Gcm({"import", InHome("cisst.json"), InHome("new.json"), "--process", "desk"});
+  EXPECT_EQ(again.exit_code, program::kRefused);
+  EXPECT_THAT(again.err, HasSubstr("new.json is there already: give another file, or remove this"));
+  EXPECT_EQ(json::parse(home.Read("new.json")), file);
+}
+
+TEST_F(SavedSystemTest, UndoTakesSeveralStepsBackAndHistoryTellsOfThem) {
+  const std::string teleoperation = "desk/teleoperation/Robot";
+  ASSERT_EQ(Gcm({"disconnect", "desk/supervisor/Robot"}).exit_code, program::kOk);
+  ASSERT_EQ(Gcm({"connect", teleoperation, "robot/arm/Control"}).exit_code, program::kOk);
+
+  const Outcome undone = Gcm({"undo", "2"});
+  EXPECT_EQ(undone.exit_code, program::kOk) << undone.err;
+  EXPECT_EQ(undone.out,
+            "undone: connect desk/teleoperation/Robot robot/arm/Control\n"
+            "undone: disconnect desk/supervisor/Robot robot/arm/Control\n");
+  EXPECT_TRUE(EventuallySays({"ls", "desk/supervisor"}, "-> robot/arm/Control\n"));
+
+  const Outcome history = Gcm({"history"});
+  EXPECT_THAT(history.out,
+              testing::MatchesRegex("1\t[-0-9]* [:0-9]*\tgcm disconnect\tundone\tdisconnect desk/"
+                                    "supervisor/Robot robot/arm/Control\n"
+                                    "2\t[-0-9]* [:0-9]*\tgcm connect\tundone\tconnect desk/"
+                                    "teleoperation/Robot robot/arm/Control\n"));
+  const json newest = json::parse(Gcm({"history", "--count", "1", "--json"}).out);
+  ASSERT_EQ(newest["steps"].size(), 1U);
+  EXPECT_EQ(newest["steps"][0]["id"], 2);
+  EXPECT_EQ(newest["steps"][0]["who"], "gcm connect");
+  EXPECT_EQ(newest["steps"][0]["undone"], true);
+  EXPECT_EQ(Gcm({"undo"}).err, "gcm: there is nothing to undo\n");
+}
+
+TEST_F(SavedSystemTest, StepsOfAnEarlierRunAreSaidAndPassedOver) {
+  ASSERT_EQ(Gcm({"disconnect", "desk/supervisor/Robot"}).exit_code, program::kOk);
+  desk->Signal(SIGKILL);
+  ASSERT_TRUE(EventuallySays({"ls"}, "desk\tlost"));
+  desk = StartLcm("desk", demo);
+  ASSERT_TRUE(EventuallySays({"ls", "desk/supervisor"}, "-> robot/arm/Control\n"));
+
+  const Outcome refused = Gcm({"undo"});
+  EXPECT_EQ(refused.exit_code, program::kRefused);
+  EXPECT_THAT(refused.err,
+              testing::MatchesRegex("gcm: cannot undo step 1 .disconnect desk/supervisor/Robot "
+                                    "robot/arm/Control, by gcm disconnect at .*: process 'desk' "
+                                    "was started again since; to leave it as it is and undo what "
+                                    "was before it: gcm undo --skip\n"));
+  const Outcome skipped = Gcm({"undo", "--skip"});
+
+  EXPECT_THAT(skipped.err, HasSubstr("gcm: passed over, and left as it is: step 1 (disconnect"));
+  EXPECT_THAT(skipped.err, HasSubstr("gcm: there is nothing to undo\n"));
+  EXPECT_THAT(Gcm({"history"}).out, HasSubstr("\tpassed over\t"));
+}
+
+}  // namespace

@@ -1,0 +1,114 @@
+#include <gcm_console/screen/braille.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <program/exit_code.h>
+
+#include <algorithm>
+#include <csignal>
+
+#include "gcm_console/demo_fixture.h"
+#include "gcm_console/terminal.h"
+
+namespace {
+
+using testing::HasSubstr;
+
+TEST(BrailleCanvas, EachLetterShowsEightDots) {
+  console::BrailleCanvas canvas(2, 1);
+  EXPECT_EQ(canvas.Row(0), "\u2800\u2800");
+
+  canvas.Set(0, 0);
+  canvas.Set(3, 3);
+  canvas.Set(4, 0);  // outside
+
+  EXPECT_EQ(canvas.Row(0), "\u2801\u2880");
+}
+
+TEST(BrailleCanvas, ALineHasNoHoles) {
+  console::BrailleCanvas canvas(2, 1);
+
+  canvas.Line(0, 0, 3, 3);
+
+  EXPECT_EQ(canvas.Row(0), "\u2811\u2884");
+}
+
+using ScreenTest = DemoFixture;
+
+TEST_F(ScreenTest, TopIntoAPipeIsOneTable) {
+  EXPECT_TRUE(EventuallyTrue([this] {
+    const std::string out = Gcm({"top", "--sort", "rate"}).out;
+    return out.starts_with("robot/arm\tactive\t") && out.find("robot/arm\tactive\t-") != 0;
+  }));
+  EXPECT_EQ(Gcm({"top", "--filter", "nobody"}).out, "");
+}
+
+TEST_F(ScreenTest, TopOnATerminalIsSortedAndFilteredByKeys) {
+  Terminal terminal(
+      Binary("gcm") + " --gcm " + address + " --timeout " + kPatience + " top --sort name", {},
+      100);
+  ASSERT_TRUE(terminal.Shows("RATE/Hz")) << terminal.seen();
+  ASSERT_TRUE(terminal.Shows("desk/supervisor")) << terminal.seen();
+
+  terminal.Type("r");
+  EXPECT_TRUE(terminal.Shows("by rate")) << terminal.seen();
+  terminal.Type("/host\r");
+  EXPECT_TRUE(terminal.Shows("1 task, by rate, with 'host'")) << terminal.seen();
+  terminal.Type("q");
+
+  EXPECT_EQ(terminal.program().Wait(), program::kOk);
+  EXPECT_TRUE(terminal.Shows("\x1b[?1049l"));  // the screen is given back
+}
+
+TEST_F(ScreenTest, PlotDrawsACurveWithItsScale) {
+  const Outcome plotted =
+      Gcm({"plot", "robot/arm/state.Joints.position[0]", "--window", "1s", "--for", "3s"});
+
+  EXPECT_EQ(plotted.exit_code, program::kOk) << plotted.err;
+  EXPECT_THAT(plotted.out, testing::StartsWith("robot/arm/state.Joints.position[0] = "));
+  EXPECT_THAT(plotted.out, HasSubstr(" rad\n"));
+  EXPECT_THAT(plotted.out, HasSubstr("-1 s"));
+  EXPECT_EQ(std::count(plotted.out.begin(), plotted.out.end(), '\n'), 20);
+
+  const Outcome none = Gcm({"plot", "robot/arm/state.Joints.positon"});
+  EXPECT_EQ(none.exit_code, program::kNotFound) << none.out;
+}
+
+TEST_F(ScreenTest, PlotOnATerminalEndsWithAKeyOrAnInterrupt) {
+  for (const char* key : {"q", "\x03"}) {
+    Terminal terminal(Binary("gcm") + " --gcm " + address + " --timeout " + kPatience +
+                      " plot robot/arm/state.Joints.position[0]");
+    ASSERT_TRUE(terminal.Shows(" rad")) << terminal.seen();
+
+    terminal.Type(key);
+
+    const bool is_interrupt = key[0] == '\x03';
+    EXPECT_EQ(terminal.program().Wait(), is_interrupt ? program::kInterrupted : program::kOk);
+  }
+}
+
+TEST_F(ScreenTest, TheDoctorFindsAllWellOrSaysWhatToDo) {
+  const Outcome well = Gcm({"doctor"});
+  EXPECT_EQ(well.exit_code, program::kOk) << well.out;
+  EXPECT_THAT(well.out, HasSubstr("ok   process robot  "));
+  EXPECT_THAT(well.out, HasSubstr("clock 0.0 ms off"));
+  EXPECT_THAT(well.out, HasSubstr("connections"));
+
+  robot->Signal(SIGKILL);
+  ASSERT_TRUE(EventuallySays({"ls"}, "robot\tlost"));
+  const Outcome ill = Gcm({"doctor"});
+  EXPECT_EQ(ill.exit_code, program::kRefused);
+  EXPECT_THAT(ill.out, HasSubstr("BAD  process robot"));
+  EXPECT_THAT(ill.out, HasSubstr("fix: start it again: lcm --name robot"));
+  EXPECT_THAT(ill.out, HasSubstr("fix: gcm explain desk/supervisor/Robot"));
+}
+
+TEST_F(SystemFixture, TheDoctorSaysHowToStartAGcm) {
+  const Outcome outcome =
+      RunProgram({Binary("gcm"), "--gcm", address, "--timeout", "50", "doctor"});
+
+  EXPECT_EQ(outcome.exit_code, program::kRefused);
+  EXPECT_THAT(outcome.out, HasSubstr("BAD  GCM"));
+  EXPECT_THAT(outcome.out, HasSubstr("fix: gcm serve"));
+}
+
+}  // namespace

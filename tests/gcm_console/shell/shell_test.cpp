@@ -1,0 +1,204 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <program/exit_code.h>
+
+#include <csignal>
+#include <fstream>
+#include <sstream>
+
+#include "gcm_console/demo_fixture.h"
+#include "gcm_console/terminal.h"
+
+namespace {
+
+using testing::HasSubstr;
+
+/// Somebody types.
+class ShellTest : public DemoFixture {
+ protected:
+  std::string Command() const {
+    return Binary("gcm") + " --gcm " + address + " --timeout " + kPatience + " --color never shell";
+  }
+  std::map<std::string, std::string> Environment() const {
+    return {{"XDG_STATE_HOME", home.path().string()}, {"HOME", home.path().string()}};
+  }
+  Outcome Script(const std::string& text, const Program::Words& more = {}) const {
+    const std::string file = (home.path() / "test.gcm").string();
+    std::ofstream(file) << text;
+    Program::Words words = {"run", file};
+    words.insert(words.end(), more.begin(), more.end());
+    return Gcm(words);
+  }
+};
+
+TEST_F(ShellTest, TakesVerbsAndGoesThroughTheSystem) {
+  Terminal terminal(Command(), Environment());
+  ASSERT_TRUE(terminal.Shows("gcm> ")) << terminal.seen();
+
+  terminal.Type("cd robot/arm\r");
+  ASSERT_TRUE(terminal.Shows("robot/arm> ")) << terminal.seen();
+  terminal.Type("ls\r");
+  EXPECT_TRUE(terminal.Shows("desk/supervisor/Robot")) << terminal.seen();
+  EXPECT_TRUE(terminal.Shows("\r\nrobot/arm> ")) << terminal.seen();
+  terminal.Type("get state.Joints.position[0]; ls /desk # and so on\r");
+  EXPECT_TRUE(terminal.Shows("teleoperation")) << terminal.seen();
+  EXPECT_TRUE(terminal.Shows("\r\nrobot/arm> ")) << terminal.seen();
+  terminal.Type("..\r");
+  EXPECT_TRUE(terminal.Shows("robot> ")) << terminal.seen();
+  terminal.Type("lss\r");
+  EXPECT_TRUE(terminal.Shows("no verb 'lss'; did you mean 'ls'?")) << terminal.seen();
+  terminal.Type("exit\r");
+
+  EXPECT_EQ(terminal.program().Wait(), program::kOk);
+}
+
+TEST_F(ShellTest, TabCompletesVerbsAndPathsFromTheLiveCatalogue) {
+  Terminal terminal(Command(), Environment());
+  ASSERT_TRUE(terminal.Shows("gcm> "));
+  terminal.Type("status\r");  // until the catalogue is here
+  ASSERT_TRUE(terminal.Shows("all is well\r\ngcm> ")) << terminal.seen();
+
+  terminal.Type("sho\trob\t/ar\t/Con\t.Mo\t\r");
+  EXPECT_TRUE(terminal.Shows("gcm call robot/arm/Control.MoveTo '")) << terminal.seen();
+  terminal.Type("cd rob\t/ar\t\r");
+  EXPECT_TRUE(terminal.Shows("robot/arm> ")) << terminal.seen();
+  terminal.Type("get state.Jo\t\r");
+  EXPECT_TRUE(terminal.Shows("\"velocity\":")) << terminal.seen();
+  terminal.Type("connect /desk/\t");  // there are two
+  EXPECT_TRUE(terminal.Shows("/desk/supervisor/")) << terminal.seen();
+  EXPECT_TRUE(terminal.Shows("/desk/teleoperation/")) << terminal.seen();
+}
+
+TEST_F(ShellTest, AnInterruptAtThePromptForgetsTheLine) {
+  Terminal terminal(Command(), Environment());
+  ASSERT_TRUE(terminal.Shows("gcm> "));
+
+  terminal.Type("frobnicate\x03");
+  EXPECT_TRUE(terminal.Shows("^C\r\ngcm> ")) << terminal.seen();
+  terminal.Type("\x03");  // of nothing
+  EXPECT_TRUE(terminal.Shows("^C\r\ngcm> ")) << terminal.seen();
+  terminal.Type("version\r");
+
+  EXPECT_TRUE(terminal.Shows("protocol")) << terminal.seen();
+}
+
+TEST_F(ShellTest, ATerminationAtThePromptEndsIt) {
+  Terminal terminal(Command(), Environment());
+  ASSERT_TRUE(terminal.Shows("gcm> "));
+
+  terminal.program().Signal(SIGTERM);
+
+  EXPECT_EQ(terminal.program().Wait(), 128 + SIGTERM);
+}
+
+TEST_F(ShellTest, AfterAnInterruptAScriptRunsNothingMore) {
+  Terminal terminal(Binary("gcm") + " --gcm " + address + " run -", Environment());
+  terminal.Type("version\r");
+  ASSERT_TRUE(terminal.Shows("protocol")) << terminal.seen();
+
+  terminal.program().Signal(SIGINT);
+  terminal.Type("status\r");
+
+  EXPECT_EQ(terminal.program().Wait(), program::kInterrupted);
+  EXPECT_THAT(terminal.seen(), testing::Not(HasSubstr("all is well")));
+}
+
+TEST_F(ShellTest, AScriptThatRunsItselfIsStopped) {
+  const Outcome outcome = Script("run " + (home.path() / "test.gcm").string() + "\n");
+
+  EXPECT_NE(outcome.exit_code, program::kOk);
+  EXPECT_THAT(outcome.err, HasSubstr("does one run itself?"));
+}
+
+TEST_F(ShellTest, PathsMayBeginAtTheTopWithoutGoingAnywhereFirst) {
+  const Outcome outcome = Script("ls /desk\n");
+
+  EXPECT_EQ(outcome.exit_code, program::kOk) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("teleoperation"));
+}
+
+TEST_F(ShellTest, RemembersWhatWasTypedInEarlierShells) {
+  {
+    Terminal terminal(Command(), Environment());
+    ASSERT_TRUE(terminal.Shows("gcm> "));
+    terminal.Type("ls robot/host_monitor\r");
+    ASSERT_TRUE(terminal.Shows("state"));
+    ASSERT_TRUE(terminal.Shows("\r\ngcm> ")) << terminal.seen();
+    terminal.Type("\x04");  // Ctrl-D
+    EXPECT_EQ(terminal.program().Wait(), program::kOk);
+  }
+  Terminal terminal(Command(), Environment());
+  ASSERT_TRUE(terminal.Shows("gcm> "));
+
+  terminal.Type("\x1b[A");  // arrow up
+
+  EXPECT_TRUE(terminal.Shows("ls robot/host_monitor")) << terminal.seen();
+  EXPECT_TRUE(std::filesystem::exists(home.path() / "gcm" / "history"));
+}
+
+TEST_F(ShellTest, AnInterruptEndsTheWatchAndNotTheShell) {
+  Terminal terminal(Command(), Environment());
+  ASSERT_TRUE(terminal.Shows("gcm> "));
+  for (int round = 0; round < 2; ++round) {
+    terminal.Type("watch robot/arm/state.Joints.position[0] --hz 50\r");
+    ASSERT_TRUE(terminal.Shows("TIME/ns        \tTICK\trobot/arm/state.Joints.position[0]\r\n"));
+    ASSERT_TRUE(terminal.Shows("\t0.0\r\n")) << terminal.seen();
+
+    terminal.Type("\x03");
+
+    EXPECT_TRUE(terminal.Shows(" rows, ")) << terminal.seen();
+    EXPECT_TRUE(terminal.Shows("gcm> ")) << terminal.seen();
+  }
+  terminal.Type("version\r");
+  EXPECT_TRUE(terminal.Shows("protocol")) << terminal.seen();
+}
+
+TEST_F(ShellTest, LinesMayComeThroughAPipe) {
+  const Outcome outcome = RunProgram(
+      {"/bin/sh", "-c", "printf 'cd robot\\nls\\nls nobody' | " + Command()}, Environment());
+
+  EXPECT_THAT(outcome.out, HasSubstr("arm\tactive\tSimulatedArm"));
+  EXPECT_THAT(outcome.err, HasSubstr("no component 'robot/nobody'"));
+  EXPECT_EQ(outcome.exit_code, program::kNotFound);
+}
+
+TEST_F(ShellTest, AScriptStopsAtItsFirstErrorUnlessToldOtherwise) {
+  const std::string text = "cd desk # where\n\nls nobody; ls old_arm\nls old_arm\n";
+
+  const Outcome stopped = Script(text);
+  EXPECT_EQ(stopped.exit_code, program::kNotFound);
+  EXPECT_EQ(stopped.out, "");
+  EXPECT_THAT(stopped.err,
+              HasSubstr("test.gcm, line 3: failed with 4, and nothing after it was run"));
+
+  const Outcome went_on = Script(text, {"--keep-going"});
+  EXPECT_THAT(went_on.out, HasSubstr("Control\tprovided"));
+}
+
+TEST_F(ShellTest, AScriptThatCannotBeReadIsASentence) {
+  EXPECT_THAT(Gcm({"run", home.path().string()}).err, HasSubstr("is a folder"));
+  const Outcome missing = Gcm({"run", "nowhere.gcm"});
+  EXPECT_EQ(missing.exit_code, program::kNotFound);
+  EXPECT_EQ(missing.err, "gcm: cannot read nowhere.gcm: there is no such file\n");
+}
+
+TEST_F(ShellTest, BashCompletesWithTheFileThatGcmPrints) {
+  const auto completed = [&](const std::string& words, int index) {
+    const std::string script = "PATH=" + std::string(TENDON_BIN) +
+                               ":$PATH; source <(gcm completion bash); compopt() { :; }; "
+                               "COMP_WORDS=(" +
+                               words + "); COMP_CWORD=" + std::to_string(index) +
+                               "; _gcm; printf '%s\\n' \"${COMPREPLY[@]}\"";
+    return RunProgram({"/bin/bash", "-c", script}, {{"TENDON_GCM", address}}).out;
+  };
+
+  EXPECT_EQ(completed("gcm wat", 1), "watch\n");
+  EXPECT_THAT(completed("gcm watch --c", 2), HasSubstr("--count\n"));
+  EXPECT_EQ(completed("gcm --color n", 2), "never\n");
+  EXPECT_TRUE(EventuallyTrue(
+      [&] { return completed("gcm connect desk/tel", 2) == "desk/teleoperation/\n"; }));
+  EXPECT_TRUE(EventuallyTrue(
+      [&] { return completed("gcm get robot/arm/state.Jo", 2) == "robot/arm/state.Joints\n"; }));
+}
+
+}  // namespace

@@ -1,0 +1,64 @@
+#include <gcm_console/line/command_line.h>
+#include <gcm_console/shell/words.h>
+#include <gtest/gtest.h>
+
+namespace console {
+namespace {
+
+using Commands = std::vector<Words>;
+
+Commands Of(const std::string& line) {
+  const auto commands = CommandsOf(line);
+  EXPECT_TRUE(commands) << line;
+  return commands ? *commands : Commands{};
+}
+
+TEST(Words, StandBetweenBlanks) {
+  EXPECT_EQ(Of(""), Commands{});
+  EXPECT_EQ(Of("  ls \t robot/arm "), (Commands{{"ls", "robot/arm"}}));
+}
+
+TEST(Words, ASemicolonEndsACommandAndANumberSignTheLine) {
+  EXPECT_EQ(Of("cd robot; ls ;; tree # all; of it"), (Commands{{"cd", "robot"}, {"ls"}, {"tree"}}));
+  EXPECT_EQ(Of("# nothing"), Commands{});
+  EXPECT_EQ(Of("find a#b"), (Commands{{"find", "a#b"}}));
+}
+
+TEST(Words, QuotesKeepTogetherWhatBelongsTogether) {
+  EXPECT_EQ(Of(R"(find 'a; b' "c \" d" e\ f '')"),
+            (Commands{{"find", "a; b", "c \" d", "e f", ""}}));
+}
+
+TEST(Words, JsonNeedsNoQuotes) {
+  EXPECT_EQ(Of(R"(call a/b.C {"position": [1, 2], "name": "x } ; y"}; ls)"),
+            (Commands{{"call", "a/b.C", R"({"position": [1, 2], "name": "x } ; y"})"}, {"ls"}}));
+  EXPECT_EQ(Of("watch state.Joints[0]"), (Commands{{"watch", "state.Joints[0]"}}));
+}
+
+TEST(Words, WhatHasNoEndIsRefused) {
+  EXPECT_EQ(CommandsOf("ls 'a b").error().message, "the quote in column 4 has no end");
+  EXPECT_EQ(CommandsOf("call a {\"b\": [1").error().message, "the bracket in column 8 has no end");
+}
+
+TEST(Words, OfALineThatIsBeingTypedTheLastIsOpen) {
+  EXPECT_EQ(UnfinishedOf("").words, (Words{""}));
+  EXPECT_EQ(UnfinishedOf("ls").words, (Words{"ls"}));
+  EXPECT_EQ(UnfinishedOf("ls ").words, (Words{"ls", ""}));
+  EXPECT_EQ(UnfinishedOf("cd a; get b/c").words, (Words{"get", "b/c"}));
+  EXPECT_EQ(UnfinishedOf("cd a;").words, (Words{""}));
+  EXPECT_EQ(UnfinishedOf("get b/c").typed, "b/c");
+}
+
+TEST(ResolvedPath, BeginsWhereTheShellIs) {
+  EXPECT_EQ(ResolvedPath("robot/arm", "state.Joints"), "robot/arm/state.Joints");
+  EXPECT_EQ(ResolvedPath("robot/arm/state", "Joints.position[0]"),
+            "robot/arm/state.Joints.position[0]");
+  EXPECT_EQ(ResolvedPath("robot/arm", "/desk"), "desk");
+  EXPECT_EQ(ResolvedPath("robot/arm", ".."), "robot");
+  EXPECT_EQ(ResolvedPath("robot/arm", "../../desk/old_arm"), "desk/old_arm");
+  EXPECT_EQ(ResolvedPath("robot", "../.."), "");
+  EXPECT_EQ(ResolvedPath("", "robot/arm/Control.Stop"), "robot/arm/Control.Stop");
+}
+
+}  // namespace
+}  // namespace console

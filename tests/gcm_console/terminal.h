@@ -1,0 +1,77 @@
+#pragma once
+
+#include <fcntl.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdlib>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "support/program.h"
+#include "support/wait.h"
+
+/// A program with a terminal of its own, at which the test sits: types, and sees what is printed.
+class Terminal {
+ public:
+  /// `command` is for a shell, which becomes it.
+  explicit Terminal(const std::string& command, std::map<std::string, std::string> environment = {},
+                    unsigned short columns = 80)
+      : master_(posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC)) {
+    grantpt(master_);
+    unlockpt(master_);
+    std::array<char, 64> name{};
+    ptsname_r(master_, name.data(), name.size());
+    const std::string line(name.data());
+    keeper_ = open(line.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
+    const winsize size{.ws_row = 24, .ws_col = columns, .ws_xpixel = 0, .ws_ypixel = 0};
+    ioctl(master_, TIOCSWINSZ, &size);
+    environment.insert({"TERM", "xterm"});
+    environment.insert({"NO_COLOR", ""});
+    const std::string streams = " <" + line + " >" + line + " 2>&1";
+    program_ = std::make_unique<Program>(
+        Program::Words{"/bin/sh", "-c", "exec setsid -c " + command + streams}, environment);
+  }
+  Terminal(const Terminal&) = delete;
+  Terminal& operator=(const Terminal&) = delete;
+  ~Terminal() {
+    program_.reset();
+    close(keeper_);
+    close(master_);
+  }
+
+  void Type(const std::string& keys) {
+    seen_.clear();
+    const auto written = write(master_, keys.data(), keys.size());
+    static_cast<void>(written);
+  }
+  /// Whether `text` appears, of what was printed since the last keys.
+  bool Shows(const std::string& text) {
+    return EventuallyTrue([&] {
+      Read();
+      return seen_.find(text) != std::string::npos;
+    });
+  }
+  /// Since the last keys.
+  const std::string& seen() {
+    Read();
+    return seen_;
+  }
+  Program& program() { return *program_; }
+
+ private:
+  void Read() {
+    std::array<char, 4096> buffer{};
+    for (auto count = read(master_, buffer.data(), buffer.size()); count > 0;
+         count = read(master_, buffer.data(), buffer.size())) {
+      seen_.append(buffer.data(), static_cast<std::size_t>(count));
+    }
+  }
+
+  int master_ = -1;
+  int keeper_ = -1;  // so that what was printed stays readable after the program
+  std::string seen_;
+  std::unique_ptr<Program> program_;
+};

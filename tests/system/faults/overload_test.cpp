@@ -1,0 +1,171 @@
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <map>
+#include <mutex>
+#include <thread>
+
+#include "system/faults/harness/fault_test.h"
+#include "system/faults/harness/footprint.h"
+
+namespace faults {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// Takes its time with each batch, as long as it is told to.
+class SlowReader final : public tendon::RowSink {
+ public:
+  void set_nap(std::chrono::milliseconds nap) { nap_ = nap; }
+  [[nodiscard]] StreamChecker::Verdict verdict() const { return checker_->verdict(); }
+
+ private:
+  void OnSubscribed(const std::vector<tendon::Schema>& columns) override {
+    sink().OnSubscribed(columns);
+  }
+  std::size_t OnRows(const tendon::RowBatch& batch) override {
+    std::this_thread::sleep_for(nap_.load());
+    return sink().OnRows(batch);
+  }
+  void OnStale(const tendon::Error& reason) override { sink().OnStale(reason); }
+  [[nodiscard]] tendon::RowSink& sink() const { return *checker_; }
+
+  const std::shared_ptr<StreamChecker> checker_ = std::make_shared<StreamChecker>();
+  std::atomic<std::chrono::milliseconds> nap_{0ms};
+};
+
+/// What is logged by whom, and how late that was known here, by the clock of this machine.
+class LogWatch final : public tendon::GcmListener {
+ public:
+  struct Heard {
+    std::vector<std::string> texts;
+    std::vector<std::int64_t> delays;  // ms
+  };
+  [[nodiscard]] Heard Of(const std::string& source) const {
+    const std::scoped_lock lock(mutex_);
+    const auto found = heard_.find(source);
+    return found == heard_.end() ? Heard() : found->second;
+  }
+
+ private:
+  void OnSnapshot(const tendon::Catalog& /*catalog*/) override {}
+  void OnChanges(const std::vector<tendon::CatalogChange>& /*changes*/) override {}
+  void OnGcmLost(const tendon::Error& /*reason*/) override {}
+  void OnLog(const tendon::LogBatch& batch) override {
+    constexpr std::int64_t kNanosecondsInOne = 1'000'000;
+    const std::int64_t now = std::chrono::system_clock::now().time_since_epoch() / 1ns;
+    const std::scoped_lock lock(mutex_);
+    for (const auto& record : batch.records) {
+      Heard& heard = heard_[record.source];
+      heard.texts.push_back(record.text);
+      heard.delays.push_back((now - record.time) / kNanosecondsInOne);
+    }
+  }
+
+  mutable std::mutex mutex_;
+  std::map<std::string, Heard> heard_;
+};
+
+class Overload : public FaultTest {
+ protected:
+  [[nodiscard]] std::unique_ptr<tendon::GcmClient> MakeViewer(
+      const std::shared_ptr<tendon::GcmListener>& listener) const {
+    auto viewer = std::make_unique<tendon::GcmClient>(
+        NewMiddleware(),
+        tendon::GcmClient::Options{.name = "other", .address = gcm_address_, .timeout = Patience()},
+        listener);
+    EXPECT_TRUE(viewer->WaitUntilWatching().ok());
+    return viewer;
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(Over, Overload, testing::ValuesIn(Middlewares()), NameOfMiddleware);
+
+/// Row 11: who reads slowly misses rows, and is told how many; the others miss none, and nothing
+/// grows where the rows come from.
+TEST_P(Overload, ASlowConsumerHarmsNobodyButItself) {
+  ASSERT_NO_FATAL_FAILURE(StartGcm());
+  ASSERT_NO_FATAL_FAILURE(StartViewer());
+  robot_ = MakeLcm("well");
+  ASSERT_TRUE(Eventually([this] {
+    const auto catalog = viewer_->catalog();
+    return catalog.FindProvided({"well", "fountain", "state"}) != nullptr;
+  })) << robot_->err();
+  const tendon::TableSubscription rows{"well", "fountain", "state", {"Sample", "Ballast"}};
+  viewer_->telemetry().Subscribe(rows, stream_);
+  const auto slow = std::make_shared<SlowReader>();
+  const auto other = MakeViewer(nullptr);
+  other->telemetry().Subscribe(rows, slow);
+  const auto both_get_more = [&](std::uint64_t more) {
+    const std::uint64_t fast_before = stream_->received();
+    const std::uint64_t slow_before = slow->verdict().received;
+    return Eventually([&] {
+      return stream_->received() >= fast_before + more &&
+             slow->verdict().received >= slow_before + more;
+    });
+  };
+  ASSERT_TRUE(both_get_more(100)) << robot_->err();
+
+  slow->set_nap(250ms);
+  ASSERT_TRUE(Eventually([&] { return slow->verdict().counted > 0; }));
+  const Footprint before = FootprintOf(robot_->pid());
+  const std::uint64_t received = stream_->received();
+  const std::uint64_t lost = slow->verdict().counted;
+  ASSERT_TRUE(Eventually([&] { return stream_->received() >= received + 1000; }));
+  ASSERT_TRUE(Eventually([&] { return slow->verdict().counted > lost; })) << "it still misses some";
+  const Footprint after = FootprintOf(robot_->pid());
+
+  slow->set_nap(0ms);
+  ASSERT_TRUE(both_get_more(500)) << "it is fast again";
+  const StreamChecker::Verdict missed = slow->verdict();
+  Tell("slow: " + ToString(missed));
+  EXPECT_EQ(missed.missing, missed.counted);
+  EXPECT_EQ(missed.repeated, 0U);
+  EXPECT_EQ(missed.damaged, 0U);
+  ExpectNoRowLost();
+  ExpectNeverLost("well");
+  EXPECT_TRUE(IsFlat(before, after)) << before << "; now " << after;
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+  constexpr std::size_t kTwentieth = 20;
+  EXPECT_LE(after.resident, before.resident + before.resident / kTwentieth)
+      << before << "; now " << after;
+#endif
+}
+
+/// Row 29: one component that raves is cut short, and is told to have been; what its neighbour in
+/// the same process says arrives, all of it and soon.
+TEST_P(Overload, AStormOfRecordsDrownsNobodyElse) {
+  ASSERT_NO_FATAL_FAILURE(StartGcm());
+  ASSERT_NO_FATAL_FAILURE(StartViewer());
+  const auto log = std::make_shared<LogWatch>();
+  const auto viewer = MakeViewer(log);
+  viewer->WatchLog();
+  robot_ = MakeLcm("noisy");
+  ASSERT_TRUE(Eventually([&] { return log->Of("calm").texts.size() >= 100; })) << Gcm({"ls"}).out;
+
+  EXPECT_EQ(Gcm({"ls"}).exit_code, 0) << "the console is usable";
+  EXPECT_EQ(Gcm({"log"}).exit_code, 0);
+
+  const LogWatch::Heard calm = log->Of("calm");
+  std::vector<std::int64_t> delays = calm.delays;
+  std::sort(delays.begin(), delays.end());
+  const auto raves = log->Of("raver").texts;
+  const auto told = std::find_if(raves.begin(), raves.end(), [](const std::string& text) {
+    return text.starts_with("suppressed ");
+  });
+  Tell(std::to_string(calm.texts.size()) + " calm records, the middle one heard after " +
+       std::to_string(delays[delays.size() / 2]) + " ms, the last after " +
+       std::to_string(delays.back()) + " ms; beside " + std::to_string(raves.size()) +
+       " that raved");
+  for (std::size_t i = 0; i < calm.texts.size(); ++i) {
+    ASSERT_EQ(calm.texts[i], std::to_string(i + 1)) << "none is missing";
+  }
+  EXPECT_LE(static_cast<double>(delays[delays.size() / 2]), 100 * Slowness());
+  ASSERT_NE(told, raves.end());
+  EXPECT_GT(std::stoull(told->substr(std::string("suppressed ").size())), 1000U) << *told;
+  EXPECT_LE(raves.size(), 2000U);
+  ExpectNeverLost("noisy");
+}
+
+}  // namespace
+}  // namespace faults
