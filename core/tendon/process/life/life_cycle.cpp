@@ -119,24 +119,27 @@ LifeCycle::Outcome LifeCycle::ExecuteGuarded(const Given& given) {
 }
 
 LifeCycle::Outcome LifeCycle::Execute(const Given& given) {
-  switch (given.order.verb) {
-    case LifeVerb::kLoad:
-      return Load(given);
+  const LifeOrder& order = given.order;
+  if (order.verb == LifeVerb::kLoad) return Load(given);
+  if (order.verb == LifeVerb::kStop) return StopIt(given);
+  const Claim claim(*this, order.component);
+  if (auto checked = claim.Check(); !checked) return checked.error();
+  switch (order.verb) {
     case LifeVerb::kCreate:
       return Create(given);
     case LifeVerb::kConfigure:
       return Configure(given);
     case LifeVerb::kStart:
     case LifeVerb::kSuspend:
-      return Steer(given);
-    case LifeVerb::kStop:
-      return StopIt(given);
+      return Steer(given, claim);
     case LifeVerb::kRestart:
-      return Restart(given);
+      return Restart(given, claim);
     case LifeVerb::kRemove:
       return Remove(given);
+    default:
+      return Error{ErrorCode::kInvalid,
+                   "an LCM does not know this order; it is older than its GCM"};
   }
-  return Error{ErrorCode::kInvalid, "an LCM does not know this order; it is older than its GCM"};
 }
 
 Result<void> LifeCycle::BeginNow(const Given& given) const {
@@ -159,8 +162,6 @@ LifeCycle::Outcome LifeCycle::Load(const Given& given) {
 LifeCycle::Outcome LifeCycle::Create(const Given& given) {
   const LifeOrder& order = given.order;
   if (auto checked = CheckName("component", order.component); !checked) return checked.error();
-  const Claim claim(*this, order.component);
-  if (auto checked = claim.Check(); !checked) return checked.error();
   if (parts_.manager.Find(order.component) != nullptr) {
     return Error{ErrorCode::kExists, "component '" + order.component +
                                          "' already exists in process '" + parts_.process +
@@ -182,8 +183,6 @@ LifeCycle::Outcome LifeCycle::Create(const Given& given) {
 /// The new one is made first: where its class refuses, the old one is untouched.
 LifeCycle::Outcome LifeCycle::Configure(const Given& given) {
   const std::string& component = given.order.component;
-  const Claim claim(*this, component);
-  if (auto checked = claim.Check(); !checked) return checked.error();
   const auto before = FindOfClass(component, "configured anew");
   if (!before) return before.error();
   const auto settings = parts_.manager.SettingsOf(component);
@@ -216,10 +215,8 @@ LifeCycle::Outcome LifeCycle::Configure(const Given& given) {
   return outcome;
 }
 
-LifeCycle::Outcome LifeCycle::Steer(const Given& given) {
+LifeCycle::Outcome LifeCycle::Steer(const Given& given, const Claim& claim) {
   const std::string& component = given.order.component;
-  const Claim claim(*this, component);
-  if (auto checked = claim.Check(); !checked) return checked.error();
   const auto before = Find(component);
   if (!before) return before.error();
   if (auto begun = BeginNow(given); !begun) return begun.error();
@@ -249,10 +246,8 @@ LifeCycle::Outcome LifeCycle::StopIt(const Given& given) {
   return OutcomeAfter(*before);
 }
 
-LifeCycle::Outcome LifeCycle::Restart(const Given& given) {
+LifeCycle::Outcome LifeCycle::Restart(const Given& given, const Claim& claim) {
   const std::string& component = given.order.component;
-  const Claim claim(*this, component);
-  if (auto checked = claim.Check(); !checked) return checked.error();
   const auto before = Find(component);
   if (!before) return before.error();
   if (auto begun = BeginNow(given); !begun) return begun.error();
@@ -274,8 +269,6 @@ Result<void> LifeCycle::StartUnlessStopped(const Given& given, const Claim& clai
 
 LifeCycle::Outcome LifeCycle::Remove(const Given& given) {
   const std::string& component = given.order.component;
-  const Claim claim(*this, component);
-  if (auto checked = claim.Check(); !checked) return checked.error();
   const auto before = FindOfClass(component, "removed");
   if (!before) return before.error();
   const auto settings = parts_.manager.SettingsOf(component);

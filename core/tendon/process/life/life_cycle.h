@@ -61,16 +61,17 @@ class LifeCycle {
   Outcome ExecuteGuarded(const Given& given);
   Outcome Execute(const Given& given);
   Outcome Load(const Given& given);
+  Outcome StopIt(const Given& given);
+  // Of a component that is claimed.
   Outcome Create(const Given& given);
   Outcome Configure(const Given& given);
-  Outcome Steer(const Given& given);
-  Outcome Restart(const Given& given);
+  Outcome Steer(const Given& given, const Claim& claim);
+  Outcome Restart(const Given& given, const Claim& claim);
   Outcome Remove(const Given& given);
 
   /// Whether the order still holds; afterwards it counts as begun.
   [[nodiscard]] Result<void> BeginNow(const Given& given) const;
   Result<void> StartUnlessStopped(const Given& given, const Claim& claim);
-  Outcome StopIt(const Given& given);
 
   Result<void> Add(ComponentMaker::Made made);
   Result<void> TakeOut(const std::string& component, SteadyTime deadline);
