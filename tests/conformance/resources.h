@@ -1,9 +1,14 @@
 #pragma once
 
+#include <malloc.h>
+
 #include <cstddef>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+extern "C" std::size_t __sanitizer_get_current_allocated_bytes();
+#endif
 
 namespace tendon::conformance {
 
@@ -15,13 +20,15 @@ inline std::size_t EntriesIn(const std::filesystem::path& folder) {
 inline std::size_t OpenDescriptors() { return EntriesIn("/proc/self/fd"); }
 inline std::size_t Threads() { return EntriesIn("/proc/self/task"); }
 
-/// Resident bytes of this process.
+/// Bytes that are allocated and not freed. What is resident depends on how the threads came to run,
+/// too.
 inline std::size_t MemoryInUse() {
-  constexpr std::size_t kPage = 4096;
-  std::size_t total = 0;
-  std::size_t resident = 0;
-  std::ifstream("/proc/self/statm") >> total >> resident;
-  return resident * kPage;
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  return __sanitizer_get_current_allocated_bytes();
+#else
+  const struct mallinfo2 heap = mallinfo2();
+  return heap.uordblks + heap.hblkhd;
+#endif
 }
 
 }  // namespace tendon::conformance

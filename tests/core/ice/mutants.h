@@ -16,13 +16,9 @@ namespace tendon::ice {
 /// fewer.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 inline constexpr int kMutants = 2'000;
-inline constexpr std::size_t kMostGrowth = std::size_t{256} << 20U;  // it keeps what was freed
 #else
 inline constexpr int kMutants = 20'000;
-inline constexpr std::size_t kMostGrowth = std::size_t{4} << 20U;
 #endif
-/// So many before the memory is measured: pools and arenas have their size then.
-inline constexpr int kWarmUp = kMutants / 4;
 
 /// Messages that were right until one to four of their bytes were changed: always the same ones.
 class Mutants {
