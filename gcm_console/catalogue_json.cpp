@@ -1,6 +1,8 @@
 #include <gcm_console/catalogue_json.h>
 #include <gcm_console/place.h>
 
+#include <algorithm>
+#include <chrono>
 #include <nlohmann/json.hpp>
 
 namespace console {
@@ -82,6 +84,23 @@ ordered_json ToJson(const tendon::ConnectionDescription& connection) {
           {"provided", ToString(connection.provided)},
           {"state", ToString(connection.state)},
           {"reason", connection.reason}};
+}
+
+ordered_json HealthOf(const tendon::message::SystemHealth& health,
+                      const tendon::ProcessDescription& process) {
+  using Seconds = std::chrono::duration<double>;
+  const auto found =
+      std::ranges::find(health.processes, process.name, &tendon::message::ProcessHealth::process);
+  ordered_json json = ordered_json::object();
+  if (found == health.processes.end() || found->instance != process.instance) return json;
+  if (found->cpu >= 0.0) json["cpu_cores"] = found->cpu;
+  if (found->memory > 0) json["memory_bytes"] = found->memory;
+  if (found->clock_uncertainty >= std::chrono::nanoseconds(0)) {
+    json["clock_offset_s"] = Seconds(found->clock_offset).count();
+    json["clock_uncertainty_s"] = Seconds(found->clock_uncertainty).count();
+  }
+  json["age_s"] = Seconds(found->age).count();
+  return json;
 }
 
 }  // namespace console

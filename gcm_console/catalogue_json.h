@@ -1,6 +1,6 @@
 #pragma once
 
-#include <tendon/gcm/catalog.h>
+#include <tendon/gcm/messages.h>
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -14,5 +14,10 @@ nlohmann::ordered_json ToJson(const tendon::ProvidedDescription& interface);
 nlohmann::ordered_json ToJson(const tendon::RequiredDescription& interface);
 nlohmann::ordered_json ToJson(const tendon::MemberDescription& member);
 nlohmann::ordered_json ToJson(const tendon::ConnectionDescription& connection);
+
+/// As the GCM has it of the process, with its age: without what is not known, empty where that is
+/// all.
+nlohmann::ordered_json HealthOf(const tendon::message::SystemHealth& health,
+                                const tendon::ProcessDescription& process);
 
 }  // namespace console

@@ -4,6 +4,7 @@
 #include <gcm_console/place.h>
 #include <gcm_console/report.h>
 #include <gcm_console/verb.h>
+#include <tendon/gcm/text/health_text.h>
 #include <tendon/gcm/text/wall_time.h>
 
 #include <CLI/CLI.hpp>
@@ -21,6 +22,7 @@ using program::ExitCode;
 using tendon::Catalog;
 using tendon::InterfaceName;
 using tendon::Result;
+using tendon::message::SystemHealth;
 
 void ListProcesses(const Catalog& catalog, Table& table) {
   for (const auto& [name, entry] : catalog.processes()) {
@@ -93,14 +95,28 @@ Table ListingOf(const Catalog& catalog, const Place& place) {
   return table;
 }
 
-ordered_json JsonOf(const Catalog& catalog, const Place& place) {
+/// As far as the GCM says: what is asked for is the catalogue.
+SystemHealth AskHealth(Context& context) {
+  auto health = context.Ask<SystemHealth>(
+      [](tendon::GcmClient& client, auto handler) { client.GetHealth(handler); });
+  return health ? *std::move(health) : SystemHealth{};
+}
+
+ordered_json JsonOf(const tendon::ProcessEntry& entry, const SystemHealth& health) {
+  ordered_json json = ToJson(entry);
+  json["health"] = HealthOf(health, entry.process);
+  return json;
+}
+
+ordered_json JsonOf(Context& context, const Catalog& catalog, const Place& place) {
   if (place.member != nullptr) return {{"member", ToJson(*place.member)}};
   if (place.provided != nullptr) return {{"interface", ToJson(*place.provided)}};
   if (place.required != nullptr) return {{"interface", ToJson(*place.required)}};
   if (place.component != nullptr) return {{"component", ToJson(*place.component)}};
-  if (place.process != nullptr) return {{"process", ToJson(*place.process)}};
+  const SystemHealth health = AskHealth(context);
+  if (place.process != nullptr) return {{"process", JsonOf(*place.process, health)}};
   ordered_json processes = ordered_json::array();
-  for (const auto& [name, entry] : catalog.processes()) processes.push_back(ToJson(entry));
+  for (const auto& [name, entry] : catalog.processes()) processes.push_back(JsonOf(entry, health));
   return {{"processes", std::move(processes)}};
 }
 
@@ -110,6 +126,21 @@ struct ListOptions {
   bool is_long = false;
   std::vector<std::string> types;  ///< codes of nouns
 };
+
+/// What the processes among them take of their machines, where nothing else is said of them.
+void AddHealth(Context& context, const Catalog& catalog, std::vector<Thing>& things) {
+  const auto lacks_detail = [&](const Thing& thing) {
+    return thing.noun == "process" && thing.detail.empty();
+  };
+  if (std::none_of(things.begin(), things.end(), lacks_detail)) return;
+  const SystemHealth health = AskHealth(context);
+  for (Thing& thing : things) {
+    if (!lacks_detail(thing)) continue;
+    const auto* of_process = FindHealth(health, catalog.FindProcess(thing.path)->process);
+    thing.detail =
+        "cpu " + tendon::CpuText(of_process) + ", memory " + tendon::MemoryText(of_process);
+  }
+}
 
 /// What is to be listed by path instead of by name: everything below a path, or what is right in
 /// it, of some kinds only.
@@ -125,6 +156,7 @@ Result<ExitCode> ListThings(Context& context, const Catalog& catalog, const List
         std::find(options.types.begin(), options.types.end(), noun->code) != options.types.end();
     return !is_wanted || (!is_deep && DepthOf(thing.path) > deepest);
   });
+  if (options.is_long) AddHealth(context, catalog, things);
   PrintThings(context, things);
   return program::kOk;
 }
@@ -136,7 +168,7 @@ Result<ExitCode> List(Context& context, const std::string& path) {
   const auto place = path.empty() ? Result<Place>(Place{}) : FindPlace(catalog, path);
   if (!place) return place.error();
   if (context.settings().json) {
-    context.PrintJson(JsonOf(catalog, *place));
+    context.PrintJson(JsonOf(context, catalog, *place));
   } else {
     context.Print(ListingOf(catalog, *place));
   }
@@ -184,7 +216,7 @@ Result<ExitCode> Tree(Context& context) {
 }
 
 /// What there is to say of one thing, a line each.
-Table Facts(const Catalog& catalog, const Place& place) {
+Table Facts(Context& context, const Catalog& catalog, const Place& place) {
   Table table({"WHAT", "VALUE"});
   const auto& process = place.process->process;
   table.Add({"process", process.name});
@@ -195,6 +227,11 @@ Table Facts(const Catalog& catalog, const Place& place) {
     table.Add({"host", process.host});
     table.Add({"pid", std::to_string(process.pid)});
     table.Add({"address", process.address});
+    const SystemHealth system = AskHealth(context);
+    const auto* health = FindHealth(system, process);
+    table.Add({"cpu", tendon::CpuText(health)});
+    table.Add({"memory", tendon::MemoryText(health)});
+    table.Add({"clock", tendon::ClockText(health)});
     return table;
   }
   const auto& component = *place.component;
@@ -207,6 +244,7 @@ Table Facts(const Catalog& catalog, const Place& place) {
     table.Add({"fault", component.fault});
     table.Add({"faulted at", tendon::WallTimeText(component.fault_time)});
   }
+  if (!component.warning.empty()) table.Add({"warning", component.warning});
   if (component.period > 0.0) {
     table.Add({"period", ordered_json(component.period).dump() + " s"});
   }
@@ -273,7 +311,7 @@ Result<ExitCode> Show(Context& context, const std::string& path) {
   const Catalog catalog = (*client)->catalog();
   const auto place = FindPlace(catalog, path);
   if (!place) return place.error();
-  context.Print(Facts(catalog, *place));
+  context.Print(Facts(context, catalog, *place));
   context.out() << '\n';
   context.Print(ListingOf(catalog, *place));
   if (place->member != nullptr) PrintPayloads(context, *place, path);

@@ -1,9 +1,12 @@
+#include <gcm_console/catalogue_json.h>
 #include <gcm_console/report.h>
+#include <gcm_console/screen/health_feed.h>
 #include <gcm_console/screen/screen.h>
 #include <gcm_console/screen/task_feed.h>
 #include <gcm_console/verb.h>
 #include <tendon/base/os/screen/keyboard.h>
 #include <tendon/base/os/termination.h>
+#include <tendon/gcm/text/health_text.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -19,6 +22,7 @@ namespace {
 
 using program::ExitCode;
 using tendon::Result;
+using tendon::message::SystemHealth;
 using namespace std::chrono_literals;
 
 struct TopOptions {
@@ -69,7 +73,38 @@ Table TableOf(const std::vector<TaskFigures>& tasks) {
   return table;
 }
 
-void PrintJson(Context& context, const std::vector<TaskFigures>& tasks) {
+/// Those that use most, for there is not room for all.
+Table BusiestOf(const tendon::Catalog& catalog, const SystemHealth& health) {
+  constexpr std::size_t kMost = 5;
+  std::vector<const tendon::ProcessDescription*> processes;
+  for (const auto& [name, entry] : catalog.processes()) processes.push_back(&entry.process);
+  const auto cpu = [&](const auto* process) {
+    const auto* known = FindHealth(health, *process);
+    return known == nullptr ? -1.0 : known->cpu;
+  };
+  std::ranges::stable_sort(processes, std::ranges::greater(), cpu);
+  processes.resize(std::min(processes.size(), kMost));
+  Table table({"PROCESS", "STATE", "CPU", "MEMORY"});
+  for (const auto* process : processes) {
+    const auto* known = FindHealth(health, *process);
+    table.Add({process->name, std::string(ToString(process->state)), tendon::CpuText(known),
+               tendon::MemoryText(known)});
+  }
+  return table;
+}
+
+nlohmann::ordered_json JsonOf(const tendon::Catalog& catalog, const SystemHealth& health) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const auto& [name, entry] : catalog.processes()) {
+    all.push_back({{"name", name},
+                   {"state", ToString(entry.process.state)},
+                   {"health", HealthOf(health, entry.process)}});
+  }
+  return all;
+}
+
+void PrintJson(Context& context, const std::vector<TaskFigures>& tasks,
+               nlohmann::ordered_json processes) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const TaskFigures& task : tasks) {
     nlohmann::ordered_json one = {{"path", task.path}, {"state", task.state}};
@@ -83,12 +118,13 @@ void PrintJson(Context& context, const std::vector<TaskFigures>& tasks) {
     }
     all.push_back(std::move(one));
   }
-  context.PrintJson({{"tasks", std::move(all)}});
+  context.PrintJson({{"processes", std::move(processes)}, {"tasks", std::move(all)}});
 }
 
 /// Once each task has told of a second, or has had the time for it.
-Result<ExitCode> PrintOnce(Context& context, TaskFeed& feed, const TopOptions& options) {
+Result<ExitCode> PrintOnce(Context& context, tendon::GcmClient& client, const TopOptions& options) {
   const auto deadline = std::chrono::steady_clock::now() + 2s;
+  TaskFeed feed(client);
   auto tasks = feed.Look();
   const auto is_known = [](const TaskFigures& task) { return task.is_known; };
   while (!std::all_of(tasks.begin(), tasks.end(), is_known) &&
@@ -98,7 +134,9 @@ Result<ExitCode> PrintOnce(Context& context, TaskFeed& feed, const TopOptions& o
   }
   Arrange(tasks, options);
   if (context.settings().json) {
-    PrintJson(context, tasks);
+    const auto health = context.Ask<SystemHealth>(
+        [](tendon::GcmClient& asked, auto handler) { asked.GetHealth(handler); });
+    PrintJson(context, tasks, JsonOf(client.catalog(), health ? *health : SystemHealth{}));
   } else {
     context.Print(TableOf(tasks));
   }
@@ -137,9 +175,11 @@ void Press(char key, TopKeys& keys, TopOptions& options) {
   }
 }
 
-std::string PictureOf(const std::vector<TaskFigures>& tasks, const TopOptions& options,
-                      const TopKeys& keys, const Layout& layout) {
+std::string PictureOf(const Table& processes, const std::vector<TaskFigures>& tasks,
+                      const TopOptions& options, const TopKeys& keys, const Layout& layout) {
   std::ostringstream picture;
+  processes.Print(picture, layout);
+  picture << '\n';
   picture << tasks.size() << (tasks.size() == 1 ? " task" : " tasks") << ", by " << options.sort;
   if (keys.is_typing || !options.filter.empty()) picture << ", with '" << options.filter << "'";
   picture << (keys.is_typing ? "_  (Enter, Esc)" : "") << "\n\n";
@@ -148,14 +188,18 @@ std::string PictureOf(const std::vector<TaskFigures>& tasks, const TopOptions& o
   return picture.str();
 }
 
-ExitCode ShowAlways(Context& context, TaskFeed& feed, TopOptions options) {
+ExitCode ShowAlways(Context& context, tendon::GcmClient& client, TopOptions options) {
+  TaskFeed feed(client);
+  HealthFeed health(client);
   tendon::os::Keyboard keyboard;
   Screen screen(context.out());
   TopKeys keys;
   while (!keys.wants_end) {
     auto tasks = feed.Look();
     Arrange(tasks, options);
-    screen.Show(PictureOf(tasks, options, keys, context.layout()), tendon::os::TerminalRows());
+    const Table processes = BusiestOf(client.catalog(), health.Look());
+    screen.Show(PictureOf(processes, tasks, options, keys, context.layout()),
+                tendon::os::TerminalRows());
     if (const auto key = keyboard.NextKey(200ms)) Press(*key, keys, options);
     if (tendon::os::TerminationAsked(0ms)) return program::kInterrupted;
   }
@@ -166,10 +210,9 @@ Result<ExitCode> Top(Context& context, const TopOptions& options) {
   tendon::os::HoldTerminationSignals();
   const auto client = context.Client();
   if (!client) return client.error();
-  TaskFeed feed(**client);
   const bool is_typed = context.streams().make_line_reader != nullptr;
-  if (!is_typed || context.settings().json) return PrintOnce(context, feed, options);
-  return ShowAlways(context, feed, options);
+  if (!is_typed || context.settings().json) return PrintOnce(context, **client, options);
+  return ShowAlways(context, **client, options);
 }
 
 Verb::Run Prepare(CLI::App& app) {

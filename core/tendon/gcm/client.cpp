@@ -246,6 +246,11 @@ void GcmClient::GetHistory(std::function<void(Result<message::History>)> handler
                                                     implementation_->Guarded(std::move(handler)));
 }
 
+void GcmClient::GetHealth(std::function<void(Result<message::SystemHealth>)> handler) {
+  implementation_->link().Request<message::SystemHealth>(
+      message::kHealth, None{}, implementation_->Guarded(std::move(handler)));
+}
+
 void GcmClient::Forget(const std::string& process, DoneHandler handler) {
   implementation_->link().Request<None>(message::kForget, message::Forget{process},
                                         [done = implementation_->Guarded(std::move(handler))](

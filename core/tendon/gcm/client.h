@@ -104,6 +104,8 @@ class GcmClient {
   /// where that can be undone itself and is not named by `step`, or its process may come back.
   void PassOver(StepHandler handler, std::uint64_t step = 0);
   void GetHistory(std::function<void(Result<message::History>)> handler);
+  /// What processes take of their machines, as they have told the GCM last.
+  void GetHealth(std::function<void(Result<message::SystemHealth>)> handler);
   /// Removes a tombstone.
   void Forget(const std::string& process, DoneHandler handler);
 

@@ -24,6 +24,7 @@ inline constexpr auto kUndo = static_cast<MessageType>(0x313);        // WhichSt
 inline constexpr auto kHistory = static_cast<MessageType>(0x314);     // None -> History
 inline constexpr auto kForget = static_cast<MessageType>(0x315);      // Forget -> None
 inline constexpr auto kReplace = static_cast<MessageType>(0x316);   // Wire -> ConnectionDescription
+inline constexpr auto kHealth = static_cast<MessageType>(0x31a);    // None -> SystemHealth
 inline constexpr auto kPassOver = static_cast<MessageType>(0x31f);  // WhichStep -> HistoryEntry
 inline constexpr auto kWatchLog = static_cast<MessageType>(0x342);  // WatchLog -> LogWatched
 // From the GCM, besides process/log/messages.h.
@@ -53,6 +54,24 @@ struct LogWatched {
   std::uint64_t gcm_instance = 0;
   std::uint64_t begin = 0;  ///< number of the first
   std::uint64_t end = 0;    ///< of the one that the GCM will have next
+};
+
+/// How a member does, as it has told last.
+struct ProcessHealth {
+  std::string process;
+  std::uint64_t instance = 0;
+  double cpu = -1.0;         ///< cores that it kept busy; below 0 until it has told twice
+  std::uint64_t memory = 0;  ///< bytes that are resident
+  /// How far its steady clock is ahead of the GCM's, and how far that may be off: below 0 where
+  /// nothing is known yet.
+  std::chrono::nanoseconds clock_offset{0};
+  std::chrono::nanoseconds clock_uncertainty{-1};
+  std::chrono::nanoseconds age{0};  ///< since it told this; members tell each second
+};
+
+/// The members that have told; tombstones are none.
+struct SystemHealth {
+  std::vector<ProcessHealth> processes;  ///< by name
 };
 
 /// A tombstone to be removed.
@@ -128,6 +147,20 @@ inline constexpr auto tendon::kPayload<tendon::message::LogWatched> = tendon::De
     "tendon.LogWatched", tendon::Field{"gcm_instance", &tendon::message::LogWatched::gcm_instance},
     tendon::Field{"begin", &tendon::message::LogWatched::begin},
     tendon::Field{"end", &tendon::message::LogWatched::end});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::ProcessHealth> = tendon::Describe(
+    "tendon.ProcessHealth", tendon::Field{"process", &tendon::message::ProcessHealth::process},
+    tendon::Field{"instance", &tendon::message::ProcessHealth::instance},
+    tendon::Field{"cpu", &tendon::message::ProcessHealth::cpu},
+    tendon::Field{"memory", &tendon::message::ProcessHealth::memory, "B"},
+    tendon::Field{"clock_offset", &tendon::message::ProcessHealth::clock_offset},
+    tendon::Field{"clock_uncertainty", &tendon::message::ProcessHealth::clock_uncertainty},
+    tendon::Field{"age", &tendon::message::ProcessHealth::age});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::SystemHealth> = tendon::Describe(
+    "tendon.SystemHealth", tendon::Field{"processes", &tendon::message::SystemHealth::processes});
 
 template <>
 inline constexpr auto tendon::kPayload<tendon::message::Forget> =

@@ -3,6 +3,7 @@
 #include <tendon/middleware/frame.h>
 #include <tendon/process/description.h>
 
+#include <chrono>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -12,10 +13,11 @@
 namespace tendon::message {
 
 // From an LCM.
-inline constexpr auto kJoin = static_cast<MessageType>(0x300);    // request: Join -> Joined
-inline constexpr auto kReport = static_cast<MessageType>(0x301);  // notice: Report
-inline constexpr auto kRenew = static_cast<MessageType>(0x302);   // request: None -> None
-inline constexpr auto kLeave = static_cast<MessageType>(0x303);   // request: None -> None
+inline constexpr auto kJoin = static_cast<MessageType>(0x300);        // request: Join -> Joined
+inline constexpr auto kReport = static_cast<MessageType>(0x301);      // notice: Report
+inline constexpr auto kRenew = static_cast<MessageType>(0x302);       // request: None -> None
+inline constexpr auto kLeave = static_cast<MessageType>(0x303);       // request: None -> None
+inline constexpr auto kTellHealth = static_cast<MessageType>(0x304);  // request: Health -> GcmClock
 // From the GCM, on the channel that joined.
 // request: Wiring -> ConnectionDescription; the LCM reports the connection before it answers
 inline constexpr auto kMakeConnection = static_cast<MessageType>(0x321);
@@ -44,6 +46,22 @@ struct Joined {
 /// revisions are left 0. Of the process itself only address, host and pid can change.
 struct Report {
   std::vector<CatalogChange> changes;
+};
+
+/// What a process takes of its machine, each second. It is no part of the catalogue.
+struct Health {
+  std::int64_t cpu_time = 0;  ///< ns, of all threads since the start of the process
+  std::uint64_t memory = 0;   ///< bytes that are resident
+  std::int64_t time = 0;      ///< ns on the steady clock of the process, when this was so
+  /// How far that clock is ahead of the GCM's, as far as earlier answers tell.
+  std::chrono::nanoseconds clock_offset{0};
+  /// How far that may be off; below 0 where nothing is known yet.
+  std::chrono::nanoseconds clock_uncertainty{-1};
+};
+
+/// The GCM's steady clock while it answers.
+struct GcmClock {
+  std::int64_t time = 0;  ///< ns
 };
 
 /// Two ends to be connected; `provided` is empty for a disconnect.
@@ -85,6 +103,18 @@ inline constexpr auto tendon::kPayload<tendon::message::Joined> = tendon::Descri
 template <>
 inline constexpr auto tendon::kPayload<tendon::message::Report> =
     tendon::Describe("tendon.Report", tendon::Field{"changes", &tendon::message::Report::changes});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::Health> = tendon::Describe(
+    "tendon.Health", tendon::Field{"cpu_time", &tendon::message::Health::cpu_time, "ns"},
+    tendon::Field{"memory", &tendon::message::Health::memory, "B"},
+    tendon::Field{"time", &tendon::message::Health::time, "ns"},
+    tendon::Field{"clock_offset", &tendon::message::Health::clock_offset},
+    tendon::Field{"clock_uncertainty", &tendon::message::Health::clock_uncertainty});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::GcmClock> = tendon::Describe(
+    "tendon.GcmClock", tendon::Field{"time", &tendon::message::GcmClock::time, "ns"});
 
 template <>
 inline constexpr auto tendon::kPayload<tendon::message::Wire> =

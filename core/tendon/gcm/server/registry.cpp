@@ -16,6 +16,14 @@ std::string Milliseconds(std::chrono::nanoseconds time) {
          " ms";
 }
 
+/// Cores that a process kept busy from one to the other, by its own clock; below 0 where they make
+/// no sense.
+double CoresBetween(const message::Health& before, const message::Health& after) {
+  const double passed = static_cast<double>(after.time) - static_cast<double>(before.time);
+  const double used = static_cast<double>(after.cpu_time) - static_cast<double>(before.cpu_time);
+  return passed > 0.0 && used >= 0.0 ? used / passed : -1.0;
+}
+
 /// Whether the catalogue has this already: what changes nothing gets no revision.
 bool ChangesNothing(const CatalogChange& change, const ProcessEntry* entry) {
   if (entry == nullptr) return false;
@@ -77,8 +85,14 @@ Result<Registry::Admission> Registry::Join(message::Join join, Session held,
     admission.session = os::RandomNumber();
   } while (admission.session == 0 || members_.contains(admission.session));
   const std::int64_t now = WallTime();
-  members_[admission.session] = {join.process.name,  join.process.instance, admission.session,
-                                 std::move(channel), clock_.Now(),          now};
+  members_[admission.session] = {.name = join.process.name,
+                                 .instance = join.process.instance,
+                                 .session = admission.session,
+                                 .channel = std::move(channel),
+                                 .renewed = clock_.Now(),
+                                 .joined = now,
+                                 .health = {},
+                                 .told = {}};
   tombstones_.erase(join.process.name);
   Enter(join, now);
   return admission;
@@ -137,6 +151,31 @@ Result<void> Registry::Renew(Session session) {
     SetState(member->name, ProcessState::kAlive, {});
   }
   return {};
+}
+
+Result<void> Registry::TakeHealth(Session session, const message::Health& health) {
+  Member* member = Find(session);
+  if (member == nullptr) return Error{ErrorCode::kDenied, "this membership is over"};
+  if (member->health) member->cpu = CoresBetween(*member->health, health);
+  member->health = health;
+  member->told = clock_.Now();
+  return {};
+}
+
+message::SystemHealth Registry::health() const {
+  message::SystemHealth health;
+  for (const auto& [session, member] : members_) {
+    if (!member.health) continue;
+    health.processes.push_back({.process = member.name,
+                                .instance = member.instance,
+                                .cpu = member.cpu,
+                                .memory = member.health->memory,
+                                .clock_offset = member.health->clock_offset,
+                                .clock_uncertainty = member.health->clock_uncertainty,
+                                .age = clock_.Now() - member.told});
+  }
+  std::ranges::sort(health.processes, {}, &message::ProcessHealth::process);
+  return health;
 }
 
 void Registry::End(Session session, ProcessState state, const std::string& reason) {

@@ -2,6 +2,7 @@
 
 #include <tendon/base/clock.h>
 #include <tendon/gcm/catalog.h>
+#include <tendon/gcm/messages.h>
 #include <tendon/gcm/server/hand_backs.h>
 #include <tendon/process/membership_messages.h>
 
@@ -9,6 +10,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -49,6 +51,8 @@ class Registry {
   Result<void> Report(Session session, message::Report report);
   /// kDenied when the membership is over.
   Result<void> Renew(Session session);
+  /// Changes nothing in the catalogue. kDenied when the membership is over.
+  Result<void> TakeHealth(Session session, const message::Health& health);
   /// The process becomes a tombstone. Nothing happens when the membership is over.
   void End(Session session, ProcessState state, const std::string& reason);
   /// Removes a tombstone; kNotFound, or kFailed for a process that is there.
@@ -65,6 +69,7 @@ class Registry {
   [[nodiscard]] std::shared_ptr<Channel> ChannelOf(const std::string& process) const;
   [[nodiscard]] std::vector<std::shared_ptr<Channel>> channels() const;
   [[nodiscard]] message::Peers peers() const;
+  [[nodiscard]] message::SystemHealth health() const;
 
   /// What happened since it was last asked.
   [[nodiscard]] std::vector<CatalogChange> TakeChanges() { return std::exchange(changes_, {}); }
@@ -80,6 +85,9 @@ class Registry {
     std::shared_ptr<Channel> channel;
     SteadyTime renewed;
     std::int64_t joined = 0;  // ns since 1970
+    std::optional<message::Health> health;
+    SteadyTime told;    // its health
+    double cpu = -1.0;  // as in ProcessHealth
   };
 
   Member* Find(Session session);

@@ -3,52 +3,19 @@
 #include <tendon/base/printable.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/server/intake.h>
+#include <tendon/gcm/server/process_news.h>
 #include <tendon/gcm/server/server.h>
 #include <tendon/gcm/text/audit_object.h>
 #include <tendon/process/access/guarded_handler.h>
 #include <tendon/process/ask.h>
 
 #include <map>
-#include <string_view>
 #include <utility>
 
 namespace tendon::server {
 namespace {
 
 constexpr std::chrono::milliseconds kTick(100);
-
-std::string_view Words(ProcessState state) {
-  switch (state) {
-    case ProcessState::kAlive:
-      return "is there";
-    case ProcessState::kSuspect:
-      return "is suspect";
-    case ProcessState::kLost:
-      return "is lost";
-    case ProcessState::kLeft:
-      return "has left";
-  }
-  return "?";
-}
-
-/// A line for what a person wants to know: processes that come and go.
-void LogProcesses(const std::vector<CatalogChange>& changes) {
-  for (const CatalogChange& change : changes) {
-    if (change.kind != CatalogChange::Kind::kProcess) continue;
-    const ProcessDescription& process = change.processes.front();
-    const bool well = process.state == ProcessState::kAlive || process.state == ProcessState::kLeft;
-    const std::string reason = process.reason.empty() ? "" : ": " + process.reason;
-    Log(well ? LogLevel::kInfo : LogLevel::kWarning, "gcm",
-        "process '" + process.name + "' " + std::string(Words(process.state)) + reason);
-  }
-}
-
-bool ChangesProcesses(const std::vector<CatalogChange>& changes) {
-  for (const CatalogChange& change : changes) {
-    if (change.kind == CatalogChange::Kind::kProcess) return true;
-  }
-  return false;
-}
 
 /// Of the program at the other end.
 std::string NameOf(const Channel& channel) { return Printable(channel.peer().name, 64); }
@@ -231,7 +198,8 @@ Server::Serve Server::ServeOf(MessageType type) {
       {message::kForget, &Server::Forget},     {message::kReplace, &Server::Replace},
       {message::kWatchLog, &Server::WatchLog}, {message::kSetLogLevel, &Server::SetLogLevel},
       {message::kLife, &Server::Steer},        {message::kGetClasses, &Server::ListClasses},
-      {message::kPassOver, &Server::PassOver}, {message::kBeginOrder, &Server::BeginOrder}};
+      {message::kPassOver, &Server::PassOver}, {message::kBeginOrder, &Server::BeginOrder},
+      {message::kHealth, &Server::TellHealth}, {message::kTellHealth, &Server::TakeHealth}};
   const auto found = kServes.find(type);
   return found == kServes.end() ? nullptr : found->second;
 }
@@ -274,6 +242,19 @@ void Server::Renew(const Request& request) {
     if (!renewed) return Answer(request, renewed);
     outbox_.Add(
         [responder = request.responder] { responder->Reply(EncodeBody(None{}), kOwnLane); });
+  });
+}
+
+/// The answer passes by all others, for it tells the time.
+void Server::TakeHealth(const Request& request) {
+  const message::GcmClock now{SteadyClock().Now().time_since_epoch().count()};
+  const auto health = DecodeBody<message::Health>(request.body);
+  if (!health) return request.responder->Refuse(health.error());
+  Locked([&] {
+    const auto taken = registry_.TakeHealth(request.peer.session, *health);
+    if (!taken) return Answer(request, taken);
+    outbox_.Add(
+        [responder = request.responder, now] { responder->Reply(EncodeBody(now), kOwnLane); });
   });
 }
 
@@ -350,6 +331,10 @@ void Server::PassOver(const Request& request) {
 }
 
 void Server::Tell(const Request& request) { request.responder->Answer(Result(history_.steps())); }
+
+void Server::TellHealth(const Request& request) {
+  Locked([&] { Answer(request, Result(registry_.health())); });
+}
 
 void Server::Forget(const Request& request) {
   const auto forget = DecodeBody<message::Forget>(request.body);

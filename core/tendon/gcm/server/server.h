@@ -72,6 +72,7 @@ class Server final : public std::enable_shared_from_this<Server> {
   static Serve ServeOf(MessageType type);
   void Join(const Request& request);
   void Renew(const Request& request);
+  void TakeHealth(const Request& request);
   void Leave(const Request& request);
   void Watch(const Request& request);
   void Connect(const Request& request);
@@ -83,6 +84,7 @@ class Server final : public std::enable_shared_from_this<Server> {
   void Undo(const Request& request);
   void PassOver(const Request& request);
   void Tell(const Request& request);
+  void TellHealth(const Request& request);
   void Forget(const Request& request);
   void WatchLog(const Request& request);
   void SetLogLevel(const Request& request);

@@ -276,6 +276,7 @@ bool Membership::Work(SteadyTime now, SteadyTime& next) {
     channel->Expire(now);
     Renew(channel);
   }
+  if (!is_silent) health_.Tell(channel, now, next);
   return false;
 }
 

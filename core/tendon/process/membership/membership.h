@@ -6,6 +6,7 @@
 #include <tendon/process/life/messages.h>
 #include <tendon/process/log/log_forwarder.h>
 #include <tendon/process/membership/differences.h>
+#include <tendon/process/membership/health_teller.h>
 #include <tendon/process/membership_messages.h>
 
 #include <chrono>
@@ -36,10 +37,10 @@ class MembershipDelegate {
   virtual void ListClasses(std::function<void(const Result<message::Classes>&)> done) = 0;
 };
 
-/// The process as a member of a GCM: joins, keeps it informed, sends it what is logged, renews the
-/// lease four times a second, and joins again when the GCM was lost, was started anew, or has given
-/// us up. Without a GCM, or when the name is somebody else's, the process runs on, and it is tried
-/// again.
+/// The process as a member of a GCM: joins, keeps it informed, sends it what is logged, tells it
+/// its health, renews the lease four times a second, and joins again when the GCM was lost, was
+/// started anew, or has given us up. Without a GCM, or when the name is somebody else's, the
+/// process runs on, and it is tried again.
 class Membership final : private NetworkJob {
  public:
   /// Which GCM to join, and as what.
@@ -82,6 +83,7 @@ class Membership final : private NetworkJob {
   MembershipDelegate& delegate_;
   Options options_;
   LogForwarder log_;
+  HealthTeller health_;  // of the network thread
 
   // Of the worker.
   std::shared_ptr<Channel> candidate_;  // has been asked to let us join

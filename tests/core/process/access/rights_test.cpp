@@ -18,15 +18,16 @@ using Types = std::set<MessageType>;
 const Types kLooks = {message::kPing,        message::kGetSchemas, message::kSubscribe,
                       message::kUnsubscribe, message::kRowTaken,   message::kRenew,
                       message::kWatch,       message::kHistory,    message::kWatchLog,
-                      message::kGetClasses};
+                      message::kGetClasses,  message::kHealth};
 
 /// What an operator may send besides.
-const Types kActs = {
-    message::kOpenInterface, message::kCloseInterface, message::kCommands,   message::kRead,
-    message::kWait,          message::kEventsLost,     message::kCallMember, message::kJoin,
-    message::kReport,        message::kLeave,          message::kConnect,    message::kDisconnect,
-    message::kUndo,          message::kForget,         message::kReplace,    message::kLogRecords,
-    message::kSetLogLevel,   message::kLife,           message::kPassOver,   message::kBeginOrder};
+const Types kActs = {message::kOpenInterface, message::kCloseInterface, message::kCommands,
+                     message::kRead,          message::kWait,           message::kEventsLost,
+                     message::kCallMember,    message::kJoin,           message::kReport,
+                     message::kLeave,         message::kConnect,        message::kDisconnect,
+                     message::kUndo,          message::kForget,         message::kReplace,
+                     message::kLogRecords,    message::kSetLogLevel,    message::kLife,
+                     message::kPassOver,      message::kBeginOrder,     message::kTellHealth};
 
 /// By name: a number in the table that belongs to another message would show here.
 TEST(Rights, AreThoseOfTheMessages) {

@@ -1,0 +1,44 @@
+#include <tendon/base/log.h>
+#include <tendon/gcm/server/process_news.h>
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+namespace tendon::server {
+namespace {
+
+std::string_view Words(ProcessState state) {
+  switch (state) {
+    case ProcessState::kAlive:
+      return "is there";
+    case ProcessState::kSuspect:
+      return "is suspect";
+    case ProcessState::kLost:
+      return "is lost";
+    case ProcessState::kLeft:
+      return "has left";
+  }
+  return "?";
+}
+
+}  // namespace
+
+void LogProcesses(const std::vector<CatalogChange>& changes) {
+  for (const CatalogChange& change : changes) {
+    if (change.kind != CatalogChange::Kind::kProcess) continue;
+    const ProcessDescription& process = change.processes.front();
+    const bool well = process.state == ProcessState::kAlive || process.state == ProcessState::kLeft;
+    const std::string reason = process.reason.empty() ? "" : ": " + process.reason;
+    Log(well ? LogLevel::kInfo : LogLevel::kWarning, "gcm",
+        "process '" + process.name + "' " + std::string(Words(process.state)) + reason);
+  }
+}
+
+bool ChangesProcesses(const std::vector<CatalogChange>& changes) {
+  return std::ranges::any_of(changes, [](const CatalogChange& change) {
+    return change.kind == CatalogChange::Kind::kProcess;
+  });
+}
+
+}  // namespace tendon::server

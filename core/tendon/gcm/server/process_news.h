@@ -1,0 +1,14 @@
+#pragma once
+
+#include <tendon/process/description.h>
+
+#include <vector>
+
+namespace tendon::server {
+
+/// A line of the log for what a person wants to know: processes that come and go.
+void LogProcesses(const std::vector<CatalogChange>& changes);
+
+[[nodiscard]] bool ChangesProcesses(const std::vector<CatalogChange>& changes);
+
+}  // namespace tendon::server

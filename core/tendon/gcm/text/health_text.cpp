@@ -1,0 +1,51 @@
+#include <tendon/gcm/text/health_text.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace tendon {
+namespace {
+
+constexpr const char* kUnknown = "-";
+
+std::string OneDigit(double value) {
+  char text[64];
+  std::snprintf(text, sizeof(text), "%.1f", value);
+  return text;
+}
+
+std::string Milliseconds(std::chrono::nanoseconds time) {
+  constexpr double kMillisecond = 1e6;
+  return OneDigit(static_cast<double>(time.count()) / kMillisecond) + " ms";
+}
+
+}  // namespace
+
+const message::ProcessHealth* FindHealth(const message::SystemHealth& health,
+                                         const ProcessDescription& process) {
+  if (process.state != ProcessState::kAlive) return nullptr;
+  const auto found =
+      std::ranges::find(health.processes, process.name, &message::ProcessHealth::process);
+  if (found == health.processes.end() || found->instance != process.instance) return nullptr;
+  return found->age <= kFreshHealth ? &*found : nullptr;
+}
+
+std::string CpuText(const message::ProcessHealth* health) {
+  constexpr double kPercent = 100.0;
+  return health == nullptr || health->cpu < 0.0 ? kUnknown
+                                                : OneDigit(health->cpu * kPercent) + " %";
+}
+
+std::string MemoryText(const message::ProcessHealth* health) {
+  constexpr double kMiB = 1024.0 * 1024.0;
+  if (health == nullptr || health->memory == 0) return kUnknown;
+  return OneDigit(static_cast<double>(health->memory) / kMiB) + " MiB";
+}
+
+std::string ClockText(const message::ProcessHealth* health) {
+  if (health == nullptr || health->clock_uncertainty < std::chrono::nanoseconds(0)) return kUnknown;
+  return Milliseconds(health->clock_offset) + " off (+-" + Milliseconds(health->clock_uncertainty) +
+         ")";
+}
+
+}  // namespace tendon

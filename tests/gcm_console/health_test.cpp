@@ -1,0 +1,143 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <program/exit_code.h>
+#include <tendon/gcm/text/health_text.h>
+
+#include <csignal>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "gcm_console/demo_fixture.h"
+#include "gcm_console/terminal.h"
+
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+/// A process that does nothing, and one that does as much as it can.
+class HealthTest : public SystemFixture {
+ protected:
+  void SetUp() override {
+    StartGcm();
+    const auto system = home.path() / "busy.json";
+    std::ofstream(system) << R"({"version": 1, "name": "busy", "processes": [{"name": "busy", "components": [
+        {"class": "Chatterbox", "name": "chatterbox", "library": "chatterbox"}]}]})";
+    busy = StartLcm("busy", system.string());
+    idle = std::make_unique<Program>(
+        Program::Words{Binary("lcm"), "--name", "idle", "--gcm", address, "--timeout", kPatience});
+  }
+
+  /// Empty where it is not there.
+  [[nodiscard]] json HealthIn(const json& processes, const std::string& name) const {
+    for (const json& process : processes) {
+      if (process["name"] == name) return process["health"];
+    }
+    return json::object();
+  }
+  [[nodiscard]] json HealthOf(const std::string& process) const {
+    const json listed = json::parse(Gcm({"--json", "ls"}).out, nullptr, false);
+    return listed.is_object() ? HealthIn(listed["processes"], process) : json::object();
+  }
+  testing::AssertionResult EventuallyTells(const std::string& process) const {
+    json health;
+    const bool tells = EventuallyTrue([&] {
+      health = HealthOf(process);
+      return health.contains("cpu_cores") && health.contains("clock_offset_s");
+    });
+    return tells ? testing::AssertionSuccess()
+                 : testing::AssertionFailure() << process << " tells " << health;
+  }
+
+  std::unique_ptr<Program> busy;
+  std::unique_ptr<Program> idle;
+};
+
+TEST_F(HealthTest, WhoWorksMoreUsesMore) {
+  ASSERT_TRUE(EventuallyTells("busy")) << busy->err().substr(0, 1000);
+  ASSERT_TRUE(EventuallyTells("idle")) << idle->err();
+
+  EXPECT_TRUE(EventuallyTrue([&] {
+    const json working = HealthOf("busy");
+    const json resting = HealthOf("idle");
+    return working.value("cpu_cores", 0.0) > 2 * resting.value("cpu_cores", 1.0);
+  })) << HealthOf("busy")
+      << HealthOf("idle");
+  const json health = HealthOf("busy");
+  EXPECT_GT(health["memory_bytes"], 1'000'000);
+  EXPECT_EQ(health["clock_offset_s"], 0.0);  // on one host
+  EXPECT_GE(health["clock_uncertainty_s"], 0.0);
+  EXPECT_GE(health["age_s"], 0.0);
+}
+
+TEST_F(HealthTest, IsShownByEachVerbThatShowsProcesses) {
+  ASSERT_TRUE(EventuallyTells("idle")) << idle->err();
+
+  EXPECT_TRUE(EventuallySays({"ls", "-l"}, "idle\tprocess\t\talive\tcpu "));
+  EXPECT_THAT(Gcm({"ls", "-l"}).out, HasSubstr(" %, memory "));
+  const std::string shown = Gcm({"show", "idle"}).out;
+  EXPECT_THAT(shown, testing::ContainsRegex("cpu\t[0-9.]+ %\n"));
+  EXPECT_THAT(shown, testing::ContainsRegex("memory\t[0-9.]+ MiB\n"));
+  EXPECT_THAT(shown, HasSubstr("clock\t0.0 ms off (+-"));
+  EXPECT_TRUE(json::parse(Gcm({"--json", "show", "idle"}).out)["process"]["health"].contains(
+      "memory_bytes"));
+  EXPECT_THAT(Gcm({"doctor"}).out,
+              testing::ContainsRegex("process idle .*, cpu [0-9.]+ %, memory"));
+  const json top = json::parse(Gcm({"--json", "top"}).out);
+  EXPECT_TRUE(HealthIn(top["processes"], "idle").contains("cpu_cores")) << top;
+
+  Terminal terminal(Binary("gcm") + " --gcm " + address + " --timeout " + kPatience + " top", {},
+                    100);
+  EXPECT_TRUE(terminal.Shows(" MiB")) << terminal.seen();
+  terminal.Type("q");
+  EXPECT_EQ(terminal.program().Wait(), program::kOk);
+}
+
+TEST_F(HealthTest, OfWhoIsGoneNothingIsTold) {
+  ASSERT_TRUE(EventuallyTells("idle")) << idle->err();
+
+  idle->Signal(SIGKILL);
+
+  ASSERT_TRUE(EventuallySays({"ls"}, "idle\tlost"));
+  EXPECT_EQ(HealthOf("idle"), json::object());
+  EXPECT_THAT(Gcm({"show", "idle"}).out, HasSubstr("cpu\t-\nmemory\t-\nclock\t-\n"));
+}
+
+TEST(HealthText, SaysWhatIsKnown) {
+  using tendon::message::ProcessHealth;
+  const ProcessHealth known{.cpu = 1.254,
+                            .memory = 35'750'000,
+                            .clock_offset = std::chrono::microseconds(-1500),
+                            .clock_uncertainty = std::chrono::microseconds(120)};
+  EXPECT_EQ(tendon::CpuText(&known), "125.4 %");
+  EXPECT_EQ(tendon::MemoryText(&known), "34.1 MiB");
+  EXPECT_EQ(tendon::ClockText(&known), "-1.5 ms off (+-0.1 ms)");
+
+  const ProcessHealth unknown;
+  for (const ProcessHealth* health : {&unknown, static_cast<const ProcessHealth*>(nullptr)}) {
+    EXPECT_EQ(tendon::CpuText(health), "-");
+    EXPECT_EQ(tendon::MemoryText(health), "-");
+    EXPECT_EQ(tendon::ClockText(health), "-");
+  }
+}
+
+TEST(HealthText, IsOfAProcessThatIsAliveAndHasToldLately) {
+  using tendon::ProcessState;
+  tendon::message::SystemHealth system{{{.process = "robot", .instance = 7}}};
+  tendon::ProcessDescription robot{.name = "robot", .instance = 7};
+  EXPECT_EQ(FindHealth(system, robot), &system.processes[0]);
+
+  for (const ProcessState state :
+       {ProcessState::kSuspect, ProcessState::kLost, ProcessState::kLeft}) {
+    robot.state = state;
+    EXPECT_EQ(FindHealth(system, robot), nullptr);
+  }
+  robot.state = ProcessState::kAlive;
+  system.processes[0].age = tendon::kFreshHealth + std::chrono::nanoseconds(1);
+  EXPECT_EQ(FindHealth(system, robot), nullptr);
+  system.processes[0].age = {};
+  robot.instance = 8;
+  EXPECT_EQ(FindHealth(system, robot), nullptr);
+}
+
+}  // namespace
