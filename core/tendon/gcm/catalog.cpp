@@ -9,10 +9,10 @@ namespace tendon {
 namespace {
 
 /// The element of `elements` with this name, or null.
-template <typename T>
-const T* FindNamed(const std::vector<T>& elements, const std::string& name) {
+template <typename List>
+const typename List::value_type* FindNamed(const List& elements, const std::string& name) {
   const auto found = std::find_if(elements.begin(), elements.end(),
-                                  [&](const T& element) { return element.name == name; });
+                                  [&](const auto& element) { return element.name == name; });
   return found == elements.end() ? nullptr : &*found;
 }
 

@@ -33,17 +33,17 @@ std::vector<std::string> KeysOf(const Map& map) {
   return keys;
 }
 
-template <typename T>
-std::vector<std::string> NamesOf(const std::vector<T>& elements) {
+template <typename List>
+std::vector<std::string> NamesOf(const List& elements) {
   std::vector<std::string> names;
-  for (const T& element : elements) names.push_back(element.name);
+  for (const auto& element : elements) names.push_back(element.name);
   return names;
 }
 
-template <typename T>
-const T* FindNamed(const std::vector<T>& elements, const std::string& name) {
+template <typename List>
+const typename List::value_type* FindNamed(const List& elements, const std::string& name) {
   const auto found = std::find_if(elements.begin(), elements.end(),
-                                  [&](const T& element) { return element.name == name; });
+                                  [&](const auto& element) { return element.name == name; });
   return found == elements.end() ? nullptr : &*found;
 }
 

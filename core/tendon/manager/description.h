@@ -2,6 +2,7 @@
 
 #include <tendon/base/name.h>
 #include <tendon/interface/description.h>
+#include <tendon/payload/shared_list.h>
 #include <tendon/task/component_state.h>
 
 #include <cstdint>
@@ -40,9 +41,9 @@ struct ComponentDescription {
   std::int64_t fault_time = 0;  ///< since when, ns since 1970 (for people); 0 while it is not
   std::string warning;          ///< what is wrong though it is active: "missed 8 x 10 ms"
   double period = 0.0;          ///< s; 0 where it has none
-  std::vector<ProvidedDescription> provided;
-  std::vector<RequiredDescription> required;
-  std::vector<TableDescription> tables;
+  SharedList<ProvidedDescription> provided;
+  SharedList<RequiredDescription> required;
+  SharedList<TableDescription> tables;
 
   bool operator==(const ComponentDescription&) const = default;
 };

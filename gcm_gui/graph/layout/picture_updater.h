@@ -23,8 +23,8 @@ class PictureUpdater {
 
  private:
   struct Interfaces {
-    std::vector<RequiredDescription> required;
-    std::vector<ProvidedDescription> provided;
+    SharedList<RequiredDescription> required;
+    SharedList<ProvidedDescription> provided;
 
     bool operator==(const Interfaces&) const = default;
   };

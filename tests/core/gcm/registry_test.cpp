@@ -62,6 +62,23 @@ TEST_F(RegistryTest, AJoinedProcessIsInTheCatalogueWithAllItHas) {
   EXPECT_EQ(registry_.peers().processes, std::vector{Process("desk")});
 }
 
+TEST_F(RegistryTest, EqualInterfacesAreHeldOnce) {
+  const auto interfaces_of = [this](const std::string& process, const std::string& component) {
+    const auto* found = registry_.catalog().FindComponent(process, component);
+    return found == nullptr ? nullptr : found->provided.data();
+  };
+  Join("robot", 1, {test::Arm()});
+  const Session spare = Join("spare", 2);
+  ASSERT_TRUE(
+      registry_.Report(spare, {{{.kind = Kind::kComponent, .components = {test::Arm("other")}},
+                                {.kind = Kind::kComponent, .components = {test::FakeArm()}}}}));
+
+  EXPECT_NE(interfaces_of("robot", "arm"), nullptr);
+  EXPECT_EQ(interfaces_of("robot", "arm"), interfaces_of("spare", "other"));
+  EXPECT_NE(interfaces_of("robot", "arm"), interfaces_of("spare", "fake"));
+  EXPECT_EQ(*registry_.catalog().FindComponent("spare", "other"), test::Arm("other"));
+}
+
 TEST_F(RegistryTest, TheChangesBuildTheCatalogue) {
   const Session desk = Join("desk", 1, {test::Teleoperation()}, {Connection()});
   Join("robot", 2, {test::Arm()});

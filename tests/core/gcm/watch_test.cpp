@@ -28,6 +28,19 @@ TEST_P(Watching, ASnapshotComesFirstThenChanges) {
   EXPECT_EQ(recorder->snapshots(), 1);
 }
 
+TEST_P(Watching, AViewerHoldsEqualInterfacesOnceWhetherItWasThereOrNot) {
+  const auto robot = Join("robot", {test::Arm()});
+  const auto client = Watch();
+  const auto spare = Join("spare", {test::Arm()});
+  ASSERT_TRUE(
+      EventuallyTrue([&] { return client->catalog().FindComponent("spare", "arm") != nullptr; }));
+
+  const Catalog catalog = client->catalog();
+  const auto& interfaces = catalog.FindComponent("robot", "arm")->provided;
+  EXPECT_EQ(interfaces.data(), catalog.FindComponent("spare", "arm")->provided.data());
+  EXPECT_EQ(interfaces, test::Arm().provided);
+}
+
 TEST_P(Watching, AllWatchersSeeTheSameNumberedSequenceWhileProcessesComeAndGo) {
   const auto one = std::make_shared<Recorder>();
   const auto two = std::make_shared<Recorder>();

@@ -31,7 +31,8 @@ RequiredDescription Required(const std::string& name, std::vector<MemberDescript
 ComponentDescription With(ComponentDescription component, std::vector<RequiredDescription> required,
                           std::vector<ProvidedDescription> provided) {
   component.required = std::move(required);
-  component.provided.insert(component.provided.begin(), provided.begin(), provided.end());
+  for (const auto& own : std::as_const(component).provided) provided.push_back(own);
+  component.provided = std::move(provided);
   return component;
 }
 

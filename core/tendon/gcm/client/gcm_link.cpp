@@ -72,7 +72,7 @@ class GcmLink::Handler final : public ChannelHandler {
   void Receive(const SharedChannel& channel, std::span<const std::byte> body) {
     const auto link = link_.lock();
     if (!link) return;
-    const auto decoded = DecodeBody<T>(body);
+    auto decoded = DecodeBody<T>(body);
     decoded ? link->Receive(channel, *std::move(decoded)) : channel->Close();
   }
 
@@ -187,7 +187,8 @@ void GcmLink::WatchLog(const SharedChannel& channel) {
                            });
 }
 
-void GcmLink::Receive(const SharedChannel& channel, const message::Snapshot& snapshot) {
+void GcmLink::Receive(const SharedChannel& channel, message::Snapshot snapshot) {
+  Share(snapshot.changes);
   Catalog catalog = Catalog::At(snapshot.base);
   for (const CatalogChange& change : snapshot.changes) {
     if (!catalog.Apply(change)) return channel->Close();
@@ -209,7 +210,8 @@ void GcmLink::Receive(const SharedChannel& channel, const message::Snapshot& sna
   Renew(channel);
 }
 
-void GcmLink::Receive(const SharedChannel& channel, const message::Changes& changes) {
+void GcmLink::Receive(const SharedChannel& channel, message::Changes changes) {
+  Share(changes.changes);
   std::vector<CatalogChange> applied;
   std::vector<Moved> moved;
   bool has_hole = false;
@@ -230,6 +232,14 @@ void GcmLink::Receive(const SharedChannel& channel, const message::Changes& chan
     if (!moved.empty()) events_.on_moved(moved);
   });
   if (has_hole) Watch(channel);
+}
+
+/// What is equal in components, here and in the catalogue, is held once.
+void GcmLink::Share(std::vector<CatalogChange>& changes) {
+  const std::scoped_lock lock(mutex_);
+  for (CatalogChange& change : changes) {
+    for (ComponentDescription& component : change.components) pool_.Share(component);
+  }
 }
 
 void GcmLink::Receive(const SharedChannel& channel, message::LogRecords records) {

@@ -4,6 +4,7 @@
 #include <tendon/gcm/client/log_feed.h>
 #include <tendon/middleware/channel.h>
 #include <tendon/process/ask.h>
+#include <tendon/process/description_pool.h>
 #include <tendon/process/worker.h>
 
 #include <condition_variable>
@@ -67,9 +68,10 @@ class GcmLink final : public std::enable_shared_from_this<GcmLink> {
   void WatchLog(const SharedChannel& channel);
   template <typename Take>
   void TellLog(const SharedChannel& channel, Take&& take);
-  void Receive(const SharedChannel& channel, const message::Snapshot& snapshot);
-  void Receive(const SharedChannel& channel, const message::Changes& changes);
+  void Receive(const SharedChannel& channel, message::Snapshot snapshot);
+  void Receive(const SharedChannel& channel, message::Changes changes);
   void Receive(const SharedChannel& channel, message::LogRecords records);
+  void Share(std::vector<CatalogChange>& changes);
   void Renew(const std::weak_ptr<Channel>& weak);
   void Lost(const Error& reason);
   [[nodiscard]] Error NoGcm() const;
@@ -89,6 +91,7 @@ class GcmLink final : public std::enable_shared_from_this<GcmLink> {
   bool is_waiting_ = true;  // for a snapshot: changes are of no use
   bool wants_log_ = false;
   Catalog catalog_;
+  DescriptionPool pool_;
   std::optional<Error> lost_;  // why there is no channel
   LogFeed log_;
   Worker opener_{"client-gcm"};

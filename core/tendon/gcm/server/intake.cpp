@@ -22,7 +22,7 @@ Result<void> TakeInMembers(const std::string& what, std::vector<MemberDescriptio
   return {};
 }
 
-Result<void> TakeInTables(std::vector<TableDescription>& tables) {
+Result<void> TakeInTables(SharedList<TableDescription>& tables) {
   for (TableDescription& table : tables) {
     if (auto checked = CheckName("table", table.name); !checked) return checked;
     for (ColumnDescription& column : table.columns) {

@@ -73,6 +73,7 @@ std::vector<CatalogChange> Removals(const ProcessEntry& before, const message::J
 Result<Registry::Admission> Registry::Join(message::Join join, Session held,
                                            std::shared_ptr<Channel> channel) {
   if (auto taken = TakeIn(join); !taken) return taken.error();
+  for (ComponentDescription& component : join.components) pool_.Share(component);
   Admission admission;
   if (const Member* holder = FindByName(join.process.name)) {
     if (holder->session != held || holder->instance != join.process.instance) {
@@ -129,6 +130,7 @@ Result<void> Registry::Report(Session session, message::Report report) {
       if (result) result = taken;
       continue;
     }
+    for (ComponentDescription& component : change.components) pool_.Share(component);
     if (change.kind == Kind::kProcess) {
       ProcessDescription process = catalog_.FindProcess(member->name)->process;
       process.address = change.processes.front().address;

@@ -4,6 +4,7 @@
 #include <tendon/gcm/catalog.h>
 #include <tendon/gcm/messages.h>
 #include <tendon/gcm/server/hand_backs.h>
+#include <tendon/process/description_pool.h>
 #include <tendon/process/membership_messages.h>
 
 #include <chrono>
@@ -104,6 +105,7 @@ class Registry {
   const Leases leases_;
   const Clock& clock_;
   Catalog catalog_;
+  DescriptionPool pool_;
   std::map<Session, Member> members_;
   std::map<std::string, SteadyTime> tombstones_;  // since when
   HandBacks hand_backs_;
