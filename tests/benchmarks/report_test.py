@@ -10,7 +10,7 @@ import unittest
 PROGRAM = ""
 IDS = ["Q1", "D1", "D3", "D4", "D5", "S1", "S2", "S3", "S4", "P1", "P1-p99", "P4"]
 NETWORK_IDS = ["R1", "R1-one", "R7", "R3", "R4", "R2", "R5", "R6", "R6-row", "R9", "R9-con", "T1", "T1-con",
-               "G1", "G2"]
+               "G1", "G2", "G3"]
 KEYS = {"id", "ours", "floor", "ratio", "gate", "stretch", "holds"}
 
 

@@ -1,15 +1,10 @@
-#include <benchmarks/remote/remote_system.h>
+#include <benchmarks/remote/large_system.h>
 #include <support/wait.h>
-#include <tendon/base/os/process.h>
 #include <tendon/gcm/client.h>
 #include <tendon/ice/ice_middleware.h>
 
-#include <algorithm>
 #include <atomic>
-#include <csignal>
-#include <fstream>
 #include <memory>
-#include <sstream>
 #include <vector>
 
 namespace tendon::benchmark {
@@ -56,53 +51,26 @@ class CommandCounter final : public GcmListener {
   std::atomic<std::size_t> commands_ = 0;
 };
 
-/// A line of /proc that is named so, of a process.
-std::string LineOf(int pid, const std::string& file, const std::string& name) {
-  std::ifstream lines("/proc/" + std::to_string(pid) + "/" + file);
-  for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with(name)) return line.substr(name.size());
-  }
-  return {};
-}
-
-/// In bytes.
-double ResidentMemoryOf(int pid) { return 1024 * std::stod(LineOf(pid, "status", "VmRSS:")); }
-
-bool IsStopped(int pid) { return LineOf(pid, "status", "State:").find('T') != std::string::npos; }
-
 /// What a GCM of its own needed to know a large system.
 struct Catalogued {
   double duration = 0;  // ns, until a viewer knows all
   double memory = 0;    // bytes of the GCM
 };
 
-Catalogued LetThemJoin(RemoteSystem& system, const Size& size) {
-  const std::string address = "127.0.0.1:" + std::to_string(FreePort());
-  const Program gcm({TENDON_GCM, "serve", "--gcm", address}, system.environment());
+Catalogued LetThemJoin(const RemoteSystem& system, const Size& size) {
+  LargeSystem large(system, size.processes, size.components);
   const auto counter = std::make_shared<CommandCounter>();
-  GcmClient viewer(MakeIceMiddleware(Exposure::kLoopbackOnly), {.address = address}, counter);
+  GcmClient viewer(MakeIceMiddleware(Exposure::kLoopbackOnly), {.address = large.address()},
+                   counter);
   Require(EventuallyTrue([&] { return viewer.WaitUntilWatching().ok(); }), "no GCM is there");
 
-  std::vector<std::unique_ptr<Program>> crowd;
-  for (int i = 0; i < size.processes; ++i) {
-    crowd.push_back(std::make_unique<Program>(
-        Program::Words{os::ProgramFolder() / "report_crowd", "crowd" + std::to_string(i), address,
-                       std::to_string(size.components)},
-        system.environment()));
-  }
-  Require(EventuallyTrue([&] {
-            return std::ranges::all_of(crowd,
-                                       [](const auto& one) { return IsStopped(one->pid()); });
-          }),
-          "the processes do not start");
-
-  const double before = ResidentMemoryOf(gcm.pid());
+  const double before = large.MemoryOfGcm();
   const auto start = std::chrono::steady_clock::now();
-  for (const auto& one : crowd) one->Signal(SIGCONT);
+  large.Join();
   Require(EventuallyTrue([&] { return counter->commands() >= size.commands(); }),
           "the viewer does not hear of all");
   const std::chrono::duration<double, std::nano> took = std::chrono::steady_clock::now() - start;
-  return {took.count(), ResidentMemoryOf(gcm.pid()) - before};
+  return {took.count(), large.MemoryOfGcm() - before};
 }
 
 }  // namespace

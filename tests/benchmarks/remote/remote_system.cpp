@@ -80,7 +80,7 @@ std::vector<Case> NetworkCases(const Effort& effort) {
     return **made;
   };
   std::vector<Case> all;
-  for (const auto& make : {RemoteCases, StreamCases, JoiningCases, CatalogueCases}) {
+  for (const auto& make : {RemoteCases, StreamCases, JoiningCases, CatalogueCases, QueryCases}) {
     for (Case& one : make(effort, system)) all.push_back(std::move(one));
   }
   return all;

@@ -78,5 +78,6 @@ std::vector<Case> RemoteCases(const Effort& effort, const TheSystem& system);
 std::vector<Case> StreamCases(const Effort& effort, const TheSystem& system);
 std::vector<Case> JoiningCases(const Effort& effort, const TheSystem& system);
 std::vector<Case> CatalogueCases(const Effort& effort, const TheSystem& system);
+std::vector<Case> QueryCases(const Effort& effort, const TheSystem& system);
 
 }  // namespace tendon::benchmark
