@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <utility>
 
 namespace tendon::os {
 namespace {
@@ -21,7 +22,7 @@ constexpr std::size_t kMostOutput = 65536;
 /// The child hears every signal, whatever its parent blocks or ignores.
 class Attributes {
  public:
-  Attributes() {
+  explicit Attributes(int further_flags = 0) {
     sigset_t none;
     sigset_t all;
     sigemptyset(&none);
@@ -29,7 +30,8 @@ class Attributes {
     posix_spawnattr_init(&attributes_);
     posix_spawnattr_setsigmask(&attributes_, &none);
     posix_spawnattr_setsigdefault(&attributes_, &all);
-    posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
+    const int flags = POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | further_flags;
+    posix_spawnattr_setflags(&attributes_, static_cast<short>(flags));
   }
   Attributes(const Attributes&) = delete;
   Attributes& operator=(const Attributes&) = delete;
@@ -41,12 +43,32 @@ class Attributes {
   posix_spawnattr_t attributes_{};
 };
 
-/// Returns 0 or the reason.
-int Spawn(const std::string& program, const std::vector<std::string>& arguments, int out,
-          pid_t& child) {
+/// The command line as the system wants it; lives as long as both.
+std::vector<char*> CommandLine(const std::string& program,
+                               const std::vector<std::string>& arguments) {
   std::vector<char*> words{const_cast<char*>(program.c_str())};
   for (const std::string& word : arguments) words.push_back(const_cast<char*>(word.c_str()));
   words.push_back(nullptr);
+  return words;
+}
+
+/// What waitpid() says, without output.
+ProgramOutcome OutcomeOf(int status) {
+  ProgramOutcome outcome;
+  if (WIFEXITED(status)) {
+    outcome.exit_code = WEXITSTATUS(status);
+  } else {
+    const char* name = sigabbrev_np(WTERMSIG(status));
+    outcome.signal =
+        name != nullptr ? "SIG" + std::string(name) : "signal " + std::to_string(WTERMSIG(status));
+  }
+  return outcome;
+}
+
+/// Returns 0 or the reason.
+int Spawn(const std::string& program, const std::vector<std::string>& arguments, int out,
+          pid_t& child) {
+  const std::vector<char*> words = CommandLine(program, arguments);
   posix_spawn_file_actions_t files;
   posix_spawn_file_actions_init(&files);
   posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
@@ -100,22 +122,60 @@ Result<ProgramOutcome> RunProgram(const std::filesystem::path& program,
     return Error{ErrorCode::kFailed, program.string() + " cannot be run: " + std::strerror(reason)};
   }
   its.Close();
-  ProgramOutcome outcome;
-  const bool ended = ReadAll(ours.get(), deadline, outcome.out);
+  std::string out;
+  const bool ended = ReadAll(ours.get(), deadline, out);
   if (!ended) kill(child, SIGKILL);
   const int status = WaitForEnd(child);
   if (!ended) {
     return Error{ErrorCode::kTimeout,
                  program.string() + " did not end in " + std::to_string(patience.count()) + " ms"};
   }
-  if (WIFEXITED(status)) {
-    outcome.exit_code = WEXITSTATUS(status);
-  } else {
-    const char* name = sigabbrev_np(WTERMSIG(status));
-    outcome.signal =
-        name != nullptr ? "SIG" + std::string(name) : "signal " + std::to_string(WTERMSIG(status));
-  }
+  ProgramOutcome outcome = OutcomeOf(status);
+  outcome.out = std::move(out);
   return outcome;
+}
+
+Result<std::unique_ptr<BackgroundProgram>> BackgroundProgram::Start(
+    const std::filesystem::path& program, const std::vector<std::string>& arguments,
+    const std::filesystem::path& log) {
+  constexpr int kNewFile = O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_NOFOLLOW;
+  constexpr mode_t kOurs = 0600;
+  const std::string path = program.string();
+  const std::vector<char*> words = CommandLine(path, arguments);
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, log.c_str(), kNewFile, kOurs);
+  posix_spawn_file_actions_adddup2(&files, STDOUT_FILENO, STDERR_FILENO);
+  posix_spawn_file_actions_addclosefrom_np(&files, STDERR_FILENO + 1);
+  const Attributes attributes(POSIX_SPAWN_SETSID);
+  pid_t child = 0;
+  const int reason =
+      posix_spawn(&child, path.c_str(), &files, attributes.get(), words.data(), environ);
+  posix_spawn_file_actions_destroy(&files);
+  if (reason != 0) {
+    return Error{ErrorCode::kFailed, path + " cannot be run, with its log in " + log.string() +
+                                         ": " + std::strerror(reason)};
+  }
+  return std::unique_ptr<BackgroundProgram>(new BackgroundProgram(child));
+}
+
+std::optional<ProgramOutcome> BackgroundProgram::Ended() {
+  if (end_) return end_;
+  int status = 0;
+  const pid_t ended = waitpid(static_cast<pid_t>(pid_), &status, WNOHANG);
+  if (ended == pid_) end_ = OutcomeOf(status);
+  if (ended < 0 && errno == ECHILD) end_ = ProgramOutcome{{}, {}, "somebody unknown"};
+  return end_;
+}
+
+void BackgroundProgram::Terminate() { Signal(SIGTERM); }
+
+void BackgroundProgram::Kill() { Signal(SIGKILL); }
+
+/// To nobody else: the number belongs to the child until its end was heard of.
+void BackgroundProgram::Signal(int signal) {
+  if (!end_) kill(static_cast<pid_t>(pid_), signal);
 }
 
 }  // namespace tendon::os
