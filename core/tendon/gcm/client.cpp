@@ -222,6 +222,19 @@ void GcmClient::Steer(const message::LifeOrder& order, DoneHandler handler) {
   implementation_->Steer(order, implementation_->Guarded(std::move(handler)));
 }
 
+void GcmClient::SteerProcess(message::ProcessOrder order, DoneHandler handler) {
+  constexpr int kOrdersUntilItIsAskedToEnd = kOrdersOfAProcess - 2;
+  if (order.patience <= std::chrono::nanoseconds(0)) {
+    order.patience = kOrdersUntilItIsAskedToEnd * implementation_->timeout();
+  }
+  implementation_->link().Request<None>(
+      message::kProcess, order,
+      [done = implementation_->Guarded(std::move(handler))](const auto& answer) {
+        done(Ignored(answer));
+      },
+      kOrdersOfAProcess);
+}
+
 void GcmClient::GetClasses(const std::string& process,
                            std::function<void(Result<message::Classes>)> handler) {
   implementation_->link().Request<message::Classes>(message::kGetClasses,

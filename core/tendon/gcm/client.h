@@ -54,6 +54,10 @@ class GcmClient {
   /// Steer() may take `timeout` so many times: to be done, and to be heard of.
   static constexpr int kOrdersOfALife = 2;
 
+  /// SteerProcess() may take `timeout` so many times: to be started or asked to end, to join or be
+  /// killed, and to be heard of.
+  static constexpr int kOrdersOfAProcess = 5;
+
   /// Who asks, and whom.
   struct Options {
     std::string name = "viewer";  ///< for the GCM's history and log: "gcm connect", "gcm-gui"
@@ -94,6 +98,9 @@ class GcmClient {
   /// long again; without a patience, it is `timeout`. It is for the process as the catalogue has it
   /// now: one that is started anew meanwhile is not given it.
   void Steer(const message::LifeOrder& order, DoneHandler handler);
+  /// Starts an `lcm` on the GCM's host, or ends one that it has started: may take
+  /// kOrdersOfAProcess times as long as other requests.
+  void SteerProcess(message::ProcessOrder order, DoneHandler handler);
   /// Of which classes a process makes components, and which plug-ins it could load.
   void GetClasses(const std::string& process,
                   std::function<void(Result<message::Classes>)> handler);

@@ -1,6 +1,7 @@
 #include <tendon/base/os/process.h>
 #include <tendon/gcm/global_manager.h>
 #include <tendon/gcm/server/server.h>
+#include <tendon/gcm/supervisor/lcm_launcher.h>
 
 #include <algorithm>
 #include <future>
@@ -9,14 +10,15 @@
 namespace tendon {
 namespace {
 
-/// GCMs at different addresses have histories of their own.
-std::filesystem::path HistoryFile(const GlobalManager::Options& options) {
+/// What a GCM keeps; those at different addresses have histories of their own.
+std::filesystem::path StatePath(const GlobalManager::Options& options, const std::string& what,
+                                const std::string& ending) {
   std::string address = options.address;
   std::replace_if(
       address.begin(), address.end(), [](char letter) { return letter == ':' || letter == '/'; },
       '-');
   const auto folder = options.state_folder.empty() ? os::StateFolder() : options.state_folder;
-  return folder / ("history-" + address + ".jsonl");
+  return folder / (what + "-" + address + ending);
 }
 
 /// Nobody would talk to a GCM with another.
@@ -52,11 +54,13 @@ Result<std::unique_ptr<GlobalManager>> GlobalManager::Start(std::shared_ptr<Midd
   auto listener = middleware->Listen(options.address, Channel::Acceptor(mine, choose));
   if (!listener) return listener.error();
   auto promise = std::move(made);  // broken, where no server comes of it, before the listener ends
-  auto server = std::make_shared<server::Server>(
-      server::Server::Options{.history = HistoryFile(options),
-                              .clock = options.clock,
-                              .order_timeout = options.order_timeout,
-                              .instance = mine.instance});
+  auto server = std::make_shared<server::Server>(server::Server::Options{
+      .history = StatePath(options, "history", ".jsonl"),
+      .clock = options.clock,
+      .order_timeout = options.order_timeout,
+      .instance = mine.instance,
+      .launcher = std::make_shared<server::LcmLauncher>(options.launch, (*listener)->address(),
+                                                        StatePath(options, "processes", ""))});
   server->Start();
   promise.set_value(server);
   return std::unique_ptr<GlobalManager>(new GlobalManager(std::move(middleware), std::move(server),

@@ -3,6 +3,7 @@
 #include <tendon/base/clock.h>
 #include <tendon/base/result.h>
 #include <tendon/gcm/catalog.h>
+#include <tendon/gcm/supervisor/launch.h>
 #include <tendon/middleware/middleware.h>
 
 #include <chrono>
@@ -33,6 +34,7 @@ class GlobalManager {
     /// Until an LCM's answer is given up: longer than that needs to find a peer that hangs, shorter
     /// than clients wait for us.
     std::chrono::milliseconds order_timeout{1500};
+    Launch launch{};  ///< of the processes that it starts
   };
 
   /// Errors are those of Middleware::Listen(): kExists where another GCM is at this address.

@@ -95,7 +95,8 @@ bool ReadLine(std::string_view text, std::vector<message::HistoryEntry>& steps) 
 
 std::string ToString(const message::HistoryEntry& step) {
   if (!step.life.process.empty()) {
-    return step.verb + " " + step.life.process + "/" + step.life.component;
+    const std::string component = step.life.component.empty() ? "" : "/" + step.life.component;
+    return step.verb + " " + step.life.process + component;
   }
   return step.verb + " " + ToString(step.wire.required) + " " + ToString(step.wire.provided);
 }

@@ -15,7 +15,8 @@
 
 namespace tendon {
 
-/// "connect desk/teleoperation/Robot robot/arm/Control", "start robot/arm": the step for people.
+/// "connect desk/teleoperation/Robot robot/arm/Control", "start robot/arm", "start robot": the step
+/// for people.
 [[nodiscard]] std::string ToString(const message::HistoryEntry& step);
 
 /// The steps that were made, kept in a file of one JSON object a line, so that they can be undone

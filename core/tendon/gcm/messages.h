@@ -1,6 +1,7 @@
 #pragma once
 
 #include <tendon/gcm/catalog.h>
+#include <tendon/gcm/restart_policy.h>
 #include <tendon/process/life/messages.h>
 #include <tendon/process/log/messages.h>
 #include <tendon/process/membership_messages.h>
@@ -13,6 +14,26 @@
 /// What travels between a GCM and the viewers that watch it; what it says to LCMs is in
 /// process/membership_messages.h, and what it passes on to them in process/life/messages.h. Each
 /// struct is the body of a frame.
+namespace tendon {
+
+/// What can be asked of a GCM for a process of its own host.
+enum class ProcessVerb : std::int32_t {
+  kStart,  ///< an `lcm` without components; done once it has joined
+  kKill,   ///< asks it to end, and ends it where it does not; done once it is gone
+};
+
+template <>
+inline constexpr auto kPayload<ProcessVerb> = DescribeEnum("tendon.ProcessVerb",
+                                                           Enumerator{"start", ProcessVerb::kStart},
+                                                           Enumerator{"kill", ProcessVerb::kKill});
+
+/// "start", "kill"
+[[nodiscard]] constexpr std::string_view ToString(ProcessVerb verb) noexcept {
+  return NameOf(verb);
+}
+
+}  // namespace tendon
+
 namespace tendon::message {
 
 // From a viewer; all are requests. A viewer also sends kRenew each second, to see that the GCM
@@ -25,6 +46,7 @@ inline constexpr auto kHistory = static_cast<MessageType>(0x314);     // None ->
 inline constexpr auto kForget = static_cast<MessageType>(0x315);      // Forget -> None
 inline constexpr auto kReplace = static_cast<MessageType>(0x316);   // Wire -> ConnectionDescription
 inline constexpr auto kHealth = static_cast<MessageType>(0x31a);    // None -> SystemHealth
+inline constexpr auto kProcess = static_cast<MessageType>(0x31b);   // ProcessOrder -> None
 inline constexpr auto kPassOver = static_cast<MessageType>(0x31f);  // WhichStep -> HistoryEntry
 inline constexpr auto kWatchLog = static_cast<MessageType>(0x342);  // WatchLog -> LogWatched
 // From the GCM, besides process/log/messages.h.
@@ -79,10 +101,20 @@ struct Forget {
   std::string process;
 };
 
+/// One verb, for a process that the GCM itself starts, or has started.
+struct ProcessOrder {
+  ProcessVerb verb = ProcessVerb::kStart;
+  std::string process;
+  RestartPolicy restart = RestartPolicy::kNever;  ///< start
+  /// Until one that has not joined is stopped again, and one that has not ended is killed; 0: as
+  /// long as the GCM finds right.
+  std::chrono::nanoseconds patience{0};
+};
+
 /// What a step in the life of a component was about, and what there was before it.
 struct LifeStep {
   std::string process;
-  std::string component;
+  std::string component;  ///< empty: of the process itself, which was started
   std::string class_name;
   std::string library;
   std::string configuration;                            ///< "create", "configure": that it has now
@@ -104,10 +136,10 @@ struct WhichStep {
 /// One step that was made, and can be unmade.
 struct HistoryEntry {
   std::uint64_t id = 0;
-  std::string verb;  ///< "connect", "disconnect", "replace", or that of a LifeOrder
+  std::string verb;  ///< "connect", "disconnect", "replace", or that of an order
   Wire wire;
   InterfaceName former;   ///< "replace": what the required interface was connected to
-  LifeStep life;          ///< of a LifeOrder, else without a process
+  LifeStep life;          ///< of an order for a life, else without a process
   std::string who;        ///< the program that asked: "gcm connect", "gcm-gui"
   std::int64_t when = 0;  ///< ns since 1970
   /// Of the process of the required side, which had made it: one that was started again has
@@ -165,6 +197,13 @@ inline constexpr auto tendon::kPayload<tendon::message::SystemHealth> = tendon::
 template <>
 inline constexpr auto tendon::kPayload<tendon::message::Forget> =
     tendon::Describe("tendon.Forget", tendon::Field{"process", &tendon::message::Forget::process});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::ProcessOrder> = tendon::Describe(
+    "tendon.ProcessOrder", tendon::Field{"verb", &tendon::message::ProcessOrder::verb},
+    tendon::Field{"process", &tendon::message::ProcessOrder::process},
+    tendon::Field{"restart", &tendon::message::ProcessOrder::restart},
+    tendon::Field{"patience", &tendon::message::ProcessOrder::patience});
 
 template <>
 inline constexpr auto tendon::kPayload<tendon::message::WhichStep> =

@@ -63,6 +63,7 @@ OrderedJson JsonOf(const SystemFile::Process& process) {
   OrderedJson components = OrderedJson::array();
   for (const auto& component : process.components) components.push_back(JsonOf(component));
   OrderedJson json = {{"name", process.name}, {"components", std::move(components)}};
+  if (process.start) json["start"] = {{"restart", ToString(process.start->restart)}};
   AddComment(json, process.comment);
   return json;
 }

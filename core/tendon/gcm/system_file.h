@@ -2,6 +2,7 @@
 
 #include <tendon/base/name.h>
 #include <tendon/base/result.h>
+#include <tendon/gcm/restart_policy.h>
 #include <tendon/task/component_state.h>
 #include <tendon/task/thread_options.h>
 
@@ -34,9 +35,11 @@ namespace tendon {
 /// A component may also have "configuration" (what its constructor is given), "period" (s, which
 /// its class has chosen: to compare, not to set), "thread" (fields of ThreadOptions), and "state":
 /// "active" unless it says "suspended", "finished" or "constructed". A "class" of null is that of a
-/// component which its own program makes. Everything may have a "comment". What a component may
-/// have may be missing, and so may "connections" and "layout". After which other one a component
-/// runs is no part of a file: programs and configurations say that.
+/// component which its own program makes. A process with "start", such as {"restart": "on-failure"}
+/// or {}, which is to restart never, is an `lcm` that the GCM starts on its own host. Everything
+/// may have a "comment". What a component may have may be missing, and so may "connections" and
+/// "layout". After which other one a component runs is no part of a file: programs and
+/// configurations say that.
 struct SystemFile {
   /// One to make, and how.
   struct Component {
@@ -52,11 +55,18 @@ struct SystemFile {
 
     bool operator==(const Component&) const = default;
   };
+  /// How the GCM starts a process on its own host.
+  struct Start {
+    RestartPolicy restart = RestartPolicy::kNever;
+
+    bool operator==(const Start&) const = default;
+  };
   /// What one process runs.
   struct Process {
     std::string name;
     std::vector<Component> components;
     std::string comment{};
+    std::optional<Start> start{};  ///< nothing: somebody else starts it
 
     bool operator==(const Process&) const = default;
   };

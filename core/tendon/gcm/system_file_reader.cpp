@@ -6,6 +6,7 @@
 #include <tendon/task/thread/thread_setup.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -37,18 +38,26 @@ std::optional<ThreadOptions> ReadThread(const FileObject& object, const std::str
   return *options;
 }
 
+/// One of `known` by its name.
+template <typename T, std::size_t kCount>
+T ReadWord(const FileObject& object, const std::string& key, const std::array<T, kCount>& known) {
+  const std::string text = object.Text(key);
+  std::vector<std::string> names;
+  std::string all;
+  for (const T one : known) {
+    if (ToString(one) == text) return one;
+    names.emplace_back(ToString(one));
+    all += (all.empty() ? "" : ", ") + names.back();
+  }
+  const std::string shown = Printable(text, 64);
+  Refuse(object.Place(key),
+         "expected one of " + all + ", got '" + shown + "'" + DidYouMean(shown, names));
+}
+
 /// One that a component can be asked to be in.
 ComponentState ReadState(const FileObject& object) {
   if (object.Find("state") == nullptr) return ComponentState::kActive;
-  const std::string text = object.Text("state");
-  std::vector<std::string> names;
-  for (const ComponentState state : SystemFile::kDesirable) {
-    if (ToString(state) == text) return state;
-    names.emplace_back(ToString(state));
-  }
-  const std::string shown = Printable(text, 64);
-  Refuse(object.Place("state"), "expected one of active, suspended, finished, constructed, got '" +
-                                    shown + "'" + DidYouMean(shown, names));
+  return ReadWord(object, "state", SystemFile::kDesirable);
 }
 
 /// null: its own program makes it, and nobody else can.
@@ -87,8 +96,15 @@ SystemFile::Component ReadComponent(const Json& json, const std::string& place) 
   return component;
 }
 
+/// Of a process that the GCM starts, as an `lcm`.
+SystemFile::Start ReadStart(const Json& json, const FileObject& process) {
+  const FileObject object(json, process.Place("start"), {"restart"});
+  if (object.Find("restart") == nullptr) return {};
+  return {ReadWord(object, "restart", kRestartPolicies)};
+}
+
 SystemFile::Process ReadProcess(const Json& json, const std::string& place) {
-  const FileObject object(json, place, {"name", "components", "comment"});
+  const FileObject object(json, place, {"name", "components", "start", "comment"});
   SystemFile::Process process;
   process.name = object.Name("name", "process");
   object.Require("components");
@@ -97,6 +113,13 @@ SystemFile::Process ReadProcess(const Json& json, const std::string& place) {
     process.components.push_back(ReadComponent(element, at));
     names.Add(process.components.back().name, at + ".name");
   });
+  if (const Json* start = object.Find("start")) process.start = ReadStart(*start, object);
+  const auto is_made_by_its_program = [](const auto& one) { return one.class_name.empty(); };
+  if (process.start && std::ranges::any_of(process.components, is_made_by_its_program)) {
+    Refuse(object.Place("start"),
+           "it is an lcm that the GCM starts, but a component without a class is made by a program "
+           "of its own: leave out one of the two");
+  }
   process.comment = object.Comment();
   return process;
 }

@@ -58,6 +58,7 @@ inline constexpr auto kRights = std::to_array<Right>({
     {0x319, "begin an order", Role::kOperator, Audit::kRefusals},
     // gcm/messages.h
     {0x31a, "read the health", Role::kViewer, Audit::kRefusals},
+    {0x31b, "give an order for a process", Role::kOperator, Audit::kAll},
     {0x31f, "pass over a step", Role::kOperator, Audit::kAll},
     // process/log/messages.h, gcm/messages.h
     {0x340, "log", Role::kOperator, Audit::kRefusals},

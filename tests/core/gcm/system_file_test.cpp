@@ -117,6 +117,38 @@ TEST(SystemFile, WhatAComponentMayHaveIsChecked) {
               testing::HasSubstr("thread: unknown key 'polcy'; did you mean 'policy'?"));
 }
 
+std::string WithStart(const std::string& start, const std::string& component = "") {
+  return R"({"version": 1, "name": "x", "processes": [{"name": "a", "start": )" + start +
+         R"(, "components": [)" + component + "]}]}";
+}
+
+TEST(SystemFile, ReadsWhatTheGcmStarts) {
+  const auto never = ParseSystemFile(WithStart("{}"), "x");
+  const auto again = ParseSystemFile(WithStart(R"({"restart": "on-failure"})"), "x");
+
+  ASSERT_TRUE(never && again);
+  EXPECT_EQ(never->processes[0].start, SystemFile::Start{RestartPolicy::kNever});
+  EXPECT_EQ(again->processes[0].start, SystemFile::Start{RestartPolicy::kOnFailure});
+  for (const auto& system : {*never, *again}) {
+    EXPECT_EQ(*ParseSystemFile(*SystemFileText(system), "x"), system);
+  }
+}
+
+TEST(SystemFile, HowAProcessIsStartedIsChecked) {
+  EXPECT_THAT(ErrorOf(WithStart("true")),
+              testing::EndsWith("processes[0].start: expected an object, got true or false"));
+  EXPECT_THAT(ErrorOf(WithStart(R"({"program": "/bin/sh"})")),
+              testing::EndsWith("processes[0].start: unknown key 'program'"));
+  EXPECT_THAT(
+      ErrorOf(WithStart(R"({"restart": "on-failur"})")),
+      testing::EndsWith("processes[0].start.restart: expected one of never, on-failure, got "
+                        "'on-failur'; did you mean 'on-failure'?"));
+  EXPECT_THAT(ErrorOf(WithStart("{}", R"({"name": "b", "class": null})")),
+              testing::EndsWith("processes[0].start: it is an lcm that the GCM starts, but a "
+                                "component without a class is made by a program of its own: leave "
+                                "out one of the two"));
+}
+
 TEST(SystemFile, WhatNobodyCanMakeIsGivenNothing) {
   EXPECT_THAT(
       ErrorOf(Demo("\"SimulatedArm\"", "null")),

@@ -44,13 +44,6 @@ Error CannotUndoNow(const message::HistoryEntry& step, const std::string& why) {
   return CannotUndo(step, {ErrorCode::kFailed, why + joint + next});
 }
 
-bool IsOfLife(const message::HistoryEntry& step) { return !step.life.process.empty(); }
-
-/// Who has made it, and would unmake it.
-const std::string& ProcessOf(const message::HistoryEntry& step) {
-  return IsOfLife(step) ? step.life.process : step.wire.required.process;
-}
-
 Error MayComeBack(const message::HistoryEntry& step) {
   return {ErrorCode::kFailed, WholeText(step) + " is not passed over, for process '" +
                                   ProcessOf(step) +
@@ -137,6 +130,7 @@ void Orders::Undo(const message::WhichStep& which, const std::string& who,
   const auto finish = [locked = locked_, step = *step, done](const auto& outcome) {
     locked([&](Orders& orders) { orders.FinishUndo(step, OutcomeOf(outcome), done); });
   };
+  if (IsOfProcess(*step)) return parts_.supervisor.Undo(*step, which.patience, finish);
   if (IsOfLife(*step)) return UndoLife(*step, which.patience, std::move(done));
   const InterfaceName& required = step->wire.required;
   if (step->verb == "connect") {
@@ -428,8 +422,9 @@ Result<void> Orders::CheckUndo(const message::HistoryEntry& step) const {
   if ((*owner)->process.instance != step.instance) {
     return CannotUndoNow(step, "process '" + process + "' was started again since");
   }
-  const auto checked =
-      IsOfLife(step) ? tendon::CheckUndo(catalog, step) : CheckUndoOfWire(catalog, step);
+  const auto checked = IsOfProcess(step) ? parts_.supervisor.CheckUndo(step)
+                       : IsOfLife(step)  ? tendon::CheckUndo(catalog, step)
+                                         : CheckUndoOfWire(catalog, step);
   return checked ? checked : CannotUndoNow(step, checked.error().message);
 }
 

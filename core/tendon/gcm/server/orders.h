@@ -5,6 +5,7 @@
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/server/outbox.h>
 #include <tendon/gcm/server/registry.h>
+#include <tendon/gcm/supervisor/supervisor.h>
 #include <tendon/middleware/body.h>
 #include <tendon/process/worker.h>
 
@@ -34,8 +35,9 @@ class Orders {
     Registry& registry;
     History& history;
     Outbox& outbox;
-    Worker& worker;    ///< watches over deadlines
-    LifeOrders& life;  ///< unmakes its own steps
+    Worker& worker;          ///< watches over deadlines
+    LifeOrders& life;        ///< unmakes its own steps
+    Supervisor& supervisor;  ///< likewise
   };
   Orders(Parts parts, Locked locked, std::chrono::milliseconds timeout);
 

@@ -191,6 +191,15 @@ void Registry::End(Session session, ProcessState state, const std::string& reaso
   SuspendConnections(name);
 }
 
+bool Registry::Explain(const std::string& process, const std::string& reason) {
+  const auto* const entry = catalog_.FindProcess(process);
+  if (entry == nullptr || IsPresent(entry->process)) return false;
+  ProcessDescription description = entry->process;
+  description.reason = reason;
+  Apply({.kind = Kind::kProcess, .process = process, .processes = {description}});
+  return true;
+}
+
 Result<void> Registry::Forget(const std::string& process) {
   const auto entry = LookUpProcess(catalog_, process);
   if (!entry) return entry.error();

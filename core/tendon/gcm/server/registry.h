@@ -56,6 +56,8 @@ class Registry {
   Result<void> TakeHealth(Session session, const message::Health& health);
   /// The process becomes a tombstone. Nothing happens when the membership is over.
   void End(Session session, ProcessState state, const std::string& reason);
+  /// Says more of why a process is gone; false where there is no tombstone of it.
+  bool Explain(const std::string& process, const std::string& reason);
   /// Removes a tombstone; kNotFound, or kFailed for a process that is there.
   Result<void> Forget(const std::string& process);
 

@@ -74,19 +74,23 @@ Server::Server(Options options)
       history_(options_.history),
       registry_(options_.leases, *options_.clock) {}
 
+/// For a part: what calls its argument with it, under the lock.
+template <typename Part>
+auto Server::LockedWith(std::unique_ptr<Part> Server::*part) {
+  return [weak = weak_from_this(), part](const std::function<void(Part&)>& action) {
+    if (const auto self = weak.lock()) self->Locked([&] { action(*((*self).*part)); });
+  };
+}
+
 void Server::Start() {
-  life_ = std::make_unique<LifeOrders>(
-      LifeOrders::Parts{registry_, history_, outbox_, worker_},
-      [weak = weak_from_this()](const std::function<void(LifeOrders&)>& action) {
-        if (const auto self = weak.lock()) self->Locked([&] { action(*self->life_); });
-      },
-      options_.order_timeout);
+  life_ = std::make_unique<LifeOrders>(LifeOrders::Parts{registry_, history_, outbox_, worker_},
+                                       LockedWith(&Server::life_), options_.order_timeout);
+  supervisor_ = std::make_unique<Supervisor>(
+      Supervisor::Parts{registry_, history_, outbox_, *options_.clock, options_.launcher},
+      LockedWith(&Server::supervisor_));
   orders_ = std::make_unique<Orders>(
-      Orders::Parts{registry_, history_, outbox_, worker_, *life_},
-      [weak = weak_from_this()](const std::function<void(Orders&)>& action) {
-        if (const auto self = weak.lock()) self->Locked([&] { action(*self->orders_); });
-      },
-      options_.order_timeout);
+      Orders::Parts{registry_, history_, outbox_, worker_, *life_, *supervisor_},
+      LockedWith(&Server::orders_), options_.order_timeout);
   KeepTicking();
 }
 
@@ -96,6 +100,7 @@ void Server::Stop() {
     stopped_ = true;
   }
   worker_.Stop();
+  supervisor_->Stop();
   history_.Close();
 }
 
@@ -113,6 +118,7 @@ void Server::Tick() {
     for (const auto& channel : registry_.Tick()) {
       outbox_.Add([channel] { channel->Close(); });
     }
+    supervisor_->Tick();
     if (std::exchange(peers_owed_, false)) SendPeers();
     outbox_.Add([this] {
       watchers_.Pump();
@@ -191,15 +197,16 @@ void Server::Answer(const Request& request, Result<T> result) {
 
 Server::Serve Server::ServeOf(MessageType type) {
   static const std::map<MessageType, Serve> kServes = {
-      {message::kJoin, &Server::Join},         {message::kRenew, &Server::Renew},
-      {message::kLeave, &Server::Leave},       {message::kWatch, &Server::Watch},
-      {message::kConnect, &Server::Connect},   {message::kDisconnect, &Server::Disconnect},
-      {message::kUndo, &Server::Undo},         {message::kHistory, &Server::Tell},
-      {message::kForget, &Server::Forget},     {message::kReplace, &Server::Replace},
-      {message::kWatchLog, &Server::WatchLog}, {message::kSetLogLevel, &Server::SetLogLevel},
-      {message::kLife, &Server::Steer},        {message::kGetClasses, &Server::ListClasses},
-      {message::kPassOver, &Server::PassOver}, {message::kBeginOrder, &Server::BeginOrder},
-      {message::kHealth, &Server::TellHealth}, {message::kTellHealth, &Server::TakeHealth}};
+      {message::kJoin, &Server::Join},           {message::kRenew, &Server::Renew},
+      {message::kLeave, &Server::Leave},         {message::kWatch, &Server::Watch},
+      {message::kConnect, &Server::Connect},     {message::kDisconnect, &Server::Disconnect},
+      {message::kUndo, &Server::Undo},           {message::kHistory, &Server::Tell},
+      {message::kForget, &Server::Forget},       {message::kReplace, &Server::Replace},
+      {message::kWatchLog, &Server::WatchLog},   {message::kSetLogLevel, &Server::SetLogLevel},
+      {message::kLife, &Server::Steer},          {message::kGetClasses, &Server::ListClasses},
+      {message::kPassOver, &Server::PassOver},   {message::kBeginOrder, &Server::BeginOrder},
+      {message::kHealth, &Server::TellHealth},   {message::kTellHealth, &Server::TakeHealth},
+      {message::kProcess, &Server::SteerProcess}};
   const auto found = kServes.find(type);
   return found == kServes.end() ? nullptr : found->second;
 }
@@ -300,7 +307,16 @@ void Server::Disconnect(const Request& request) {
 void Server::Steer(const Request& request) {
   const auto order = DecodeBody<message::LifeOrder>(request.body);
   if (!order) return request.responder->Refuse(order.error());
-  Locked([&] { life_->Steer(*order, NameOf(*request.channel), AnswerOf(request.responder)); });
+  Locked([&] {
+    supervisor_->NoteOrder(*order);
+    life_->Steer(*order, NameOf(*request.channel), AnswerOf(request.responder));
+  });
+}
+
+void Server::SteerProcess(const Request& request) {
+  const auto order = DecodeBody<message::ProcessOrder>(request.body);
+  if (!order) return request.responder->Refuse(order.error());
+  Locked([&] { supervisor_->Obey(*order, NameOf(*request.channel), AnswerOf(request.responder)); });
 }
 
 void Server::ListClasses(const Request& request) {
@@ -314,7 +330,9 @@ void Server::BeginOrder(const Request& request) {
   if (!order) return request.responder->Refuse(order.error());
   Locked([&] {
     const ProcessDescription* const member = registry_.FindMember(request.peer.session);
-    Answer(request, life_->Begin(order->id, member == nullptr ? "" : member->name));
+    const std::string name = member == nullptr ? "" : member->name;
+    supervisor_->NoteChange(name);
+    Answer(request, life_->Begin(order->id, name));
   });
 }
 

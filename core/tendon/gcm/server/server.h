@@ -7,6 +7,7 @@
 #include <tendon/gcm/server/outbox.h>
 #include <tendon/gcm/server/registry.h>
 #include <tendon/gcm/server/watchers.h>
+#include <tendon/gcm/supervisor/supervisor.h>
 #include <tendon/middleware/channel.h>
 #include <tendon/process/access/audit_log.h>
 #include <tendon/process/log/log_queue.h>
@@ -35,6 +36,7 @@ class Server final : public std::enable_shared_from_this<Server> {
     const Clock* clock = nullptr;
     std::chrono::milliseconds order_timeout;
     std::uint64_t instance = 0;
+    std::shared_ptr<Launcher> launcher{};
   };
   explicit Server(Options options);
 
@@ -61,6 +63,8 @@ class Server final : public std::enable_shared_from_this<Server> {
 
   template <typename Action>
   void Locked(Action&& action);
+  template <typename Part>
+  auto LockedWith(std::unique_ptr<Part> Server::*part);
   void Publish();
   void TellPeers();
   void SendPeers();
@@ -79,6 +83,7 @@ class Server final : public std::enable_shared_from_this<Server> {
   void Replace(const Request& request);
   void Disconnect(const Request& request);
   void Steer(const Request& request);
+  void SteerProcess(const Request& request);
   void ListClasses(const Request& request);
   void BeginOrder(const Request& request);
   void Undo(const Request& request);
@@ -105,6 +110,7 @@ class Server final : public std::enable_shared_from_this<Server> {
   mutable std::mutex mutex_;
   Registry registry_;
   std::unique_ptr<LifeOrders> life_;
+  std::unique_ptr<Supervisor> supervisor_;
   std::unique_ptr<Orders> orders_;
   bool stopped_ = false;
   bool peers_owed_ = false;

@@ -1,5 +1,6 @@
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/system/client_executor.h>
+#include <tendon/payload/json.h>
 
 #include <thread>
 
@@ -54,6 +55,10 @@ Result<void> ClientExecutor::Execute(const PlanStep& step) {
                         [&](auto handler) { client_.Disconnect(step.wire.required, handler); });
     case Kind::kRemove:
       return Steer(LifeVerb::kRemove, step);
+    case Kind::kStartProcess:
+      return Wait<void>(GcmClient::kOrdersOfAProcess * timeout_ + kLonger, [&](auto handler) {
+        client_.SteerProcess({.process = step.process, .restart = step.restart}, handler);
+      });
     case Kind::kConfigure:
       return Steer(LifeVerb::kConfigure, step);
     case Kind::kCreate:
@@ -126,6 +131,7 @@ Result<void> ClientExecutor::Steer(LifeVerb verb, const PlanStep& step) {
   if (verb == LifeVerb::kCreate) {
     order.class_name = step.component.class_name;
     order.library = step.component.library;
+    if (step.component.thread) order.thread = ToJson(*step.component.thread);
   }
   if (verb == LifeVerb::kCreate || verb == LifeVerb::kConfigure) {
     order.configuration = step.component.configuration;

@@ -14,6 +14,10 @@ std::string OrNone(const std::string& text) { return text.empty() ? "none" : tex
 
 std::string SecondsText(double seconds) { return nlohmann::json(seconds).dump() + " s"; }
 
+std::string TextOf(const std::optional<SystemFile::Start>& start) {
+  return start ? "by the GCM (restart " + std::string(ToString(start->restart)) + ")" : "by others";
+}
+
 /// Puts one more change behind those there are.
 void AddChange(std::string& changes, const std::string& name, const std::string& first,
                const std::string& second) {
@@ -50,7 +54,12 @@ class Comparer {
   void CompareProcess(const SystemFile::Process& process) {
     const auto* other = second_index_.FindProcess(process.name);
     if (other == nullptr) return AddWhole(Kind::kMissing, process);
-    ++comparison_.equal;
+    if (threads_ == Threads::kKnown && process.start != other->start) {
+      Add(Kind::kChanged, "process " + process.name,
+          "start " + TextOf(process.start) + " -> " + TextOf(other->start));
+    } else {
+      ++comparison_.equal;
+    }
     const std::string begin = "component " + process.name + "/";
     for (const auto& component : process.components) {
       const auto* same = second_index_.FindComponent(process.name, component.name);

@@ -29,7 +29,8 @@ struct SystemComparison {
   std::size_t equal = 0;  ///< processes, components and connections without a difference
 };
 
-/// Whether the second of two systems says how the threads of its components run.
+/// Whether the second of two systems says how the threads of its components run, and who starts its
+/// processes.
 enum class Threads {
   kKnown,            ///< it is a file: what it does not mention has the defaults
   kUnknownInSecond,  ///< it runs, and does not tell: they are not compared

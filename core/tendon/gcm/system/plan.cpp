@@ -48,7 +48,7 @@ class Planner {
     }
     plan_.untouched = CompareSystems(wanted_, running_.file, Threads::kUnknownInSecond).equal;
     AddRests();
-    for (auto* part : {&disconnects_, &removals_, &makings_, &connects_}) {
+    for (auto* part : {&disconnects_, &removals_, &births_, &makings_, &connects_}) {
       plan_.steps.insert(plan_.steps.end(), part->begin(), part->end());
     }
     AddStarts();
@@ -58,7 +58,7 @@ class Planner {
  private:
   void PlanProcess(const SystemFile::Process& process) {
     const auto* running = running_index_.FindProcess(process.name);
-    if (running == nullptr) return Miss(process);
+    if (running == nullptr) return process.start ? PlanBirth(process) : Miss(process);
     for (const auto& component : running->components) {
       const ComponentPath path(process.name, component.name);
       if (wanted_index_.FindComponent(path.first, path.second) == nullptr) {
@@ -76,6 +76,20 @@ class Planner {
     }
   }
 
+  /// The GCM starts it; what it had before it was lost counts no more.
+  void PlanBirth(const SystemFile::Process& process) {
+    born_.insert(process.name);
+    births_.push_back(
+        {.kind = Kind::kStartProcess, .process = process.name, .restart = process.start->restart});
+    for (const auto& component : process.components) {
+      PlanCreation({process.name, component.name}, component);
+    }
+  }
+
+  [[nodiscard]] bool IsAbsent(const std::string& process) const {
+    return running_index_.FindProcess(process) == nullptr && !born_.contains(process);
+  }
+
   void Miss(const SystemFile::Process& process) {
     const auto is_program =
         std::all_of(process.components.begin(), process.components.end(), IsMadeByItsProgram);
@@ -89,12 +103,17 @@ class Planner {
                                 const SystemFile::Component& component) const {
     return {.kind = kind,
             .process = path.first,
-            .instance = InstanceOf(catalog_, path.first),
+            .instance = Instance(path.first),
             .component = component};
   }
 
   [[nodiscard]] PlanStep StepOf(Kind kind, const message::Wire& wire) const {
-    return {.kind = kind, .wire = wire, .instance = InstanceOf(catalog_, wire.required.process)};
+    return {.kind = kind, .wire = wire, .instance = Instance(wire.required.process)};
+  }
+
+  /// Any of a process that is started before.
+  [[nodiscard]] std::uint64_t Instance(const std::string& process) const {
+    return born_.contains(process) ? 0 : InstanceOf(catalog_, process);
   }
 
   void PlanRest(Kind kind, const ComponentPath& path, const SystemFile::Component& component) {
@@ -126,11 +145,11 @@ class Planner {
   }
 
   void PlanMaking(Kind kind, const ComponentPath& path, const SystemFile::Component& component) {
-    if (component.thread) {
+    if (component.thread && kind == Kind::kConfigure) {
       plan_.obstacles.push_back(TextOf(path) +
-                                " is made without what the file says of its thread, which only "
-                                "the start of its process gives it: lcm --name " +
-                                path.first + " --system FILE");
+                                " keeps the thread that it has, whatever the file says of that; "
+                                "to make it anew: gcm rm " +
+                                TextOf(path) + ", and plan again");
     }
     made_.insert(path);
     makings_.push_back(StepOf(kind, path, component));
@@ -194,16 +213,16 @@ class Planner {
 
   [[nodiscard]] const ConnectionDescription* ConnectionOf(const InterfaceName& required) const {
     const auto found = connections_.find(required);
-    const bool is_there = found != connections_.end() && !removed_.contains(OwnerOf(required));
+    const bool is_there = found != connections_.end() && !born_.contains(required.process) &&
+                          !removed_.contains(OwnerOf(required));
     return is_there ? found->second : nullptr;
   }
 
   void PlanConnection(const message::Wire& wire) {
     const ComponentPath client = OwnerOf(wire.required);
     const ComponentPath server = OwnerOf(wire.provided);
-    if (running_index_.FindProcess(client.first) == nullptr || missing_.contains(client)) return;
-    const bool is_awaited = running_index_.FindProcess(server.first) == nullptr;
-    if (is_awaited) Lack(wire, "process '" + server.first + "' is not there");
+    if (IsAbsent(client.first) || missing_.contains(client)) return;
+    if (IsAbsent(server.first)) Lack(wire, "process '" + server.first + "' is not there");
     if (missing_.contains(server)) return Lack(wire, TextOf(server) + " is not there");
     const auto* now = ConnectionOf(wire.required);
     const bool is_same = now != nullptr && now->provided == wire.provided;
@@ -265,9 +284,11 @@ class Planner {
   std::map<ComponentPath, PlanStep> rests_;
   std::vector<PlanStep> disconnects_;
   std::vector<PlanStep> removals_;
+  std::vector<PlanStep> births_;  // of processes
   std::vector<PlanStep> makings_;
   std::vector<PlanStep> connects_;
   std::map<ComponentPath, PlanStep> starts_;
+  std::set<std::string> born_;                  // processes that are started
   std::set<ComponentPath> removed_;             // some of them are made again
   std::set<ComponentPath> made_;                // or made anew
   std::set<ComponentPath> missing_;             // of their own programs
@@ -291,6 +312,8 @@ std::string_view ToString(PlanStep::Kind kind) {
       return "disconnect";
     case Kind::kRemove:
       return "remove";
+    case Kind::kStartProcess:
+      return "start-process";
     case Kind::kConfigure:
       return "configure";
     case Kind::kCreate:
@@ -310,6 +333,10 @@ std::string_view ToString(PlanStep::Kind kind) {
 std::string ToString(const PlanStep& step) {
   std::string text(ToString(step.kind));
   if (step.process.empty()) return text + " " + TextOf(step.wire);
+  if (step.kind == Kind::kStartProcess) {
+    return "start process " + step.process + " (restart " + std::string(ToString(step.restart)) +
+           ")";
+  }
   const std::string path = step.process + "/" + step.component.name;
   if (step.kind == Kind::kStartSuspended) return "start " + path + ", then suspend it";
   text += " " + path;

@@ -19,7 +19,8 @@ struct PlanStep {
     kSuspend,
     kDisconnect,
     kRemove,
-    kConfigure,  ///< makes a component at rest anew; its connections stay
+    kStartProcess,  ///< without components; the GCM does, on its own host
+    kConfigure,     ///< makes a component at rest anew; its connections stay
     kCreate,
     kConnect,
     kReplace,  ///< what a required interface is connected to
@@ -29,11 +30,13 @@ struct PlanStep {
 
   Kind kind = Kind::kConnect;
   message::Wire wire{};                ///< of connections: the ends
-  std::string process{};               ///< of components: where
-  std::uint64_t instance = 0;          ///< of the process that carries it out, when it was planned
+  std::string process{};               ///< of components: where; to start it: which
+  std::uint64_t instance = 0;          ///< of the process that carries it out, when it was planned;
+                                       ///< 0: which is started by the plan
   SystemFile::Component component{};   ///< of components: which; to make one: as the file has it
   std::vector<message::Wire> needs{};  ///< to start: what must be connected before
-  bool takes_away = false;             ///< what runs or is connected now is not so afterwards
+  RestartPolicy restart = RestartPolicy::kNever;  ///< of a process that is started
+  bool takes_away = false;  ///< what runs or is connected now is not so afterwards
 
   bool operator==(const PlanStep&) const = default;
 };
@@ -45,8 +48,8 @@ struct PlanStep {
 
 /// How a running system becomes that of a file: steps in the order in which they are to be made,
 /// each of which the catalogue lets expect to succeed. What is to rest, or to be made anew, rests
-/// first, clients before their servers. Then connections and components go, components are made and
-/// connected, and in the end started, servers before their clients.
+/// first, clients before their servers. Then connections and components go, processes are started,
+/// components are made and connected, and in the end started, servers before their clients.
 struct Plan {
   std::vector<PlanStep> steps;
   std::vector<std::string> obstacles;  ///< a sentence for each thing that no step can bring about

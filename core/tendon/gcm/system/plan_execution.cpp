@@ -13,6 +13,9 @@ bool IsOfConnection(const PlanStep& step) { return step.process.empty(); }
 
 ComponentPath OwnerOf(const InterfaceName& name) { return {name.process, name.component}; }
 
+/// Stands for the process itself.
+ComponentPath PathOf(const std::string& process) { return {process, ""}; }
+
 /// What cannot be built on any more.
 class Failures {
  public:
@@ -46,11 +49,12 @@ class Failures {
   using Steps = std::map<ComponentPath, std::string>;
 
   static std::string Find(const Steps& steps, const ComponentPath& path) {
-    const auto found = steps.find(path);
+    auto found = steps.find(path);
+    if (found == steps.end()) found = steps.find(PathOf(path.first));
     return found == steps.end() ? std::string() : found->second;
   }
 
-  Steps unfit_;    // components that are not as the plan wants them
+  Steps unfit_;    // components, and processes, that are not as the plan wants them
   Steps lacking_;  // those that are not connected so
 };
 

@@ -32,14 +32,16 @@ SystemFile::Process ProcessOf(const ProcessEntry& entry) {
   return process;
 }
 
-bool IsSaved(const ProcessEntry& entry) {
-  return IsPresent(entry.process) && entry.process.name != kGcmName;
+bool IsSaved(const ProcessEntry& entry, Gone gone) {
+  const bool is_there = gone == Gone::kIncluded || IsPresent(entry.process);
+  return is_there && entry.process.name != kGcmName;
 }
 
 void KeepIn(const SystemIndex& former, SystemFile::Process& saved) {
   const auto* before = former.FindProcess(saved.name);
   if (before == nullptr) return;
   saved.comment = before->comment;
+  saved.start = before->start;
   for (SystemFile::Component& component : saved.components) {
     const auto* same = former.FindComponent(saved.name, component.name);
     if (same == nullptr) continue;
@@ -83,14 +85,14 @@ std::vector<std::string> KeepAbsent(const SystemFile& former, RunningSystem& sav
 
 }  // namespace
 
-RunningSystem SystemOf(const Catalog& catalog, const std::string& name) {
+RunningSystem SystemOf(const Catalog& catalog, const std::string& name, Gone gone) {
   RunningSystem running{.file = {.name = name, .processes = {}, .connections = {}}, .loose = {}};
   for (const auto& [process_name, entry] : catalog.processes()) {
-    if (IsSaved(entry)) running.file.processes.push_back(ProcessOf(entry));
+    if (IsSaved(entry, gone)) running.file.processes.push_back(ProcessOf(entry));
   }
   const SystemIndex index(running.file);
   for (const auto& [process_name, entry] : catalog.processes()) {
-    if (!IsSaved(entry)) continue;
+    if (!IsSaved(entry, gone)) continue;
     for (const auto& [id, connection] : entry.connections) {
       const auto& [process, component, interface] = connection.provided;
       const bool is_there = index.FindComponent(process, component) != nullptr;

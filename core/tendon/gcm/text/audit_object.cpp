@@ -26,6 +26,10 @@ std::string AuditObject(MessageType type, std::span<const std::byte> body) {
     const auto order = DecodeBody<message::LifeOrder>(body);
     return order ? ObjectOf(*order) : std::string();
   }
+  if (type == message::kProcess) {
+    const auto order = DecodeBody<message::ProcessOrder>(body);
+    return order ? std::string(ToString(order->verb)) + " " + order->process : std::string();
+  }
   const bool has_ends =
       type == message::kConnect || type == message::kReplace || type == message::kDisconnect;
   const auto wire = has_ends ? DecodeBody<message::Wire>(body) : Result(message::Wire());

@@ -9,4 +9,14 @@ std::string WholeText(const message::HistoryEntry& step) {
          WallTimeText(step.when) + ")";
 }
 
+bool IsOfLife(const message::HistoryEntry& step) { return !step.life.process.empty(); }
+
+bool IsOfProcess(const message::HistoryEntry& step) {
+  return IsOfLife(step) && step.life.component.empty();
+}
+
+const std::string& ProcessOf(const message::HistoryEntry& step) {
+  return IsOfLife(step) ? step.life.process : step.wire.required.process;
+}
+
 }  // namespace tendon

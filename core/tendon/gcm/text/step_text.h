@@ -9,4 +9,11 @@ namespace tendon {
 /// "step 7 (connect a/b/C d/e/F, by gcm connect at 2025-11-21 15:40:03)".
 [[nodiscard]] std::string WholeText(const message::HistoryEntry& step);
 
+/// Whether it is of the life of a component, or of a process that was started.
+[[nodiscard]] bool IsOfLife(const message::HistoryEntry& step);
+[[nodiscard]] bool IsOfProcess(const message::HistoryEntry& step);
+
+/// Which process has made it, and would unmake it; one that was started: itself.
+[[nodiscard]] const std::string& ProcessOf(const message::HistoryEntry& step);
+
 }  // namespace tendon

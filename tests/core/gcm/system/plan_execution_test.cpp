@@ -41,6 +41,9 @@ PlanStep Connect(const std::string& client, const std::string& server) {
   return {.kind = Kind::kConnect, .wire = {{"p", client, "R"}, {"p", server, "P"}}};
 }
 
+/// Of the process that all the others are in.
+PlanStep StartProcess() { return {.kind = Kind::kStartProcess, .process = "p"}; }
+
 Plan ThreeStarts() {
   return {.steps = {Step(Kind::kStart, "a"), Step(Kind::kStart, "b"), Step(Kind::kStart, "c")}};
 }
@@ -118,6 +121,22 @@ TEST(ExecutePlan, AComponentThatIsNotAsWantedIsNotTouchedAnyMoreNorUsed) {
   EXPECT_THAT(LeftAfter("stop p/a", {Step(Kind::kStop, "a"), Step(Kind::kRemove, "a"),
                                      Step(Kind::kRemove, "b")}),
               ElementsAre("remove p/a"));
+}
+
+TEST(PlanExecution, InAProcessThatIsNotStartedNothingIsTried) {
+  FakeExecutor executor({"start process p (restart never)"});
+  PlanStep elsewhere = Step(Kind::kStart, "d");
+  elsewhere.process = "q";
+
+  const auto told = Execute({.steps = {StartProcess(), Step(Kind::kCreate, "a"), Connect("b", "c"),
+                                       Step(Kind::kStart, "a"), elsewhere}},
+                            executor, AfterError::kGoOn);
+
+  EXPECT_THAT(executor.tried(), ElementsAre("start process p (restart never)", "start q/d"));
+  ASSERT_EQ(told.size(), 5U);
+  EXPECT_EQ(told[2],
+            "3 connect p/b/R -> p/c/P left: not tried, for this has failed: start process p "
+            "(restart never)");
 }
 
 }  // namespace

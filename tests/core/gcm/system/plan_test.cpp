@@ -32,6 +32,38 @@ TEST(Plan, OfASystemThatRunsIsEmpty) {
   EXPECT_EQ(plan.untouched, 6U);
 }
 
+TEST(Plan, StartsTheProcessesThatTheGcmIsToStart) {
+  CatalogBuilder lost;
+  lost.Process("desk", {test::Teleoperation()}, ProcessState::kLost)
+      .Connection(test::kNeeded, test::kOffered, ConnectionState::kPending);
+  SystemFile wanted = DemoFile();
+  wanted.processes[0].start = SystemFile::Start{RestartPolicy::kOnFailure};
+  wanted.processes[1].start = SystemFile::Start{};
+  wanted.processes[1].components.pop_back();
+  wanted.processes[1].components[0].thread.emplace().lock_memory = true;
+
+  const Plan plan = MakePlan(lost.catalog(), wanted);
+
+  EXPECT_THAT(plan.obstacles, IsEmpty());
+  EXPECT_THAT(
+      TextsOf(plan),
+      ElementsAre("start process desk (restart on-failure)", "start process robot (restart never)",
+                  "create desk/teleoperation (Teleoperation of teleoperation)",
+                  "create robot/arm (SimulatedArm of simulated_arm)",
+                  "connect desk/teleoperation/Robot -> robot/arm/Control", "start robot/arm",
+                  "start desk/teleoperation"));
+  for (const PlanStep& step : plan.steps) EXPECT_EQ(step.instance, 0U) << ToString(step);
+  EXPECT_EQ(plan.untouched, 0U);
+  EXPECT_FALSE(plan.TakesAway());
+}
+
+TEST(Plan, LeavesAProcessThatIsThereAsItIsWhoeverHasStartedIt) {
+  SystemFile wanted = DemoFile();
+  for (auto& process : wanted.processes) process.start = SystemFile::Start{};
+
+  EXPECT_THAT(PlanFromDemo(wanted).steps, IsEmpty());
+}
+
 TEST(Plan, MakesASystemInEmptyProcessesInTheOrderThatWorks) {
   CatalogBuilder empty;
   empty.Process("robot", {}).Process("desk", {});

@@ -74,6 +74,7 @@ TEST(RunningSystem, TheFileKeepsWhatItAloneKnows) {
   former.connections[0].comment = "by hand";
   for (auto& process : former.processes) {
     process.comment = "here";
+    process.start = SystemFile::Start{RestartPolicy::kOnFailure};
     for (auto& component : process.components) {
       component.comment = "mine";
       component.thread.emplace().lock_memory = true;
@@ -89,9 +90,20 @@ TEST(RunningSystem, TheFileKeepsWhatItAloneKnows) {
   EXPECT_EQ(saved.layout.size(), 1U);
   EXPECT_EQ(saved.connections[0].comment, "by hand");
   EXPECT_EQ(saved.processes[0].comment, "here");
+  EXPECT_EQ(saved.processes[0].start, SystemFile::Start{RestartPolicy::kOnFailure});
   EXPECT_EQ(saved.FindComponent("robot", "arm")->comment, "mine");
   EXPECT_TRUE(saved.FindComponent("robot", "arm")->thread.has_value());
   EXPECT_FALSE(saved.FindComponent("robot", "spare")->thread.has_value());
+}
+
+TEST(RunningSystem, WhatIsGoneIsInItWhereItIsAskedFor) {
+  CatalogBuilder builder = test::RunningDemo();
+  builder.Process("robot", {test::Arm()}, ProcessState::kLost);
+
+  EXPECT_EQ(SystemOf(builder.catalog(), "x").file.FindProcess("robot"), nullptr);
+  const RunningSystem whole = SystemOf(builder.catalog(), "x", Gone::kIncluded);
+  EXPECT_NE(whole.file.FindComponent("robot", "arm"), nullptr);
+  EXPECT_EQ(whole.file.connections.size(), 1U);
 }
 
 /// The demo system, of which only these run.

@@ -21,13 +21,13 @@ const Types kLooks = {message::kPing,        message::kGetSchemas, message::kSub
                       message::kGetClasses,  message::kHealth};
 
 /// What an operator may send besides.
-const Types kActs = {message::kOpenInterface, message::kCloseInterface, message::kCommands,
-                     message::kRead,          message::kWait,           message::kEventsLost,
-                     message::kCallMember,    message::kJoin,           message::kReport,
-                     message::kLeave,         message::kConnect,        message::kDisconnect,
-                     message::kUndo,          message::kForget,         message::kReplace,
-                     message::kLogRecords,    message::kSetLogLevel,    message::kLife,
-                     message::kPassOver,      message::kBeginOrder,     message::kTellHealth};
+const Types kActs = {
+    message::kOpenInterface, message::kCloseInterface, message::kCommands,   message::kRead,
+    message::kWait,          message::kEventsLost,     message::kCallMember, message::kJoin,
+    message::kReport,        message::kLeave,          message::kConnect,    message::kDisconnect,
+    message::kUndo,          message::kForget,         message::kReplace,    message::kLogRecords,
+    message::kSetLogLevel,   message::kLife,           message::kPassOver,   message::kBeginOrder,
+    message::kTellHealth,    message::kProcess};
 
 /// By name: a number in the table that belongs to another message would show here.
 TEST(Rights, AreThoseOfTheMessages) {
@@ -50,7 +50,8 @@ TEST(Rights, WhatChangesTheSystemIsWrittenDown) {
   const Types written = {message::kOpenInterface, message::kCallMember, message::kJoin,
                          message::kLeave,         message::kConnect,    message::kDisconnect,
                          message::kUndo,          message::kForget,     message::kReplace,
-                         message::kSetLogLevel,   message::kLife,       message::kPassOver};
+                         message::kSetLogLevel,   message::kLife,       message::kPassOver,
+                         message::kProcess};
   for (const Right& right : kRights) {
     EXPECT_EQ(right.audit == Audit::kAll, written.contains(static_cast<MessageType>(right.type)))
         << right.act;

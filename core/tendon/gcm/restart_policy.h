@@ -1,0 +1,29 @@
+#pragma once
+
+#include <tendon/payload/payload.h>
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace tendon {
+
+/// When a GCM starts a process again that it has started.
+enum class RestartPolicy : std::int32_t {
+  kNever,
+  kOnFailure,  ///< it ended with another exit code than 0, or by a signal
+};
+
+inline constexpr std::array kRestartPolicies = {RestartPolicy::kNever, RestartPolicy::kOnFailure};
+
+template <>
+inline constexpr auto kPayload<RestartPolicy> =
+    DescribeEnum("tendon.RestartPolicy", Enumerator{"never", RestartPolicy::kNever},
+                 Enumerator{"on_failure", RestartPolicy::kOnFailure});
+
+/// As a system file has it: "never", "on-failure".
+[[nodiscard]] constexpr std::string_view ToString(RestartPolicy policy) noexcept {
+  return policy == RestartPolicy::kNever ? "never" : "on-failure";
+}
+
+}  // namespace tendon

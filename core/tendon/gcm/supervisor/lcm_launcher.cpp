@@ -1,0 +1,105 @@
+#include <tendon/base/os/loading/child_process.h>
+#include <tendon/base/printable.h>
+#include <tendon/gcm/supervisor/lcm_launcher.h>
+
+#include <algorithm>
+#include <fstream>
+#include <system_error>
+#include <utility>
+
+namespace tendon::server {
+namespace {
+
+namespace fs = std::filesystem;
+
+class LcmProcess final : public StartedProcess {
+ public:
+  explicit LcmProcess(std::unique_ptr<os::BackgroundProgram> program)
+      : program_(std::move(program)) {}
+
+  [[nodiscard]] std::int64_t pid() const override { return program_->pid(); }
+  std::optional<ProcessEnd> Ended() override {
+    const auto end = program_->Ended();
+    if (!end) return std::nullopt;
+    if (!end->exit_code) return ProcessEnd{true, "was ended by " + end->signal};
+    return ProcessEnd{*end->exit_code != 0,
+                      "ended with exit code " + std::to_string(*end->exit_code)};
+  }
+  void Terminate() override { program_->Terminate(); }
+  void Kill() override { program_->Kill(); }
+
+ private:
+  const std::unique_ptr<os::BackgroundProgram> program_;
+};
+
+/// Where one on this host reaches it.
+std::string Reachable(std::string address) {
+  for (const auto& [any, here] :
+       {std::pair{"0.0.0.0:", "127.0.0.1:"}, std::pair{"[::]:", "[::1]:"}}) {
+    if (address.starts_with(any)) return here + address.substr(std::string(any).size());
+  }
+  return address;
+}
+
+/// The last lines of a file, as far as they fit.
+std::string EndOf(const fs::path& file) {
+  constexpr std::streamoff kMost = 400;
+  std::ifstream stream(file, std::ios::binary | std::ios::ate);
+  if (!stream) return {};
+  const std::streamoff size = stream.tellg();
+  stream.seekg(std::max<std::streamoff>(0, size - kMost));
+  std::string text(static_cast<std::size_t>(std::min(size, kMost)), '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  while (text.ends_with('\n')) text.pop_back();
+  const std::size_t line = size > kMost ? text.find('\n') : text.npos;
+  if (line != text.npos) text.erase(0, line + 1);
+  std::string lines;
+  for (const char letter : text)
+    lines += letter == '\n' ? std::string(" | ") : std::string(1, letter);
+  return Printable(lines);
+}
+
+}  // namespace
+
+LcmLauncher::LcmLauncher(Launch launch, const std::string& gcm, fs::path folder)
+    : launch_(std::move(launch)), gcm_(Reachable(gcm)), folder_(std::move(folder)) {}
+
+fs::path LcmLauncher::FileOf(const std::string& process, const std::string& ending) const {
+  return folder_ / (process + ending);
+}
+
+Result<std::shared_ptr<StartedProcess>> LcmLauncher::Start(const Order& order) {
+  if (launch_.program.empty()) {
+    return Error{ErrorCode::kFailed,
+                 "this GCM starts no processes; start it by hand: lcm --name " + order.process};
+  }
+  std::error_code reason;
+  if (!fs::is_regular_file(launch_.program, reason)) {
+    return Error{ErrorCode::kFailed, "there is no " + launch_.program.string() +
+                                         ": a GCM starts the lcm that lies beside its own program; "
+                                         "install it there"};
+  }
+  fs::create_directories(folder_, reason);
+  fs::permissions(folder_, fs::perms::owner_all, reason);
+  std::vector<std::string> words = {
+      "--name", order.process, "--gcm", gcm_, "--timeout", std::to_string(order.patience.count())};
+  for (std::string& word : launch_.options(order.process)) words.push_back(std::move(word));
+  if (order.system) {
+    const fs::path file = FileOf(order.process, ".json");
+    if (auto written = WriteSystemFile(file, *order.system); !written) return written.error();
+    words.insert(words.end(), {"--system", file.string()});
+  }
+  const fs::path log = FileOf(order.process, ".log");
+  fs::rename(log, FileOf(order.process, ".log.1"), reason);
+  auto program = os::BackgroundProgram::Start(launch_.program, words, log);
+  if (!program) return program.error();
+  return std::shared_ptr<StartedProcess>(std::make_shared<LcmProcess>(*std::move(program)));
+}
+
+Traces LcmLauncher::TracesOf(const std::string& process) {
+  const fs::path log = FileOf(process, ".log");
+  return {EndOf(log), log.string()};
+}
+
+}  // namespace tendon::server

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <tendon/gcm/supervisor/launch.h>
+#include <tendon/gcm/supervisor/launcher.h>
+
+#include <filesystem>
+#include <string>
+
+namespace tendon::server {
+
+/// Starts `lcm` programs, in sessions of their own: what a terminal sends to us does not reach
+/// them. Each has in the folder a log (NAME.log), that of the one before it (NAME.log.1), and,
+/// where it was started with components, their system file (NAME.json).
+class LcmLauncher final : public Launcher {
+ public:
+  /// `gcm` is where a GCM listens, `folder` of this user alone.
+  LcmLauncher(Launch launch, const std::string& gcm, std::filesystem::path folder);
+
+  Result<std::shared_ptr<StartedProcess>> Start(const Order& order) override;
+  Traces TracesOf(const std::string& process) override;
+
+ private:
+  [[nodiscard]] std::filesystem::path FileOf(const std::string& process,
+                                             const std::string& ending) const;
+
+  const Launch launch_;
+  const std::string gcm_;
+  const std::filesystem::path folder_;
+};
+
+}  // namespace tendon::server

@@ -1,0 +1,306 @@
+#include <tendon/base/log.h>
+#include <tendon/base/os/process.h>
+#include <tendon/gcm/lookup.h>
+#include <tendon/gcm/supervisor/supervisor.h>
+#include <tendon/gcm/system/running_system.h>
+#include <tendon/gcm/text/wall_time.h>
+#include <tendon/middleware/hello.h>
+#include <tendon/payload/json.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace tendon::server {
+namespace {
+
+using std::chrono::milliseconds;
+
+/// Until one that did not come to join is killed.
+constexpr std::chrono::seconds kLongestEnd(2);
+
+milliseconds PatienceOf(std::chrono::nanoseconds asked) {
+  constexpr milliseconds kUsual(6000);
+  constexpr std::chrono::hours kLongest(1);
+  if (asked <= std::chrono::nanoseconds(0)) return kUsual;
+  return std::chrono::ceil<milliseconds>(std::min<std::chrono::nanoseconds>(asked, kLongest));
+}
+
+std::string Quoted(const std::string& process) { return "process '" + process + "'"; }
+
+Error Refused(const std::string& process, const std::string& why) {
+  return {ErrorCode::kFailed, Quoted(process) + " " + why};
+}
+
+}  // namespace
+
+Supervisor::Supervisor(Parts parts, Locked locked)
+    : parts_(std::move(parts)), locked_(std::move(locked)) {}
+
+void Supervisor::Obey(const message::ProcessOrder& order, const std::string& who, Done done) {
+  if (auto valid = CheckName("process", order.process); !valid) {
+    return Answer(std::move(done), valid.error());
+  }
+  if (order.verb == ProcessVerb::kStart) return Start(order, who, std::move(done));
+  Kill(order.process, PatienceOf(order.patience), std::move(done));
+}
+
+void Supervisor::Tick() {
+  std::vector<std::string> names;  // for looking after one may drop it
+  for (const auto& [process, child] : children_) names.push_back(process);
+  for (const std::string& process : names) LookAfter(process, children_.at(process));
+}
+
+void Supervisor::NoteChange(const std::string& process) {
+  const auto child = children_.find(process);
+  if (child != children_.end()) child->second.is_changed = true;
+}
+
+void Supervisor::NoteOrder(const message::LifeOrder& order) {
+  NoteChange(order.process);
+  const auto child = children_.find(order.process);
+  if (child == children_.end() || order.verb != LifeVerb::kCreate) return;
+  const Catalog& catalog = parts_.registry.catalog();
+  if (catalog.FindComponent(order.process, order.component) != nullptr) return;  // it is refused
+  child->second.threads.erase(order.component);
+  const auto thread = FromJson<ThreadOptions>(order.thread);
+  if (!order.thread.empty() && thread) child->second.threads[order.component] = *thread;
+}
+
+Result<void> Supervisor::CheckUndo(const message::HistoryEntry& step) const {
+  const std::string& process = step.life.process;
+  if (auto ours = CheckKill(process); !ours) return ours;
+  const ProcessEntry* entry = parts_.registry.catalog().FindProcess(process);
+  if (entry == nullptr || entry->components.empty()) return {};
+  return Refused(process, "has components since, such as " + entry->components.begin()->first);
+}
+
+void Supervisor::Undo(const message::HistoryEntry& step, std::chrono::nanoseconds patience,
+                      Done done) {
+  Kill(step.life.process, PatienceOf(patience), std::move(done));
+}
+
+void Supervisor::Start(const message::ProcessOrder& order, const std::string& who, Done done) {
+  if (auto free = CheckStart(order.process); !free) return Answer(std::move(done), free.error());
+  Child& child = children_[order.process];
+  child = {.restart = order.restart,
+           .patience = PatienceOf(order.patience),
+           .who = who,
+           .done = std::move(done)};
+  Launch(order.process, child);
+}
+
+/// One that waits to be started again is started at once, and anew.
+Result<void> Supervisor::CheckStart(const std::string& process) const {
+  if (process == kGcmName) {
+    return Error{ErrorCode::kInvalid,
+                 "'" + process + "' is the name of the GCM itself; choose another one"};
+  }
+  const auto* const entry = parts_.registry.catalog().FindProcess(process);
+  if (entry != nullptr && IsPresent(entry->process)) {
+    return Error{ErrorCode::kExists, Quoted(process) + " is there already: host " +
+                                         entry->process.host + " pid " +
+                                         std::to_string(entry->process.pid)};
+  }
+  const auto child = children_.find(process);
+  if (child == children_.end() || child->second.phase == Phase::kPausing) return {};
+  const auto& program = child->second.program;
+  const std::string pid = program ? " as pid " + std::to_string(program->pid()) : "";
+  return Error{ErrorCode::kExists, Quoted(process) + " was started already" + pid +
+                                       ", but is no member; end it first: gcm kill " + process};
+}
+
+Result<void> Supervisor::CheckKill(const std::string& process) const {
+  const auto found = children_.find(process);
+  if (found != children_.end()) {
+    const Child& child = found->second;
+    if (child.is_unwanted) return Refused(process, "is being ended already");
+    const bool is_between = child.phase == Phase::kStarting || child.phase == Phase::kEnded ||
+                            child.phase == Phase::kExamining;
+    if (is_between) return Refused(process, "is just starting or ending by itself; try again");
+    return {};
+  }
+  const auto entry = LookUpProcess(parts_.registry.catalog(), process);
+  if (!entry) return entry.error();
+  const ProcessDescription& description = (*entry)->process;
+  if (!IsPresent(description)) return Refused(process, "is gone already");
+  return Refused(process, "was not started by this GCM: end it where it was started, or on host " +
+                              description.host + " by: kill " + std::to_string(description.pid));
+}
+
+void Supervisor::Kill(const std::string& process, milliseconds patience, Done done) {
+  if (auto ours = CheckKill(process); !ours) return Answer(std::move(done), ours.error());
+  Child& child = children_.at(process);
+  if (child.phase == Phase::kPausing) {
+    Drop(process, "was told to end, and is not started again");
+    return Answer(std::move(done), None{});
+  }
+  if (child.done) Answer(child.done, Refused(process, "was told to end before it had joined"));
+  child.done = std::move(done);
+  child.is_unwanted = true;
+  child.phase = Phase::kEnding;
+  child.until = parts_.clock.Now() + patience;
+  child.program->Terminate();
+}
+
+void Supervisor::Launch(const std::string& process, Child& child) {
+  child.phase = Phase::kStarting;
+  child.is_changed = false;
+  child.reproach.clear();
+  const Launcher::Order order{process, child.patience, child.system};
+  worker_.Post([launcher = parts_.launcher, locked = locked_, order] {
+    const auto program = launcher->Start(order);
+    locked([&](Supervisor& self) { self.Begin(order.process, program); });
+  });
+}
+
+void Supervisor::Begin(const std::string& process,
+                       const Result<std::shared_ptr<StartedProcess>>& program) {
+  Child& child = children_.at(process);  // which nobody ends in the meantime
+  if (!program && child.is_known) return Drop(process, program.error().message);
+  if (!program) {
+    Answer(child.done, program.error());
+    children_.erase(process);
+    return;
+  }
+  child.program = *program;
+  child.phase = Phase::kJoining;
+  child.begin = parts_.clock.Now();
+  child.until = child.begin + child.patience;
+}
+
+void Supervisor::LookAfter(const std::string& process, Child& child) {
+  const bool has_program = child.phase == Phase::kJoining || child.phase == Phase::kRunning ||
+                           child.phase == Phase::kEnding;
+  if (has_program) {
+    if (const auto end = child.program->Ended()) {
+      child.end = *end;
+      child.phase = Phase::kEnded;
+    }
+  }
+  const bool is_over = parts_.clock.Now() >= child.until;
+  switch (child.phase) {
+    case Phase::kJoining:
+      if (IsMember(process, child)) return Joined(process, child);
+      if (is_over)
+        Reproach(child, "has not joined within " + std::to_string(child.patience.count()) + " ms");
+      return;
+    case Phase::kEnding:
+      if (is_over) child.program->Kill();
+      return;
+    case Phase::kEnded:
+      if (!IsMember(process, child)) Examine(process, child);
+      return;
+    case Phase::kPausing:
+      if (is_over) Launch(process, child);
+      return;
+    case Phase::kStarting:
+    case Phase::kRunning:
+    case Phase::kExamining:
+      return;
+  }
+}
+
+void Supervisor::Joined(const std::string& process, Child& child) {
+  child.phase = Phase::kRunning;
+  child.is_known = true;
+  if (!child.done) return;
+  message::HistoryEntry step{.verb = std::string(ToString(ProcessVerb::kStart)),
+                             .life = {.process = process},
+                             .who = child.who,
+                             .when = WallTime(),
+                             .instance = InstanceOf(parts_.registry.catalog(), process)};
+  parts_.history.Record(std::move(step),
+                        [done = std::exchange(child.done, nullptr)] { done(None{}); });
+}
+
+/// It is no use as it is.
+void Supervisor::Reproach(Child& child, const std::string& why) {
+  child.reproach = why;
+  child.phase = Phase::kEnding;
+  child.until = parts_.clock.Now() + kLongestEnd;
+  child.program->Terminate();
+}
+
+void Supervisor::Examine(const std::string& process, Child& child) {
+  child.phase = Phase::kExamining;
+  worker_.Post([launcher = parts_.launcher, locked = locked_, process] {
+    const Traces traces = launcher->TracesOf(process);
+    locked([&](Supervisor& self) { self.Judge(process, traces); });
+  });
+}
+
+/// What is to come of one that has ended.
+void Supervisor::Judge(const std::string& process, const Traces& traces) {
+  Child& child = children_.at(process);
+  const std::string log = "; its log: " + traces.log;
+  const bool has_done_wrong = !child.reproach.empty();
+  if (child.is_unwanted || !child.is_known) {
+    const std::string why = has_done_wrong ? child.reproach + ", so it was ended again"
+                                           : child.end.how + " before it had joined";
+    const std::string words =
+        traces.last_words.empty() ? "" : "; it said last: " + traces.last_words;
+    Answer(child.done,
+           child.is_unwanted ? Result<None>(None{}) : Refused(process, why + words + log));
+    children_.erase(process);
+    return;
+  }
+  if (!child.end.is_failure && !has_done_wrong) return Drop(process, child.end.how + " by itself");
+  const std::string how = (has_done_wrong ? child.reproach : child.end.how) + log;
+  if (child.restart == RestartPolicy::kNever) {
+    return Drop(process, how + "; it is not started again (restart never)");
+  }
+  StartAgain(process, child, how);
+}
+
+void Supervisor::StartAgain(const std::string& process, Child& child, const std::string& how) {
+  const SteadyTime now = parts_.clock.Now();
+  const auto pause = child.schedule.PauseAfter(child.begin, now);
+  if (!pause) {
+    return Drop(process, how + "; it is not started again, for it has failed " +
+                             std::to_string(RestartSchedule::kMostFailures) +
+                             " times within a minute; when it is mended: gcm apply");
+  }
+  Tell(process, how + "; it is started again in " + std::to_string(pause->count()) + " ms");
+  if (child.is_changed || !child.system) child.system = SystemWith(process, child);
+  child.phase = Phase::kPausing;
+  child.until = now + *pause;
+}
+
+void Supervisor::Drop(const std::string& process, const std::string& how) {
+  Tell(process, how);
+  children_.erase(process);
+}
+
+/// The log, and who looks at the process.
+void Supervisor::Tell(const std::string& process, const std::string& what) {
+  if (parts_.registry.Explain(process, what)) return;  // which is logged
+  parts_.outbox.Add(
+      [text = Quoted(process) + " " + what] { Log(LogLevel::kWarning, "gcm", text); });
+}
+
+bool Supervisor::IsMember(const std::string& process, const Child& child) const {
+  const auto* const entry = parts_.registry.catalog().FindProcess(process);
+  return entry != nullptr && IsPresent(entry->process) &&
+         entry->process.pid == child.program->pid() && entry->process.host == os::HostName();
+}
+
+/// All that was known of the process before it ended; nothing where that is nothing.
+std::optional<SystemFile> Supervisor::SystemWith(const std::string& process,
+                                                 const Child& child) const {
+  SystemFile system = SystemOf(parts_.registry.catalog(), process, Gone::kIncluded).file;
+  for (SystemFile::Process& one : system.processes) {
+    if (one.name != process) continue;
+    for (SystemFile::Component& component : one.components) {
+      const auto thread = child.threads.find(component.name);
+      if (thread != child.threads.end()) component.thread = thread->second;
+    }
+    return system;
+  }
+  return std::nullopt;
+}
+
+void Supervisor::Answer(Done done, Result<None> result) {
+  parts_.outbox.Add([done = std::move(done), result = std::move(result)] { done(result); });
+}
+
+}  // namespace tendon::server

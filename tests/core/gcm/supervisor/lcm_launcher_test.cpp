@@ -1,0 +1,110 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <tendon/gcm/supervisor/lcm_launcher.h>
+#include <tests/support/folder.h>
+#include <tests/support/wait.h>
+#include <unistd.h>
+
+namespace tendon::server {
+namespace {
+
+using namespace std::chrono_literals;  // NOLINT(google-build-using-namespace)
+using testing::HasSubstr;
+
+class LcmLauncherTest : public testing::Test {
+ protected:
+  /// What stands in for lcm.
+  void Script(const std::string& text) const {
+    home_.Write("lcm", "#!/bin/sh\n" + text + "\n");
+    std::filesystem::permissions(home_.path() / "lcm", std::filesystem::perms::owner_all);
+  }
+  [[nodiscard]] LcmLauncher Make(const std::string& gcm = "127.0.0.1:1") const {
+    return {{.program = home_.path() / "lcm",
+             .options =
+                 [](const std::string& process) {
+                   return std::vector<std::string>{"--certificate", process + ".crt"};
+                 }},
+            gcm,
+            home_.path() / "state"};
+  }
+  static ProcessEnd WaitForEndOf(StartedProcess& process) {
+    std::optional<ProcessEnd> end;
+    EXPECT_TRUE(EventuallyTrue([&] { return (end = process.Ended()).has_value(); }));
+    return end.value_or(ProcessEnd());
+  }
+
+  const test::Folder home_;
+};
+
+TEST_F(LcmLauncherTest, StartsTheProgramWithItsWordsAndKeepsWhatItSays) {
+  Script("echo \"$*\"; echo 'no GCM' >&2; exit 3");
+  LcmLauncher launcher = Make("0.0.0.0:10705");
+
+  const auto process = launcher.Start({.process = "robot", .patience = 2s});
+
+  ASSERT_TRUE(process) << process.error().message;
+  const ProcessEnd end = WaitForEndOf(**process);
+  EXPECT_TRUE(end.is_failure);
+  EXPECT_EQ(end.how, "ended with exit code 3");
+  EXPECT_EQ(launcher.TracesOf("robot").last_words,
+            "--name robot --gcm 127.0.0.1:10705 --timeout 2000 --certificate robot.crt | no GCM");
+  EXPECT_EQ(launcher.TracesOf("robot").log, (home_.path() / "state" / "robot.log").string());
+  struct stat status {};
+  ASSERT_EQ(stat((home_.path() / "state" / "robot.log").c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 0777U, 0600U);
+}
+
+TEST_F(LcmLauncherTest, AProgramHasASessionOfItsOwnAndEndsWhenItIsTold) {
+  Script("exec sleep 1000");
+  LcmLauncher launcher = Make();
+
+  const auto process = launcher.Start({.process = "robot", .patience = 2s});
+  ASSERT_TRUE(process) << process.error().message;
+  const auto pid = static_cast<pid_t>((*process)->pid());
+  EXPECT_TRUE(EventuallyTrue([&] { return getsid(pid) == pid; }));
+  EXPECT_EQ((*process)->Ended(), std::nullopt);
+
+  (*process)->Terminate();
+  EXPECT_EQ(WaitForEndOf(**process).how, "was ended by SIGTERM");
+}
+
+TEST_F(LcmLauncherTest, GivesTheProgramTheSystemThatItIsToHaveAndKeepsTheFormerLog) {
+  Script("echo \"$*\"");
+  LcmLauncher launcher = Make();
+  const auto first = launcher.Start({.process = "robot", .patience = 2s});
+  ASSERT_TRUE(first);
+  EXPECT_FALSE(WaitForEndOf(**first).is_failure);
+  SystemFile system;
+  system.processes.push_back({.name = "robot", .components = {}});
+
+  const auto process = launcher.Start({.process = "robot", .patience = 2s, .system = system});
+
+  ASSERT_TRUE(process) << process.error().message;
+  WaitForEndOf(**process);
+  const std::string file = (home_.path() / "state" / "robot.json").string();
+  EXPECT_THAT(home_.Read("state/robot.log"), HasSubstr("--system " + file + "\n"));
+  EXPECT_THAT(home_.Read("state/robot.log.1"), HasSubstr("--name robot"));
+  EXPECT_NE(ReadSystemFile(file)->FindProcess("robot"), nullptr);
+}
+
+TEST_F(LcmLauncherTest, SaysWhatIsMissing) {
+  LcmLauncher launcher = Make();
+  const auto missing = launcher.Start({.process = "robot"});
+  ASSERT_FALSE(missing);
+  EXPECT_EQ(missing.error().message,
+            "there is no " + (home_.path() / "lcm").string() +
+                ": a GCM starts the lcm that lies beside its own program; install it there");
+
+  home_.Write("lcm", "no program");
+  const auto refused = launcher.Start({.process = "robot"});
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().message, HasSubstr("cannot be run"));
+
+  LcmLauncher without({}, "127.0.0.1:1", home_.path());
+  EXPECT_EQ(without.Start({.process = "robot"}).error().message,
+            "this GCM starts no processes; start it by hand: lcm --name robot");
+}
+
+}  // namespace
+}  // namespace tendon::server
