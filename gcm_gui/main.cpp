@@ -5,6 +5,7 @@
 #include <gcm_gui/window/ui_description.h>
 #include <gcm_gui/window/watched_application.h>
 #include <program/exit_code.h>
+#include <program/lcm_launch.h>
 #include <program/network_options.h>
 
 #include <CLI/CLI.hpp>
@@ -73,7 +74,8 @@ int Run(const Options& options) {
   const bool given = !options.gcm.empty() || qEnvironmentVariableIsSet("TENDON_GCM");
   std::unique_ptr<tendon::gui::HostedGcm> hosted;
   if (!given || !options.listen.empty()) {
-    auto started = tendon::gui::HostedGcm::Start(*middleware, address);
+    auto started =
+        tendon::gui::HostedGcm::Start(*middleware, address, program::LcmLaunch(options.network));
     if (started) {
       hosted = std::move(*started);
       address = hosted->address();

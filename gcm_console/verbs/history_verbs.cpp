@@ -27,6 +27,8 @@ ordered_json ToJson(const HistoryEntry& step) {
   if (step.life.process.empty()) {
     json["required"] = ToString(step.wire.required);
     json["provided"] = ToString(step.wire.provided);
+  } else if (step.life.component.empty()) {
+    json["process"] = step.life.process;
   } else {
     json["component"] = step.life.process + "/" + step.life.component;
   }

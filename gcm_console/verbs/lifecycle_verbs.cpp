@@ -2,6 +2,7 @@
 #include <gcm_console/verb.h>
 #include <tendon/base/os/terminal.h>
 #include <tendon/gcm/life/life_plan.h>
+#include <tendon/gcm/lookup.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -163,6 +164,44 @@ Verb SteeringVerb(std::string name, std::string summary, Wording wording) {
           }};
 }
 
+/// Whether there is somebody to be ended; whose it is the GCM says.
+Result<void> CheckKill(const Catalog& catalog, const std::string& process) {
+  const auto entry = LookUpProcess(catalog, process);
+  return entry ? RequirePresent((*entry)->process) : Result<void>(entry.error());
+}
+
+Result<void> KillOne(Context& context, const std::string& process) {
+  const tendon::message::ProcessOrder order{.verb = tendon::ProcessVerb::kKill, .process = process};
+  return context.Ask<void>([&](tendon::GcmClient& client,
+                               auto handler) { client.SteerProcess(order, std::move(handler)); },
+                           tendon::GcmClient::kOrdersOfAProcess);
+}
+
+Result<ExitCode> Kill(Context& context, const Arguments& arguments) {
+  const auto client = context.Client();
+  if (!client) return client.error();
+  const Catalog catalog = (*client)->catalog();
+  std::vector<Outcome> outcomes;
+  for (const std::string& process : arguments.patterns) {
+    outcomes.push_back(
+        {process, arguments.dry_run ? CheckKill(catalog, process) : KillOne(context, process)});
+  }
+  Print(context, {LifeVerb::kStop, "kill", "ended"}, outcomes, arguments.dry_run);
+  return ExitCodeOf(outcomes);
+}
+
+Verb KillVerb() {
+  return {"kill", "end processes that the GCM has started, with all that runs in them",
+          [](CLI::App& app) -> Verb::Run {
+            auto arguments = std::make_shared<Arguments>();
+            Names(app.add_option("processes", arguments->patterns, "of the GCM's own host"),
+                  WordKind::kProcess)
+                ->required();
+            app.add_flag("--dry-run", arguments->dry_run, "say what would be done, and do nothing");
+            return [=](Context& context) { return Kill(context, *arguments); };
+          }};
+}
+
 }  // namespace
 
 std::vector<Verb> LifecycleVerbs() {
@@ -175,6 +214,7 @@ std::vector<Verb> LifecycleVerbs() {
                    {LifeVerb::kRestart, "restart", "restarted"}),
       SteeringVerb("rm", "remove components, with their connections",
                    {LifeVerb::kRemove, "remove", "removed"}),
+      KillVerb(),
   };
 }
 

@@ -1,4 +1,5 @@
 #include <gcm_console/verb.h>
+#include <program/lcm_launch.h>
 #include <tendon/base/log.h>
 #include <tendon/base/os/process.h>
 #include <tendon/base/os/termination.h>
@@ -25,8 +26,10 @@ tendon::Result<program::ExitCode> Serve(Context& context) {
   }
   auto middleware = program::MakeMiddleware(settings.network);
   if (!middleware) return middleware.error();
-  auto manager = tendon::GlobalManager::Start(
-      *middleware, {.address = settings.gcm, .state_folder = tendon::os::StateFolder()});
+  auto manager =
+      tendon::GlobalManager::Start(*middleware, {.address = settings.gcm,
+                                                 .state_folder = tendon::os::StateFolder(),
+                                                 .launch = program::LcmLaunch(settings.network)});
   if (!manager) return WithHint(manager.error());
   if (tendon::os::RunsAsRoot()) {
     tendon::Log(tendon::LogLevel::kWarning, "gcm", "runs as root, which a GCM does not need");

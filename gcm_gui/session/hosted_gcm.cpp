@@ -8,8 +8,9 @@
 namespace tendon::gui {
 
 Result<std::unique_ptr<HostedGcm>> HostedGcm::Start(const std::shared_ptr<Middleware>& middleware,
-                                                    const std::string& address) {
-  auto manager = GlobalManager::Start(middleware, {.address = address});
+                                                    const std::string& address, Launch launch) {
+  auto manager =
+      GlobalManager::Start(middleware, {.address = address, .launch = std::move(launch)});
   if (!manager) return manager.error();
   std::unique_ptr<HostedGcm> hosted(new HostedGcm(std::move(*manager)));
   try {

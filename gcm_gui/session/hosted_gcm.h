@@ -1,6 +1,7 @@
 #pragma once
 
 #include <tendon/base/result.h>
+#include <tendon/gcm/supervisor/launch.h>
 #include <tendon/middleware/middleware.h>
 
 #include <memory>
@@ -16,10 +17,10 @@ namespace tendon::gui {
 /// A GCM in this program, and this program's own process, "gcm", as its first member.
 class HostedGcm {
  public:
-  /// Errors: kExists where there is a GCM at this address already, and others of
-  /// Middleware::Listen().
+  /// `launch` is how it starts processes. Errors: kExists where there is a GCM at this address
+  /// already, and others of Middleware::Listen().
   static Result<std::unique_ptr<HostedGcm>> Start(const std::shared_ptr<Middleware>& middleware,
-                                                  const std::string& address);
+                                                  const std::string& address, Launch launch = {});
   HostedGcm(const HostedGcm&) = delete;
   HostedGcm& operator=(const HostedGcm&) = delete;
   ~HostedGcm();

@@ -1,0 +1,196 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <program/exit_code.h>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "gcm_console/system_fixture.h"
+
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+/// A GCM that starts the processes of a system file, and nothing else.
+class StartedSystemTest : public SystemFixture {
+ protected:
+  void SetUp() override {
+    home.Write("lab.json", R"({"version": 1, "name": "lab", "processes": [
+        {"name": "robot", "start": {"restart": "on-failure"}, "components": [
+          {"name": "arm", "class": "SimulatedArm", "library": "simulated_arm",
+           "thread": {"cpus": []}},
+          {"name": "ticks", "class": "Counter", "library": "counter", "state": "constructed"}]},
+        {"name": "desk", "start": {"restart": "never"}, "components": [
+          {"name": "supervisor", "class": "ArmSupervisor", "library": "arm_supervisor"}]}],
+        "connections": [
+          {"required": "desk/supervisor/Robot", "provided": "robot/arm/Control"}]})");
+    StartGcm();
+  }
+
+  /// Those that the GCM has started would run on.
+  void TearDown() override {
+    for (const auto& folder : std::filesystem::directory_iterator("/proc")) {
+      std::ifstream file(folder.path() / "cmdline", std::ios::binary);
+      const std::string words(std::istreambuf_iterator<char>(file), {});
+      const bool is_lcm = words.find("/lcm") != std::string::npos;
+      if (is_lcm && words.find(address) != std::string::npos) {
+        kill(std::stoi(folder.path().filename().string()), SIGKILL);
+      }
+    }
+  }
+
+  [[nodiscard]] std::string File() const { return (home.path() / "lab.json").string(); }
+  void Apply() const {
+    const Outcome applied = Gcm({"apply", File()});
+    ASSERT_EQ(applied.exit_code, program::kOk) << applied.out << applied.err;
+  }
+  [[nodiscard]] int PidOf(const std::string& process) const {
+    const std::string shown = Gcm({"show", process}).out;
+    const std::string before = "\npid\t";
+    const std::size_t at = shown.find(before);
+    return at == shown.npos ? 0 : std::stoi(shown.substr(at + before.size()));
+  }
+  /// Returns who it was.
+  int Kill(const std::string& process) const {
+    const int pid = PidOf(process);
+    if (pid <= 1) throw std::runtime_error("no process " + process);
+    kill(pid, SIGKILL);
+    return pid;
+  }
+  /// Kills it, and waits until there is another one.
+  void KillAndAwait(const std::string& process) const {
+    const int pid = Kill(process);
+    ASSERT_TRUE(EventuallyTrue([&] {
+      return PidOf(process) != pid &&
+             Gcm({"ls"}).out.find(process + "\talive") != std::string::npos;
+    })) << Gcm({"show", process}).out;
+  }
+};
+
+TEST_F(StartedSystemTest, AnApplyBringsAWholeSystemUpFromNothing) {
+  const Outcome planned = Gcm({"plan", File()});
+  EXPECT_EQ(planned.exit_code, program::kOk) << planned.err;
+  EXPECT_EQ(planned.out,
+            "  start process robot (restart on-failure)\n"
+            "  start process desk (restart never)\n"
+            "  create robot/arm (SimulatedArm of simulated_arm)\n"
+            "  create robot/ticks (Counter of counter)\n"
+            "  create desk/supervisor (ArmSupervisor of arm_supervisor)\n"
+            "  connect desk/supervisor/Robot -> robot/arm/Control\n"
+            "  start robot/arm\n"
+            "  start desk/supervisor\n");
+
+  const Outcome applied = Gcm({"apply", File()});
+
+  EXPECT_EQ(applied.exit_code, program::kOk) << applied.err;
+  EXPECT_THAT(applied.out,
+              testing::StartsWith("1/8  ok   start process robot (restart on-failure)\n"));
+  EXPECT_TRUE(EventuallySays({"get", "robot/arm/state.Joints"}, "position"));
+  EXPECT_TRUE(EventuallySays({"ls", "desk/supervisor"}, "-> robot/arm/Control\n"));
+  EXPECT_EQ(Gcm({"apply", File()}).out, "");
+  EXPECT_EQ(Gcm({"diff", File()}).out, "");
+  EXPECT_THAT(Gcm({"history"}).out, HasSubstr("\tgcm apply\t"));
+  EXPECT_THAT(Gcm({"history"}).out, HasSubstr("start robot\n"));
+  ASSERT_EQ(Gcm({"save", File()}).exit_code, program::kOk);
+  const json saved = json::parse(home.Read("lab.json"));
+  EXPECT_EQ(saved["processes"][1]["start"], (json{{"restart", "on-failure"}}));
+}
+
+TEST_F(StartedSystemTest, AProcessThatIsKilledComesBackAsItWas) {
+  Apply();
+  ASSERT_EQ(Gcm({"start", "robot/ticks"}).exit_code, program::kOk);
+  ASSERT_EQ(Gcm({"suspend", "robot/arm"}).exit_code, program::kOk);
+  const std::string before = Gcm({"tree"}).out;
+
+  KillAndAwait("robot");
+
+  EXPECT_TRUE(EventuallyTrue([&] { return Gcm({"tree"}).out == before; }))
+      << before << "became" << Gcm({"tree"}).out;
+  EXPECT_THAT(Gcm({"log"}).out, HasSubstr("was ended by SIGKILL"));
+  EXPECT_TRUE(EventuallySays({"ls", "desk/supervisor"}, "-> robot/arm/Control\n"));
+  KillAndAwait("robot");  // this time nothing was ordered in between
+  EXPECT_TRUE(EventuallyTrue([&] { return Gcm({"tree"}).out == before; })) << Gcm({"tree"}).out;
+}
+
+TEST_F(StartedSystemTest, AProcessThatIsToRestartNeverStaysEnded) {
+  Apply();
+
+  Kill("desk");
+
+  EXPECT_TRUE(EventuallySays({"show", "desk"}, "it is not started again (restart never)"));
+  Apply();
+  EXPECT_TRUE(EventuallySays({"ls", "desk/supervisor"}, "-> robot/arm/Control\n"));
+}
+
+TEST_F(StartedSystemTest, AProcessThatIsToldToEndStaysEnded) {
+  Apply();
+  EXPECT_EQ(Gcm({"kill", "robot", "--dry-run"}).out, "robot\twould be ended\n");
+
+  const Outcome killed = Gcm({"kill", "robot", "rob"});
+
+  EXPECT_EQ(killed.exit_code, program::kPartial);
+  EXPECT_EQ(killed.out, "robot\tended\n");
+  EXPECT_THAT(killed.err, HasSubstr("gcm: rob: no process 'rob'"));
+  EXPECT_THAT(Gcm({"ls"}).out, HasSubstr("robot\tleft"));
+  EXPECT_EQ(Gcm({"kill", "robot"}).err, "gcm: robot: process 'robot' is gone already\n");
+  EXPECT_EQ(Gcm({"--read-only", "kill", "desk"}).exit_code, program::kDenied);
+  Apply();
+  EXPECT_TRUE(EventuallySays({"ls", "desk/supervisor"}, "-> robot/arm/Control\n"));
+}
+
+TEST_F(StartedSystemTest, WhatTheGcmHasStartedRunsOnWithoutIt) {
+  Apply();
+  const int robot = PidOf("robot");
+  gcm->Signal(SIGTERM);
+  ASSERT_EQ(gcm->Wait(), 0) << gcm->err();
+
+  StartGcm();
+
+  ASSERT_TRUE(EventuallySays({"ls"}, "robot\talive"));
+  ASSERT_TRUE(EventuallySays({"ls", "desk/supervisor"}, "-> robot/arm/Control\n"));
+  EXPECT_EQ(PidOf("robot"), robot);
+  EXPECT_EQ(Gcm({"apply", File()}).out, "");
+  const Outcome refused = Gcm({"kill", "robot"});
+  EXPECT_EQ(refused.exit_code, program::kRefused);
+  EXPECT_THAT(refused.err, HasSubstr("was not started by this GCM: end it where it was started"));
+  EXPECT_THAT(refused.err, HasSubstr("by: kill " + std::to_string(robot)));
+}
+
+TEST_F(StartedSystemTest, UndoTakesAllBackUpToTheProcess) {
+  json file = json::parse(home.Read("lab.json"));
+  file["processes"].erase(1);
+  file["connections"] = json::array();
+  home.Write("lab.json", file.dump());
+  Apply();
+
+  const Outcome undone = Gcm({"undo", "4"});
+
+  EXPECT_EQ(undone.exit_code, program::kOk) << undone.err;
+  EXPECT_EQ(undone.out,
+            "undone: start robot/arm\nundone: create robot/ticks\nundone: create robot/arm\n"
+            "undone: start robot\n");
+  EXPECT_THAT(Gcm({"ls"}).out, HasSubstr("robot\tleft"));
+}
+
+TEST_F(StartedSystemTest, AProcessThatCannotBeStartedIsSaidWithItsLog) {
+  const auto other = std::make_unique<Program>(
+      Program::Words{Binary("lcm"), "--name", "desk", "--gcm", address, "--timeout", kPatience});
+  ASSERT_TRUE(EventuallySays({"ls"}, "desk\talive"));
+  const auto folder = home.path() / "tendon" / ("processes-127.0.0.1-" + port);
+  std::filesystem::create_directories(folder / "robot.log");  // no file can be there
+  std::filesystem::create_directories(folder / "robot.log.1" / "full");
+
+  const Outcome applied = Gcm({"apply", File()});
+
+  EXPECT_EQ(applied.exit_code, program::kRefused) << applied.err;
+  EXPECT_THAT(applied.out, HasSubstr("1/7  BAD  start process robot (restart on-failure): "));
+  EXPECT_THAT(applied.out, HasSubstr("robot.log"));
+  EXPECT_THAT(applied.out, HasSubstr("2/7  left create robot/arm"));
+}
+
+}  // namespace
