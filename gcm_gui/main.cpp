@@ -85,8 +85,8 @@ int Run(const Options& options) {
   }
 
   tendon::gui::Session session(*middleware, address, hosted != nullptr);
-  tendon::gui::MainWindow window(
-      {session.store(), session.link(), session.activity(), session, session.liveSignals()});
+  tendon::gui::MainWindow window({session.store(), session.link(), session.activity(), session,
+                                  session.liveSignals(), session});
   if (!options.describe_ui.empty()) {
     new tendon::gui::UiDescription(window, QString::fromStdString(options.describe_ui));
   }

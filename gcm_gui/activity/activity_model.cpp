@@ -25,6 +25,8 @@ QString VerbText(Action::Verb verb) {
       return QStringLiteral("undo");
     case Action::Verb::kForget:
       return QStringLiteral("forget");
+    case Action::Verb::kCall:
+      return QStringLiteral("call");
   }
   return {};
 }
@@ -64,6 +66,7 @@ const Action& ActivityModel::action(int row) const {
 
 QString ActivityModel::object(const Action& action) const {
   if (!action.process.empty()) return ToQString(action.process);
+  if (!action.command.isEmpty()) return (action.command + ' ' + action.argument).trimmed();
   if (action.required.interface.empty()) return {};
   if (action.provided.interface.empty()) return Name(action.required);
   return Name(action.required) + QStringLiteral(" → ") + Name(action.provided);
@@ -98,6 +101,7 @@ QVariant ActivityModel::data(const QModelIndex& index, int role) const {
     case Qt::ToolTipRole:
       return outcome(action);
     case kPathRole:
+      if (!action.command.isEmpty()) return action.command;
       return action.required.interface.empty() ? ToQString(action.process) : Name(action.required);
     case Qt::AccessibleTextRole:
       return QStringList{VerbText(action.verb), object(action), outcome(action)}.join(' ');
@@ -118,6 +122,8 @@ QString ActivityModel::command(int row) const {
           .arg(Name(action.required), Name(action.provided));
     case Action::Verb::kUndo:
       return QStringLiteral("gcm undo");
+    case Action::Verb::kCall:
+      return CallLine(action.command, action.argument);
     case Action::Verb::kForget:
       break;
   }

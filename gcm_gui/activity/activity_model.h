@@ -13,13 +13,15 @@ namespace tendon::gui {
 
 /// One thing the user did to the system, and what came of it.
 struct Action {
-  enum class Verb { kConnect, kDisconnect, kReplace, kUndo, kForget };
+  enum class Verb { kConnect, kDisconnect, kReplace, kUndo, kForget, kCall };
   enum class Outcome { kRunning, kDone, kRefused };
 
   Verb verb = Verb::kConnect;
   InterfaceName required;  ///< of connect, disconnect and replace; of undo once it is known
   InterfaceName provided;
   std::string process;  ///< of forget
+  QString command;      ///< of call: its path
+  QString argument;     ///< of call: JSON
 
   Outcome outcome = Outcome::kRunning;
   QString refusal;        ///< why it was refused

@@ -1,3 +1,4 @@
+#include <gcm_gui/call/call_panel.h>
 #include <gcm_gui/inspector/component_connections.h>
 #include <gcm_gui/inspector/inspector.h>
 #include <gcm_gui/models/row_roles.h>
@@ -79,14 +80,15 @@ QList<Fact> TimingFacts(double period, const CycleFigures& figures) {
 
 Inspector::Inspector(const CatalogueStore& store, ConnectionsModel& connections,
                      Selection& selection, SignalSource& source, SystemActions& actions,
-                     QWidget* parent)
+                     CommandCalls& calls, QWidget* parent)
     : QWidget(parent),
       store_(store),
       selection_(selection),
       source_(source),
       actions_(actions),
       figures_(source),
-      connections_(new ComponentConnections(connections, this)) {
+      connections_(new ComponentConnections(connections, this)),
+      call_(new CallPanel(calls)) {
   setObjectName(QStringLiteral("inspector"));
   setAccessibleName(QStringLiteral("Inspector"));
   setAutoFillBackground(true);
@@ -154,7 +156,7 @@ QWidget* Inspector::buildComponentPage() {
   column->setSpacing(0);
   component_facts_ = new FactGrid;
   tabs_ = new TabPanel(QStringLiteral("inspectorTabs"));
-  tabs_->addPage(buildInterfaces(), QStringLiteral("Interfaces"));
+  interfaces_page_ = tabs_->addPage(buildInterfaces(), QStringLiteral("Interfaces"));
   values_page_ = tabs_->addPage(buildValues(), QStringLiteral("Values"));
   tabs_->addPage(buildConnections(), QStringLiteral("Connections"));
   connect(tabs_, &TabPanel::currentChanged, this, &Inspector::watchValues);
@@ -163,7 +165,7 @@ QWidget* Inspector::buildComponentPage() {
   return page;
 }
 
-RowView* Inspector::buildInterfaces() {
+QWidget* Inspector::buildInterfaces() {
   interface_list_ = MakeRowList(interfaces_, QStringLiteral("inspector.interfaces"),
                                 QStringLiteral("This component has no interfaces."));
   connect(interface_list_, &QTreeView::clicked, this, [this](const QModelIndex& index) {
@@ -172,7 +174,18 @@ RowView* Inspector::buildInterfaces() {
   });
   connect(&interfaces_, &QAbstractItemModel::rowsInserted, this,
           [this](const QModelIndex&, int first, int last) { addLinks(first, last); });
-  return interface_list_;
+  connect(interface_list_, &QTreeView::activated, this, [this](const QModelIndex& index) {
+    if (interfaces_.row(index.row()).kind != InterfaceRow::Kind::kMember) return;
+    selection_.select(index.data(kPathRole).toString());
+    focusCall();
+  });
+  auto* page = new QWidget;
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(interface_list_, 1);
+  column->addWidget(call_);
+  return page;
 }
 
 RowView* Inspector::buildValues() {
@@ -312,8 +325,31 @@ void Inspector::showComponent(const ProcessEntry& entry, const ComponentDescript
   connections_->setComponent(entry.process.name, component.name);
   figures_.show(HasCycle(component) && !gone ? path : QString());
   pages_->setCurrentIndex(kComponentPage);
+  showCall(entry, component);
   showFigures();
   watchValues();
+}
+
+void Inspector::showCall(const ProcessEntry& entry, const ComponentDescription& component) {
+  const auto path = ParsePath(selection_.current().toStdString());
+  const auto provided = std::find_if(component.provided.begin(), component.provided.end(),
+                                     [&](const auto& one) { return one.name == path->interface; });
+  if (provided == component.provided.end()) return call_->showNothing();
+  const auto command = std::find_if(provided->commands.begin(), provided->commands.end(),
+                                    [&](const auto& one) { return one.name == path->member; });
+  if (command == provided->commands.end()) return call_->showNothing();
+  call_->showCommand(selection_.current(), *command);
+  call_->setCareful(!command->hazard.empty() && component.state == ComponentState::kActive);
+  call_->setUnavailable(IsGone(entry.process.state)
+                            ? ToQString(entry.process.name) + QStringLiteral(" does not answer")
+                            : QString());
+}
+
+bool Inspector::focusCall() {
+  if (pages_->currentIndex() != kComponentPage || call_->isHidden()) return false;
+  tabs_->setCurrent(interfaces_page_);
+  call_->focusFirst();
+  return true;
 }
 
 void Inspector::showFigures() {

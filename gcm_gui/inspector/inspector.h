@@ -6,6 +6,7 @@
 #include <gcm_gui/models/connections_model.h>
 #include <gcm_gui/models/selection.h>
 #include <gcm_gui/session/catalogue_store.h>
+#include <gcm_gui/session/command_calls.h>
 #include <gcm_gui/session/signal_source.h>
 #include <gcm_gui/session/system_actions.h>
 
@@ -18,6 +19,7 @@ class QStackedWidget;
 
 namespace tendon::gui {
 
+class CallPanel;
 class ComponentConnections;
 class FactGrid;
 class RowView;
@@ -31,7 +33,11 @@ class Inspector : public QWidget {
 
  public:
   Inspector(const CatalogueStore& store, ConnectionsModel& connections, Selection& selection,
-            SignalSource& source, SystemActions& actions, QWidget* parent = nullptr);
+            SignalSource& source, SystemActions& actions, CommandCalls& calls,
+            QWidget* parent = nullptr);
+
+  /// Where the argument of the selected command is entered; false where none is selected.
+  bool focusCall();
 
  public Q_SLOTS:
   /// Nothing is known any more of states and connections; values go on.
@@ -46,12 +52,14 @@ class Inspector : public QWidget {
   QWidget* buildHead();
   QWidget* buildComponentPage();
   QWidget* buildProcessPage();
-  RowView* buildInterfaces();
+  QWidget* buildInterfaces();
   RowView* buildValues();
   RowView* buildConnections();
   void refresh();
   void showComponent(const ProcessEntry& process, const ComponentDescription& component);
   void showProcess(const ProcessEntry& process);
+  /// The form of the command that is selected, if one is.
+  void showCall(const ProcessEntry& process, const ComponentDescription& component);
   void showNothing(const QString& text);
   void showFigures();
   void watchValues();
@@ -76,8 +84,10 @@ class Inspector : public QWidget {
   QPushButton* forget_;
   QLabel* nothing_;
   RowView* interface_list_;
+  CallPanel* call_;
   TabPanel* tabs_;
   QStackedWidget* pages_;
+  int interfaces_page_ = 0;
   int values_page_ = 0;
   QString shown_component_;
   double wanted_period_ = 0;  // s

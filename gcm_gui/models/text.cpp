@@ -99,6 +99,12 @@ QString TypesText(const MemberDescription& member, TypeNames names) {
   return out.isEmpty() ? in : in + QStringLiteral(" → ") + out;
 }
 
+QString CallLine(const QString& path, const QString& json) {
+  const QString line = QStringLiteral("gcm call ") + path;
+  if (json.isEmpty()) return line;
+  return line + QStringLiteral(" '") + QString(json).replace('\'', QStringLiteral("'\\''")) + '\'';
+}
+
 std::int64_t WallClock() {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(
              std::chrono::system_clock::now().time_since_epoch())

@@ -46,6 +46,9 @@ struct Quantity {
 enum class TypeNames { kShort, kWhole };
 [[nodiscard]] QString TypesText(const MemberDescription& member, TypeNames names);
 
+/// The line that calls it in a terminal: "gcm call robot/arm/Control.MoveTo '{...}'".
+[[nodiscard]] QString CallLine(const QString& path, const QString& json);
+
 /// Now, in ns since 1970, as ProcessDescription::since counts.
 [[nodiscard]] std::int64_t WallClock();
 

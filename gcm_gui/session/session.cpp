@@ -182,4 +182,27 @@ void Session::forget(const std::string& process) {
   });
 }
 
+void Session::findSchema(const std::string& process, Fingerprint type, SchemaHandler handler) {
+  client_->GetSchema(process, type, [courier = courier_, handler](const auto& schema) {
+    courier->post([handler, schema] { handler(schema); });
+  });
+}
+
+void Session::callCommand(const std::string& path, const std::string& argument,
+                          AnswerHandler handler) {
+  Action action;
+  action.verb = Action::Verb::kCall;
+  action.command = ToQString(path);
+  action.argument = ToQString(argument);
+  const ActivityModel::Id id = activity_.begin(std::move(action));
+  const auto start = std::chrono::steady_clock::now();
+  client_->Call(path, argument, [this, courier = courier_, id, start, handler](const auto& answer) {
+    const double seconds = SecondsSince(start);
+    courier->post([this, id, seconds, handler, answer] {
+      finish(id, seconds, RefusalOf(answer));
+      handler(answer, seconds);
+    });
+  });
+}
+
 }  // namespace tendon::gui

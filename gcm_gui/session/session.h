@@ -2,6 +2,7 @@
 
 #include <gcm_gui/activity/activity_model.h>
 #include <gcm_gui/session/catalogue_store.h>
+#include <gcm_gui/session/command_calls.h>
 #include <gcm_gui/session/courier.h>
 #include <gcm_gui/session/gcm_link.h>
 #include <gcm_gui/session/live_signals.h>
@@ -20,7 +21,7 @@ namespace tendon::gui {
 
 /// The window's one connection to the system: the only class that hears network threads. All it
 /// hears arrives in the GUI thread, in order; nothing it is asked to do waits.
-class Session : public QObject, public SystemActions {
+class Session : public QObject, public SystemActions, public CommandCalls {
   Q_OBJECT
 
  public:
@@ -38,6 +39,10 @@ class Session : public QObject, public SystemActions {
   void replaceConnection(const InterfaceName& required, const InterfaceName& provided) override;
   void undo() override;
   void forget(const std::string& process) override;
+
+  void findSchema(const std::string& process, Fingerprint type, SchemaHandler handler) override;
+  void callCommand(const std::string& path, const std::string& argument,
+                   AnswerHandler handler) override;
 
  private:
   class Listener;

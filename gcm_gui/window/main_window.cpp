@@ -122,7 +122,8 @@ QWidget* MainWindow::buildTop() {
 }
 
 QWidget* MainWindow::buildRight() {
-  inspector_ = new Inspector(parts_.store, connections_, selection_, parts_.source, parts_.actions);
+  inspector_ = new Inspector(parts_.store, connections_, selection_, parts_.source, parts_.actions,
+                             parts_.calls);
   candidates_ = new CandidatePanel(mode_);
   right_ = new QStackedWidget;
   right_->addWidget(inspector_);
@@ -193,6 +194,8 @@ void MainWindow::connectViews() {
   connect(&catalogue_->tree(), &QTreeView::clicked, this, [this](const QModelIndex& index) {
     if (mode_.active()) pickInConnectMode(index.data(kPathRole).toString());
   });
+  connect(&catalogue_->tree(), &QTreeView::activated, this,
+          [this](const QModelIndex&) { inspector_->focusCall(); });
   connect(inspector_, &Inspector::plotRequested, binding_, &PlotBinding::plotSignal);
   connect(inspector_, &Inspector::connectRequested, this, &MainWindow::startConnecting);
   connect(binding_, &PlotBinding::notice, notice_, &NoticeLine::tell);
@@ -246,6 +249,7 @@ void MainWindow::addSystemCommands() {
   };
   add("&Connect…", Qt::Key_C, [this] { connectSelection(); });
   add("&Disconnect", Qt::Key_D, [this] { disconnectSelection(); });
+  add("C&all the command…", {}, [this] { callSelection(); });
   add("&Undo", QKeySequence::Undo, [this] { parts_.actions.undo(); });
   commands_->menu(Commands::Menu::kSystem).addSeparator();
   add("&Filter the catalogue", QKeySequence::Find, [this] { catalogue_->focusFilter(); });
@@ -323,6 +327,13 @@ void MainWindow::disconnectSelection() {
     return parts_.actions.disconnectInterface(*name);
   }
   notice_->tell(QStringLiteral("Select a connected required interface to disconnect it"));
+}
+
+void MainWindow::callSelection() {
+  panels_->reveal(*inspector_);
+  if (!inspector_->focusCall()) {
+    notice_->tell(QStringLiteral("Select a command of a provided interface to call it"));
+  }
 }
 
 void MainWindow::goTo(const QString& path) {

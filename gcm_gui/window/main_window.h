@@ -59,6 +59,8 @@ class MainWindow : public QMainWindow {
   /// Begins with the selected interface, or with the next unconnected one of the component.
   void connectSelection();
   void disconnectSelection();
+  /// Where the selected command is called.
+  void callSelection();
   void revealSelection();
   /// Selects it, and brings it into sight.
   void goTo(const QString& path);

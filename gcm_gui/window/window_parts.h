@@ -4,6 +4,7 @@ namespace tendon::gui {
 
 class ActivityModel;
 class CatalogueStore;
+class CommandCalls;
 class GcmLink;
 class SignalSource;
 class SystemActions;
@@ -16,6 +17,7 @@ struct WindowParts {
   ActivityModel& activity;
   SystemActions& actions;
   SignalSource& source;
+  CommandCalls& calls;
 };
 
 }  // namespace tendon::gui

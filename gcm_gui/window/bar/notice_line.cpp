@@ -51,6 +51,8 @@ void NoticeLine::hear(const Action& finished) {
       return tell(QStringLiteral("Undone in %1").arg(time));
     case Action::Verb::kForget:
       return tell(QStringLiteral("Forgotten"));
+    case Action::Verb::kCall:
+      return tell(QStringLiteral("Called in %1").arg(time));
   }
 }
 

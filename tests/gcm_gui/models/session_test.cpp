@@ -7,8 +7,10 @@
 
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
 #include <atomic>
 #include <functional>
+#include <optional>
 
 namespace tendon::gui {
 namespace {
@@ -102,6 +104,42 @@ TEST_F(SessionTest, WhatWasOrderedOfAComponentElsewhereIsNotTakenBackByTheWindow
 
   EXPECT_TRUE(session_->activity().action(0).refusal.contains("stop robot/plant"));
   EXPECT_EQ(robot_->Find("plant")->state(), ComponentState::kFinished);
+}
+
+TEST_F(SessionTest, TheTypeOfACommandIsFoundAndACallIsAnswered) {
+  ASSERT_TRUE(EverythingIsThere());
+  const auto& commands = Catalogue().FindProvided(kPlantControl)->commands;
+  const auto move_to = std::find_if(commands.begin(), commands.end(),
+                                    [](const auto& one) { return one.name == "MoveTo"; });
+  ASSERT_NE(move_to, commands.end());
+  std::optional<Schema> schema;
+  session_->findSchema("robot", move_to->signature.in, [&](const auto& found) { schema = *found; });
+  ASSERT_TRUE(Eventually([&] { return schema.has_value(); }));
+  EXPECT_EQ(schema->TypeName(), "plant.Move");
+
+  int answers = 0;
+  session_->callCommand("robot/plant/Control.MoveTo", R"({"number":7,"goal":[1,2,3]})",
+                        [&](const auto& answer, double) { answers += answer.ok() ? 1 : 0; });
+  ASSERT_TRUE(Eventually([&] { return answers == 1; }));
+
+  EXPECT_EQ(session_->activity().action(0).outcome, Action::Outcome::kDone);
+  EXPECT_FALSE(session_->activity().canUndo(0));
+  EXPECT_EQ(session_->activity().command(0),
+            R"(gcm call robot/plant/Control.MoveTo '{"number":7,"goal":[1,2,3]}')");
+  const auto* plant = static_cast<const plant::Plant*>(robot_->Find("plant"));
+  EXPECT_TRUE(Eventually([&] { return plant->moves.size() == 1; }));
+}
+
+TEST_F(SessionTest, ACallThatIsRefusedIsToldInTheActivityToo) {
+  ASSERT_TRUE(EverythingIsThere());
+  std::optional<Error> refusal;
+
+  session_->callCommand("robot/plant/Control.MoveTo", R"({"number":"x"})",
+                        [&](const auto& answer, double) { refusal = answer.error(); });
+  ASSERT_TRUE(Eventually([&] { return refusal.has_value(); }));
+
+  EXPECT_EQ(session_->activity().action(0).outcome, Action::Outcome::kRefused);
+  EXPECT_EQ(session_->activity().action(0).refusal, QString::fromStdString(refusal->message));
 }
 
 TEST_F(SessionTest, AConnectionIsReplacedAndThatUndoneAsOneStep) {

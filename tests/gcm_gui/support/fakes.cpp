@@ -4,6 +4,8 @@
 #include <tendon/payload/schema.h>
 #include <tendon/task/cycle_statistics.h>
 
+#include <utility>
+
 namespace tendon::gui {
 namespace {
 
@@ -27,6 +29,18 @@ void RecordingActions::replaceConnection(const InterfaceName& required,
 
 void RecordingActions::forget(const std::string& process) {
   asked.append(QStringLiteral("forget ") + QString::fromStdString(process));
+}
+
+void ScriptedCalls::findSchema(const std::string& /*process*/, Fingerprint /*type*/,
+                               SchemaHandler handler) {
+  ++asked_for_schema;
+  handler(schema);
+}
+
+void ScriptedCalls::callCommand(const std::string& path, const std::string& argument,
+                                AnswerHandler handler) {
+  calls.append(QString::fromStdString(path + ' ' + argument).trimmed());
+  answer = std::move(handler);
 }
 
 void ScriptedSignals::watch(const QObject* owner, const QSet<QString>& columns) {

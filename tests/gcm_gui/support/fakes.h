@@ -1,5 +1,6 @@
 #pragma once
 
+#include <gcm_gui/session/command_calls.h>
 #include <gcm_gui/session/signal_source.h>
 #include <gcm_gui/session/system_actions.h>
 
@@ -22,6 +23,19 @@ class RecordingActions final : public SystemActions {
   void forget(const std::string& process) override;
 
   QStringList asked;
+};
+
+/// Knows one type, and remembers the calls: "robot/arm/Control.MoveTo {...}". The test answers.
+class ScriptedCalls final : public CommandCalls {
+ public:
+  void findSchema(const std::string& process, Fingerprint type, SchemaHandler handler) override;
+  void callCommand(const std::string& path, const std::string& argument,
+                   AnswerHandler handler) override;
+
+  Result<Schema> schema = Error{ErrorCode::kTimeout, "no answer"};
+  int asked_for_schema = 0;
+  QStringList calls;
+  AnswerHandler answer;  ///< of the newest call
 };
 
 /// Remembers what is wanted of it; the test sends rows and values by its signals.

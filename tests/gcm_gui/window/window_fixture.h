@@ -28,7 +28,8 @@ class WindowFixture : public ::testing::Test {
   ActivityModel activity_;
   RecordingActions actions_;
   ScriptedSignals source_;
-  MainWindow window_{{store_, link_, activity_, actions_, source_}};
+  ScriptedCalls calls_;
+  MainWindow window_{{store_, link_, activity_, actions_, source_, calls_}};
 };
 
 }  // namespace tendon::gui

@@ -1,0 +1,330 @@
+#include <gcm_gui/call/call_panel.h>
+#include <gcm_gui/call/value_form.h>
+#include <gcm_gui/models/text.h>
+#include <gcm_gui/theme/head_row.h>
+#include <gcm_gui/theme/metrics.h>
+#include <gcm_gui/theme/theme.h>
+#include <tendon/payload/json.h>
+
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QPointer>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QShortcut>
+#include <QStackedWidget>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <chrono>
+#include <nlohmann/json.hpp>
+
+namespace tendon::gui {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kMostFormHeight = 232;
+constexpr int kJsonHeight = 120;
+constexpr int kMostAnswerLines = 8;
+constexpr std::chrono::milliseconds kHold{400};
+constexpr std::chrono::seconds kSecondKey{2};
+enum ArgumentPage { kFormPage, kJsonPage };
+
+/// One field a line, as a person reads it.
+QString Readable(const std::string& json) {
+  const Json value = Json::parse(json, nullptr, false);
+  if (!value.is_object()) return ToQString(json);
+  QStringList lines;
+  for (const auto& [name, field] : value.items()) {
+    lines << ToQString(name) + QStringLiteral(": ") + ToQString(field.dump());
+  }
+  return lines.join('\n');
+}
+
+bool TakesArgument(CommandKind kind) {
+  return kind == CommandKind::kWrite || kind == CommandKind::kQualifiedRead ||
+         kind == CommandKind::kWriteReturn;
+}
+
+QPlainTextEdit* MakeText(const QString& name, const QString& accessible_name) {
+  auto* text = new QPlainTextEdit;
+  text->setObjectName(name);
+  text->setAccessibleName(accessible_name);
+  text->setFont(Theme::instance().mono());
+  text->setTabChangesFocus(true);
+  return text;
+}
+
+void FitLines(QPlainTextEdit& text) {
+  const int lines = std::clamp(text.blockCount(), 1, kMostAnswerLines);
+  const int margins = 2 * static_cast<int>(text.document()->documentMargin());
+  text.setFixedHeight(lines * text.fontMetrics().lineSpacing() + margins + 2);
+}
+
+}  // namespace
+
+CallPanel::CallPanel(CommandCalls& calls, QWidget* parent) : QWidget(parent), calls_(calls) {
+  setObjectName(QStringLiteral("call"));
+  setAccessibleName(QStringLiteral("Call a command"));
+  build();
+  for (const int key : {Qt::Key_Return, Qt::Key_Enter}) {
+    new QShortcut(QKeySequence(Qt::CTRL | static_cast<Qt::Key>(key)), this, this,
+                  &CallPanel::callByKey, Qt::WidgetWithChildrenShortcut);
+  }
+  for (QTimer* const timer : {&hold_, &second_key_}) timer->setSingleShot(true);
+  hold_.setInterval(kHold);
+  second_key_.setInterval(kSecondKey);
+  connect(&hold_, &QTimer::timeout, this, &CallPanel::call);
+  setVisible(false);
+}
+
+void CallPanel::build() {
+  head_ = new HeadRow(QString());
+  kind_ = new QLabel;
+  SetRole(*kind_, QStringLiteral("dim mono"));
+  head_->addRight(kind_);
+  status_ = new QLabel;
+  status_->setObjectName(QStringLiteral("call.status"));
+  status_->setWordWrap(true);
+  status_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  status_->setContentsMargins(kInset, 0, kInset, 2 * kGrid);
+  answer_ = MakeText(QStringLiteral("call.answer"), QStringLiteral("Answer"));
+  answer_->setReadOnly(true);
+  answer_->setWordWrapMode(QTextOption::WrapAnywhere);
+  answer_->viewport()->setContentsMargins(0, 0, 0, 0);
+  answer_->document()->setDocumentMargin(kGrid);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(head_);
+  column->addWidget(buildArgument());
+  column->addWidget(buildButtons());
+  column->addWidget(status_);
+  column->addWidget(answer_);
+}
+
+QWidget* CallPanel::buildArgument() {
+  form_area_ = new QScrollArea;
+  form_area_->setFrameShape(QFrame::NoFrame);
+  form_area_->setWidgetResizable(true);
+  form_area_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  json_ = MakeText(QStringLiteral("call.json"), QStringLiteral("Argument as JSON"));
+  connect(json_, &QPlainTextEdit::textChanged, this, &CallPanel::check);
+  argument_ = new QStackedWidget;
+  argument_->addWidget(form_area_);
+  argument_->addWidget(json_);
+  return argument_;
+}
+
+QWidget* CallPanel::buildButtons() {
+  const auto link = [](const QString& text, const QString& name) {
+    auto* button = new QToolButton;
+    button->setText(text);
+    button->setObjectName(name);
+    button->setAccessibleName(text);
+    button->setCursor(Qt::PointingHandCursor);
+    SetRole(*button, QStringLiteral("accent"));
+    return button;
+  };
+  call_ = new QPushButton(QStringLiteral("Call"));
+  call_->setObjectName(QStringLiteral("call.call"));
+  SetRole(*call_, QStringLiteral("primary"));
+  connect(call_, &QPushButton::pressed, this, &CallPanel::press);
+  connect(call_, &QPushButton::released, this, &CallPanel::release);
+  retry_ = link(QStringLiteral("Ask again"), QStringLiteral("call.retry"));
+  connect(retry_, &QToolButton::clicked, this, &CallPanel::askForSchema);
+  as_json_ = link(QStringLiteral("JSON"), QStringLiteral("call.asJson"));
+  as_json_->setToolTip(QStringLiteral("The argument as text, instead of a form"));
+  as_json_->setCheckable(true);
+  connect(as_json_, &QToolButton::toggled, this, &CallPanel::showAsJson);
+  QToolButton* copy = link(QStringLiteral("Copy as command"), QStringLiteral("call.copy"));
+  connect(copy, &QToolButton::clicked, this, &CallPanel::copyCommand);
+  auto* widget = new QWidget;
+  auto* row = new QHBoxLayout(widget);
+  row->setContentsMargins(kInset, 2 * kGrid, kInset - 6, 2 * kGrid);
+  row->addWidget(call_);
+  row->addWidget(retry_);
+  row->addStretch();
+  row->addWidget(as_json_);
+  row->addWidget(copy);
+  return widget;
+}
+
+void CallPanel::showCommand(const QString& path, const MemberDescription& command) {
+  if (path == path_ && command == command_) return;
+  path_ = path;
+  command_ = command;
+  under_way_ = false;
+  takes_argument_ = TakesArgument(command.signature.kind);
+  head_->setTitle(QStringLiteral("Call ") + ToQString(command.name));
+  head_->setToolTip(path);
+  kind_->setText(ToQString(ToString(command.signature.kind)));
+  as_json_->setChecked(false);
+  answer_->setVisible(false);
+  tell({}, {});
+  setVisible(true);
+  askForSchema();
+}
+
+void CallPanel::showNothing() {
+  path_.clear();
+  command_ = {};
+  setVisible(false);
+}
+
+void CallPanel::askForSchema() {
+  schema_.reset();
+  retry_->setVisible(false);
+  argument_->setVisible(false);
+  as_json_->setVisible(false);
+  call_->setEnabled(!takes_argument_);
+  if (!takes_argument_) return check();
+  tell(QStringLiteral("Asking what it takes…"), QStringLiteral("dim"));
+  calls_.findSchema(path_.section('/', 0, 0).toStdString(), command_.signature.in,
+                    [panel = QPointer(this), path = path_](const Result<Schema>& schema) {
+                      if (panel != nullptr && panel->path_ == path) panel->hearSchema(schema);
+                    });
+}
+
+void CallPanel::hearSchema(const Result<Schema>& schema) {
+  if (!schema) {
+    retry_->setVisible(true);
+    return tell(ToQString(schema.error().message), QStringLiteral("bad"));
+  }
+  tell({}, {});
+  showForm(*schema);
+  check();
+}
+
+void CallPanel::showForm(const Schema& schema) {
+  schema_ = schema;
+  form_ = new ValueForm(schema);
+  form_area_->setWidget(form_);  // deletes the one before
+  form_->setAutoFillBackground(false);
+  form_area_->setFixedHeight(std::min(form_->sizeHint().height(), kMostFormHeight));
+  argument_->setFixedHeight(form_area_->height());
+  argument_->setCurrentIndex(kFormPage);
+  argument_->setVisible(true);
+  as_json_->setVisible(true);
+  if (const auto last = last_arguments_.constFind(path_); last != last_arguments_.constEnd()) {
+    form_->setJson(*last);
+  }
+  connect(form_, &ValueForm::edited, this, &CallPanel::check);
+}
+
+void CallPanel::showAsJson(bool as_json) {
+  if (form_ == nullptr) return;
+  if (as_json) {
+    const std::string text = form_->json();
+    json_->setPlainText(ToQString(Json::parse(text).dump(2)));
+  } else {
+    form_->setJson(json_->toPlainText().toStdString());
+  }
+  argument_->setCurrentIndex(as_json ? kJsonPage : kFormPage);
+  argument_->setFixedHeight(as_json ? kJsonHeight : form_area_->height());
+  check();
+}
+
+std::string CallPanel::argument() const {
+  if (!takes_argument_ || !schema_) return {};
+  return as_json_->isChecked() ? json_->toPlainText().toStdString() : form_->json();
+}
+
+void CallPanel::check() {
+  if (path_.isEmpty() || (takes_argument_ && !schema_)) return;
+  QString problem = unavailable_;
+  if (problem.isEmpty() && schema_) {
+    const auto body = FromJson(*schema_, argument());
+    if (!body) problem = ToQString(body.error().message);
+  }
+  call_->setEnabled(problem.isEmpty() && !under_way_);
+  if (!under_way_) tell(problem, QStringLiteral("warning"));
+}
+
+void CallPanel::setUnavailable(const QString& reason) {
+  if (unavailable_ == reason) return;
+  unavailable_ = reason;
+  check();
+}
+
+void CallPanel::setCareful(bool careful) {
+  careful_ = careful;
+  call_->setText(careful ? QStringLiteral("Hold to call") : QStringLiteral("Call"));
+  call_->setToolTip(careful ? QStringLiteral("It can set something in motion: hold the button for "
+                                             "0.4 s, or press Ctrl+Enter twice")
+                            : QStringLiteral("Ctrl+Enter"));
+}
+
+void CallPanel::press() {
+  if (careful_) hold_.start();
+}
+
+void CallPanel::release() {
+  if (!careful_) return call();
+  if (!hold_.isActive()) return;
+  hold_.stop();
+  tell(
+      QStringLiteral("Not called: hold the button for 0.4 s, for this can set something in motion"),
+      QStringLiteral("warning"));
+}
+
+void CallPanel::callByKey() {
+  if (careful_ && call_->isEnabled() && !second_key_.isActive()) {
+    second_key_.start();
+    return tell(QStringLiteral("Ctrl+Enter again calls it: this can set something in motion"),
+                QStringLiteral("warning"));
+  }
+  second_key_.stop();
+  call();
+}
+
+void CallPanel::call() {
+  if (!call_->isEnabled() || path_.isEmpty()) return;
+  const std::string said = argument();
+  if (takes_argument_) last_arguments_[path_] = said;
+  under_way_ = true;
+  call_->setEnabled(false);
+  answer_->setVisible(false);
+  tell(QStringLiteral("Calling…"), QStringLiteral("dim"));
+  calls_.callCommand(path_.toStdString(), said,
+                     [panel = QPointer(this), path = path_](const auto& answer, double seconds) {
+                       if (panel != nullptr && panel->path_ == path) {
+                         panel->hearAnswer(answer, seconds);
+                       }
+                     });
+}
+
+void CallPanel::hearAnswer(const Result<std::string>& answer, double seconds) {
+  under_way_ = false;
+  check();
+  if (!answer) return tell(ToQString(answer.error().message), QStringLiteral("bad"));
+  tell(QStringLiteral("Done in ") + DurationText(seconds), QStringLiteral("ok"));
+  if (answer->empty()) return;
+  answer_->setPlainText(Readable(*answer));
+  answer_->setVisible(true);
+  FitLines(*answer_);
+}
+
+void CallPanel::tell(const QString& text, const QString& role) {
+  SetRole(*status_, role);
+  status_->setText(text);
+  status_->setVisible(!text.isEmpty());
+}
+
+void CallPanel::focusFirst() {
+  if (!takes_argument_ || !schema_) return call_->setFocus();
+  if (as_json_->isChecked()) return json_->setFocus();
+  for (QWidget* const field : form_->findChildren<QWidget*>()) {
+    if ((field->focusPolicy() & Qt::TabFocus) != 0) return field->setFocus();
+  }
+}
+
+void CallPanel::copyCommand() const {
+  QGuiApplication::clipboard()->setText(CallLine(path_, ToQString(argument())));
+}
+
+}  // namespace tendon::gui

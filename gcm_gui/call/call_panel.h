@@ -1,0 +1,89 @@
+#pragma once
+
+#include <gcm_gui/session/command_calls.h>
+#include <tendon/interface/description.h>
+
+#include <QHash>
+#include <QString>
+#include <QTimer>
+#include <QWidget>
+#include <optional>
+#include <string>
+
+class QLabel;
+class QPlainTextEdit;
+class QPushButton;
+class QScrollArea;
+class QStackedWidget;
+class QToolButton;
+
+namespace tendon::gui {
+
+class HeadRow;
+class ValueForm;
+
+/// Calls one command: a form for its argument, or JSON, and below it what came of the call. What
+/// was last said to a command stands there again when it is shown the next time. Hidden while it
+/// has no command.
+class CallPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit CallPanel(CommandCalls& calls, QWidget* parent = nullptr);
+
+  /// "robot/arm/Control.MoveTo". The same command again changes nothing.
+  void showCommand(const QString& path, const MemberDescription& command);
+  void showNothing();
+  /// Where its first value is entered, or what calls it.
+  void focusFirst();
+  /// Why it cannot be called now; empty where it can.
+  void setUnavailable(const QString& reason);
+  /// A call can set something in motion: the button is held for a while, the key pressed twice.
+  void setCareful(bool careful);
+
+ private:
+  void call();
+  void callByKey();
+  void press();
+  void release();
+  void build();
+  [[nodiscard]] QWidget* buildArgument();
+  [[nodiscard]] QWidget* buildButtons();
+  void askForSchema();
+  void hearSchema(const Result<Schema>& schema);
+  void hearAnswer(const Result<std::string>& answer, double seconds);
+  void showForm(const Schema& schema);
+  void showAsJson(bool as_json);
+  /// What would be said now; empty for a command without an argument.
+  [[nodiscard]] std::string argument() const;
+  /// Says what is wrong with the argument, and keeps it from being called.
+  void check();
+  void tell(const QString& text, const QString& role);
+  void copyCommand() const;
+
+  CommandCalls& calls_;
+  QString path_;
+  MemberDescription command_;
+  std::optional<Schema> schema_;  // of the argument
+  bool takes_argument_ = false;
+  bool under_way_ = false;
+  bool careful_ = false;
+  QTimer hold_;
+  QTimer second_key_;
+  QString unavailable_;
+  QHash<QString, std::string> last_arguments_;  // by path
+
+  HeadRow* head_ = nullptr;
+  QLabel* kind_ = nullptr;
+  QStackedWidget* argument_ = nullptr;
+  QScrollArea* form_area_ = nullptr;
+  ValueForm* form_ = nullptr;
+  QPlainTextEdit* json_ = nullptr;
+  QPushButton* call_ = nullptr;
+  QToolButton* as_json_ = nullptr;
+  QToolButton* retry_ = nullptr;
+  QLabel* status_ = nullptr;
+  QPlainTextEdit* answer_ = nullptr;
+};
+
+}  // namespace tendon::gui

@@ -1,0 +1,248 @@
+#include <gcm_gui/call/call_panel.h>
+#include <gtest/gtest.h>
+
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QTest>
+#include <QToolButton>
+
+#include "support/fakes.h"
+
+namespace tendon::gui {
+namespace {
+
+const QString kMove = QStringLiteral("robot/arm/Control.Move");
+const QString kStop = QStringLiteral("robot/arm/Control.Stop");
+const QString kGet = QStringLiteral("robot/arm/Control.Get");
+
+MemberDescription CommandOf(const std::string& name, CommandKind kind) {
+  MemberDescription command;
+  command.name = name;
+  command.signature.kind = kind;
+  return command;
+}
+
+class CallPanelTest : public ::testing::Test {
+ protected:
+  CallPanelTest() {
+    calls_.schema = Schema::Structure(
+        "arm.Move",
+        {{.name = "to",
+          .unit = "rad",
+          .schema = Schema(Schema::Kind::kFloat64),
+          .range = {{-1, 1}}},
+         {.name = "mode", .unit = {}, .schema = Schema::Enum("arm.Mode", {{"a", 0}, {"b", 1}})}});
+    panel_.resize(312, 400);
+  }
+
+  void ShowMove() {
+    panel_.showCommand(kMove, CommandOf("Move", CommandKind::kWrite));
+    panel_.show();
+  }
+  void ShowStop() {
+    panel_.showCommand(kStop, CommandOf("Stop", CommandKind::kVoid));
+    panel_.show();
+  }
+  /// Keys are heard by a window that is active.
+  void Activate() {
+    panel_.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&panel_, 20000));
+  }
+  void Enter(const QString& field, const QString& text) {
+    panel_.findChild<QLineEdit*>(QStringLiteral("form.") + field)->setText(text);
+  }
+  QPushButton& Button() { return *panel_.findChild<QPushButton*>(QStringLiteral("call.call")); }
+  QString Status() { return panel_.findChild<QLabel*>(QStringLiteral("call.status"))->text(); }
+  QPlainTextEdit& Answer() {
+    return *panel_.findChild<QPlainTextEdit*>(QStringLiteral("call.answer"));
+  }
+  QToolButton& Link(const QString& name) { return *panel_.findChild<QToolButton*>(name); }
+  void Click() { QTest::mouseClick(&Button(), Qt::LeftButton); }
+
+  ScriptedCalls calls_;
+  CallPanel panel_{calls_};
+};
+
+TEST_F(CallPanelTest, SaysWhatIsEntered) {
+  ShowMove();
+  Enter("to", "0.5");
+
+  Click();
+
+  EXPECT_EQ(calls_.calls, QStringList{kMove + R"( {"to":0.5,"mode":"a"})"});
+  EXPECT_FALSE(Button().isEnabled()) << "one call at a time";
+}
+
+TEST_F(CallPanelTest, TheAnswerIsShownAFieldALine) {
+  panel_.showCommand(kGet, CommandOf("Get", CommandKind::kRead));
+  panel_.show();
+  Click();
+
+  calls_.answer(std::string(R"({"position":[1,2],"valid":true})"), 0.003);
+
+  EXPECT_EQ(Status(), "Done in 3.000 ms");
+  EXPECT_TRUE(Answer().isVisible());
+  EXPECT_EQ(Answer().toPlainText(), "position: [1,2]\nvalid: true");
+  EXPECT_TRUE(Button().isEnabled());
+}
+
+TEST_F(CallPanelTest, ARefusalIsToldInItsWords) {
+  ShowStop();
+  Click();
+
+  calls_.answer(Error{ErrorCode::kTimeout, "no answer in 1 s; it may still be executed"}, 1);
+
+  EXPECT_EQ(Status(), "no answer in 1 s; it may still be executed");
+  EXPECT_FALSE(Answer().isVisible());
+}
+
+TEST_F(CallPanelTest, WhatIsWrongIsSaidBeforeItIsCalled) {
+  ShowMove();
+
+  Enter("to", "1.5");
+
+  EXPECT_FALSE(Button().isEnabled());
+  EXPECT_TRUE(Status().startsWith("to: ")) << Status().toStdString();
+  Enter("to", "1");
+  EXPECT_TRUE(Button().isEnabled());
+  EXPECT_EQ(Status(), "");
+}
+
+TEST_F(CallPanelTest, JsonAndFormAreTheSameValue) {
+  ShowMove();
+  Enter("to", "0.25");
+
+  Link("call.asJson").click();
+  auto& json = *panel_.findChild<QPlainTextEdit*>(QStringLiteral("call.json"));
+  EXPECT_EQ(json.toPlainText(), "{\n  \"to\": 0.25,\n  \"mode\": \"a\"\n}");
+  json.setPlainText("{\"to\": 0.75, \"mode\": \"b\"");
+  EXPECT_FALSE(Button().isEnabled());
+  json.setPlainText("{\"to\": 0.75, \"mode\": \"b\"}");
+  Link("call.asJson").click();
+  Click();
+
+  EXPECT_EQ(calls_.calls, QStringList{kMove + R"( {"to":0.75,"mode":"b"})"});
+}
+
+TEST_F(CallPanelTest, WhatWasSaidLastStandsThereAgain) {
+  ShowMove();
+  Enter("to", "-0.5");
+  Click();
+  ShowStop();
+
+  ShowMove();
+
+  EXPECT_EQ(panel_.findChild<QLineEdit*>(QStringLiteral("form.to"))->text(), "-0.5");
+}
+
+TEST_F(CallPanelTest, AnAnswerThatComesLateIsNotTakenForThatOfAnotherCommand) {
+  ShowMove();
+  Click();
+  const auto late = calls_.answer;
+  ShowStop();
+
+  late(std::string("1"), 0.5);
+
+  EXPECT_EQ(Status(), "");
+  EXPECT_TRUE(Button().isEnabled());
+}
+
+TEST_F(CallPanelTest, WithoutTheTypeNothingIsCalledAndItIsAskedForAgain) {
+  const Result<Schema> known = calls_.schema;
+  calls_.schema = Error{ErrorCode::kTimeout, "no answer from robot in 2 s"};
+  ShowMove();
+  EXPECT_FALSE(Button().isEnabled());
+  EXPECT_EQ(Status(), "no answer from robot in 2 s");
+
+  calls_.schema = known;
+  Link("call.retry").click();
+
+  EXPECT_TRUE(Button().isEnabled());
+  EXPECT_FALSE(Link("call.retry").isVisible());
+  EXPECT_EQ(Status(), "");
+}
+
+TEST_F(CallPanelTest, ItIsCopiedAsTheLineOfATerminal) {
+  ShowMove();
+  Enter("to", "0.5");
+
+  Link("call.copy").click();
+
+  EXPECT_EQ(QGuiApplication::clipboard()->text(),
+            R"(gcm call robot/arm/Control.Move '{"to":0.5,"mode":"a"}')");
+}
+
+TEST_F(CallPanelTest, TheKeyCallsFromAnyField) {
+  ShowMove();
+  auto* field = panel_.findChild<QLineEdit*>(QStringLiteral("form.to"));
+  Activate();
+  panel_.focusFirst();
+  EXPECT_TRUE(field->hasFocus());
+
+  QTest::keyClick(field, Qt::Key_Return, Qt::ControlModifier);
+
+  EXPECT_EQ(calls_.calls.size(), 1);
+}
+
+TEST_F(CallPanelTest, WhatCanSetSomethingInMotionIsNotCalledByOneClick) {
+  ShowStop();
+  panel_.setCareful(true);
+
+  Click();
+
+  EXPECT_EQ(calls_.calls.size(), 0);
+  EXPECT_TRUE(Status().contains("hold the button")) << Status().toStdString();
+}
+
+TEST_F(CallPanelTest, ItIsCalledByAButtonThatIsHeld) {
+  ShowStop();
+  panel_.setCareful(true);
+
+  QTest::mousePress(&Button(), Qt::LeftButton);
+  EXPECT_EQ(calls_.calls.size(), 0);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return calls_.calls.size() == 1; }));
+  QTest::mouseRelease(&Button(), Qt::LeftButton);
+
+  EXPECT_EQ(calls_.calls.size(), 1);
+}
+
+TEST_F(CallPanelTest, OrByTheKeyPressedTwice) {
+  ShowStop();
+  Activate();
+  panel_.setCareful(true);
+
+  QTest::keyClick(&Button(), Qt::Key_Return, Qt::ControlModifier);
+  EXPECT_EQ(calls_.calls.size(), 0);
+  QTest::keyClick(&Button(), Qt::Key_Return, Qt::ControlModifier);
+
+  EXPECT_EQ(calls_.calls.size(), 1);
+}
+
+TEST_F(CallPanelTest, OfAProcessThatIsGoneNothingIsCalled) {
+  ShowStop();
+
+  panel_.setUnavailable("robot does not answer");
+
+  EXPECT_FALSE(Button().isEnabled());
+  EXPECT_EQ(Status(), "robot does not answer");
+  panel_.setUnavailable({});
+  EXPECT_TRUE(Button().isEnabled());
+}
+
+TEST_F(CallPanelTest, ItCanGoWhileACallIsUnderWay) {
+  auto panel = std::make_unique<CallPanel>(calls_);
+  panel->showCommand(kStop, CommandOf("Stop", CommandKind::kVoid));
+  QTest::mouseClick(panel->findChild<QPushButton*>(QStringLiteral("call.call")), Qt::LeftButton);
+  ASSERT_TRUE(calls_.answer);
+
+  panel.reset();
+
+  calls_.answer(std::string(), 0);  // finds nobody
+}
+
+}  // namespace
+}  // namespace tendon::gui

@@ -1,0 +1,134 @@
+#include <gcm_gui/call/value_form.h>
+#include <gtest/gtest.h>
+#include <tendon/payload/json.h>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLineEdit>
+#include <QTest>
+
+namespace tendon::gui {
+namespace {
+
+/// Of every kind, one inside the other.
+Schema GoalSchema() {
+  auto schema = Schema::Parse(R"(struct arm.Goal {
+  # Where to.
+  position: float64[5] in rad
+  @ 0.5 to 2.5
+  speed: float64 in rad/s
+  count: uint64
+  hold: bool
+  mode: enum arm.Mode {
+    off = 0
+    on = 3
+  }
+  note: string
+  after: duration
+  via: float32[]
+  frame: struct arm.Frame {
+    name: string
+    parent: int8
+  }
+}
+)");
+  EXPECT_TRUE(schema) << (schema ? "" : schema.error().message);
+  return *schema;
+}
+
+class ValueFormTest : public ::testing::Test {
+ protected:
+  template <typename Widget>
+  Widget& Find(const QString& field) {
+    auto* widget = form_.findChild<Widget*>(QStringLiteral("form.") + field);
+    EXPECT_NE(widget, nullptr) << field.toStdString();
+    return *widget;
+  }
+  QList<QLineEdit*> Cells(const QString& field) {
+    return Find<QWidget>(field).findChildren<QLineEdit*>();
+  }
+
+  const Schema schema_ = GoalSchema();
+  ValueForm form_{schema_};
+};
+
+TEST_F(ValueFormTest, BeginsWithAValueThatIsAllowed) {
+  EXPECT_EQ(form_.json(),
+            R"({"position":[0,0,0,0,0],"speed":0.5,"count":0,"hold":false,"mode":"off","note":"",)"
+            R"("after":0,"via":[],"frame":{"name":"","parent":0}})");
+  EXPECT_TRUE(FromJson(schema_, form_.json()));
+}
+
+TEST_F(ValueFormTest, WhatIsEnteredIsItsValue) {
+  int edits = 0;
+  QObject::connect(&form_, &ValueForm::edited, &form_, [&] { ++edits; });
+
+  QTest::keyClicks(Cells("position")[1], QStringLiteral(".25"));
+  Find<QLineEdit>("count").setText(QStringLiteral("18446744073709551615"));
+  Find<QCheckBox>("hold").setChecked(true);
+  Find<QComboBox>("mode").setCurrentIndex(1);
+  Find<QLineEdit>("note").setText(QStringLiteral("12"));
+  Find<QLineEdit>("via").setText(QStringLiteral("[1, 2]"));
+  Find<QLineEdit>("frame.name").setText(QStringLiteral("tool \"A\""));
+
+  EXPECT_EQ(form_.json(),
+            R"({"position":[0,0.25,0,0,0],"speed":0.5,"count":18446744073709551615,"hold":true,)"
+            R"("mode":"on","note":"12","after":0,"via":[1,2],)"
+            R"("frame":{"name":"tool \"A\"","parent":0}})");
+  EXPECT_TRUE(FromJson(schema_, form_.json()));
+  EXPECT_GE(edits, 7);
+}
+
+TEST_F(ValueFormTest, WhatIsNoNumberIsLeftToTheJudge) {
+  Find<QLineEdit>("speed").setText(QStringLiteral("fast"));
+
+  const auto body = FromJson(schema_, form_.json());
+
+  ASSERT_FALSE(body);
+  EXPECT_NE(body.error().message.find("speed: expected a number"), std::string::npos)
+      << body.error().message;
+}
+
+TEST_F(ValueFormTest, PastedNumbersFillTheCellsThatFollow) {
+  Cells("position")[1]->setText(QStringLiteral("[1.5, -2;3\t4 5 6]"));
+
+  EXPECT_EQ(form_.json().substr(0, 31), R"({"position":[0,1.5,-2,3,4],"spe)");
+}
+
+TEST_F(ValueFormTest, ShowsAValueThatItIsGiven) {
+  const std::string json =
+      R"({"position":[1,2,3,4,5.5],"speed":2.0,"count":7,"hold":true,"mode":"on","note":"a",)"
+      R"("after":0.25,"via":[0.5],"frame":{"name":"b","parent":-3}})";
+
+  form_.setJson(json);
+
+  EXPECT_EQ(form_.json(), json);
+}
+
+TEST_F(ValueFormTest, WhatDoesNotFitLeavesTheRestAsItWas) {
+  const std::string before = form_.json();
+
+  form_.setJson(R"({"position":7,"frame":[],"other":1})");
+  form_.setJson("no JSON");
+
+  EXPECT_EQ(form_.json(), before);
+}
+
+TEST_F(ValueFormTest, EveryFieldHasANameForThoseWhoCannotSeeIt) {
+  for (const QLineEdit* line : form_.findChildren<QLineEdit*>()) {
+    EXPECT_FALSE(line->accessibleName().isEmpty()) << line->objectName().toStdString();
+  }
+  EXPECT_EQ(Cells("position")[4]->accessibleName(), "position[4]");
+  EXPECT_EQ(Find<QLineEdit>("frame.parent").accessibleName(), "frame.parent");
+}
+
+TEST(ValueFormOfANumber, IsOneField) {
+  ValueForm form{Schema(Schema::Kind::kFloat64)};
+
+  form.findChild<QLineEdit*>(QStringLiteral("form.value"))->setText(QStringLiteral("2.5"));
+
+  EXPECT_EQ(form.json(), "2.5");
+}
+
+}  // namespace
+}  // namespace tendon::gui
