@@ -6,7 +6,7 @@ namespace {
 
 using namespace std::chrono_literals;  // NOLINT(google-build-using-namespace)
 
-constexpr std::int64_t kSecond = 1'000'000'000;
+constexpr std::int64_t kOneSecond = 1'000'000'000;
 constexpr std::uint64_t kMiB = 1U << 20U;
 
 class RegistryOfHealth : public testing::Test {
@@ -36,28 +36,29 @@ TEST_F(RegistryOfHealth, WhoHasNotToldIsNotThere) {
 TEST_F(RegistryOfHealth, TheCoresAreThoseBetweenTheLastTwoByTheClockOfTheProcess) {
   const auto robot = Join("robot", 7);
 
-  ASSERT_TRUE(registry_.TakeHealth(robot, {.cpu_time = kSecond, .memory = kMiB, .time = kSecond}));
+  ASSERT_TRUE(
+      registry_.TakeHealth(robot, {.cpu_time = kOneSecond, .memory = kMiB, .time = kOneSecond}));
   EXPECT_LT(Only().cpu, 0.0);
   EXPECT_EQ(Only().memory, kMiB);
   clock_.Advance(100ms);  // the ways of the two differ; their own clock counts
   ASSERT_TRUE(registry_.TakeHealth(
-      robot, {.cpu_time = 4 * kSecond, .memory = 2 * kMiB, .time = 3 * kSecond}));
+      robot, {.cpu_time = 4 * kOneSecond, .memory = 2 * kMiB, .time = 3 * kOneSecond}));
 
   EXPECT_EQ(Only().process, "robot");
   EXPECT_EQ(Only().instance, 7U);
   EXPECT_DOUBLE_EQ(Only().cpu, 1.5);
   EXPECT_EQ(Only().memory, 2 * kMiB);
-  ASSERT_TRUE(registry_.TakeHealth(robot, {.cpu_time = 4 * kSecond, .time = 4 * kSecond}));
+  ASSERT_TRUE(registry_.TakeHealth(robot, {.cpu_time = 4 * kOneSecond, .time = 4 * kOneSecond}));
   EXPECT_DOUBLE_EQ(Only().cpu, 0.0);
 }
 
 TEST_F(RegistryOfHealth, TimesThatGoBackTellNothing) {
   const auto robot = Join("robot", 1);
-  ASSERT_TRUE(registry_.TakeHealth(robot, {.cpu_time = kSecond, .time = kSecond}));
+  ASSERT_TRUE(registry_.TakeHealth(robot, {.cpu_time = kOneSecond, .time = kOneSecond}));
 
   for (const message::Health& nonsense :
-       {message::Health{.cpu_time = 2 * kSecond, .time = kSecond},
-        message::Health{.cpu_time = 3 * kSecond, .time = INT64_MIN},
+       {message::Health{.cpu_time = 2 * kOneSecond, .time = kOneSecond},
+        message::Health{.cpu_time = 3 * kOneSecond, .time = INT64_MIN},
         message::Health{.cpu_time = INT64_MIN, .time = INT64_MAX}}) {
     ASSERT_TRUE(registry_.TakeHealth(robot, nonsense));
     EXPECT_LT(Only().cpu, 0.0);
