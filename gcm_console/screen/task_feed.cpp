@@ -98,6 +98,7 @@ std::vector<TaskFigures> TaskFeed::Look() {
     for (const auto& [name, component] : entry.components) {
       if (!HasColumns(component) || !IsPresent(entry.process)) continue;
       const std::string path = process + "/" + name;
+      if (!only_.empty() && path != only_) continue;
       auto known = entries_.extract(path);
       if (known.empty()) {
         const auto listener = std::make_shared<Listener>();

@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace console {
@@ -27,7 +28,9 @@ struct TaskFigures {
 /// Listens to the tasks of a system, which come and go.
 class TaskFeed {
  public:
-  explicit TaskFeed(tendon::GcmClient& client) : client_(client) {}
+  /// Of all, or of the one at a path.
+  explicit TaskFeed(tendon::GcmClient& client, std::string only = "")
+      : client_(client), only_(std::move(only)) {}
   TaskFeed(const TaskFeed&) = delete;
   TaskFeed& operator=(const TaskFeed&) = delete;
   ~TaskFeed();
@@ -43,6 +46,7 @@ class TaskFeed {
   };
 
   tendon::GcmClient& client_;
+  const std::string only_;
   std::map<std::string, Entry> entries_;  // by path
 };
 

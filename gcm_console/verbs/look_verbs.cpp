@@ -3,16 +3,20 @@
 #include <gcm_console/catalogue_json.h>
 #include <gcm_console/place.h>
 #include <gcm_console/report.h>
+#include <gcm_console/screen/screen.h>
+#include <gcm_console/screen/task_feed.h>
 #include <gcm_console/verb.h>
 #include <tendon/gcm/text/health_text.h>
 #include <tendon/gcm/text/wall_time.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <chrono>
 #include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <thread>
 
 namespace console {
 namespace {
@@ -266,6 +270,28 @@ Table Facts(Context& context, const Catalog& catalog, const Place& place) {
   return table;
 }
 
+/// How a task that runs has kept its time in the last second, which it tells at once.
+void AddTask(tendon::GcmClient& client, const Place& place, Table& table) {
+  using namespace std::chrono_literals;
+  constexpr double kMicro = 1e6;
+  constexpr double kPercent = 100.0;
+  TaskFeed feed(client, place.process->process.name + "/" + place.component->name);
+  const auto deadline = std::chrono::steady_clock::now() + 500ms;
+  auto tasks = feed.Look();
+  while (!tasks.empty() && !tasks[0].is_known && std::chrono::steady_clock::now() < deadline) {
+    std::this_thread::sleep_for(5ms);
+    tasks = feed.Look();
+  }
+  if (tasks.empty() || !tasks[0].is_known) return;
+  const TaskFigures& task = tasks[0];
+  table.Add({"rate", Fixed(task.rate, 1) + " Hz"});
+  table.Add({"late", Fixed(task.late * kMicro, 0) + " us, at most " +
+                         Fixed(task.latest * kMicro, 0) + " us"});
+  table.Add({"compute", Fixed(task.compute * kMicro, 1) + " us"});
+  table.Add({"load", Fixed(task.load * kPercent, 1) + " %"});
+  table.Add({"skipped", std::to_string(task.skipped)});
+}
+
 /// What goes into a member or comes out of it, field by field; best effort, for the process may be
 /// gone.
 void PrintPayload(Context& context, const std::string& process, const std::string& title,
@@ -311,7 +337,13 @@ Result<ExitCode> Show(Context& context, const std::string& path) {
   const Catalog catalog = (*client)->catalog();
   const auto place = FindPlace(catalog, path);
   if (!place) return place.error();
-  context.Print(Facts(context, catalog, *place));
+  Table facts = Facts(context, catalog, *place);
+  const bool is_component =
+      place->component != nullptr && place->provided == nullptr && place->required == nullptr;
+  if (is_component && place->component->state == tendon::ComponentState::kActive) {
+    AddTask(**client, *place, facts);
+  }
+  context.Print(facts);
   context.out() << '\n';
   context.Print(ListingOf(catalog, *place));
   if (place->member != nullptr) PrintPayloads(context, *place, path);

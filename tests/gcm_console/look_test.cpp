@@ -126,6 +126,16 @@ TEST_F(LookTest, OfACommandItShowsWhatGoesInAndHowItIsCalled) {
   EXPECT_EQ(called.exit_code, program::kOk) << called.err << argument;
 }
 
+TEST_F(LookTest, OfATaskItShowsHowItKeepsItsTime) {
+  ASSERT_TRUE(EventuallySays({"show", "robot/arm"}, "\nrate\t"));
+
+  const std::string shown = Gcm({"show", "robot/arm"}).out;
+  EXPECT_THAT(shown,
+              testing::ContainsRegex("\nrate\t[0-9.]+ Hz\nlate\t[0-9]+ us, at most [0-9]+ us\n"
+                                     "compute\t[0-9.]+ us\nload\t[0-9.]+ %\nskipped\t[0-9]+\n"));
+  EXPECT_THAT(Gcm({"show", "robot"}).out, testing::Not(HasSubstr("rate\t")));
+}
+
 TEST_F(LookTest, VerboseSaysWhomItAsks) {
   EXPECT_THAT(Gcm({"-v", "ls"}).err, StartsWith("gcm: GCM at " + address + " answered within "));
 }
