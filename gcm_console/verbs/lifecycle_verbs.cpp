@@ -95,10 +95,9 @@ Result<void> Carry(Context& context, const LifeOrder& order) {
       tendon::GcmClient::kOrdersOfALife);
 }
 
-void Print(const Context& context, const Wording& wording, const std::vector<Outcome>& outcomes,
-           bool is_dry) {
-  const std::string done =
-      is_dry ? "would be " + std::string(wording.done) : std::string(wording.done);
+void Print(const Context& context, std::string_view verb, std::string_view participle,
+           const std::vector<Outcome>& outcomes, bool is_dry) {
+  const std::string done = (is_dry ? "would be " : "") + std::string(participle);
   if (context.settings().json) {
     auto results = nlohmann::ordered_json::array();
     for (const Outcome& one : outcomes) {
@@ -107,7 +106,7 @@ void Print(const Context& context, const Wording& wording, const std::vector<Out
                          {"reason", one.result ? "" : one.result.error().message}});
     }
     return context.PrintJson(
-        {{"verb", wording.infinitive}, {"dry_run", is_dry}, {"results", std::move(results)}});
+        {{"verb", verb}, {"dry_run", is_dry}, {"results", std::move(results)}});
   }
   for (const Outcome& one : outcomes) {
     if (one.result) {
@@ -147,7 +146,7 @@ Result<ExitCode> Steer(Context& context, const Wording& wording, const Arguments
     outcomes.push_back(
         {ToString(path), arguments.dry_run ? CheckLife(catalog, order) : Carry(context, order)});
   }
-  Print(context, wording, outcomes, arguments.dry_run);
+  Print(context, wording.infinitive, wording.done, outcomes, arguments.dry_run);
   return ExitCodeOf(outcomes);
 }
 
@@ -164,41 +163,64 @@ Verb SteeringVerb(std::string name, std::string summary, Wording wording) {
           }};
 }
 
+/// Of a verb for whole processes.
+struct ProcessWording {
+  std::string_view infinitive;
+  std::string_view done;
+  /// Of a dry run.
+  Result<void> (*check)(const Catalog& catalog, const std::string& process);
+  Result<void> (*carry)(Context& context, const std::string& process);
+};
+
 /// Whether there is somebody to be ended; whose it is the GCM says.
 Result<void> CheckKill(const Catalog& catalog, const std::string& process) {
   const auto entry = LookUpProcess(catalog, process);
   return entry ? RequirePresent((*entry)->process) : Result<void>(entry.error());
 }
 
-Result<void> KillOne(Context& context, const std::string& process) {
+Result<void> Kill(Context& context, const std::string& process) {
   const tendon::message::ProcessOrder order{.verb = tendon::ProcessVerb::kKill, .process = process};
   return context.Ask<void>([&](tendon::GcmClient& client,
                                auto handler) { client.SteerProcess(order, std::move(handler)); },
                            tendon::GcmClient::kOrdersOfAProcess);
 }
 
-Result<ExitCode> Kill(Context& context, const Arguments& arguments) {
+Result<void> CheckForget(const Catalog& catalog, const std::string& process) {
+  const auto entry = LookUpProcess(catalog, process);
+  if (!entry) return entry.error();
+  if (!IsPresent((*entry)->process)) return {};
+  return Error{ErrorCode::kFailed,
+               "process '" + process + "' is there; only one that is gone can be forgotten"};
+}
+
+Result<void> Forget(Context& context, const std::string& process) {
+  return context.Ask<void>(
+      [&](tendon::GcmClient& client, auto handler) { client.Forget(process, std::move(handler)); });
+}
+
+Result<ExitCode> Carry(Context& context, const ProcessWording& wording,
+                       const Arguments& arguments) {
   const auto client = context.Client();
   if (!client) return client.error();
   const Catalog catalog = (*client)->catalog();
   std::vector<Outcome> outcomes;
   for (const std::string& process : arguments.patterns) {
-    outcomes.push_back(
-        {process, arguments.dry_run ? CheckKill(catalog, process) : KillOne(context, process)});
+    outcomes.push_back({process, arguments.dry_run ? wording.check(catalog, process)
+                                                   : wording.carry(context, process)});
   }
-  Print(context, {LifeVerb::kStop, "kill", "ended"}, outcomes, arguments.dry_run);
+  Print(context, wording.infinitive, wording.done, outcomes, arguments.dry_run);
   return ExitCodeOf(outcomes);
 }
 
-Verb KillVerb() {
-  return {"kill", "end processes that the GCM has started, with all that runs in them",
-          [](CLI::App& app) -> Verb::Run {
+Verb ProcessVerb(std::string summary, const ProcessWording& wording) {
+  return {std::string(wording.infinitive), std::move(summary),
+          [wording](CLI::App& app) -> Verb::Run {
             auto arguments = std::make_shared<Arguments>();
-            Names(app.add_option("processes", arguments->patterns, "of the GCM's own host"),
+            Names(app.add_option("processes", arguments->patterns, "names of processes"),
                   WordKind::kProcess)
                 ->required();
             app.add_flag("--dry-run", arguments->dry_run, "say what would be done, and do nothing");
-            return [=](Context& context) { return Kill(context, *arguments); };
+            return [=](Context& context) { return Carry(context, wording, *arguments); };
           }};
 }
 
@@ -214,7 +236,10 @@ std::vector<Verb> LifecycleVerbs() {
                    {LifeVerb::kRestart, "restart", "restarted"}),
       SteeringVerb("rm", "remove components, with their connections",
                    {LifeVerb::kRemove, "remove", "removed"}),
-      KillVerb(),
+      ProcessVerb("end processes that the GCM has started, with all that runs in them",
+                  {"kill", "ended", &CheckKill, &Kill}),
+      ProcessVerb("keep nothing more of processes that are gone for good",
+                  {"forget", "forgotten", &CheckForget, &Forget}),
   };
 }
 

@@ -138,6 +138,11 @@ TEST_F(StartedSystemTest, AProcessThatIsToldToEndStaysEnded) {
   EXPECT_THAT(killed.err, HasSubstr("gcm: rob: no process 'rob'"));
   EXPECT_THAT(Gcm({"ls"}).out, HasSubstr("robot\tleft"));
   EXPECT_EQ(Gcm({"kill", "robot"}).err, "gcm: robot: process 'robot' is gone already\n");
+  EXPECT_EQ(Gcm({"forget", "robot", "--dry-run"}).out, "robot\twould be forgotten\n");
+  EXPECT_EQ(Gcm({"forget", "robot"}).out, "robot\tforgotten\n");
+  EXPECT_THAT(Gcm({"ls"}).out, testing::Not(HasSubstr("robot")));
+  EXPECT_EQ(Gcm({"forget", "desk"}).err,
+            "gcm: desk: process 'desk' is there; only one that is gone can be forgotten\n");
   EXPECT_EQ(Gcm({"--read-only", "kill", "desk"}).exit_code, program::kDenied);
   Apply();
   EXPECT_TRUE(EventuallySays({"ls", "desk/supervisor"}, "-> robot/arm/Control\n"));
