@@ -5,23 +5,29 @@
 #include <QFontMetricsF>
 #include <algorithm>
 #include <set>
+#include <string>
 #include <utility>
 
 namespace tendon::gui {
 namespace {
 
+using graph::ColumnLayout;
+using graph::LayerEdge;
+
 constexpr ColumnLayout::Spacing kNodeSpacing{56, 12};
 constexpr ColumnLayout::Spacing kProcessSpacing{48, 16};
-constexpr QSizeF kEmptyProcess{128, 24};
+constexpr graph::Size kEmptyProcess{128, 24};
 constexpr double kTitleSlack = 96;  // for " · lost 12 min"
 
 QString ProcessOf(const QString& path) { return path.section('/', 0, 0); }
 
-using Indices = QHash<QString, std::size_t>;
+QRectF RectOf(const graph::Rect& rect) { return {rect.x, rect.y, rect.width, rect.height}; }
+
+using Indices = std::map<std::string, std::size_t>;
 
 Indices IndicesOf(const std::vector<ColumnLayout::Block>& blocks) {
   Indices indices;
-  for (std::size_t i = 0; i < blocks.size(); ++i) indices.insert(blocks[i].key, i);
+  for (std::size_t i = 0; i < blocks.size(); ++i) indices.emplace(blocks[i].key, i);
   return indices;
 }
 
@@ -29,10 +35,10 @@ Indices IndicesOf(const std::vector<ColumnLayout::Block>& blocks) {
 class EdgeCollector {
  public:
   void Add(const Indices& indices, const QString& provider, const QString& client) {
-    const auto from = indices.constFind(provider);
-    const auto to = indices.constFind(client);
-    if (from == indices.constEnd() || to == indices.constEnd() || *from == *to) return;
-    edges_.insert({*from, *to});
+    const auto from = indices.find(provider.toStdString());
+    const auto to = indices.find(client.toStdString());
+    if (from == indices.end() || to == indices.end() || from == to) return;
+    edges_.insert({from->second, to->second});
   }
 
   [[nodiscard]] std::vector<LayerEdge> Take() const {
@@ -67,14 +73,16 @@ void GraphLayout::takeAffinities(const std::vector<Affinity>& affinities) {
 
 bool GraphLayout::arrangeNodes(const ProcessPicture& process) {
   std::vector<ColumnLayout::Block> blocks;
-  for (const auto& node : process.nodes) blocks.push_back({node.path, node.size, true});
+  for (const auto& node : process.nodes) {
+    blocks.push_back({node.path.toStdString(), {node.size.width(), node.size.height()}, true});
+  }
   const Indices indices = IndicesOf(blocks);
   EdgeCollector edges;
   for (const Affinity& affinity : inside_[process.name]) {
     edges.Add(indices, affinity.provider, affinity.client);
   }
   ColumnLayout& inside = insides_.try_emplace(process.name, kNodeSpacing).first->second;
-  return inside.arrange(std::move(blocks), edges.Take());
+  return inside.Arrange(std::move(blocks), edges.Take());
 }
 
 bool GraphLayout::update(const GraphPicture& picture) {
@@ -84,27 +92,32 @@ bool GraphLayout::update(const GraphPicture& picture) {
   bool moved = false;
   for (const auto& process : picture.processes) {
     if (arrangeNodes(process)) moved = true;
-    QSizeF size = process.nodes.empty() ? kEmptyProcess : insides_.at(process.name).size();
-    size.rwidth() = std::max(size.width(), strong.horizontalAdvance(process.name) + kTitleSlack);
-    size += QSizeF(2 * kProcessInset, kProcessHead + kProcessInset);
-    blocks.push_back({process.name, size, !process.nodes.empty()});
+    graph::Size size = process.nodes.empty() ? kEmptyProcess : insides_.at(process.name).size();
+    size.width = std::max(size.width, strong.horizontalAdvance(process.name) + kTitleSlack);
+    size.width += 2 * kProcessInset;
+    size.height += kProcessHead + kProcessInset;
+    blocks.push_back({process.name.toStdString(), size, !process.nodes.empty()});
   }
   const Indices indices = IndicesOf(blocks);
   EdgeCollector edges;
   for (const Affinity& affinity : across_) edges.Add(indices, affinity.provider, affinity.client);
-  if (processes_.arrange(std::move(blocks), edges.Take())) moved = true;
+  if (processes_.Arrange(std::move(blocks), edges.Take())) moved = true;
   if (moved) placeNodes(picture);
   return moved;
+}
+
+QRectF GraphLayout::process(const QString& name) const {
+  return RectOf(processes_.rect(name.toStdString()));
 }
 
 void GraphLayout::placeNodes(const GraphPicture& picture) {
   nodes_.clear();
   for (const auto& process : picture.processes) {
     const QPointF origin =
-        processes_.rect(process.name).topLeft() + QPointF(kProcessInset, kProcessHead);
+        this->process(process.name).topLeft() + QPointF(kProcessInset, kProcessHead);
     const ColumnLayout& inside = insides_.at(process.name);
     for (const auto& node : process.nodes) {
-      nodes_.insert(node.path, inside.rect(node.path).translated(origin));
+      nodes_.insert(node.path, RectOf(inside.rect(node.path.toStdString())).translated(origin));
     }
   }
 }

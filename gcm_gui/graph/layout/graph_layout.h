@@ -1,7 +1,7 @@
 #pragma once
 
-#include <gcm_gui/graph/layout/column_layout.h>
 #include <gcm_gui/graph/layout/graph_picture.h>
+#include <tendon/gcm/graph/column_layout.h>
 
 #include <QHash>
 #include <QRectF>
@@ -20,7 +20,7 @@ class GraphLayout {
   /// Whether anything stands elsewhere than before.
   bool update(const GraphPicture& picture);
 
-  [[nodiscard]] QRectF process(const QString& name) const { return processes_.rect(name); }
+  [[nodiscard]] QRectF process(const QString& name) const;
   /// Of a component, by path; in the same coordinates as the processes.
   [[nodiscard]] QRectF node(const QString& path) const { return nodes_.value(path); }
 
@@ -29,8 +29,8 @@ class GraphLayout {
   bool arrangeNodes(const ProcessPicture& process);
   void placeNodes(const GraphPicture& picture);
 
-  std::map<QString, ColumnLayout> insides_;  // of each process
-  ColumnLayout processes_;
+  std::map<QString, graph::ColumnLayout> insides_;  // of each process
+  graph::ColumnLayout processes_;
   QHash<QString, QRectF> nodes_;
   std::vector<Affinity> affinities_;                 // the last ones, and sorted by process:
   std::map<QString, std::vector<Affinity>> inside_;  // between components of one

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace tendon::gui {
+namespace tendon::graph {
 
 /// From a provider to its client, by index.
 struct LayerEdge {
@@ -17,4 +17,4 @@ struct LayerEdge {
 /// thing without providers. Of each ring, the edge that closes it, met in order, is left out.
 [[nodiscard]] std::vector<int> LayersOf(std::size_t count, const std::vector<LayerEdge>& edges);
 
-}  // namespace tendon::gui
+}  // namespace tendon::graph

@@ -1,7 +1,7 @@
-#include <gcm_gui/graph/layout/layers.h>
 #include <gtest/gtest.h>
+#include <tendon/gcm/graph/layers.h>
 
-namespace tendon::gui {
+namespace tendon::graph {
 namespace {
 
 TEST(Layers, AClientIsRightOfAllItsProviders) {
@@ -31,4 +31,4 @@ TEST(Layers, ALongChainNeedsNoRecursion) {
 }
 
 }  // namespace
-}  // namespace tendon::gui
+}  // namespace tendon::graph

@@ -1,4 +1,4 @@
-#include <gcm_gui/graph/layout/column_layout.h>
+#include <tendon/gcm/graph/column_layout.h>
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-namespace tendon::gui {
+namespace tendon::graph {
 namespace {
 
 constexpr int kSweeps = 4;
@@ -74,7 +74,7 @@ struct ColumnLayout::Plan {
   }
 };
 
-ColumnLayout::Plan ColumnLayout::planFor(const std::vector<Block>& blocks,
+ColumnLayout::Plan ColumnLayout::PlanFor(const std::vector<Block>& blocks,
                                          const std::vector<LayerEdge>& edges) const {
   Plan plan{blocks, std::vector<std::vector<std::size_t>>(blocks.size()),
             LayersOf(blocks.size(), edges), std::vector<std::optional<Place>>(blocks.size())};
@@ -89,21 +89,21 @@ ColumnLayout::Plan ColumnLayout::planFor(const std::vector<Block>& blocks,
   return plan;
 }
 
-bool ColumnLayout::arrange(std::vector<Block> blocks, std::vector<LayerEdge> edges) {
+bool ColumnLayout::Arrange(std::vector<Block> blocks, std::vector<LayerEdge> edges) {
   if (blocks == blocks_ && edges == edges_) return false;
   blocks_ = std::move(blocks);
   edges_ = std::move(edges);
-  Plan plan = planFor(blocks_, edges_);
-  keepPlaces(plan);
-  placeLayered(plan);
-  placeLoose(plan);
-  commit(plan);
+  Plan plan = PlanFor(blocks_, edges_);
+  KeepPlaces(plan);
+  PlaceLayered(plan);
+  PlaceLoose(plan);
+  Commit(plan);
   return true;
 }
 
-void ColumnLayout::keepPlaces(Plan& plan) const {
+void ColumnLayout::KeepPlaces(Plan& plan) const {
   const auto name_of = [&](std::size_t i) { return std::pair(plan.blocks[i].key, plan.layers[i]); };
-  const auto place_of = [&](std::size_t i) { return places_.value(name_of(i)); };
+  const auto place_of = [&](std::size_t i) { return places_.at(name_of(i)); };
   Order known;
   for (std::size_t i = 0; i < plan.blocks.size(); ++i) {
     if (plan.blocks[i].keeps_place && places_.contains(name_of(i))) known.push_back(i);
@@ -112,7 +112,7 @@ void ColumnLayout::keepPlaces(Plan& plan) const {
                    [&](auto a, auto b) { return place_of(a).y < place_of(b).y; });
   for (const std::size_t i : known) {
     Place place = place_of(i);
-    place.height = plan.blocks[i].size.height();
+    place.height = plan.blocks[i].size.height;
     // One above that has grown pushes it down, no further than it must.
     for (const Interval& above : plan.Taken(place.column)) {
       if (place.y < above.bottom + spacing_.rows) place.y = above.bottom + spacing_.rows;
@@ -122,7 +122,7 @@ void ColumnLayout::keepPlaces(Plan& plan) const {
   }
 }
 
-void ColumnLayout::placeLayered(Plan& plan) const {
+void ColumnLayout::PlaceLayered(Plan& plan) const {
   Order order;
   for (std::size_t i = 0; i < plan.blocks.size(); ++i) {
     if (!plan.places[i] && plan.layers[i] >= 0) order.push_back(i);
@@ -143,7 +143,7 @@ void ColumnLayout::placeLayered(Plan& plan) const {
     return std::pair(plan.layers[a], rank[a]) < std::pair(plan.layers[b], rank[b]);
   });
   for (const std::size_t i : order) {
-    const double height = plan.blocks[i].size.height();
+    const double height = plan.blocks[i].size.height;
     const auto middle = plan.PeersMiddle(i);
     const double wanted = middle ? *middle - height / 2 : 0;
     const int column = plan.layers[i];
@@ -152,7 +152,7 @@ void ColumnLayout::placeLayered(Plan& plan) const {
   }
 }
 
-void ColumnLayout::placeLoose(Plan& plan) const {
+void ColumnLayout::PlaceLoose(Plan& plan) const {
   const auto loose = std::count(plan.layers.begin(), plan.layers.end(), -1);
   // A few stand below one another, so that no edge from elsewhere passes behind one of them.
   const int columns =
@@ -172,15 +172,15 @@ void ColumnLayout::placeLoose(Plan& plan) const {
     const double bottom = plan.Bottom(column);
     const double y = bottom == 0 ? 0 : bottom + spacing_.rows;
     plan.column_count = std::max(plan.column_count, column + 1);
-    plan.places[i] = Place{-1, column, y, plan.blocks[i].size.height()};
+    plan.places[i] = Place{-1, column, y, plan.blocks[i].size.height};
   }
 }
 
-void ColumnLayout::commit(const Plan& plan) {
+void ColumnLayout::Commit(const Plan& plan) {
   std::vector<double> widths(static_cast<std::size_t>(plan.column_count), 0);
   for (std::size_t i = 0; i < plan.blocks.size(); ++i) {
     double& width = widths[static_cast<std::size_t>(plan.places[i]->column)];
-    width = std::max(width, plan.blocks[i].size.width());
+    width = std::max(width, plan.blocks[i].size.width);
   }
   std::vector<double> lefts;
   double left = 0;
@@ -189,16 +189,20 @@ void ColumnLayout::commit(const Plan& plan) {
     if (width > 0) left += width + spacing_.columns;
   }
   rects_.clear();
-  QRectF all;
+  size_ = {};
   for (std::size_t i = 0; i < plan.blocks.size(); ++i) {
     const Place& place = *plan.places[i];
     const auto column = static_cast<std::size_t>(place.column);
-    const QRectF rect(lefts[column], place.y, widths[column], place.height);
-    if (plan.blocks[i].keeps_place) places_.insert({plan.blocks[i].key, place.layer}, place);
-    rects_.insert(plan.blocks[i].key, rect);
-    all |= rect;
+    if (plan.blocks[i].keeps_place) places_[{plan.blocks[i].key, place.layer}] = place;
+    rects_[plan.blocks[i].key] = {lefts[column], place.y, widths[column], place.height};
+    size_.width = std::max(size_.width, lefts[column] + widths[column]);
+    size_.height = std::max(size_.height, place.y + place.height);
   }
-  size_ = QSizeF(all.right(), all.bottom());
 }
 
-}  // namespace tendon::gui
+Rect ColumnLayout::rect(const std::string& key) const {
+  const auto found = rects_.find(key);
+  return found == rects_.end() ? Rect() : found->second;
+}
+
+}  // namespace tendon::graph

@@ -1,8 +1,8 @@
-#include <gcm_gui/graph/layout/layers.h>
+#include <tendon/gcm/graph/layers.h>
 
 #include <algorithm>
 
-namespace tendon::gui {
+namespace tendon::graph {
 namespace {
 
 enum class Visit { kNew, kOpen, kDone };
@@ -56,4 +56,4 @@ std::vector<int> LayersOf(std::size_t count, const std::vector<LayerEdge>& edges
   return LongestPaths(count, edges).Compute();
 }
 
-}  // namespace tendon::gui
+}  // namespace tendon::graph
