@@ -13,10 +13,16 @@ class App;
 
 namespace console {
 
+// What every verb speaks of.
+using program::ExitCode;
+using tendon::Error;
+using tendon::ErrorCode;
+using tendon::Result;
+
 /// One verb of `gcm`: its name, what help says of it, and how it is run. `prepare` adds its options
 /// to its part of the command line, each with what its words name, and returns what runs it.
 struct Verb {
-  using Run = std::function<tendon::Result<program::ExitCode>(Context&)>;
+  using Run = std::function<Result<ExitCode>(Context&)>;
 
   std::string name;
   std::string summary;
@@ -32,6 +38,7 @@ std::vector<Verb> TopVerbs();        // top
 std::vector<Verb> PlotVerbs();       // plot
 std::vector<Verb> DoctorVerbs();     // doctor
 std::vector<Verb> DataVerbs();       // get watch
+std::vector<Verb> EventVerbs();      // events
 std::vector<Verb> RateVerbs();       // hz
 std::vector<Verb> ActVerbs();        // call
 std::vector<Verb> ClassVerbs();      // load classes create configure

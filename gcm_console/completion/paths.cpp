@@ -37,7 +37,9 @@ void AddProvided(const std::string& path, const tendon::ProvidedDescription& int
                  WordKind kind, Steps& steps) {
   const bool is_table = IsTable(interface.name);
   if (kind == WordKind::kProvided || kind == WordKind::kPath) steps.Add(path);
-  if (kind == WordKind::kPath) AddMembers(path, interface.events, steps);
+  if (kind == WordKind::kEvent && !interface.events.empty()) steps.Add(path);
+  if (kind == WordKind::kPath || kind == WordKind::kEvent)
+    AddMembers(path, interface.events, steps);
   if (kind == WordKind::kPath || (kind == WordKind::kColumn && is_table) ||
       (kind == WordKind::kCommand && !is_table)) {
     AddMembers(path, interface.commands, steps);

@@ -21,6 +21,7 @@ enum class WordKind {
   kCommand,
   kReadable,  ///< a read command or a column
   kColumn,    ///< of a state table
+  kEvent,     ///< and provided interfaces that have any
 };
 
 /// Says what the words of an option or an argument name.

@@ -18,10 +18,6 @@ namespace console {
 namespace {
 
 using nlohmann::ordered_json;
-using program::ExitCode;
-using tendon::Error;
-using tendon::ErrorCode;
-using tendon::Result;
 using namespace std::chrono_literals;
 
 Result<ExitCode> Get(Context& context, const std::string& text) {

@@ -19,11 +19,7 @@
 namespace console {
 namespace {
 
-using program::ExitCode;
-using tendon::Error;
-using tendon::ErrorCode;
 using tendon::LogLevel;
-using tendon::Result;
 using tendon::message::LogRecord;
 using namespace std::chrono_literals;
 
@@ -95,14 +91,6 @@ bool IsWanted(const LogRecord& record, const LogOptions& options) {
           tendon::MatchesGlob(options.from, record.process + "/" + record.source));
 }
 
-std::string TimeText(std::int64_t time) {
-  constexpr std::int64_t kMillisecond = 1'000'000;
-  const std::int64_t below_second = (time / kMillisecond % 1000 + 1000) % 1000;  // before 1970, too
-  std::string milliseconds = std::to_string(1000 + below_second);
-  milliseconds.front() = '.';
-  return tendon::WallTimeText(time) + milliseconds;
-}
-
 void Print(const LogRecord& record, const Context& context) {
   if (context.settings().json) {
     return context.PrintJsonLine({{"time_ns", record.time},
@@ -113,8 +101,8 @@ void Print(const LogRecord& record, const Context& context) {
   }
   const bool is_of_process = record.source == record.process;
   const std::string level(ToString(record.level));
-  context.out() << TimeText(record.time) << '\t' << Coloured(level, context.layout().is_coloured)
-                << '\t' << Plain(record.process)
+  context.out() << tendon::FineWallTimeText(record.time) << '\t'
+                << Coloured(level, context.layout().is_coloured) << '\t' << Plain(record.process)
                 << (is_of_process ? "" : "/" + Plain(record.source)) << '\t' << Plain(record.text)
                 << '\n';
 }

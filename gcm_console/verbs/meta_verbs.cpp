@@ -15,10 +15,6 @@ namespace console {
 namespace {
 
 namespace fs = std::filesystem;
-using program::ExitCode;
-using tendon::Error;
-using tendon::ErrorCode;
-using tendon::Result;
 
 struct HelpOptions {
   std::vector<std::string> words;  // a topic, or a verb and an act of it

@@ -19,8 +19,6 @@
 namespace console {
 namespace {
 
-using program::ExitCode;
-using tendon::Result;
 using namespace std::chrono_literals;
 
 struct RateOptions {

@@ -13,10 +13,6 @@ namespace console {
 namespace {
 
 namespace fs = std::filesystem;
-using program::ExitCode;
-using tendon::Error;
-using tendon::ErrorCode;
-using tendon::Result;
 
 /// Of what was typed in earlier shells.
 fs::path HistoryFile() {

@@ -17,6 +17,7 @@ constexpr Group kGroups[] = {
     {"look", &LookVerbs},       //
     {"look", &TopVerbs},        //
     {"data", &DataVerbs},       //
+    {"data", &EventVerbs},      //
     {"data", &RateVerbs},       //
     {"data", &PlotVerbs},       //
     {"data", &LogVerbs},        //

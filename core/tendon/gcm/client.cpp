@@ -2,6 +2,7 @@
 #include <tendon/base/path.h>
 #include <tendon/gcm/client.h>
 #include <tendon/gcm/client/caller.h>
+#include <tendon/gcm/client/event_feed.h>
 #include <tendon/gcm/client/gcm_link.h>
 #include <tendon/gcm/client/once.h>
 #include <tendon/gcm/client/process_links.h>
@@ -32,6 +33,25 @@ Result<ProcessDescription> PlaceOf(const Catalog& catalog, const std::string& pr
   return (*entry)->process;
 }
 
+/// As the catalogue describes them, in the order asked for.
+Result<std::vector<MemberDescription>> LookUpEvents(const Catalog& catalog,
+                                                    const EventSubscription& wanted) {
+  const auto provided = LookUpProvided(catalog, wanted.provided);
+  if (!provided) return provided.error();
+  std::vector<MemberDescription> events;
+  for (const std::string& name : wanted.events) {
+    const auto& known = (*provided)->events;
+    const auto event =
+        std::find_if(known.begin(), known.end(), [&](const auto& one) { return one.name == name; });
+    if (event == known.end()) {
+      return Error{ErrorCode::kNotFound,
+                   "there is no event " + ToString(wanted.provided) + "." + name};
+    }
+    events.push_back(*event);
+  }
+  return events;
+}
+
 /// The path, which parsed, has only letters that names have.
 Error NoCommand(const std::string& path) {
   return {ErrorCode::kInvalid,
@@ -55,7 +75,10 @@ class GcmClient::Implementation {
             timer_)),
         links_(std::make_shared<client::ProcessLinks>(*middleware_, Resolver(link_), options.name,
                                                       options.role)),
-        caller_(std::make_shared<client::Caller>(links_, timer_, options.timeout)) {
+        caller_(std::make_shared<client::Caller>(links_, timer_, options.timeout)),
+        events_(std::make_shared<client::EventFeed>(links_, timer_, EventsOf(link_), options.name,
+                                                    options.timeout)) {
+    links_->HearNotices(events_);
     link_->Start();
   }
   Implementation(const Implementation&) = delete;
@@ -79,6 +102,7 @@ class GcmClient::Implementation {
   client::GcmLink& link() { return *link_; }
   Worker& timer() { return *timer_; }
   client::Caller& caller() { return *caller_; }
+  client::EventFeed& events() { return *events_; }
   /// Made at the first call: a program that subscribes to nothing has no use for it.
   TelemetryClient& telemetry() {
     const std::scoped_lock lock(mutex_);
@@ -127,6 +151,16 @@ class GcmClient::Implementation {
     };
   }
 
+  static client::EventFeed::LookUp EventsOf(const SharedLink& link) {
+    return [weak = std::weak_ptr(link)](
+               const EventSubscription& wanted) -> Result<std::vector<MemberDescription>> {
+      const auto alive = weak.lock();
+      if (!alive) return Error{ErrorCode::kUnreachable, "the client is closed"};
+      return alive->WithCatalog(
+          [&](const Catalog& catalog) { return LookUpEvents(catalog, wanted); });
+    };
+  }
+
   [[nodiscard]] ResolveAddress AddressResolver() const {
     return [resolve = Resolver(link_)](const std::string& process) -> Result<std::string> {
       const auto there = resolve(process);
@@ -163,7 +197,10 @@ class GcmClient::Implementation {
   }
 
   void OnMoved(const std::vector<client::GcmLink::Moved>& processes) {
-    for (const auto& [process, instance] : processes) links_->Drop(process, instance);
+    for (const auto& [process, instance] : processes) {
+      links_->Drop(process, instance);
+      events_->Retry(process);
+    }
     const std::scoped_lock lock(mutex_);
     if (!telemetry_) return;
     for (const auto& [process, instance] : processes) telemetry_->Retry(process);
@@ -178,6 +215,7 @@ class GcmClient::Implementation {
   const SharedLink link_;
   const std::shared_ptr<client::ProcessLinks> links_;
   const std::shared_ptr<client::Caller> caller_;
+  const std::shared_ptr<client::EventFeed> events_;
   std::mutex mutex_;
   std::unique_ptr<TelemetryClient> telemetry_;
   std::vector<DoneHandler> learners_;  // who waits for the next look
@@ -295,6 +333,13 @@ void GcmClient::Call(const std::string& path, const std::string& argument, TextH
         implementation_->caller().Call(*parsed, *command, argument, done);
       });
 }
+
+GcmClient::ListenerId GcmClient::Listen(const EventSubscription& events,
+                                        std::shared_ptr<EventSink> sink) {
+  return implementation_->events().Listen(events, std::move(sink));
+}
+
+void GcmClient::StopListening(ListenerId id) { implementation_->events().End(id); }
 
 void GcmClient::GetSchema(const std::string& process, Fingerprint fingerprint,
                           std::function<void(Result<Schema>)> handler) {

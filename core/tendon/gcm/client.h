@@ -1,6 +1,7 @@
 #pragma once
 
 #include <tendon/gcm/catalog.h>
+#include <tendon/gcm/event_sink.h>
 #include <tendon/gcm/messages.h>
 #include <tendon/process/telemetry_client.h>
 #include <tendon/security/role.h>
@@ -126,6 +127,13 @@ class GcmClient {
   /// Calls a command of any process by its path: `argument` is JSON (empty for none), the answer is
   /// JSON ("" for none). Reads, qualified reads, void and write commands alike.
   void Call(const std::string& path, const std::string& argument, TextHandler handler);
+
+  using ListenerId = std::uint64_t;
+  /// The sink hears the events of any process as they are raised, until StopListening(). Heals by
+  /// itself. A component never waits for its listeners: what finds no room is counted.
+  ListenerId Listen(const EventSubscription& events, std::shared_ptr<EventSink> sink);
+  /// After it returns the sink hears nothing more. Not from a sink's function.
+  void StopListening(ListenerId id);
 
   /// The schema of a payload type as a process knows it, by fingerprint; cached.
   void GetSchema(const std::string& process, Fingerprint fingerprint,

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-/// What viewers ask a process directly: schemas, calls, and the rows of state tables. Each struct
-/// is the body of a frame; requests are answered, notices are not.
+/// What viewers ask a process directly: schemas, calls, events, and the rows of state tables. Each
+/// struct is the body of a frame; requests are answered, notices are not.
 namespace tendon::message {
 
 // From a viewer.
@@ -30,6 +30,10 @@ inline constexpr auto kRowsEnded =
     static_cast<MessageType>(0x205);  // notice: frame's handle; Error: why no more rows come
 // From a viewer that wants the newest row only: it has taken the last, the next may be sent.
 inline constexpr auto kRowTaken = static_cast<MessageType>(0x206);  // notice: empty; frame's handle
+// From a viewer: as kOpenInterface, but without functions. What follows is as in proxy/messages.h:
+// kEvents, kEventsLost and kInterfaceClosed from the process, kCloseInterface from the viewer.
+inline constexpr auto kListen =
+    static_cast<MessageType>(0x207);  // request: OpenInterface -> InterfaceOpened
 
 /// Which payload types' schemas are wanted.
 struct GetSchemas {

@@ -26,7 +26,7 @@ struct Right {
 inline constexpr auto kRights = std::to_array<Right>({
     // proxy/messages.h
     {0x100, "open an interface", Role::kOperator, Audit::kAll},
-    {0x101, "close an interface", Role::kOperator, Audit::kRefusals},
+    {0x101, "close an interface", Role::kViewer, Audit::kRefusals},  // that it has opened itself
     {0x102, "queue commands", Role::kOperator, Audit::kRefusals},
     {0x103, "execute a read command", Role::kOperator, Audit::kRefusals},
     {0x104, "ask for a sign of life", Role::kViewer, Audit::kRefusals},
@@ -38,6 +38,7 @@ inline constexpr auto kRights = std::to_array<Right>({
     {0x202, "watch a state table", Role::kViewer, Audit::kRefusals},
     {0x203, "end a subscription", Role::kViewer, Audit::kRefusals},
     {0x206, "take a row", Role::kViewer, Audit::kRefusals},
+    {0x207, "listen to events", Role::kViewer, Audit::kRefusals},
     // process/membership_messages.h
     {0x300, "join", Role::kOperator, Audit::kAll},
     {0x301, "report a change", Role::kOperator, Audit::kRefusals},

@@ -1,10 +1,13 @@
+#include <gcm_console/verb.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <program/exit_code.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "gcm_console/demo_fixture.h"
 #include "gcm_console/output/json_schema.h"
@@ -17,56 +20,125 @@ json SchemaIn(const std::filesystem::path& file) {
   return json::parse(std::ifstream(file), nullptr, false);
 }
 
+/// `cert init` has one of its own.
+std::string DocumentOf(const Program::Words& words) {
+  return words[0] == "cert" ? "cert-" + words.at(1) : words[0];
+}
+
+/// By group and verb.
+std::filesystem::path SchemaFileOf(const std::string& group, const std::string& document) {
+  return std::filesystem::path(TENDON_JSON_SCHEMAS) / group / (document + ".json");
+}
+
+/// Verbs that print no JSON: they draw, are for people, or run other verbs.
+const std::set<std::string> kWithoutDocument = {"plot", "serve", "shell",
+                                                "run",  "help",  "completion"};
+
 class OutputTest : public DemoFixture {
  protected:
   /// The first document or line that a verb prints with --json fits the schema of its name.
-  void ExpectFits(Program::Words words) const {
-    const std::string verb = words[0];
+  void ExpectFits(Program::Words words) {
+    const std::string document = DocumentOf(words);
+    const auto verb = std::ranges::find(verbs, words[0], &console::Verb::name);
+    ASSERT_NE(verb, verbs.end()) << words[0];
     words.emplace_back("--json");
-    const Outcome outcome = Gcm(words);
-    ASSERT_EQ(outcome.exit_code, program::kOk) << verb << ": " << outcome.err;
-    const bool is_document = outcome.out.starts_with("{\n");
+    const Outcome outcome = words[0] == "events" ? Hear(words) : Gcm(words);
+    ASSERT_EQ(outcome.exit_code, program::kOk) << document << ": " << outcome.err;
+    const bool is_whole = outcome.out.starts_with("{\n");
     const json value = json::parse(
-        is_document ? outcome.out : outcome.out.substr(0, outcome.out.find('\n')), nullptr, false);
-    ASSERT_FALSE(value.is_discarded()) << verb << ": " << outcome.out;
-    const json schema = SchemaIn(std::filesystem::path(TENDON_JSON_SCHEMAS) / (verb + ".json"));
-    ASSERT_TRUE(schema.is_object()) << verb;
-    EXPECT_EQ(MisfitOf(value, schema, verb), "");
+        is_whole ? outcome.out : outcome.out.substr(0, outcome.out.find('\n')), nullptr, false);
+    ASSERT_FALSE(value.is_discarded()) << document << ": " << outcome.out;
+    const json schema = SchemaIn(SchemaFileOf(verb->group, document));
+    ASSERT_TRUE(schema.is_object()) << document;
+    EXPECT_EQ(MisfitOf(value, schema, document), "");
+    seen.insert(words[0]);
+    ++documents;
   }
+  /// Of a verb that waits for the arm to reach its goal.
+  [[nodiscard]] Outcome Hear(Program::Words words) const {
+    words.insert(words.begin(), {Binary("gcm"), "--gcm", address, "--timeout", kPatience});
+    Program events(words);
+    EXPECT_TRUE(EventuallyTrue([&] {
+      return events.err().find("gcm: listening to ") != std::string::npos;
+    })) << events.err();
+    const Outcome moved = Gcm({"call", "robot/arm/Control.MoveTo", kGoal});
+    EXPECT_EQ(moved.exit_code, program::kOk) << moved.err;
+    const int exit_code = events.Wait().value_or(-1);
+    return {.exit_code = exit_code, .out = events.out(), .err = events.err()};
+  }
+
+  /// Each does something, so that the next finds what it is about.
+  [[nodiscard]] std::vector<Program::Words> Lines() const {
+    const std::string column = "robot/arm/state.Joints.position[0]";
+    const std::string saved = (home.path() / "saved.json").string();
+    const std::string imported = (home.path() / "imported.json").string();
+    const std::string foreign = (home.path() / "cisst.json").string();
+    const std::string ca = (home.path() / "ca").string();
+    const std::string keys = (home.path() / "keys").string();
+    std::ofstream(foreign) << R"({"components":
+        [{"class-name": "SimulatedArm", "constructor-arg": {"Name": "arm"}}]})";
+    return {{"ls"},
+            {"tree"},
+            {"show", "robot/arm"},
+            {"find", "Joints"},
+            {"status"},
+            {"graph"},
+            {"get", column},
+            {"watch", column, "--count", "1"},
+            {"events", "robot/arm/Control.GoalReached", "--count", "1"},
+            {"hz", "robot/arm/state", "--count", "1"},
+            {"log"},
+            {"log-level", "robot", "debug"},
+            {"call", "robot/arm/Control.Stop"},
+            {"candidates", "desk/teleoperation/Robot"},
+            {"connect", "desk/teleoperation/Robot", "robot/arm/Control"},
+            {"explain", "desk/teleoperation/Robot"},
+            {"undo"},
+            {"history"},
+            {"save", saved},
+            {"diff", saved},
+            {"plan", saved},
+            {"import", foreign, imported, "--process", "robot"},
+            {"load", "counter", "--in", "robot"},
+            {"classes", "robot"},
+            {"create", "SimulatedArm", "robot/spare"},
+            {"configure", "robot/spare", "--arg", "{}"},
+            {"start", "robot/spare"},
+            {"suspend", "robot/spare"},
+            {"restart", "robot/spare"},
+            {"stop", "robot/spare"},
+            {"rm", "robot/spare"},
+            {"disconnect", "desk/supervisor/Robot"},
+            {"apply", saved},
+            {"top"},
+            {"doctor"},
+            {"version"},
+            {"cert", "init", "--ca", ca},
+            {"cert", "issue", "anna", "--role", "viewer", "--out", keys, "--ca", ca},
+            {"cert", "check", keys + "/anna.crt", "--ca", ca},
+            {"cert", "revoke", "anna", "--ca", ca}};
+  }
+
+  static constexpr const char* kGoal = R"({"position": [0.1, 0, 0, -1, 0, 1, 0], "duration": 0.2})";
+  const std::vector<console::Verb> verbs = console::AllVerbs();
+  std::set<std::string> seen;
+  std::size_t documents = 0;
 };
 
 TEST_F(OutputTest, EveryDocumentFitsItsSchema) {
-  const std::string column = "robot/arm/state.Joints.position[0]";
-  const std::vector<Program::Words> lines = {
-      {"ls"},
-      {"show", "robot/arm"},
-      {"find", "Joints"},
-      {"status"},
-      {"graph"},
-      {"get", column},
-      {"watch", column, "--count", "1"},
-      {"hz", "robot/arm/state", "--count", "1"},
-      {"log"},
-      {"candidates", "desk/teleoperation/Robot"},
-      {"connect", "desk/teleoperation/Robot", "robot/arm/Control"},
-      {"explain", "desk/teleoperation/Robot"},
-      {"undo"},
-      {"history"},
-      {"classes", "robot"},
-      {"stop", "robot/arm"},
-      {"disconnect", "desk/supervisor/Robot"},
-      {"top"},
-      {"doctor"},
-      {"version"}};
+  for (const Program::Words& words : Lines()) ExpectFits(words);
 
-  for (const Program::Words& words : lines) ExpectFits(words);
-
+  for (const console::Verb& verb : verbs) {
+    EXPECT_NE(seen.contains(verb.name), kWithoutDocument.contains(verb.name))
+        << verb.name << " has neither a schema nor the reason why it needs none, or both";
+  }
   std::size_t schemas = 0;
-  for (const auto& file : std::filesystem::directory_iterator(TENDON_JSON_SCHEMAS)) {
+  for (const auto& file : std::filesystem::recursive_directory_iterator(TENDON_JSON_SCHEMAS)) {
+    if (file.is_directory()) continue;
     EXPECT_TRUE(SchemaIn(file.path()).is_object()) << file.path();
     ++schemas;
   }
-  EXPECT_EQ(schemas, lines.size());
+  EXPECT_EQ(schemas, documents);
 }
 
 TEST(MisfitOf, SaysWhereAValueIsWrong) {

@@ -2,6 +2,8 @@
 #include <tendon/gcm/client/process_links.h>
 #include <tendon/process/access/guarded_handler.h>
 
+#include <cstddef>
+#include <span>
 #include <utility>
 
 namespace tendon::client {
@@ -13,19 +15,26 @@ constexpr std::chrono::milliseconds kOpenTimeout(1000);
 
 class ProcessLinks::Handler final : public ChannelHandler {
  public:
-  explicit Handler(std::weak_ptr<ProcessLinks> links, Role role)
-      : links_(std::move(links)), role_(role) {}
+  Handler(std::weak_ptr<ProcessLinks> links, std::weak_ptr<ChannelHandler> listener, Role role)
+      : links_(std::move(links)), listener_(std::move(listener)), role_(role) {}
 
   void OnOpen(const SharedChannel& channel, const Hello& /*peer*/) override {
     LowerRole(*channel, role_);
   }
 
-  void OnClosed(const SharedChannel& channel, const Error& /*reason*/) override {
+  void OnNotice(const SharedChannel& channel, const FrameHeader& header,
+                std::span<const std::byte> body) override {
+    if (const auto listener = listener_.lock()) listener->OnNotice(channel, header, body);
+  }
+
+  void OnClosed(const SharedChannel& channel, const Error& reason) override {
     if (const auto links = links_.lock()) links->Closed(channel.get());
+    if (const auto listener = listener_.lock()) listener->OnClosed(channel, reason);
   }
 
  private:
   const std::weak_ptr<ProcessLinks> links_;
+  const std::weak_ptr<ChannelHandler> listener_;
   const Role role_;
 };
 
@@ -94,7 +103,7 @@ Result<ProcessLinks::SharedChannel> ProcessLinks::TryOpen(const std::string& pro
   if (!cookie) return cookie.error();
   const Hello mine{
       .instance = os::RandomNumber(), .name = name_, .wanted = process, .cookie = *cookie};
-  const auto handler = std::make_shared<Handler>(weak_from_this(), role_);
+  const auto handler = std::make_shared<Handler>(weak_from_this(), listener_, role_);
   const std::string who = "process '" + process + "' does not answer at " + there->address;
   auto channel = Channel::Open(middleware_, there->address, mine, handler, kOpenTimeout);
   if (!channel) return Error{channel.error().code, who + ": " + channel.error().message};

@@ -28,6 +28,8 @@ class ProcessLinks final : public std::enable_shared_from_this<ProcessLinks> {
   /// The middleware outlives Stop(). In the processes, we have `role` at most.
   ProcessLinks(Middleware& middleware, Resolve resolve, std::string name, Role role);
 
+  /// Before the first With(): who hears the notices on all channels, and the ends of those.
+  void HearNotices(std::weak_ptr<ChannelHandler> listener) { listener_ = std::move(listener); }
   /// Calls `use` with an open channel or the reason why there is none: at once, or in the thread
   /// that opens it.
   void With(const std::string& process, Use use);
@@ -50,6 +52,7 @@ class ProcessLinks final : public std::enable_shared_from_this<ProcessLinks> {
   const Resolve resolve_;
   const std::string name_;
   const Role role_;
+  std::weak_ptr<ChannelHandler> listener_;
   std::mutex mutex_;
   bool stopped_ = false;
   std::map<std::string, Place> places_;

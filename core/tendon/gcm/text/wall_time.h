@@ -11,4 +11,7 @@ namespace tendon {
 /// "2025-11-21 15:40:03", in local time.
 [[nodiscard]] std::string WallTimeText(std::int64_t nanoseconds);
 
+/// The same with milliseconds: "2025-11-21 15:40:03.250".
+[[nodiscard]] std::string FineWallTimeText(std::int64_t nanoseconds);
+
 }  // namespace tendon

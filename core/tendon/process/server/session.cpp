@@ -22,6 +22,7 @@ void Session::OnAllowedRequest(const SharedChannel& channel, const FrameHeader& 
   }
   if (type == message::kPing) return responder.Reply(EncodeBody(PongOfNow()), kOwnLane);
   if (type == message::kOpenInterface) return OpenInterface(body, std::move(responder));
+  if (type == message::kListen) return Listen(body, std::move(responder));
   if (type == message::kGetSchemas) return AnswerSchemas(body, responder);
   if (type == message::kCallMember) return CallMember(body, std::move(responder));
   if (type == message::kSubscribe) return Subscribe(channel, body, std::move(responder));
@@ -87,7 +88,23 @@ void Session::Call(const FrameHeader& header, Body body, Responder responder) {
 void Session::OpenInterface(Body body, Responder responder) {
   const auto open = DecodeBody<message::OpenInterface>(body);
   if (!open) return responder.Refuse(open.error());
-  services_.context.worker->Post([&services = services_, client = client_, open = *open,
+  Open(*open, std::move(responder));
+}
+
+/// Who listens may be a viewer, to whom calls are denied.
+void Session::Listen(Body body, Responder responder) {
+  const auto open = DecodeBody<message::OpenInterface>(body);
+  if (!open) return responder.Refuse(open.error());
+  if (!open->description.functions.empty()) {
+    return responder.Refuse(
+        {ErrorCode::kInvalid,
+         "who listens to the events of " + ToString(open->provided) + " calls no functions of it"});
+  }
+  Open(*open, std::move(responder));
+}
+
+void Session::Open(const message::OpenInterface& open, Responder responder) {
+  services_.context.worker->Post([&services = services_, client = client_, open,
                                   shared = std::make_shared<Responder>(std::move(responder))] {
     services.connections.Open(client, open, shared);
   });

@@ -39,6 +39,8 @@ class Session final : public GuardedHandler {
 
   void Call(const FrameHeader& header, Body body, Responder responder);
   void OpenInterface(Body body, Responder responder);
+  void Listen(Body body, Responder responder);
+  void Open(const message::OpenInterface& open, Responder responder);
   void CallMember(Body body, Responder responder);
   void Subscribe(const SharedChannel& channel, Body body, Responder responder);
 

@@ -3,6 +3,7 @@
 #include <tendon/gcm/client.h>
 #include <tendon/process/access/guarded_handler.h>
 #include <tendon/process/messages.h>
+#include <tendon/proxy/messages.h>
 
 #include <string>
 #include <vector>
@@ -152,6 +153,31 @@ TEST_P(GuardedTest, AViewerSeesWhatAnOperatorSees) {
   EXPECT_TRUE(history.ok()) << history.error().message;
   EXPECT_TRUE(schema.ok()) << schema.error().message;
   EXPECT_EQ(audit.lines(), lines);
+}
+
+TEST_P(GuardedTest, WhoListensToEventsCallsNothing) {
+  const auto channel = Lowered({tendon::EncodeBody(static_cast<std::uint8_t>(Role::kViewer))});
+  tendon::message::OpenInterface open{.required = {"looker", "events", "Control"},
+                                      .provided = {"robot", "plant", "Control"},
+                                      .description = {.name = "Control"},
+                                      .handle = 1,
+                                      .capacity = 16};
+  const auto listen = [&] {
+    return channel->Call<tendon::message::InterfaceOpened>(tendon::message::kListen, 0, open,
+                                                           kPatience);
+  };
+
+  const auto listened = listen();
+  EXPECT_TRUE(listened.ok()) << listened.error().message;
+  open.handle = 2;
+  open.description.functions = {{.name = "Stop"}};
+  const auto refused = listen();
+
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().code, ErrorCode::kInvalid);
+  EXPECT_EQ(refused.error().message,
+            "who listens to the events of robot/plant/Control calls no functions of it");
+  channel->Close();
 }
 
 TEST_P(GuardedTest, WhatAnOperatorDoesIsWrittenDown) {

@@ -18,16 +18,17 @@ using Types = std::set<MessageType>;
 const Types kLooks = {message::kPing,        message::kGetSchemas, message::kSubscribe,
                       message::kUnsubscribe, message::kRowTaken,   message::kRenew,
                       message::kWatch,       message::kHistory,    message::kWatchLog,
-                      message::kGetClasses,  message::kHealth};
+                      message::kGetClasses,  message::kListen,     message::kCloseInterface,
+                      message::kHealth};
 
 /// What an operator may send besides.
-const Types kActs = {
-    message::kOpenInterface, message::kCloseInterface, message::kCommands,   message::kRead,
-    message::kWait,          message::kEventsLost,     message::kCallMember, message::kJoin,
-    message::kReport,        message::kLeave,          message::kConnect,    message::kDisconnect,
-    message::kUndo,          message::kForget,         message::kReplace,    message::kLogRecords,
-    message::kSetLogLevel,   message::kLife,           message::kPassOver,   message::kBeginOrder,
-    message::kTellHealth,    message::kProcess};
+const Types kActs = {message::kOpenInterface, message::kCommands,   message::kRead,
+                     message::kWait,          message::kEventsLost, message::kCallMember,
+                     message::kJoin,          message::kReport,     message::kLeave,
+                     message::kConnect,       message::kDisconnect, message::kUndo,
+                     message::kForget,        message::kReplace,    message::kLogRecords,
+                     message::kSetLogLevel,   message::kLife,       message::kPassOver,
+                     message::kBeginOrder,    message::kTellHealth, message::kProcess};
 
 /// By name: a number in the table that belongs to another message would show here.
 TEST(Rights, AreThoseOfTheMessages) {

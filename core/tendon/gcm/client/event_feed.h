@@ -1,0 +1,67 @@
+#pragma once
+
+#include <tendon/gcm/client/listening.h>
+#include <tendon/gcm/client/process_links.h>
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tendon::client {
+
+/// Listens to events of any process on the channels of ProcessLinks: as a required interface that
+/// has event handlers alone. What was lost is asked for again, twice a second. Thread-safe.
+class EventFeed final : public ChannelHandler, public std::enable_shared_from_this<EventFeed> {
+ public:
+  using Id = std::uint64_t;
+  /// What the catalogue says of the events now, in their order; the error says what is missing.
+  using LookUp = std::function<Result<std::vector<MemberDescription>>(const EventSubscription&)>;
+
+  /// `name` is ours, for the other ends' logs. The timer is never blocked.
+  EventFeed(std::shared_ptr<ProcessLinks> links, std::shared_ptr<Worker> timer, LookUp look_up,
+            std::string name, std::chrono::milliseconds timeout);
+
+  Id Listen(EventSubscription wanted, std::shared_ptr<EventSink> sink);
+  /// After it returns the sink hears nothing more.
+  void End(Id id);
+  /// The process has come back or moved: it is asked again at once.
+  void Retry(const std::string& process);
+
+  void OnNotice(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
+                std::span<const std::byte> body) override;
+  void OnClosed(const std::shared_ptr<Channel>& channel, const Error& reason) override;
+
+ private:
+  using SharedListening = std::shared_ptr<Listening>;
+  /// By channel, too: each has numbers of its own.
+  using Key = std::pair<const Channel*, std::uint32_t>;
+
+  void Pursue(const SharedListening& listening);
+  void Ask(const SharedListening& listening, const std::shared_ptr<Channel>& channel,
+           std::uint32_t attempt);
+  void Fail(const SharedListening& listening, std::uint32_t attempt, const Error& reason);
+  /// Whose number it is, or that of one of its events, and the attempt that it belongs to.
+  std::pair<SharedListening, std::uint32_t> Find(const Channel* channel, std::uint32_t handle);
+  SharedListening Take(const Key& key);
+
+  const std::shared_ptr<ProcessLinks> links_;
+  const std::shared_ptr<Worker> timer_;
+  const LookUp look_up_;
+  const std::string name_;
+  const std::chrono::milliseconds timeout_;
+  std::mutex mutex_;
+  std::map<Id, SharedListening> listenings_;
+  std::map<Key, SharedListening> standing_;
+  Id last_id_ = 0;
+  std::uint32_t next_handle_ = 1;
+};
+
+}  // namespace tendon::client

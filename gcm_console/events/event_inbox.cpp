@@ -1,0 +1,77 @@
+#include <gcm_console/events/event_inbox.h>
+#include <tendon/gcm/text/wall_time.h>
+
+#include <utility>
+
+namespace console {
+
+class EventInbox::Sink final : public tendon::EventSink {
+ public:
+  Sink(std::shared_ptr<EventInbox> inbox, tendon::EventSubscription subscription)
+      : inbox_(std::move(inbox)), subscription_(std::move(subscription)) {}
+
+  void OnListening(const std::vector<tendon::MemberDescription>& events) override {
+    events_ = events;
+    const std::scoped_lock lock(inbox_->mutex_);
+    Content& content = inbox_->content_;
+    content.begun.push_back(subscription_);
+    content.descriptions.insert(content.descriptions.end(), events.begin(), events.end());
+  }
+  void OnEvent(std::size_t event, std::span<const std::byte> value) override {
+    const std::int64_t now = tendon::WallTime();
+    const std::scoped_lock lock(inbox_->mutex_);
+    Content& content = inbox_->content_;
+    if (content.events.size() >= kMostWaiting) {
+      ++content.lost[PathOf(event)];
+      return;
+    }
+    content.events.push_back({.time_ns = now,
+                              .path = PathOf(event),
+                              .description = events_.at(event),
+                              .value = {value.begin(), value.end()}});
+  }
+  void OnEventsLost(std::size_t event, std::uint64_t lost) override {
+    const std::scoped_lock lock(inbox_->mutex_);
+    inbox_->content_.lost[PathOf(event)] += lost;
+  }
+  void OnStale(const tendon::Error& reason) override {
+    const std::scoped_lock lock(inbox_->mutex_);
+    inbox_->content_.complaints.push_back(reason.message);
+  }
+
+ private:
+  [[nodiscard]] std::string PathOf(std::size_t event) const {
+    return ToString(subscription_.provided) + "." + subscription_.events.at(event);
+  }
+
+  const std::shared_ptr<EventInbox> inbox_;
+  const tendon::EventSubscription subscription_;
+  std::vector<tendon::MemberDescription> events_;
+};
+
+std::shared_ptr<tendon::EventSink> EventInbox::SinkOf(
+    const tendon::EventSubscription& subscription) {
+  return std::make_shared<Sink>(shared_from_this(), subscription);
+}
+
+EventInbox::Content EventInbox::Take() {
+  const std::scoped_lock lock(mutex_);
+  return std::exchange(content_, {});
+}
+
+void EventInbox::OnSnapshot(const tendon::Catalog& /*catalog*/) {
+  const std::scoped_lock lock(mutex_);
+  content_.is_catalog_new = true;
+}
+
+void EventInbox::OnChanges(const std::vector<tendon::CatalogChange>& /*changes*/) {
+  const std::scoped_lock lock(mutex_);
+  content_.is_catalog_new = true;
+}
+
+void EventInbox::OnGcmLost(const tendon::Error& reason) {
+  const std::scoped_lock lock(mutex_);
+  content_.complaints.push_back(reason.message);
+}
+
+}  // namespace console

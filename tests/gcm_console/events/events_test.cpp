@@ -1,0 +1,217 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <program/exit_code.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "gcm_console/system_fixture.h"
+
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+/// `hall/crier` raises events when it is told to.
+class EventsTest : public SystemFixture {
+ protected:
+  void SetUp() override {
+    std::ofstream(file) << R"({"version": 1, "name": "hall", "processes": [{"name": "hall",
+        "components": [{"name": "crier", "class": "Crier", "library": "crier"}]}]})";
+    StartGcm();
+    hall = StartLcm("hall", file);
+    ASSERT_TRUE(EventuallySays({"ls", "hall"}, "crier\tactive")) << hall->err();
+  }
+
+  [[nodiscard]] std::unique_ptr<Program> Listen(Program::Words words) const {
+    words.insert(words.begin(),
+                 {Binary("gcm"), "--gcm", address, "--timeout", kPatience, "events"});
+    return std::make_unique<Program>(words);
+  }
+  static bool Says(const std::string& all, const std::string& text) {
+    return all.find(text) != std::string::npos;
+  }
+  static bool EventuallyListens(const Program& events) {
+    return EventuallyTrue([&] { return Says(events.err(), "gcm: listening to "); });
+  }
+  void Call(const std::string& command, const std::string& argument = "") const {
+    Program::Words words = {"call", "hall/crier/Voice." + command};
+    if (!argument.empty()) words.push_back(argument);
+    const Outcome called = Gcm(words);
+    ASSERT_EQ(called.exit_code, program::kOk) << called.err;
+  }
+  static std::vector<std::string> LinesOf(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream all(text);
+    for (std::string line; std::getline(all, line);) lines.push_back(line);
+    return lines;
+  }
+
+  const std::string file = (home.path() / "hall.json").string();
+  std::unique_ptr<Program> hall;
+};
+
+TEST_F(EventsTest, PrintsThoseOfAnInterfaceAsTheyAreRaised) {
+  const auto events = Listen({"hall/crier/Voice", "--count", "4"});
+  ASSERT_TRUE(EventuallyListens(*events)) << events->err();
+
+  Call("Cry", "3");
+  Call("Fall");
+
+  ASSERT_EQ(events->Wait(), program::kOk) << events->err();
+  const auto lines = LinesOf(events->out());
+  ASSERT_EQ(lines.size(), 4U) << events->out();
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_THAT(lines[i], testing::ContainsRegex("^20[0-9-]+ [0-9:]+[.][0-9][0-9][0-9]\t"));
+    EXPECT_THAT(lines[i], testing::EndsWith("\thall/crier/Voice.Cried\t" + std::to_string(i + 1)));
+  }
+  EXPECT_THAT(lines[3], testing::EndsWith("\thall/crier/Voice.Fell\t-"));
+  EXPECT_THAT(events->err(), HasSubstr("gcm: 4 events, 0 lost\n"));
+}
+
+TEST_F(EventsTest, PatternsChooseAndAViewerMayListen) {
+  const auto one = Listen({"hall/crier/Voice.Fell", "--count", "1", "--json", "--read-only"});
+  const auto some = Listen({"**.Cri*", "--count", "1", "--jsonl"});
+  ASSERT_TRUE(EventuallyListens(*one)) << one->err();
+  ASSERT_TRUE(EventuallyListens(*some)) << some->err();
+
+  Call("Cry", "1");
+  Call("Fall");
+
+  ASSERT_EQ(one->Wait(), program::kOk) << one->err();
+  ASSERT_EQ(some->Wait(), program::kOk) << some->err();
+  const json fell = json::parse(one->out());
+  EXPECT_EQ(fell["schema"], 1);
+  EXPECT_EQ(fell["path"], "hall/crier/Voice.Fell");
+  EXPECT_EQ(fell["value"], nullptr);
+  EXPECT_GT(fell["time_ns"], std::int64_t{1'600'000'000} * 1'000'000'000);
+  const json cried = json::parse(some->out());
+  EXPECT_EQ(cried["path"], "hall/crier/Voice.Cried");
+  EXPECT_EQ(cried["value"], 1);
+}
+
+TEST_F(EventsTest, EndsWithASummaryWhenItIsInterrupted) {
+  const auto events = Listen({"hall/crier/*"});
+  ASSERT_TRUE(EventuallyListens(*events)) << events->err();
+  Call("Fall");
+  ASSERT_TRUE(EventuallyTrue([&] { return Says(events->out(), "Voice.Fell"); })) << events->err();
+
+  events->Signal(SIGINT);
+
+  EXPECT_EQ(events->Wait(), program::kInterrupted);
+  EXPECT_THAT(events->err(), HasSubstr("gcm: 1 events, 0 lost\n"));
+}
+
+TEST_F(EventsTest, ForEndsItToo) {
+  const auto events = Listen({"hall/crier/Voice", "--for", "1ms"});
+  EXPECT_EQ(events->Wait(), program::kOk) << events->err();
+  EXPECT_THAT(events->err(), HasSubstr(" events, 0 lost\n"));
+}
+
+TEST_F(EventsTest, WhatFindsNoRoomIsCounted) {
+  constexpr int kTimes = 5000;
+  const auto events = Listen({"hall/crier/Voice"});
+  ASSERT_TRUE(EventuallyListens(*events)) << events->err();
+
+  Call("Cry", std::to_string(kTimes));
+  const auto printed = [&] { return LinesOf(events->out()).size(); };
+  const auto lost = [&] {
+    std::size_t all = 0;
+    for (const std::string& line : LinesOf(events->err())) {
+      unsigned long some = 0;
+      if (std::sscanf(line.c_str(), "gcm: lost %lu of hall/crier/Voice.Cried", &some) == 1) {
+        all += some;
+      }
+    }
+    return all;
+  };
+
+  EXPECT_TRUE(EventuallyTrue([&] { return printed() + lost() == kTimes; }))
+      << printed() << " + " << lost();
+  EXPECT_GE(printed(), 1024U);
+  events->Signal(SIGINT);
+  ASSERT_EQ(events->Wait(), program::kInterrupted);
+  EXPECT_THAT(events->err(), HasSubstr("gcm: " + std::to_string(printed()) + " events, " +
+                                       std::to_string(lost()) + " lost\n"));
+}
+
+TEST_F(EventsTest, GoesOnWhenTheGcmAndTheProcessWereStartedAnew) {
+  const auto events = Listen({"hall/crier/Voice"});
+  ASSERT_TRUE(EventuallyListens(*events)) << events->err();
+  const auto raised = [&](std::size_t times) {
+    return EventuallyTrue([&] { return LinesOf(events->out()).size() >= times; });
+  };
+
+  gcm->Signal(SIGKILL);
+  ASSERT_TRUE(EventuallyTrue([&] { return Says(events->err(), "no GCM at"); }));
+  StartGcm();
+  ASSERT_TRUE(EventuallySays({"ls", "hall"}, "crier\tactive")) << hall->err();
+  Call("Fall");
+  ASSERT_TRUE(raised(1)) << events->err();
+
+  hall->Signal(SIGKILL);
+  ASSERT_TRUE(EventuallyTrue([&] { return Says(events->err(), "process 'hall'"); }));
+  hall = StartLcm("hall", file);
+  ASSERT_TRUE(EventuallyTrue([&] {
+    const auto lines = LinesOf(events->err());
+    return std::count(lines.begin(), lines.end(),
+                      "gcm: listening to 2 events of hall/crier/Voice") == 2;
+  })) << events->err();
+  Call("Cry", "1");
+  EXPECT_TRUE(raised(2)) << events->err();
+
+  events->Signal(SIGINT);
+  EXPECT_EQ(events->Wait(), program::kInterrupted);
+}
+
+TEST_F(EventsTest, NoReconnectEndsItInstead) {
+  const auto events = Listen({"hall/crier/Voice", "--no-reconnect"});
+  ASSERT_TRUE(EventuallyListens(*events)) << events->err();
+
+  hall->Signal(SIGKILL);
+
+  EXPECT_EQ(events->Wait(), program::kUnreachable);
+  EXPECT_THAT(events->err(), HasSubstr("gcm: process 'hall' was lost"));
+}
+
+TEST_F(EventsTest, AComponentThatComesLaterIsHeard) {
+  const auto events = Listen({"hall/*/Voice"});
+  ASSERT_TRUE(EventuallyListens(*events)) << events->err();
+
+  ASSERT_EQ(Gcm({"create", "Crier", "hall/herald"}).exit_code, program::kOk);
+  ASSERT_EQ(Gcm({"start", "hall/herald"}).exit_code, program::kOk);
+  ASSERT_TRUE(EventuallyTrue([&] {
+    return Says(events->err(), "gcm: listening to 2 events of hall/herald/Voice");
+  })) << events->err();
+  ASSERT_EQ(Gcm({"call", "hall/herald/Voice.Fall"}).exit_code, program::kOk);
+  EXPECT_TRUE(EventuallyTrue([&] { return Says(events->out(), "hall/herald/Voice.Fell"); }));
+
+  // One that goes away is waited for.
+  ASSERT_EQ(Gcm({"stop", "hall/herald"}).exit_code, program::kOk);
+  ASSERT_EQ(Gcm({"rm", "hall/herald"}).exit_code, program::kOk);
+  EXPECT_TRUE(EventuallyTrue([&] { return Says(events->err(), "'herald'"); })) << events->err();
+}
+
+TEST_F(EventsTest, MistakesAreExplained) {
+  const auto refused = [&](const Program::Words& words, int exit_code, const std::string& text) {
+    Program::Words all = {"events"};
+    all.insert(all.end(), words.begin(), words.end());
+    const Outcome outcome = Gcm(all);
+    EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_THAT(outcome.err, HasSubstr(text));
+  };
+  refused({}, program::kUsage, "gcm events --help tells more");
+  refused({"hall/crier/Voice", "--count", "0"}, program::kUsage, "--count");
+  refused({"hall/crier/Voice.Fel"}, program::kNotFound, "did you mean 'Fell'?");
+  refused({"hall/crier/Voice.Cry"}, program::kUsage, "'hall/crier/Voice.Cry' is a command");
+  refused({"hall/crier"}, program::kUsage, "name one, or all with 'hall/crier/**'");
+  refused({"hall/crier/state"}, program::kNotFound, "'hall/crier/state' has no events");
+  refused({"nowhere/**"}, program::kNotFound, "no event fits 'nowhere/**'");
+}
+
+}  // namespace
