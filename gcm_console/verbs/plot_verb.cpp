@@ -5,6 +5,7 @@
 #include <gcm_console/verb.h>
 #include <program/command_line.h>
 #include <tendon/base/os/screen/keyboard.h>
+#include <tendon/base/os/terminal.h>
 #include <tendon/base/os/termination.h>
 #include <tendon/payload/plot_channel.h>
 
@@ -182,10 +183,11 @@ Result<ExitCode> Collect(Context& context, PlotListener& listener, const PlotOpt
     if (const auto mistake = listener.mistake()) return *mistake;
     if (keyboard) {
       const int rows = tendon::os::TerminalRows();
-      screen->Show(PictureOf(listener.curves(), options.window, context.columns(), rows - 2) +
-                       Plain(listener.complaint()) + "\n",
-                   rows);
+      const int columns = tendon::os::TerminalColumns(tendon::os::Stream::kOutput);
+      screen->Show(PictureOf(listener.curves(), options.window, columns, rows - 2),
+                   Plain(listener.complaint()), rows);
       if (keyboard->NextKey(100ms) == 'q') return program::kOk;
+      screen->PauseIfAsked(*keyboard);
     }
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
     if (seconds > 0.0 && passed.count() >= seconds) return program::kOk;

@@ -5,6 +5,7 @@
 #include <gcm_console/screen/task_feed.h>
 #include <gcm_console/verb.h>
 #include <tendon/base/os/screen/keyboard.h>
+#include <tendon/base/os/terminal.h>
 #include <tendon/base/os/termination.h>
 #include <tendon/gcm/text/health_text.h>
 
@@ -184,9 +185,11 @@ std::string PictureOf(const Table& processes, const std::vector<TaskFigures>& ta
   if (keys.is_typing || !options.filter.empty()) picture << ", with '" << options.filter << "'";
   picture << (keys.is_typing ? "_  (Enter, Esc)" : "") << "\n\n";
   TableOf(tasks).Print(picture, layout);
-  picture << "\nsort: n name, r rate, t latest, l load, s skipped; / filter, q end\n";
   return picture.str();
 }
+
+constexpr const char* kKeyLine =
+    "sort: n name, r rate, t latest, l load, s skipped; / filter, q end";
 
 ExitCode ShowAlways(Context& context, tendon::GcmClient& client, TopOptions options) {
   TaskFeed feed(client);
@@ -198,9 +201,12 @@ ExitCode ShowAlways(Context& context, tendon::GcmClient& client, TopOptions opti
     auto tasks = feed.Look();
     Arrange(tasks, options);
     const Table processes = BusiestOf(client.catalog(), health.Look());
-    screen.Show(PictureOf(processes, tasks, options, keys, context.layout()),
+    Layout layout = context.layout();
+    layout.columns = tendon::os::TerminalColumns(tendon::os::Stream::kOutput);
+    screen.Show(PictureOf(processes, tasks, options, keys, layout), kKeyLine,
                 tendon::os::TerminalRows());
     if (const auto key = keyboard.NextKey(200ms)) Press(*key, keys, options);
+    screen.PauseIfAsked(keyboard);
     if (tendon::os::TerminationAsked(0ms)) return program::kInterrupted;
   }
   return program::kOk;

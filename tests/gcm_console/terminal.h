@@ -26,8 +26,8 @@ class Terminal {
     ptsname_r(master_, name.data(), name.size());
     const std::string line(name.data());
     keeper_ = open(line.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
-    const winsize size{.ws_row = 24, .ws_col = columns, .ws_xpixel = 0, .ws_ypixel = 0};
-    ioctl(master_, TIOCSWINSZ, &size);
+    constexpr unsigned short kUsualRows = 24;
+    Resize(kUsualRows, columns);
     environment.insert({"TERM", "xterm"});
     environment.insert({"NO_COLOR", ""});
     const std::string streams = " <" + line + " >" + line + " 2>&1";
@@ -42,6 +42,10 @@ class Terminal {
     close(master_);
   }
 
+  void Resize(unsigned short rows, unsigned short columns) {
+    const winsize size{.ws_row = rows, .ws_col = columns, .ws_xpixel = 0, .ws_ypixel = 0};
+    ioctl(master_, TIOCSWINSZ, &size);
+  }
   void Type(const std::string& keys) {
     seen_.clear();
     const auto written = write(master_, keys.data(), keys.size());

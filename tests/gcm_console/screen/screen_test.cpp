@@ -59,6 +59,47 @@ TEST_F(ScreenTest, TopOnATerminalIsSortedAndFilteredByKeys) {
   EXPECT_TRUE(terminal.Shows("\x1b[?1049l"));  // the screen is given back
 }
 
+TEST_F(ScreenTest, TopAlwaysShowsItsKeysAndFollowsTheSizeOfTheTerminal) {
+  Terminal terminal(Binary("gcm") + " --gcm " + address + " --timeout " + kPatience + " top", {},
+                    100);
+  ASSERT_TRUE(terminal.Shows("RATE/Hz")) << terminal.seen();
+  ASSERT_TRUE(terminal.Shows("q end")) << terminal.seen();
+
+  terminal.Resize(4, 100);  // rows: there is room for two tasks at most
+  terminal.Type("n");
+  ASSERT_TRUE(terminal.Shows("by name")) << terminal.seen();
+  ASSERT_TRUE(terminal.Shows("q end")) << terminal.seen();
+  EXPECT_THAT(terminal.seen(), testing::Not(HasSubstr("teleoperation")));
+
+  terminal.Type("q");
+  EXPECT_EQ(terminal.program().Wait(), program::kOk);
+}
+
+/// Where there is a shell to come back to.
+TEST_F(ScreenTest, CtrlZGivesTheScreenBackUntilTheProgramGoesOn) {
+  const std::string gcm_line = Binary("gcm") + " --gcm " + address + " --timeout " + kPatience;
+  Terminal terminal("/bin/bash --norc --noprofile -i", {{"PS1", "at rest> "}}, 100);
+  ASSERT_TRUE(terminal.Shows("at rest> "));
+  for (const std::string& verb :
+       {std::string("top --sort name"), std::string("plot robot/arm/state.Joints.position[0]")}) {
+    terminal.Type(gcm_line + " " + verb + "\r");
+    ASSERT_TRUE(terminal.Shows("\x1b[?1049h")) << terminal.seen();
+    ASSERT_TRUE(terminal.Shows("\x1b[J")) << terminal.seen();
+
+    terminal.Type("\x1a");
+    ASSERT_TRUE(terminal.Shows("\x1b[?1049l")) << terminal.seen();
+    ASSERT_TRUE(terminal.Shows("at rest> ")) << terminal.seen();
+    terminal.Type("fg\r");
+    ASSERT_TRUE(terminal.Shows("\x1b[?1049h")) << terminal.seen();
+    ASSERT_TRUE(terminal.Shows("\x1b[J")) << terminal.seen();
+    terminal.Type("q");
+
+    ASSERT_TRUE(terminal.Shows("\x1b[?1049l")) << terminal.seen();
+    ASSERT_TRUE(terminal.Shows("at rest> ")) << terminal.seen();
+  }
+  terminal.Type("exit\r");
+}
+
 TEST_F(ScreenTest, PlotDrawsACurveWithItsScale) {
   const Outcome plotted =
       Gcm({"plot", "robot/arm/state.Joints.position[0]", "--window", "1s", "--for", "3s"});
