@@ -16,8 +16,10 @@ using Row = std::vector<std::string>;
 constexpr std::size_t kGap = 2;
 constexpr std::size_t kIndent = 4;  // of what did not fit into the first line
 
-void PrintSeparated(const Row& row, std::ostream& out) {
-  for (std::size_t i = 0; i < row.size(); ++i) out << (i == 0 ? "" : "\t") << row[i];
+void PrintSeparated(const Row& row, const Layout& layout, std::ostream& out) {
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    out << (i == 0 ? "" : "\t") << Coloured(row[i], layout.is_coloured);
+  }
   out << '\n';
 }
 
@@ -105,7 +107,7 @@ void Table::Add(std::vector<std::string> row) {
 
 void Table::Print(std::ostream& out, const Layout& layout) const {
   if (layout.columns == 0) {
-    for (const Row& row : rows_) PrintSeparated(row, out);
+    for (const Row& row : rows_) PrintSeparated(row, layout, out);
     return;
   }
   const auto columns = ColumnsOf(titles_, rows_);

@@ -86,12 +86,29 @@ class Collector {
   Completion found_;
 };
 
+/// Of "--color=", and what is typed of the value.
+Completion ValuesBehind(const std::string& begin, const std::string& value, const Page& gcm,
+                        const Page& verb, const AskCatalog& catalog, const std::string& at) {
+  const auto* option = FindOption(gcm, verb, begin.substr(0, begin.size() - 1));
+  if (option == nullptr) return {};
+  Collector collector(value, catalog, at);
+  collector.OfferValues(option->kind, option->choices, gcm);
+  Completion found = collector.Take();
+  for (auto& candidate : found.candidates) candidate.text.insert(0, begin);
+  return found;
+}
+
 }  // namespace
 
 Completion Complete(const Page& gcm, const std::vector<std::string>& words,
                     const AskCatalog& catalog, const std::string& at) {
   const std::string word = words.empty() ? "" : words.back();
   const Standing standing = StandingOf(gcm, words);
+  if (const auto equals = word.find('=');
+      standing.option == nullptr && word.starts_with("--") && equals != std::string::npos) {
+    return ValuesBehind(word.substr(0, equals + 1), word.substr(equals + 1), gcm, *standing.page,
+                        catalog, at);
+  }
   Collector collector(word, catalog, at);
   if (standing.option != nullptr) {
     collector.OfferValues(standing.option->kind, standing.option->choices, gcm);

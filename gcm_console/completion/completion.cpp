@@ -13,16 +13,31 @@ constexpr std::chrono::milliseconds kPatience(300);
 
 constexpr const char* kBash = R"(# bash completion of gcm
 _gcm() {
-  local word="${COMP_WORDS[COMP_CWORD]}" line
+  # bash parts words at ':' and '=', as in HOST:PORT; what no blank parts is one word here.
+  local -a words=()
+  local i piece rest=$COMP_LINE
+  for ((i = 0; i <= COMP_CWORD; ++i)); do
+    piece=${COMP_WORDS[i]}
+    if [[ $i -gt 0 && $rest != [[:blank:]]* ]]; then
+      words[${#words[@]}-1]+=$piece
+    else
+      words+=("$piece")
+    fi
+    while [[ $rest == [[:blank:]]* ]]; do rest=${rest:1}; done
+    rest=${rest#"$piece"}
+  done
+  local word="${words[${#words[@]}-1]}" line
+  local begin=${word%"${word##*[:=]}"}  # stands already, and is no part of what bash completes
   COMPREPLY=()
   while IFS= read -r line; do
     if [[ $line == :files ]]; then
       compopt -o filenames
-      mapfile -t COMPREPLY < <(compgen -f -- "$word")
+      mapfile -t COMPREPLY < <(compgen -f -- "${word#"$begin"}")
       return
     fi
-    COMPREPLY+=("${line%%$'\t'*}")
-  done < <(gcm complete "${COMP_WORDS[@]:1:COMP_CWORD-1}" "$word" 2>/dev/null)
+    line=${line%%$'\t'*}
+    COMPREPLY+=("${line#"$begin"}")
+  done < <(gcm complete "${words[@]:1:${#words[@]}-2}" "$word" 2>/dev/null)
   if [[ ${#COMPREPLY[@]} -eq 1 && ${COMPREPLY[0]} == *[/.] ]]; then compopt -o nospace; fi
 }
 complete -F _gcm gcm
@@ -62,10 +77,14 @@ end
 complete -c gcm -f -a '(__gcm_complete)'
 )";
 
-/// The value of an option that holds for every verb, as the words give it.
+/// The value of an option that holds for every verb, as the words give it: behind it, or behind
+/// '='.
 std::string Given(const std::vector<std::string>& words, const std::string& option) {
-  const auto found = std::find(words.begin(), words.end(), option);
-  return found == words.end() || found + 1 == words.end() ? "" : *(found + 1);
+  for (std::size_t i = 0; i + 1 < words.size(); ++i) {  // the last one is being typed
+    if (words[i] == option && i + 2 < words.size()) return words[i + 1];
+    if (words[i].starts_with(option + "=")) return words[i].substr(option.size() + 1);
+  }
+  return "";
 }
 
 tendon::Catalog CatalogFor(const std::vector<std::string>& words) {
@@ -73,6 +92,11 @@ tendon::Catalog CatalogFor(const std::vector<std::string>& words) {
   settings.timeout = kPatience;
   settings.gcm = program::GcmAddress(Given(words, "--gcm"));
   settings.network.certificate = Given(words, "--certificate");
+  settings.network.authority = Given(words, "--ca");
+  if (const std::string middleware = Given(words, "--middleware"); !middleware.empty()) {
+    settings.network.middleware = middleware;
+  }
+  settings.network.insecure = std::ranges::find(words, "--insecure") != words.end();
   const auto client = OpenClient(settings, "gcm complete");
   if (!client || !(*client)->WaitUntilWatching()) return {};
   return (*client)->catalog();

@@ -1,9 +1,11 @@
 #include <gcm_console/report.h>
 #include <gcm_console/shell/line_editor.h>
 #include <histedit.h>
+#include <tendon/base/os/file.h>
 #include <tendon/base/os/termination.h>
 
 #include <algorithm>
+#include <cctype>
 #include <clocale>
 #include <cstdio>
 #include <string_view>
@@ -16,6 +18,27 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kRemembered = 1000;
+
+/// The first line of a history in the format of libedit.
+constexpr const char* kHistoryMark = "_HiStOrY_V2_\n";
+
+/// A line of it: as strvis() encodes, where \ooo stands for any byte.
+std::string HistoryLine(const std::string& typed) {
+  constexpr std::string_view kPlain = "/.,:;_-+=()[]{}<>\"'*?!#$%&@^|~";
+  std::string line;
+  for (const char letter : typed) {
+    const auto byte = static_cast<unsigned char>(letter);
+    const bool is_plain =
+        byte < 0x80U && (std::isalnum(byte) != 0 || kPlain.find(letter) != std::string_view::npos);
+    if (is_plain) {
+      line += letter;
+      continue;
+    }
+    line += '\\';
+    for (const unsigned shift : {6U, 3U, 0U}) line += static_cast<char>('0' + (byte >> shift & 7U));
+  }
+  return line + '\n';
+}
 
 struct EndEditLine {
   void operator()(EditLine* editor) const { el_end(editor); }
@@ -61,7 +84,7 @@ class LineEditor final : public LineReader {
     HistEvent event{};
     history(history_.get(), &event, H_SETSIZE, kRemembered);
     history(history_.get(), &event, H_SETUNIQUE, 1);
-    history(history_.get(), &event, H_LOAD, file_.c_str());
+    Load();
     EditLine* editor = editor_.get();
     el_set(editor, EL_CLIENTDATA, this);
     el_set(editor, EL_PROMPT, &Prompt);
@@ -107,11 +130,22 @@ class LineEditor final : public LineReader {
     return CC_NEWLINE;
   }
 
+  /// What is too old is taken out of the file from time to time.
+  void Load() {
+    HistEvent event{};
+    const int loaded = history(history_.get(), &event, H_LOAD, file_.c_str());
+    if (loaded > 2 * kRemembered) history(history_.get(), &event, H_SAVE, file_.c_str());
+    std::error_code none;
+    const auto size = fs::file_size(file_, none);
+    if (none || size == 0) static_cast<void>(tendon::os::AppendDurably(file_, kHistoryMark));
+  }
+
+  /// At the end of the file, where other shells write too.
   void Remember(const std::string& line) {
     if (line.find_first_not_of(" \t") == std::string::npos) return;
     HistEvent event{};
     history(history_.get(), &event, H_ENTER, line.c_str());
-    history(history_.get(), &event, H_SAVE, file_.c_str());
+    static_cast<void>(tendon::os::AppendDurably(file_, HistoryLine(line)));
   }
 
   unsigned char Complete() {
@@ -121,14 +155,32 @@ class LineEditor final : public LineReader {
     const std::string& word = line.words.back();
     Completion found = completion_(line);
     if (found.is_file) found.candidates = Files(word);
-    if (found.candidates.empty() || word != line.typed) return CC_REFRESH_BEEP;
+    if (found.candidates.empty()) return CC_REFRESH_BEEP;
     const std::string common = CommonBegin(found.candidates);
     if (common.size() > word.size()) {
-      el_insertstr(editor_.get(), common.substr(word.size()).c_str());
+      Replace(line, common, found.candidates.size() == 1);
       return CC_REFRESH;
     }
     List(found.candidates);
     return CC_REDISPLAY;
+  }
+
+  /// The last word of the line by one that begins so; as it was typed, where that can stay.
+  void Replace(const Unfinished& line, const std::string& common, bool is_only_one) {
+    const std::string& word = line.words.back();
+    const bool is_whole = is_only_one && common.ends_with(' ');
+    const std::string wanted = Quoted(common.substr(0, common.size() - (is_whole ? 1 : 0)));
+    std::string more = is_whole ? " " : "";
+    if (word == line.typed && wanted.starts_with(word)) {
+      more.insert(0, wanted.substr(word.size()));
+    } else {
+      const auto letters = std::ranges::count_if(line.typed, [](char byte) {
+        return (static_cast<unsigned char>(byte) & 0xc0U) != 0x80U;
+      });
+      el_deletestr(editor_.get(), static_cast<int>(letters));
+      more.insert(0, wanted);
+    }
+    el_insertstr(editor_.get(), more.c_str());
   }
 
   static void List(const std::vector<Completion::Candidate>& candidates) {

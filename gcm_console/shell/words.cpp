@@ -18,14 +18,16 @@ class Reader {
 
   Result<void> Read() {
     while (true) {
-      while (!at_end() && IsBlank(next())) ++place_;
+      for (; !at_end() && IsBlank(next()); ++place_) is_open_ = false;
       if (at_end() || next() == '#') return {};
       if (next() == ';') {
         ++place_;
+        is_open_ = false;
         EndCommand();
         continue;
       }
       begin_ = place_;
+      is_open_ = true;
       if (auto word = ReadWord(); !word) return word;
     }
   }
@@ -36,9 +38,7 @@ class Reader {
   [[nodiscard]] std::vector<Words>& commands() { return commands_; }
   [[nodiscard]] Words& words() { return words_; }
   /// Where the last word begins; the line's end where none was begun.
-  [[nodiscard]] std::size_t begin() const {
-    return line_.empty() || IsBlank(line_.back()) || line_.back() == ';' ? line_.size() : begin_;
-  }
+  [[nodiscard]] std::size_t begin() const { return is_open_ ? begin_ : line_.size(); }
   /// What there is of a word without its end.
   [[nodiscard]] const std::string& rest() const { return word_; }
 
@@ -105,6 +105,7 @@ class Reader {
   std::string_view line_;
   std::size_t place_ = 0;
   std::size_t begin_ = 0;
+  bool is_open_ = false;  // the last word may go on
   std::string word_;
   Words words_;
   std::vector<Words> commands_;
@@ -117,6 +118,18 @@ Result<std::vector<Words>> CommandsOf(std::string_view line) {
   if (auto read = reader.Read(); !read) return read.error();
   reader.EndCommand();
   return std::move(reader.commands());
+}
+
+std::string Quoted(std::string_view word) {
+  std::string typed;
+  for (const char letter : word) {
+    const bool begins = typed.empty() && (letter == '#' || letter == '{' || letter == '[');
+    const bool is_special =
+        letter == ';' || letter == '\'' || letter == '"' || letter == '\\' || IsBlank(letter);
+    if (begins || is_special) typed += '\\';
+    typed += letter;
+  }
+  return typed;
 }
 
 Unfinished UnfinishedOf(std::string_view line) {

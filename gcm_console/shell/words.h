@@ -16,6 +16,9 @@ using Words = std::vector<std::string>;
 /// all. kInvalid where a quote or a bracket has no end.
 tendon::Result<std::vector<Words>> CommandsOf(std::string_view line);
 
+/// A word as it is to be typed, so that CommandsOf() reads it as one.
+[[nodiscard]] std::string Quoted(std::string_view word);
+
 /// The words of the last command of a line that is being typed; the last one, of which `typed` are
 /// the letters as they stand in the line, is empty behind a blank.
 struct Unfinished {

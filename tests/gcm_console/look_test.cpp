@@ -31,6 +31,11 @@ TEST_F(LookTest, StatusIsOneScreenOfWhatThereIsAndWhatIsWrong) {
   EXPECT_THAT(Gcm({"status"}).err, HasSubstr("not as it should be"));
 }
 
+TEST_F(LookTest, APipeIsColouredWhereThatIsWanted) {
+  EXPECT_THAT(Gcm({"--color", "always", "ls"}).out, HasSubstr("robot\t\x1b[32malive\x1b[0m\t"));
+  EXPECT_THAT(Gcm({"ls"}).out, HasSubstr("robot\talive\t"));
+}
+
 TEST_F(LookTest, FindsByPartPatternTypeStateAndHost) {
   EXPECT_THAT(Gcm({"find", "joints"}).out, HasSubstr("robot/arm/state.Joints\tcolumn\t"));
   EXPECT_EQ(Gcm({"find", "robot/*/Control.Stop"}).out, "robot/arm/Control.Stop\tcommand\t\t\t\n");

@@ -55,6 +55,14 @@ TEST(Table, ColoursTakeNoRoomAndTitlesMayBeLeftOut) {
   EXPECT_EQ(out.str(), "\x1b[31mlost\x1b[0m   robot\n");
 }
 
+TEST(Table, IsColouredInAPipeWhereThatIsWanted) {
+  Table table({"STATE", "NAME"});
+  table.Add({"lost", "robot"});
+  std::ostringstream out;
+  table.Print(out, {.columns = 0, .is_coloured = true});
+  EXPECT_EQ(out.str(), "\x1b[31mlost\x1b[0m\trobot\n");
+}
+
 TEST(Table, IsPrintedOnTheNarrowestTerminal) { EXPECT_FALSE(Printed(1).empty()); }
 
 }  // namespace

@@ -183,13 +183,17 @@ TEST_F(ShellTest, AScriptThatCannotBeReadIsASentence) {
 }
 
 TEST_F(ShellTest, BashCompletesWithTheFileThatGcmPrints) {
-  const auto completed = [&](const std::string& words, int index) {
+  const auto completed_line = [&](const std::string& line, const std::string& words, int index) {
     const std::string script = "PATH=" + std::string(TENDON_BIN) +
                                ":$PATH; source <(gcm completion bash); compopt() { :; }; "
                                "COMP_WORDS=(" +
-                               words + "); COMP_CWORD=" + std::to_string(index) +
-                               "; _gcm; printf '%s\\n' \"${COMPREPLY[@]}\"";
+                               words + "); COMP_CWORD=" + std::to_string(index) + "; COMP_LINE='" +
+                               line + "'; _gcm; printf '%s\\n' \"${COMPREPLY[@]}\"";
     return RunProgram({"/bin/bash", "-c", script}, {{"TENDON_GCM", address}}).out;
+  };
+
+  const auto completed = [&](const std::string& words, int index) {
+    return completed_line(words, words, index);
   };
 
   EXPECT_EQ(completed("gcm wat", 1), "watch\n");
@@ -199,6 +203,71 @@ TEST_F(ShellTest, BashCompletesWithTheFileThatGcmPrints) {
       [&] { return completed("gcm connect desk/tel", 2) == "desk/teleoperation/\n"; }));
   EXPECT_TRUE(EventuallyTrue(
       [&] { return completed("gcm get robot/arm/state.Jo", 2) == "robot/arm/state.Joints\n"; }));
+  // bash parts words at : and =.
+  const std::string parted = "127.0.0.1 : " + port;
+  EXPECT_TRUE(EventuallyTrue([&] {
+    return completed_line("gcm --gcm " + address + " ls rob", "gcm --gcm " + parted + " ls rob", 6)
+        .starts_with("robot");
+  }));
+  EXPECT_TRUE(EventuallyTrue([&] {
+    return completed_line("gcm --gcm=" + address + " ls rob", "gcm --gcm = " + parted + " ls rob",
+                          7)
+        .starts_with("robot");
+  }));
+  EXPECT_EQ(completed_line("gcm --color=n", "gcm --color = n", 3), "never\n");
+  EXPECT_EQ(completed("gcm events robot/arm/C", 2), "robot/arm/Control\nrobot/arm/Control.\n");
+}
+
+TEST_F(ShellTest, CompletionAsksTheGcmThatTheLineNames) {
+  const auto completed = [&](const Program::Words& options) {
+    Program::Words words = {Binary("gcm"), "complete"};
+    words.insert(words.end(), options.begin(), options.end());
+    words.insert(words.end(), {"ls", "rob"});
+    return RunProgram(words, {{"TENDON_GCM", "127.0.0.1:1"}}).out;
+  };
+
+  EXPECT_TRUE(EventuallyTrue([&] { return completed({"--gcm=" + address}) != ""; }));
+  EXPECT_TRUE(EventuallyTrue([&] { return completed({"--gcm", address}) != ""; }));
+  EXPECT_EQ(completed({}), "");
+  // What cannot be read is asked nothing with.
+  EXPECT_EQ(completed({"--gcm=" + address, "--certificate=nowhere.crt"}), "");
+  EXPECT_EQ(completed({"--gcm=" + address, "--certificate", "nowhere.crt", "--ca=nowhere"}), "");
+}
+
+TEST_F(ShellTest, TwoShellsKeepWhatWasTypedInEach) {
+  {
+    Terminal first(Command(), Environment());
+    Terminal second(Command(), Environment());
+    ASSERT_TRUE(first.Shows("gcm> "));
+    ASSERT_TRUE(second.Shows("gcm> "));
+    first.Type("status # first of all\r");
+    ASSERT_TRUE(first.Shows("\r\ngcm> ")) << first.seen();
+    second.Type("status # 'second' \\of\\ all\r");
+    ASSERT_TRUE(second.Shows("\r\ngcm> ")) << second.seen();
+    first.Type("\x04");  // Ctrl-D
+    EXPECT_EQ(first.program().Wait(), program::kOk);
+    second.Type("\x04");
+    EXPECT_EQ(second.program().Wait(), program::kOk);
+  }
+  Terminal third(Command(), Environment());
+  ASSERT_TRUE(third.Shows("gcm> "));
+
+  third.Type("\x1b[A");  // arrow up
+  EXPECT_TRUE(third.Shows("status # 'second' \\of\\ all")) << third.seen();
+  third.Type("\x1b[A");
+  EXPECT_TRUE(third.Shows("first of all")) << third.seen();
+}
+
+TEST_F(ShellTest, TabQuotesWhatWouldBeSeveralWords) {
+  home.Write("my lab; new.json", R"({"version": 1, "name": "lab", "processes": []})");
+  Terminal terminal(Command(), Environment());
+  ASSERT_TRUE(terminal.Shows("gcm> "));
+
+  terminal.Type("plan " + home.path().string() + "/my\t\r");
+  EXPECT_TRUE(terminal.Shows("\\ lab\\;\\ new.json")) << terminal.seen();
+  EXPECT_TRUE(terminal.Shows("gcm: 0 steps, ")) << terminal.seen();
+  terminal.Type("plan " + home.path().string() + "/'my l\t\r");
+  EXPECT_TRUE(terminal.Shows("gcm: 0 steps, ")) << terminal.seen();
 }
 
 }  // namespace

@@ -47,6 +47,17 @@ TEST(Words, OfALineThatIsBeingTypedTheLastIsOpen) {
   EXPECT_EQ(UnfinishedOf("cd a; get b/c").words, (Words{"get", "b/c"}));
   EXPECT_EQ(UnfinishedOf("cd a;").words, (Words{""}));
   EXPECT_EQ(UnfinishedOf("get b/c").typed, "b/c");
+  EXPECT_EQ(UnfinishedOf("save my\\ ").typed, "my\\ ");
+  EXPECT_EQ(UnfinishedOf("save my\\ ").words, (Words{"save", "my "}));
+}
+
+TEST(Words, QuotedTheyAreReadAsTheyWere) {
+  for (const char* word :
+       {"lab.json", "my lab; 'new'.json", "#1", "a#1", "[old]", "a\\b\"c", "ä b"}) {
+    EXPECT_EQ(Of("save " + Quoted(word)), (Commands{{"save", word}})) << word;
+  }
+  EXPECT_EQ(Quoted("lab.json"), "lab.json");
+  EXPECT_EQ(Quoted("my lab"), "my\\ lab");
 }
 
 TEST(ResolvedPath, BeginsWhereTheShellIs) {
