@@ -1,11 +1,13 @@
 #include <gcm_console/report.h>
 #include <gcm_console/verb.h>
+#include <tendon/base/os/termination.h>
 #include <tendon/gcm/system/client_executor.h>
 #include <tendon/gcm/system/comparison.h>
 #include <tendon/gcm/system/reference_file.h>
 #include <tendon/gcm/system/running_system.h>
 
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -296,7 +298,8 @@ Result<ExitCode> Execute(Context& context, const Plan& plan, const ApplyWords& w
         }
         context.out() << number << '/' << plan.steps.size() << "  " << sign << Plain(ToString(step))
                       << (came.reason.empty() ? "" : ": " + Plain(came.reason)) << std::endl;
-      });
+      },
+      [] { return tendon::os::TerminationAsked(std::chrono::milliseconds(0)); });
   if (is_json) {
     context.PrintJson({{"steps", std::move(steps)},
                        {"obstacles", plan.obstacles},
@@ -307,11 +310,12 @@ Result<ExitCode> Execute(Context& context, const Plan& plan, const ApplyWords& w
   } else {
     Summarise(context, outcome, plan);
   }
-  return ExitCodeOf(outcome, plan);
+  return outcome.is_interrupted ? program::kInterrupted : ExitCodeOf(outcome, plan);
 }
 
 Result<ExitCode> Apply(Context& context, const ApplyWords& words) {
   if (words.dry_run) return PrintPlan(context, words.file);
+  tendon::os::HoldTerminationSignals();  // a step is not left half done
   const auto plan = PlanOf(context, words.file);
   if (!plan) return plan.error();
   if (const auto allowed = CheckApply(*plan, words); !allowed) {

@@ -27,6 +27,12 @@ class SavedSystemTest : public DemoFixture {
     return file;
   }
 
+  /// Succeeds without a result.
+  void ExpectSaysNothing(const Program::Words& words) const {
+    const Outcome outcome = Gcm(words);
+    EXPECT_EQ(outcome.exit_code, program::kOk) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+  }
   [[nodiscard]] std::unique_ptr<Program> StartEmpty(const std::string& name) const {
     return std::make_unique<Program>(
         Program::Words{Binary("lcm"), "--name", name, "--gcm", address, "--timeout", kPatience});
@@ -41,8 +47,7 @@ TEST_F(SavedSystemTest, SavesWhatRunsAndFindsNoDifference) {
   const Outcome same = Gcm({"diff", InHome("saved.json")});
   EXPECT_EQ(same.exit_code, program::kOk) << same.out << same.err;
   EXPECT_EQ(same.out + same.err, "");
-  EXPECT_EQ(Gcm({"diff", InHome("saved.json"), demo}).out,
-            "");  // but for the periods, which it lacks
+  ExpectSaysNothing({"diff", InHome("saved.json"), demo});  // but for the periods, which it lacks
   const json file = json::parse(home.Read("saved.json"));
   EXPECT_EQ(file["name"], "saved");
   EXPECT_EQ(file["processes"][1]["components"][0]["class"], "SimulatedArm");
@@ -131,7 +136,7 @@ TEST_F(SavedSystemTest, AnApplyBringsConnectionsBackAndASecondOneDoesNothing) {
   const Outcome applied = Gcm({"apply", file});
   EXPECT_EQ(applied.exit_code, program::kOk) << applied.err;
   EXPECT_EQ(applied.out, "1/1  ok   connect desk/supervisor/Robot -> robot/arm/Control\n");
-  EXPECT_EQ(Gcm({"diff", file}).out, "");
+  ExpectSaysNothing({"diff", file});
   const Outcome again = Gcm({"apply", file});
   EXPECT_EQ(again.exit_code, program::kOk);
   EXPECT_EQ(again.out, "");
@@ -139,6 +144,27 @@ TEST_F(SavedSystemTest, AnApplyBringsConnectionsBackAndASecondOneDoesNothing) {
 
   EXPECT_EQ(Gcm({"undo"}).exit_code, program::kOk);
   EXPECT_EQ(Gcm({"diff", file}).exit_code, program::kRefused);
+}
+
+TEST_F(SavedSystemTest, AnInterruptComesBetweenTwoSteps) {
+  constexpr int kMany = 200;
+  json components = json::array();
+  for (int i = 0; i < kMany; ++i) {
+    components.push_back(
+        {{"name", "c" + std::to_string(i)}, {"class", "Counter"}, {"library", "counter"}});
+  }
+  const json robot_alone = {{{"name", "robot"}, {"components", std::move(components)}}};
+  home.Write("many.json",
+             json({{"version", 1}, {"name", "many"}, {"processes", robot_alone}}).dump());
+  Program apply({Binary("gcm"), "--gcm", address, "--timeout", kPatience, "apply",
+                 InHome("many.json"), "--yes"});
+  ASSERT_TRUE(EventuallyTrue([&] { return !apply.out().empty(); })) << apply.err();
+
+  apply.Signal(SIGINT);
+
+  EXPECT_EQ(apply.Wait(), program::kInterrupted) << apply.out() << apply.err();
+  EXPECT_THAT(apply.out(), HasSubstr("  left start robot/c" + std::to_string(kMany - 1) + "\n"));
+  EXPECT_THAT(apply.err(), HasSubstr(" 0 failed, "));
 }
 
 TEST_F(SavedSystemTest, AllIsTheSameAgainInEmptyProcessesAfterEverythingWasKilled) {
@@ -163,7 +189,7 @@ TEST_F(SavedSystemTest, AllIsTheSameAgainInEmptyProcessesAfterEverythingWasKille
       << before << "became" << Gcm({"tree"}).out;
   const Outcome same = Gcm({"diff", file});
   EXPECT_EQ(same.exit_code, program::kOk) << same.out;
-  EXPECT_EQ(Gcm({"apply", file}).out, "");
+  ExpectSaysNothing({"apply", file});
 }
 
 TEST_F(SavedSystemTest, WhatRunsIsTakenAwayOnlyByWhoSaysYes) {
@@ -180,7 +206,7 @@ TEST_F(SavedSystemTest, WhatRunsIsTakenAwayOnlyByWhoSaysYes) {
             "+ connection desk/teleoperation/Robot -> robot/arm/Control\n");
 
   EXPECT_EQ(Gcm({"apply", file, "--yes"}).exit_code, program::kOk);
-  EXPECT_EQ(Gcm({"diff", file}).out, "");
+  ExpectSaysNothing({"diff", file});
 }
 
 TEST_F(SavedSystemTest, SaysWhatIsToBeStartedAndDoesTheRestOnlyWhenTold) {

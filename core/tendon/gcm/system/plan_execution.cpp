@@ -61,13 +61,14 @@ class Failures {
 }  // namespace
 
 PlanOutcome ExecutePlan(const Plan& plan, PlanExecutor& executor, AfterError after_error,
-                        const PlanProgress& progress) {
+                        const PlanProgress& progress, const PlanInterrupt& interrupt) {
   PlanOutcome outcome;
   Failures failures;
   std::size_t number = 0;
   for (const PlanStep& step : plan.steps) {
     ++number;
-    if (outcome.error && after_error == AfterError::kStop) {
+    outcome.is_interrupted = outcome.is_interrupted || interrupt();
+    if (outcome.is_interrupted || (outcome.error && after_error == AfterError::kStop)) {
       ++outcome.left;
       progress(number, step, {Fate::kLeft, ""});
       continue;

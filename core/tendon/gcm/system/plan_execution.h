@@ -38,6 +38,7 @@ struct PlanOutcome {
   std::size_t failed = 0;
   std::size_t left = 0;
   std::optional<Error> error;  ///< the first
+  bool is_interrupted = false;
 
   bool operator==(const PlanOutcome&) const = default;
 };
@@ -46,10 +47,14 @@ struct PlanOutcome {
 using PlanProgress =
     std::function<void(std::size_t number, const PlanStep& step, const StepOutcome& outcome)>;
 
+/// Whether the rest is not wanted any more; asked before each step.
+using PlanInterrupt = std::function<bool()>;
+
 /// Up to the first step that fails, or all. Also then what builds on a step that has failed is
 /// left: a component of which one has failed is not touched any more, nor connected to, and one
 /// that lacks a connection is not started.
-PlanOutcome ExecutePlan(const Plan& plan, PlanExecutor& executor, AfterError after_error,
-                        const PlanProgress& progress);
+PlanOutcome ExecutePlan(
+    const Plan& plan, PlanExecutor& executor, AfterError after_error, const PlanProgress& progress,
+    const PlanInterrupt& interrupt = [] { return false; });
 
 }  // namespace tendon

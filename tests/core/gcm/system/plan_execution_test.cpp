@@ -90,6 +90,18 @@ TEST(ExecutePlan, StopsAtTheFirstErrorAndTellsWhatIsLeft) {
   EXPECT_THAT(executor.tried(), ElementsAre("start p/a", "start p/b"));
 }
 
+TEST(ExecutePlan, AnInterruptLeavesTheRestAndNoStepHalfDone) {
+  const auto nothing = [](std::size_t, const PlanStep&, const StepOutcome&) {};
+  FakeExecutor executor;
+
+  const PlanOutcome outcome = ExecutePlan(ThreeStarts(), executor, AfterError::kGoOn, nothing,
+                                          [&] { return !executor.tried().empty(); });
+
+  EXPECT_THAT(executor.tried(), ElementsAre("start p/a"));
+  EXPECT_EQ(outcome,
+            (PlanOutcome{.done = 1, .failed = 0, .left = 2, .error = {}, .is_interrupted = true}));
+}
+
 TEST(ExecutePlan, CountsWhatCameOfTheSteps) {
   const auto nothing = [](std::size_t, const PlanStep&, const StepOutcome&) {};
   const Error error{ErrorCode::kTimeout, "no answer to start p/b"};
