@@ -1,4 +1,5 @@
 #include <gcm_console/catalogue/things.h>
+#include <gcm_console/graph/svg.h>
 #include <gcm_console/report.h>
 #include <gcm_console/verb.h>
 #include <tendon/base/path.h>
@@ -202,10 +203,10 @@ void PrintText(const Catalog& catalog, std::ostream& out) {
 
 struct GraphOptions {
   bool is_dot = false;
-  bool is_text = false;
+  bool is_svg = false;
 };
 
-Result<ExitCode> Graph(Context& context, bool is_dot) {
+Result<ExitCode> Graph(Context& context, const GraphOptions& options) {
   const auto client = context.Client();
   if (!client) return client.error();
   const Catalog catalog = (*client)->catalog();
@@ -221,8 +222,10 @@ Result<ExitCode> Graph(Context& context, bool is_dot) {
                        {"state", ToString(connection.state)}});
     }
     context.PrintJson({{"components", std::move(nodes)}, {"connections", std::move(edges)}});
-  } else if (is_dot) {
+  } else if (options.is_dot) {
     PrintDot(catalog, context.out());
+  } else if (options.is_svg) {
+    PrintSvg(SheetOf(catalog), context.out());
   } else {
     PrintText(catalog, context.out());
   }
@@ -232,9 +235,12 @@ Result<ExitCode> Graph(Context& context, bool is_dot) {
 Verb::Run PrepareGraph(CLI::App& app) {
   auto options = std::make_shared<GraphOptions>();
   auto* dot = app.add_flag("--dot", options->is_dot, "for Graphviz");
-  app.add_flag("--text", options->is_text, "a line for each interface that is used (default)")
-      ->excludes(dot);
-  return [options](Context& context) { return Graph(context, options->is_dot); };
+  auto* svg = app.add_flag("--svg", options->is_svg, "a picture of it all")->excludes(dot);
+  app.add_flag("--text")
+      ->description("a line for each interface that is used (default)")
+      ->excludes(dot)
+      ->excludes(svg);
+  return [options](Context& context) { return Graph(context, *options); };
 }
 
 }  // namespace
@@ -257,7 +263,7 @@ std::vector<Verb> FindVerbs() {
       {"graph",
        "show which component uses which",
        &PrepareGraph,
-       {"gcm graph --dot | dot -Tsvg > system.svg"}},
+       {"gcm graph --svg > system.svg", "gcm graph --dot | dot -Tpng > system.png"}},
   };
 }
 

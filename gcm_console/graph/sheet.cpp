@@ -1,0 +1,238 @@
+#include <gcm_console/catalogue/telemetry_column.h>
+#include <gcm_console/graph/sheet.h>
+#include <gcm_console/graph/sheet_metrics.h>
+#include <tendon/gcm/lookup.h>
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <set>
+#include <string_view>
+#include <tuple>
+#include <utility>
+
+namespace console {
+namespace {
+
+using tendon::Catalog;
+using tendon::ConnectionState;
+using tendon::InterfaceName;
+using tendon::graph::ColumnLayout;
+using tendon::graph::LayerEdge;
+using tendon::graph::Rect;
+using tendon::graph::Size;
+
+Condition ConditionOf(const tendon::ComponentDescription& component) {
+  if (component.state == tendon::ComponentState::kFaulted) return Condition::kBad;
+  if (!component.warning.empty()) return Condition::kWarning;
+  return component.state == tendon::ComponentState::kActive ? Condition::kGood
+                                                            : Condition::kResting;
+}
+
+Condition ConditionOf(tendon::ProcessState state) {
+  if (state == tendon::ProcessState::kAlive) return Condition::kGood;
+  if (state == tendon::ProcessState::kSuspect) return Condition::kWarning;
+  return state == tendon::ProcessState::kLeft ? Condition::kResting : Condition::kBad;
+}
+
+std::string PathOf(const InterfaceName& name) { return name.process + "/" + name.component; }
+
+std::string Counted(std::size_t count, const std::string& one, const std::string& many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+std::string TitleOf(const Catalog& catalog) {
+  std::size_t components = 0;
+  for (const auto& [name, entry] : catalog.processes()) components += entry.components.size();
+  return Counted(catalog.processes().size(), "process", "processes") + ", " +
+         Counted(components, "component", "components") + ", " +
+         Counted(catalog.connections().size(), "connection", "connections");
+}
+
+/// From block to block, each once, none from one to itself.
+class Edges {
+ public:
+  explicit Edges(const std::vector<ColumnLayout::Block>& blocks) {
+    for (std::size_t i = 0; i < blocks.size(); ++i) indices_[blocks[i].key] = i;
+  }
+  void Add(const std::string& provider, const std::string& client) {
+    const auto from = indices_.find(provider);
+    const auto to = indices_.find(client);
+    if (from == indices_.end() || to == indices_.end() || from == to) return;
+    edges_.emplace(from->second, to->second);
+  }
+  [[nodiscard]] std::vector<LayerEdge> Take() const {
+    std::vector<LayerEdge> all;
+    for (const auto& [from, to] : edges_) all.push_back({from, to});
+    return all;
+  }
+
+ private:
+  std::map<std::string, std::size_t> indices_;
+  std::set<std::pair<std::size_t, std::size_t>> edges_;
+};
+
+/// That a node needs for its first two lines.
+double HeadWidth(const SheetNode& node) {
+  return std::max(TextWidth(node.name, sheet::kNameText),
+                  sheet::kMark + TextWidth(node.detail, sheet::kSmallText)) +
+         2 * sheet::kNodeInset;
+}
+
+class Placement {
+ public:
+  explicit Placement(const Catalog& catalog) : catalog_(catalog) {
+    for (const auto& connection : catalog.connections()) {
+      connected_.insert(connection.required);
+      connected_.insert(connection.provided);
+    }
+  }
+
+  Sheet Take() && {
+    std::vector<ColumnLayout::Block> blocks;
+    for (const auto& [name, entry] : catalog_.processes()) AddProcess(name, entry, blocks);
+    Edges edges(blocks);
+    for (const auto& one : catalog_.connections()) {
+      edges.Add(one.provided.process, one.required.process);
+    }
+    ColumnLayout outside(
+        ColumnLayout::Spacing{.columns = sheet::kBetweenProcesses, .rows = sheet::kBelowProcesses});
+    outside.Arrange(std::move(blocks), edges.Take());
+    for (SheetProcess& process : sheet_.processes) Place(process, outside.rect(process.name));
+    for (const auto& one : catalog_.connections()) AddWire(one);
+    sheet_.title = TitleOf(catalog_);
+    const Size all = outside.size();
+    const double width =
+        std::max({all.width, TextWidth(sheet_.title, sheet::kTitleText), sheet::kLeastWidth});
+    sheet_.size = {width + 2 * sheet::kMargin, all.height + sheet::kTop + sheet::kBottom};
+    return std::move(sheet_);
+  }
+
+ private:
+  void AddProcess(const std::string& name, const tendon::ProcessEntry& entry,
+                  std::vector<ColumnLayout::Block>& blocks) {
+    SheetProcess process{.name = name,
+                         .detail = std::string(ToString(entry.process.state)),
+                         .condition = ConditionOf(entry.process.state),
+                         .rect = {}};
+    if (!entry.process.host.empty()) process.detail += " on " + entry.process.host;
+    std::vector<ColumnLayout::Block> inner;
+    for (const auto& [component, description] : entry.components) {
+      SheetNode node = NodeOf(name, description);
+      if (!IsPresent(entry.process)) {  // what is known of it was so before
+        node.detail.insert(0, "was ");
+        node.condition = Condition::kResting;
+        node.rect.width = std::max(node.rect.width, HeadWidth(node));
+      }
+      inner.push_back({node.path, {node.rect.width, node.rect.height}, true});
+      sheet_.nodes.push_back(std::move(node));
+    }
+    Edges edges(inner);
+    for (const auto& one : catalog_.connections()) {
+      edges.Add(PathOf(one.provided), PathOf(one.required));
+    }
+    const bool is_empty = inner.empty();
+    ColumnLayout inside(
+        ColumnLayout::Spacing{.columns = sheet::kBetweenNodes, .rows = sheet::kBelowNodes});
+    inside.Arrange(std::move(inner), edges.Take());
+    const double title = TextWidth(name, sheet::kNameText) + sheet::kGap +
+                         TextWidth(process.detail, sheet::kSmallText);
+    const Size size = {std::max(inside.size().width, title) + 2 * sheet::kProcessInset,
+                       inside.size().height + sheet::kProcessHead + sheet::kProcessInset};
+    blocks.push_back({name, size, !is_empty});
+    insides_.emplace(name, std::move(inside));
+    sheet_.processes.push_back(std::move(process));
+  }
+
+  SheetNode NodeOf(const std::string& process, const tendon::ComponentDescription& component) {
+    SheetNode node{.path = process + "/" + component.name,
+                   .name = component.name,
+                   .detail = std::string(ToString(component.state)),
+                   .remark = component.fault.empty() ? component.warning : component.fault,
+                   .condition = ConditionOf(component),
+                   .rect = {},
+                   .ports = {}};
+    if (!component.class_name.empty()) node.detail += " · " + component.class_name;
+    double left = 0;
+    double right = 0;
+    std::size_t required = 0;
+    std::size_t provided = 0;
+    const auto add = [&](const std::string& name, bool is_provided, std::size_t& row,
+                         double& widest) {
+      const bool is_connected = connected_.contains({process, component.name, name});
+      if (is_provided && IsTable(name) && !is_connected) return;
+      const double y = sheet::kNodeHead + (static_cast<double>(row++) + 0.5) * sheet::kPortPitch;
+      node.ports.push_back({name, is_provided, is_connected, 0, y});
+      widest = std::max(widest, TextWidth(name, sheet::kSmallText));
+    };
+    for (const auto& one : component.required) add(one.name, false, required, left);
+    for (const auto& one : component.provided) add(one.name, true, provided, right);
+    node.rect.width = std::max(
+        {sheet::kLeastNode, HeadWidth(node), left + right + sheet::kGap + 2 * sheet::kNodeInset});
+    const auto rows = static_cast<double>(std::max(required, provided));
+    node.rect.height = sheet::kNodeHead + rows * sheet::kPortPitch + sheet::kNodeTail;
+    return node;
+  }
+
+  void Place(SheetProcess& process, Rect rect) {
+    rect.x += sheet::kMargin;
+    rect.y += sheet::kTop;
+    process.rect = rect;
+    for (SheetNode& node : sheet_.nodes) {
+      if (!node.path.starts_with(process.name + "/")) continue;
+      node.rect = insides_.at(process.name).rect(node.path);
+      node.rect.x += rect.x + sheet::kProcessInset;
+      node.rect.y += rect.y + sheet::kProcessHead;
+      for (SheetPort& port : node.ports) {
+        port.x = node.rect.x + (port.is_provided ? node.rect.width : 0);
+        port.y += node.rect.y;
+        ends_[{node.path, port.name, port.is_provided}] = {port.x, port.y};
+      }
+    }
+  }
+
+  void AddWire(const tendon::ConnectionDescription& connection) {
+    const auto from =
+        ends_.find({PathOf(connection.provided), connection.provided.interface, true});
+    const auto to = ends_.find({PathOf(connection.required), connection.required.interface, false});
+    const std::string title =
+        ToString(connection.required) + " -> " + ToString(connection.provided);
+    if (from == ends_.end() || to == ends_.end()) return;
+    sheet_.wires.push_back({.title = title,
+                            .remark = connection.reason,
+                            .state = connection.state,
+                            .from_x = from->second.first,
+                            .from_y = from->second.second,
+                            .to_x = to->second.first,
+                            .to_y = to->second.second});
+  }
+
+  const Catalog& catalog_;
+  std::set<InterfaceName> connected_;
+  std::map<std::string, ColumnLayout> insides_;  // of each process
+  std::map<std::tuple<std::string, std::string, bool>, std::pair<double, double>> ends_;
+  Sheet sheet_;
+};
+
+}  // namespace
+
+Sheet SheetOf(const Catalog& catalog) { return Placement(catalog).Take(); }
+
+double TextWidth(const std::string& text, double size) {
+  constexpr double kNarrow = 0.32;
+  constexpr double kUsual = 0.59;
+  constexpr double kCapital = 0.72;
+  constexpr double kWide = 0.92;
+  double width = 0;
+  for (const char letter : text) {
+    const auto byte = static_cast<unsigned char>(letter);
+    if ((byte & 0xc0U) == 0x80U) continue;  // of a letter that was counted
+    const bool is_narrow = std::string_view("iljtfrI.,:;|'/-() ").find(letter) != std::string::npos;
+    const bool is_wide = std::string_view("mwMW@%").find(letter) != std::string::npos;
+    const bool is_capital = std::isupper(byte) != 0;
+    width += size * (is_narrow ? kNarrow : is_wide ? kWide : is_capital ? kCapital : kUsual);
+  }
+  return width;
+}
+
+}  // namespace console

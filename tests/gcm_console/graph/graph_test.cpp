@@ -1,0 +1,177 @@
+#include <gcm_console/graph/svg.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <program/exit_code.h>
+#include <tests/core/gcm/samples.h>
+
+#include <algorithm>
+#include <csignal>
+#include <regex>
+#include <sstream>
+
+#include "gcm_console/demo_fixture.h"
+
+namespace {
+
+using console::Sheet;
+using console::SheetNode;
+using console::SheetOf;
+using tendon::ComponentDescription;
+using tendon::ConnectionState;
+using tendon::graph::Rect;
+using testing::HasSubstr;
+
+bool IsWithin(const Rect& inner, const Rect& outer) {
+  return inner.x >= outer.x && inner.y >= outer.y &&
+         inner.x + inner.width <= outer.x + outer.width &&
+         inner.y + inner.height <= outer.y + outer.height;
+}
+
+bool DoOverlap(const Rect& a, const Rect& b) {
+  return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
+}
+
+/// So many processes of three components each: each uses the one before it.
+class Chain {
+ public:
+  explicit Chain(int processes) {
+    for (int i = 0; i < processes; ++i) Add("process_" + std::to_string(i));
+  }
+  [[nodiscard]] const tendon::Catalog& catalog() const { return catalog_; }
+
+ private:
+  void Add(const std::string& process) {
+    using Kind = tendon::CatalogChange::Kind;
+    Apply({.kind = Kind::kProcess,
+           .process = process,
+           .processes = {tendon::test::ProcessNamed(process, 1)}});
+    for (int i = 0; i < 3; ++i) {
+      ComponentDescription component{.name = Name(i), .class_name = "Worker<&>"};
+      component.state = i == 1 ? tendon::ComponentState::kFaulted : tendon::ComponentState::kActive;
+      component.provided = {{.name = "Output"}, {.name = "state"}};
+      component.required = {{.name = "Input"}};
+      Apply({.kind = Kind::kComponent, .process = process, .components = {component}});
+    }
+    for (int i = 1; i < 3; ++i) {
+      const bool is_bad = i == 1;
+      Apply({.kind = Kind::kConnection,
+             .process = process,
+             .connections = {{.id = static_cast<std::uint64_t>(i),
+                              .required = {process, Name(i), "Input"},
+                              .provided = {process, Name(i - 1), "Output"},
+                              .state = is_bad ? ConnectionState::kFailed : ConnectionState::kActive,
+                              .reason = is_bad ? "it is \"<broken>\"" : ""}}});
+    }
+  }
+  static std::string Name(int i) { return "component_with_a_long_name_" + std::to_string(i); }
+  void Apply(tendon::CatalogChange change) {
+    change.revision = catalog_.revision() + 1;
+    EXPECT_TRUE(catalog_.Apply(change));
+  }
+
+  tendon::Catalog catalog_;
+};
+
+/// Whether the tags of a text fit each other, as those of XML do.
+bool IsBalanced(const std::string& text) {
+  static const std::regex kTag("<(/?)([a-z]+)[^<>]*?(/?)>");
+  std::vector<std::string> open;
+  for (std::sregex_iterator tag(text.begin(), text.end(), kTag), end; tag != end; ++tag) {
+    if ((*tag)[3].length() > 0) continue;
+    if ((*tag)[1].length() == 0) {
+      open.push_back((*tag)[2]);
+    } else if (open.empty() || open.back() != (*tag)[2]) {
+      return false;
+    } else {
+      open.pop_back();
+    }
+  }
+  const auto begins = std::count(text.begin(), text.end(), '<');
+  return open.empty() && begins == std::count(text.begin(), text.end(), '>');
+}
+
+TEST(SheetOf, NothingIsCutOffOrBehindAnother) {
+  const Sheet sheet = SheetOf(Chain(4).catalog());
+
+  ASSERT_EQ(sheet.processes.size(), 4U);
+  ASSERT_EQ(sheet.nodes.size(), 12U);
+  const Rect all{0, 0, sheet.size.width, sheet.size.height};
+  for (const auto& process : sheet.processes) {
+    EXPECT_TRUE(IsWithin(process.rect, all)) << process.name;
+    for (const auto& other : sheet.processes) {
+      EXPECT_TRUE(&other == &process || !DoOverlap(process.rect, other.rect)) << process.name;
+    }
+  }
+  for (const SheetNode& node : sheet.nodes) {
+    const auto owner = std::ranges::find_if(sheet.processes, [&](const auto& process) {
+      return node.path.starts_with(process.name + "/");
+    });
+    ASSERT_NE(owner, sheet.processes.end());
+    EXPECT_TRUE(IsWithin(node.rect, owner->rect)) << node.path;
+    EXPECT_GE(node.rect.width, console::TextWidth(node.name, 14)) << node.path;
+    for (const SheetNode& other : sheet.nodes) {
+      EXPECT_TRUE(&other == &node || !DoOverlap(node.rect, other.rect)) << node.path;
+    }
+  }
+}
+
+TEST(SheetOf, AClientIsRightOfItsProvider) {
+  const Sheet sheet = SheetOf(Chain(1).catalog());
+
+  ASSERT_EQ(sheet.wires.size(), 2U);
+  for (const auto& wire : sheet.wires) EXPECT_LT(wire.from_x, wire.to_x) << wire.title;
+}
+
+TEST(SheetOf, TablesAreLeftOut) {
+  const Sheet sheet = SheetOf(Chain(1).catalog());
+  for (const SheetNode& node : sheet.nodes) EXPECT_EQ(node.ports.size(), 2U) << node.path;
+}
+
+TEST(PrintSvg, EscapesWhatXmlKeepsForItself) {
+  std::ostringstream out;
+  PrintSvg(SheetOf(Chain(2).catalog()), out);
+
+  EXPECT_TRUE(IsBalanced(out.str())) << out.str();
+  EXPECT_THAT(out.str(), HasSubstr("Worker&lt;&amp;&gt;"));
+  EXPECT_THAT(out.str(), HasSubstr("(failed): it is &quot;&lt;broken&gt;&quot;"));
+}
+
+TEST(PrintSvg, AnEmptySystemIsAPictureToo) {
+  std::ostringstream out;
+  PrintSvg(SheetOf(tendon::Catalog()), out);
+
+  EXPECT_TRUE(IsBalanced(out.str()));
+  EXPECT_THAT(out.str(), HasSubstr("0 processes, 0 components, 0 connections"));
+}
+
+using GraphTest = DemoFixture;
+
+TEST_F(GraphTest, DrawsWhatRuns) {
+  const Outcome drawn = Gcm({"graph", "--svg"});
+
+  EXPECT_EQ(drawn.exit_code, program::kOk) << drawn.err;
+  EXPECT_THAT(drawn.out, testing::StartsWith("<svg xmlns=\"http://www.w3.org/2000/svg\""));
+  EXPECT_TRUE(IsBalanced(drawn.out));
+  EXPECT_THAT(drawn.out, HasSubstr(">2 processes, 5 components, 1 connection</text>"));
+  EXPECT_THAT(drawn.out, HasSubstr(">active · SimulatedArm</text>"));
+  EXPECT_THAT(drawn.out,
+              HasSubstr("<title>desk/supervisor/Robot -&gt; robot/arm/Control (active)</title>"));
+  EXPECT_EQ(Gcm({"graph", "--text"}).out, Gcm({"graph"}).out);
+
+  robot->Signal(SIGKILL);
+  ASSERT_TRUE(EventuallySays({"ls"}, "robot\tlost"));
+  EXPECT_TRUE(EventuallySays({"graph", "--svg"}, "supervisor/Robot -&gt; robot/arm/Control (pend"));
+  EXPECT_THAT(Gcm({"graph", "--svg"}).out, HasSubstr(">was active · SimulatedArm</text>"));
+}
+
+TEST_F(GraphTest, IsOneThingAtATime) {
+  for (const Program::Words& words : {Program::Words{"graph", "--svg", "--dot"},
+                                      {"graph", "--svg", "--text"},
+                                      {"graph", "--dot", "--text"}}) {
+    const Outcome refused = Gcm(words);
+    EXPECT_EQ(refused.exit_code, program::kUsage);
+    EXPECT_THAT(refused.err, HasSubstr("gcm graph --help tells more"));
+  }
+}
+
+}  // namespace
