@@ -52,7 +52,12 @@ class EventWriter {
         auto schema = tendon::Wait<tendon::Schema>(context_.settings().timeout, [&](auto handler) {
           client_.GetSchema(one.provided.process, type, handler);
         });
-        if (schema) schemas_.emplace(type, *std::move(schema));
+        if (schema) {
+          schemas_.emplace(type, *std::move(schema));
+        } else {
+          context_.err() << "gcm: values of " << Plain(event.in_type)
+                         << " cannot be shown: " << Plain(schema.error().message) << '\n';
+        }
       }
     }
   }

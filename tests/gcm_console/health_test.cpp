@@ -21,7 +21,8 @@ class HealthTest : public SystemFixture {
   void SetUp() override {
     StartGcm();
     const auto system = home.path() / "busy.json";
-    std::ofstream(system) << R"({"version": 1, "name": "busy", "processes": [{"name": "busy", "components": [
+    std::ofstream(system)
+        << R"({"version": 1, "name": "busy", "processes": [{"name": "busy", "components": [
         {"class": "Chatterbox", "name": "chatterbox", "library": "chatterbox"}]}]})";
     busy = StartLcm("busy", system.string());
     idle = std::make_unique<Program>(

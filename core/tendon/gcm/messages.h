@@ -1,7 +1,7 @@
 #pragma once
 
 #include <tendon/gcm/catalog.h>
-#include <tendon/gcm/restart_policy.h>
+#include <tendon/gcm/supervisor/restart_policy.h>
 #include <tendon/process/life/messages.h>
 #include <tendon/process/log/messages.h>
 #include <tendon/process/membership_messages.h>

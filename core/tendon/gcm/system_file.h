@@ -2,7 +2,7 @@
 
 #include <tendon/base/name.h>
 #include <tendon/base/result.h>
-#include <tendon/gcm/restart_policy.h>
+#include <tendon/gcm/supervisor/restart_policy.h>
 #include <tendon/task/component_state.h>
 #include <tendon/task/thread_options.h>
 

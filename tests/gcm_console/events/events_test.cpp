@@ -51,6 +51,18 @@ class EventsTest : public SystemFixture {
     return lines;
   }
 
+  /// Of Voice.Cried, as far as it was said.
+  static std::size_t LostIn(const Program& events) {
+    std::size_t all = 0;
+    for (const std::string& line : LinesOf(events.err())) {
+      unsigned long some = 0;
+      if (std::sscanf(line.c_str(), "gcm: lost %lu of hall/crier/Voice.Cried", &some) == 1) {
+        all += some;
+      }
+    }
+    return all;
+  }
+
   const std::string file = (home.path() / "hall.json").string();
   std::unique_ptr<Program> hall;
 };
@@ -119,16 +131,7 @@ TEST_F(EventsTest, WhatFindsNoRoomIsCounted) {
 
   Call("Cry", std::to_string(kTimes));
   const auto printed = [&] { return LinesOf(events->out()).size(); };
-  const auto lost = [&] {
-    std::size_t all = 0;
-    for (const std::string& line : LinesOf(events->err())) {
-      unsigned long some = 0;
-      if (std::sscanf(line.c_str(), "gcm: lost %lu of hall/crier/Voice.Cried", &some) == 1) {
-        all += some;
-      }
-    }
-    return all;
-  };
+  const auto lost = [&] { return LostIn(*events); };
 
   EXPECT_TRUE(EventuallyTrue([&] { return printed() + lost() == kTimes; }))
       << printed() << " + " << lost();
@@ -137,6 +140,24 @@ TEST_F(EventsTest, WhatFindsNoRoomIsCounted) {
   ASSERT_EQ(events->Wait(), program::kInterrupted);
   EXPECT_THAT(events->err(), HasSubstr("gcm: " + std::to_string(printed()) + " events, " +
                                        std::to_string(lost()) + " lost\n"));
+}
+
+TEST_F(EventsTest, OneThatIsStoppedHoldsUpNobodyAndKnowsWhatItHasMissed) {
+  constexpr int kTimes = 5000;
+  constexpr int kCries = 5;
+  const auto stopped = Listen({"hall/crier/Voice.Cried"});
+  const auto other = Listen({"hall/crier/Voice.Fell", "--count", "1"});
+  ASSERT_TRUE(EventuallyListens(*stopped)) << stopped->err();
+  ASSERT_TRUE(EventuallyListens(*other)) << other->err();
+
+  stopped->Signal(SIGSTOP);
+  for (int i = 0; i < kCries; ++i) Call("Cry", std::to_string(kTimes));
+  Call("Fall");
+  EXPECT_EQ(other->Wait(), program::kOk) << other->err();
+  stopped->Signal(SIGCONT);
+
+  const auto known = [&] { return LinesOf(stopped->out()).size() + LostIn(*stopped); };
+  EXPECT_TRUE(EventuallyTrue([&] { return known() == kCries * kTimes; })) << known();
 }
 
 TEST_F(EventsTest, GoesOnWhenTheGcmAndTheProcessWereStartedAnew) {
