@@ -92,6 +92,18 @@ TEST(SystemComparison, AThreadThatIsNotMentionedHasTheDefaultsUnlessItRuns) {
   EXPECT_TRUE(CompareSystems(first, second, Threads::kUnknownInSecond).differences.empty());
 }
 
+TEST(SystemComparison, WhoStartsAProcessIsOfFilesAlone) {
+  SystemFile first = Demo();
+  const SystemFile second = Demo();
+  first.processes[1].start = SystemFile::Start{RestartPolicy::kOnFailure};
+
+  const auto differences = CompareSystems(first, second, Threads::kKnown).differences;
+  ASSERT_EQ(differences.size(), 1U);
+  EXPECT_EQ(differences[0].what, "process " + first.processes[1].name);
+  EXPECT_EQ(differences[0].how, "start by the GCM (restart on-failure) -> by others");
+  EXPECT_TRUE(CompareSystems(first, second, Threads::kUnknownInSecond).differences.empty());
+}
+
 TEST(SystemComparison, AConfigurationThatCannotBeReadIsComparedAsText) {
   const std::string deep(100'000, '[');
 
