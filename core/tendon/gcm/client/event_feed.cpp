@@ -83,10 +83,14 @@ void EventFeed::Ask(const SharedListening& listening, const std::shared_ptr<Chan
         if (!self) return;
         if (!answer) {
           self->Take({channel.get(), attempt});
-          return self->Fail(listening, attempt, answer.error());
+          self->Fail(listening, attempt, answer.error());
+          // What it opens too late ends with the channel.
+          if (answer.error().code == ErrorCode::kTimeout) channel->Close();
+          return;
         }
-        const bool is_wanted = listening->Stand(attempt, channel, answer->handle, events);
-        if (!is_wanted) (void)channel->Notify(message::kCloseInterface, answer->handle, Bytes());
+        if (listening->Stand(attempt, channel, answer->handle, events)) return;
+        self->Take({channel.get(), attempt});
+        (void)channel->Notify(message::kCloseInterface, answer->handle, Bytes());
       });
 }
 
@@ -108,7 +112,7 @@ void EventFeed::OnNotice(const std::shared_ptr<Channel>& channel, const FrameHea
   } else if (header.type == message::kEventsLost) {
     const auto [listening, attempt] = Find(channel.get(), header.handle);
     const auto lost = DecodeBody<message::EventsLost>(body);
-    if (listening && lost) listening->Lose(attempt, *lost);
+    if (listening && lost && header.handle == attempt) listening->Lose(attempt, *lost);
   } else if (header.type == message::kInterfaceClosed) {
     const auto listening = Take({channel.get(), header.handle});
     if (listening) Fail(listening, header.handle, ReadRefusal(body, channel->peer().name));

@@ -44,13 +44,13 @@ void Listening::End() {
 
 void Listening::Raise(std::uint32_t attempt, std::size_t event, std::span<const std::byte> value) {
   const std::scoped_lock lock(mutex_);
-  if (!sink_ || attempt_ != attempt || event >= wanted_.events.size()) return;
+  if (!channel_ || attempt_ != attempt || event >= wanted_.events.size()) return;
   sink_->OnEvent(event, value);
 }
 
 void Listening::Lose(std::uint32_t attempt, const message::EventsLost& events) {
   const std::scoped_lock lock(mutex_);
-  if (!sink_ || attempt_ != attempt) return;
+  if (!channel_ || attempt_ != attempt) return;
   for (std::size_t i = 0; i < std::min(lost_.size(), events.lost.size()); ++i) {
     if (events.lost[i] <= lost_[i]) continue;
     sink_->OnEventsLost(i, events.lost[i] - std::exchange(lost_[i], events.lost[i]));

@@ -1,6 +1,7 @@
 #include <tendon/process/server/refusal.h>
 #include <tendon/process/server/served_connections.h>
 
+#include <algorithm>
 #include <exception>
 #include <string>
 #include <utility>
@@ -8,9 +9,15 @@
 namespace tendon {
 
 void ServedConnections::Open(const std::shared_ptr<Client>& client,
-                             const message::OpenInterface& open,
+                             const message::OpenInterface& open, Use use,
                              const std::shared_ptr<Responder>& responder) {
   const auto lock = context_.host.LockStructure();
+  if (IsFull(use)) {
+    return responder->Refuse(
+        {ErrorCode::kFailed, "process '" + context_.name + "' has " +
+                                 std::to_string(kMostListeners) +
+                                 " listeners to its events already, which is the most: end some"});
+  }
   const auto server = LookUp(open.provided);
   if (!server) return responder->Refuse(server.error());
   auto made = Make(client, open, **server);
@@ -21,6 +28,7 @@ void ServedConnections::Open(const std::shared_ptr<Client>& client,
   if (!made) return responder->Refuse(made.error());
   entries_.push_back(*std::move(made));
   Entry& entry = entries_.back();
+  entry.use = use;
   const Component* const component = context_.host.LookUpComponent(entry.component);
   message::InterfaceOpened opened{
       .handle = client->handles.Reserve(open.description.functions.size()),
@@ -34,6 +42,11 @@ void ServedConnections::Open(const std::shared_ptr<Client>& client,
   client->handles.Put(entry.handle, entry.proxy);
   responder->Reply(EncodeBody(opened), entry.proxy->lane());  // events must not pass it
   context_.proxies.Add(entry.required, entry.proxy);          // only now it sends
+}
+
+bool ServedConnections::IsFull(Use use) const {
+  return use == Use::kEventsOnly &&
+         std::ranges::count(entries_, use, &Entry::use) >= kMostListeners;
 }
 
 Result<ProvidedInterface*> ServedConnections::LookUp(const InterfaceName& provided) const {
@@ -128,6 +141,7 @@ void ServedConnections::CloseWhere(Predicate predicate, std::chrono::millisecond
 
 void ServedConnections::TakeDown(Entry& entry, SteadyTime deadline) {
   entry.client->handles.Remove(entry.handle);
+  if (entry.use == Use::kEventsOnly) entry.proxy->Sever();
   entry.proxy->EndCredit();
   entry.connection->Close(TimeUntil(deadline));
   context_.proxies.Remove(entry.required, *entry.proxy);

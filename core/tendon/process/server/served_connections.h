@@ -7,6 +7,7 @@
 #include <tendon/proxy/messages.h>
 #include <tendon/proxy/required_interface_proxy.h>
 
+#include <cstddef>
 #include <functional>
 #include <list>
 #include <memory>
@@ -27,10 +28,15 @@ class ServedConnections {
  public:
   explicit ServedConnections(ProcessContext& context) : context_(context) {}
 
+  /// Whoever only listens may be a viewer: there are so many of them at most, and nobody waits
+  /// until one has taken what it was sent.
+  enum class Use { kAll, kEventsOnly };
+  static constexpr std::ptrdiff_t kMostListeners = 64;
+
   /// Connects, and answers before anything else is sent about the connection. Refusals: kNotFound
   /// with a suggestion, kIncompatible with the first difference, kInvalid for a mailbox that is too
-  /// large.
-  void Open(const std::shared_ptr<Client>& client, const message::OpenInterface& open,
+  /// large, kFailed for a listener too many.
+  void Open(const std::shared_ptr<Client>& client, const message::OpenInterface& open, Use use,
             const std::shared_ptr<Responder>& responder);
   /// Executes first what has arrived; `handle` is our number of it.
   void Close(const std::shared_ptr<Client>& client, std::uint32_t handle);
@@ -47,12 +53,14 @@ class ServedConnections {
     std::shared_ptr<Client> client;
     InterfaceName required;
     std::string component;
+    Use use = Use::kAll;
     std::uint32_t handle = 0;
     std::shared_ptr<RequiredInterfaceProxy> proxy;
     std::unique_ptr<Connection> connection;
   };
 
   Result<ProvidedInterface*> LookUp(const InterfaceName& provided) const;
+  [[nodiscard]] bool IsFull(Use use) const;
   static Result<void> CheckSize(const message::OpenInterface& open, std::size_t bytes);
   Result<Entry> Make(const std::shared_ptr<Client>& client, const message::OpenInterface& open,
                      ProvidedInterface& provided);

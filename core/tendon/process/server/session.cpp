@@ -88,7 +88,7 @@ void Session::Call(const FrameHeader& header, Body body, Responder responder) {
 void Session::OpenInterface(Body body, Responder responder) {
   const auto open = DecodeBody<message::OpenInterface>(body);
   if (!open) return responder.Refuse(open.error());
-  Open(*open, std::move(responder));
+  Open(*open, ServedConnections::Use::kAll, std::move(responder));
 }
 
 /// Who listens may be a viewer, to whom calls are denied.
@@ -100,13 +100,14 @@ void Session::Listen(Body body, Responder responder) {
         {ErrorCode::kInvalid,
          "who listens to the events of " + ToString(open->provided) + " calls no functions of it"});
   }
-  Open(*open, std::move(responder));
+  Open(*open, ServedConnections::Use::kEventsOnly, std::move(responder));
 }
 
-void Session::Open(const message::OpenInterface& open, Responder responder) {
-  services_.context.worker->Post([&services = services_, client = client_, open,
+void Session::Open(const message::OpenInterface& open, ServedConnections::Use use,
+                   Responder responder) {
+  services_.context.worker->Post([&services = services_, client = client_, open, use,
                                   shared = std::make_shared<Responder>(std::move(responder))] {
-    services.connections.Open(client, open, shared);
+    services.connections.Open(client, open, use, shared);
   });
 }
 

@@ -40,7 +40,7 @@ class Session final : public GuardedHandler {
   void Call(const FrameHeader& header, Body body, Responder responder);
   void OpenInterface(Body body, Responder responder);
   void Listen(Body body, Responder responder);
-  void Open(const message::OpenInterface& open, Responder responder);
+  void Open(const message::OpenInterface& open, ServedConnections::Use use, Responder responder);
   void CallMember(Body body, Responder responder);
   void Subscribe(const SharedChannel& channel, Body body, Responder responder);
 
