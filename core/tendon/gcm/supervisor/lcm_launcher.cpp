@@ -47,6 +47,7 @@ std::string EndOf(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary | std::ios::ate);
   if (!stream) return {};
   const std::streamoff size = stream.tellg();
+  if (size <= 0) return {};
   stream.seekg(std::max<std::streamoff>(0, size - kMost));
   std::string text(static_cast<std::size_t>(std::min(size, kMost)), '\0');
   stream.read(text.data(), static_cast<std::streamsize>(text.size()));

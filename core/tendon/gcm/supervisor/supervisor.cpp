@@ -8,6 +8,7 @@
 #include <tendon/payload/json.h>
 
 #include <algorithm>
+#include <exception>
 #include <utility>
 
 namespace tendon::server {
@@ -23,6 +24,16 @@ milliseconds PatienceOf(std::chrono::nanoseconds asked) {
   constexpr std::chrono::hours kLongest(1);
   if (asked <= std::chrono::nanoseconds(0)) return kUsual;
   return std::chrono::ceil<milliseconds>(std::min<std::chrono::nanoseconds>(asked, kLongest));
+}
+
+/// Files and memory may throw.
+template <typename T, typename Action>
+Result<T> Guarded(const Action& action) {
+  try {
+    return action();
+  } catch (const std::exception& failure) {
+    return Error{ErrorCode::kFailed, failure.what()};
+  }
 }
 
 std::string Quoted(const std::string& process) { return "process '" + process + "'"; }
@@ -148,7 +159,8 @@ void Supervisor::Launch(const std::string& process, Child& child) {
   child.reproach.clear();
   const Launcher::Order order{process, child.patience, child.system};
   worker_.Post([launcher = parts_.launcher, locked = locked_, order] {
-    const auto program = launcher->Start(order);
+    const auto program =
+        Guarded<std::shared_ptr<StartedProcess>>([&] { return launcher->Start(order); });
     locked([&](Supervisor& self) { self.Begin(order.process, program); });
   });
 }
@@ -224,8 +236,9 @@ void Supervisor::Reproach(Child& child, const std::string& why) {
 void Supervisor::Examine(const std::string& process, Child& child) {
   child.phase = Phase::kExamining;
   worker_.Post([launcher = parts_.launcher, locked = locked_, process] {
-    const Traces traces = launcher->TracesOf(process);
-    locked([&](Supervisor& self) { self.Judge(process, traces); });
+    const auto traces =
+        Guarded<Traces>([&]() -> Result<Traces> { return launcher->TracesOf(process); });
+    locked([&](Supervisor& self) { self.Judge(process, traces ? *traces : Traces{}); });
   });
 }
 
