@@ -29,20 +29,34 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kMostFormHeight = 232;
 constexpr int kJsonHeight = 120;
-constexpr int kMostAnswerLines = 8;
+constexpr qsizetype kLongestAnswer = 1500;
 constexpr std::chrono::milliseconds kHold{400};
 constexpr std::chrono::seconds kSecondKey{2};
 enum ArgumentPage { kFormPage, kJsonPage };
 
-/// One field a line, as a person reads it.
+/// With numbers of six digits, and places where a line can end.
+QString ValueText(const Json& value) {
+  if (value.is_number_float()) return QString::number(value.get<double>(), 'g', 6);
+  if (!value.is_array()) return ToQString(value.dump());
+  QStringList elements;
+  for (const Json& element : value) elements << ValueText(element);
+  return '[' + elements.join(QStringLiteral(", ")) + ']';
+}
+
+/// One field a line, as a person reads it; the rest of what is very long is left to a terminal.
 QString Readable(const std::string& json) {
   const Json value = Json::parse(json, nullptr, false);
-  if (!value.is_object()) return ToQString(json);
   QStringList lines;
-  for (const auto& [name, field] : value.items()) {
-    lines << ToQString(name) + QStringLiteral(": ") + ToQString(field.dump());
+  if (value.is_object()) {
+    for (const auto& [name, field] : value.items()) {
+      lines << ToQString(name) + QStringLiteral(": ") + ValueText(field);
+    }
+  } else {
+    lines << ValueText(value);
   }
-  return lines.join('\n');
+  const QString text = lines.join('\n');
+  if (text.size() <= kLongestAnswer) return text;
+  return text.left(kLongestAnswer) + QStringLiteral("…\nThe whole answer: Copy as command");
 }
 
 bool TakesArgument(CommandKind kind) {
@@ -50,19 +64,14 @@ bool TakesArgument(CommandKind kind) {
          kind == CommandKind::kWriteReturn;
 }
 
-QPlainTextEdit* MakeText(const QString& name, const QString& accessible_name) {
-  auto* text = new QPlainTextEdit;
-  text->setObjectName(name);
-  text->setAccessibleName(accessible_name);
-  text->setFont(Theme::instance().mono());
-  text->setTabChangesFocus(true);
-  return text;
-}
-
-void FitLines(QPlainTextEdit& text) {
-  const int lines = std::clamp(text.blockCount(), 1, kMostAnswerLines);
-  const int margins = 2 * static_cast<int>(text.document()->documentMargin());
-  text.setFixedHeight(lines * text.fontMetrics().lineSpacing() + margins + 2);
+QLabel* MakeWords(const QString& name) {
+  auto* words = new QLabel;
+  words->setObjectName(name);
+  words->setTextFormat(Qt::PlainText);
+  words->setWordWrap(true);
+  words->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  words->setContentsMargins(kInset, 0, kInset, 2 * kGrid);
+  return words;
 }
 
 }  // namespace
@@ -72,13 +81,17 @@ CallPanel::CallPanel(CommandCalls& calls, QWidget* parent) : QWidget(parent), ca
   setAccessibleName(QStringLiteral("Call a command"));
   build();
   for (const int key : {Qt::Key_Return, Qt::Key_Enter}) {
-    new QShortcut(QKeySequence(Qt::CTRL | static_cast<Qt::Key>(key)), this, this,
-                  &CallPanel::callByKey, Qt::WidgetWithChildrenShortcut);
+    auto* calls_it = new QShortcut(QKeySequence(Qt::CTRL | static_cast<Qt::Key>(key)), this, this,
+                                   &CallPanel::callByKey, Qt::WidgetWithChildrenShortcut);
+    calls_it->setAutoRepeat(false);
   }
   for (QTimer* const timer : {&hold_, &second_key_}) timer->setSingleShot(true);
   hold_.setInterval(kHold);
   second_key_.setInterval(kSecondKey);
-  connect(&hold_, &QTimer::timeout, this, &CallPanel::call);
+  connect(&hold_, &QTimer::timeout, this, [this] {
+    has_held_ = true;
+    call();
+  });
   setVisible(false);
 }
 
@@ -87,16 +100,10 @@ void CallPanel::build() {
   kind_ = new QLabel;
   SetRole(*kind_, QStringLiteral("dim mono"));
   head_->addRight(kind_);
-  status_ = new QLabel;
-  status_->setObjectName(QStringLiteral("call.status"));
-  status_->setWordWrap(true);
-  status_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  status_->setContentsMargins(kInset, 0, kInset, 2 * kGrid);
-  answer_ = MakeText(QStringLiteral("call.answer"), QStringLiteral("Answer"));
-  answer_->setReadOnly(true);
-  answer_->setWordWrapMode(QTextOption::WrapAnywhere);
-  answer_->viewport()->setContentsMargins(0, 0, 0, 0);
-  answer_->document()->setDocumentMargin(kGrid);
+  status_ = MakeWords(QStringLiteral("call.status"));
+  answer_ = MakeWords(QStringLiteral("call.answer"));
+  answer_->setAccessibleName(QStringLiteral("Answer"));
+  SetRole(*answer_, QStringLiteral("mono"));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
@@ -112,7 +119,11 @@ QWidget* CallPanel::buildArgument() {
   form_area_->setFrameShape(QFrame::NoFrame);
   form_area_->setWidgetResizable(true);
   form_area_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  json_ = MakeText(QStringLiteral("call.json"), QStringLiteral("Argument as JSON"));
+  json_ = new QPlainTextEdit;
+  json_->setObjectName(QStringLiteral("call.json"));
+  json_->setAccessibleName(QStringLiteral("Argument as JSON"));
+  json_->setFont(Theme::instance().mono());
+  json_->setTabChangesFocus(true);
   connect(json_, &QPlainTextEdit::textChanged, this, &CallPanel::check);
   argument_ = new QStackedWidget;
   argument_->addWidget(form_area_);
@@ -133,6 +144,8 @@ QWidget* CallPanel::buildButtons() {
   call_ = new QPushButton(QStringLiteral("Call"));
   call_->setObjectName(QStringLiteral("call.call"));
   SetRole(*call_, QStringLiteral("primary"));
+  call_->installEventFilter(this);
+  connect(call_, &QPushButton::clicked, this, &CallPanel::click);
   connect(call_, &QPushButton::pressed, this, &CallPanel::press);
   connect(call_, &QPushButton::released, this, &CallPanel::release);
   retry_ = link(QStringLiteral("Ask again"), QStringLiteral("call.retry"));
@@ -156,9 +169,9 @@ QWidget* CallPanel::buildButtons() {
 
 void CallPanel::showCommand(const QString& path, const MemberDescription& command) {
   if (path == path_ && command == command_) return;
+  showNothing();
   path_ = path;
   command_ = command;
-  under_way_ = false;
   takes_argument_ = TakesArgument(command.signature.kind);
   head_->setTitle(QStringLiteral("Call ") + ToQString(command.name));
   head_->setToolTip(path);
@@ -173,10 +186,15 @@ void CallPanel::showCommand(const QString& path, const MemberDescription& comman
 void CallPanel::showNothing() {
   path_.clear();
   command_ = {};
+  ++shown_;
+  under_way_ = false;
+  hold_.stop();
+  second_key_.stop();
   setVisible(false);
 }
 
 void CallPanel::askForSchema() {
+  ++shown_;
   schema_.reset();
   retry_->setVisible(false);
   argument_->setVisible(false);
@@ -185,8 +203,8 @@ void CallPanel::askForSchema() {
   if (!takes_argument_) return check();
   tell(QStringLiteral("Asking what it takes…"), QStringLiteral("dim"));
   calls_.findSchema(path_.section('/', 0, 0).toStdString(), command_.signature.in,
-                    [panel = QPointer(this), path = path_](const Result<Schema>& schema) {
-                      if (panel != nullptr && panel->path_ == path) panel->hearSchema(schema);
+                    [panel = QPointer(this), shown = shown_](const Result<Schema>& schema) {
+                      if (panel != nullptr && panel->shown_ == shown) panel->hearSchema(schema);
                     });
 }
 
@@ -241,7 +259,7 @@ void CallPanel::check() {
     const auto body = FromJson(*schema_, argument());
     if (!body) problem = ToQString(body.error().message);
   }
-  call_->setEnabled(problem.isEmpty() && !under_way_);
+  call_->setEnabled(problem.isEmpty());
   if (!under_way_) tell(problem, QStringLiteral("warning"));
 }
 
@@ -259,12 +277,24 @@ void CallPanel::setCareful(bool careful) {
                             : QStringLiteral("Ctrl+Enter"));
 }
 
+bool CallPanel::eventFilter(QObject* watched, QEvent* event) {
+  const auto type = event->type();
+  const bool goes_down = type == QEvent::MouseButtonPress || type == QEvent::MouseButtonDblClick ||
+                         type == QEvent::KeyPress;
+  if (watched == call_ && goes_down) has_held_ = false;
+  return QWidget::eventFilter(watched, event);
+}
+
+void CallPanel::click() {
+  if (!careful_ && !has_held_) call();
+}
+
+/// Also when the pointer comes back to a button that is down.
 void CallPanel::press() {
-  if (careful_) hold_.start();
+  if (careful_ && !has_held_) hold_.start();
 }
 
 void CallPanel::release() {
-  if (!careful_) return call();
   if (!hold_.isActive()) return;
   hold_.stop();
   tell(
@@ -283,16 +313,15 @@ void CallPanel::callByKey() {
 }
 
 void CallPanel::call() {
-  if (!call_->isEnabled() || path_.isEmpty()) return;
+  if (!call_->isEnabled() || path_.isEmpty() || under_way_) return;
   const std::string said = argument();
   if (takes_argument_) last_arguments_[path_] = said;
   under_way_ = true;
-  call_->setEnabled(false);
   answer_->setVisible(false);
   tell(QStringLiteral("Calling…"), QStringLiteral("dim"));
   calls_.callCommand(path_.toStdString(), said,
-                     [panel = QPointer(this), path = path_](const auto& answer, double seconds) {
-                       if (panel != nullptr && panel->path_ == path) {
+                     [panel = QPointer(this), shown = shown_](const auto& answer, double seconds) {
+                       if (panel != nullptr && panel->shown_ == shown) {
                          panel->hearAnswer(answer, seconds);
                        }
                      });
@@ -304,9 +333,8 @@ void CallPanel::hearAnswer(const Result<std::string>& answer, double seconds) {
   if (!answer) return tell(ToQString(answer.error().message), QStringLiteral("bad"));
   tell(QStringLiteral("Done in ") + DurationText(seconds), QStringLiteral("ok"));
   if (answer->empty()) return;
-  answer_->setPlainText(Readable(*answer));
+  answer_->setText(Readable(*answer));
   answer_->setVisible(true);
-  FitLines(*answer_);
 }
 
 void CallPanel::tell(const QString& text, const QString& role) {

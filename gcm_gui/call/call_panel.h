@@ -7,6 +7,7 @@
 #include <QString>
 #include <QTimer>
 #include <QWidget>
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -41,9 +42,14 @@ class CallPanel : public QWidget {
   /// A call can set something in motion: the button is held for a while, the key pressed twice.
   void setCareful(bool careful);
 
+ protected:
+  /// The button goes down.
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
   void call();
   void callByKey();
+  void click();
   void press();
   void release();
   void build();
@@ -66,8 +72,11 @@ class CallPanel : public QWidget {
   MemberDescription command_;
   std::optional<Schema> schema_;  // of the argument
   bool takes_argument_ = false;
+  /// Of another command, or of an earlier time, what is answered late tells nothing.
+  std::uint64_t shown_ = 0;
   bool under_way_ = false;
   bool careful_ = false;
+  bool has_held_ = false;  // the button that is down has called
   QTimer hold_;
   QTimer second_key_;
   QString unavailable_;
@@ -83,7 +92,7 @@ class CallPanel : public QWidget {
   QToolButton* as_json_ = nullptr;
   QToolButton* retry_ = nullptr;
   QLabel* status_ = nullptr;
-  QPlainTextEdit* answer_ = nullptr;
+  QLabel* answer_ = nullptr;
 };
 
 }  // namespace tendon::gui

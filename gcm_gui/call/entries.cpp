@@ -22,6 +22,7 @@ using Edited = std::function<void()>;
 
 constexpr std::uint32_t kMostCells = 16;
 constexpr int kCellsInRow = 4;
+constexpr int kLeastCell = 40;
 
 QString TextOf(const Json& value) {
   return ToQString(value.is_string() ? value.get<std::string>() : value.dump());
@@ -161,7 +162,7 @@ EntryWidget MakeGrid(const Schema::Field& field, const QString& name, const Edit
     auto [entry, cell] = MakeNumber(field, QStringLiteral("%1[%2]").arg(name).arg(i), edited);
     cells.push_back(static_cast<QLineEdit*>(cell));
     cell->setToolTip(QStringLiteral("[%1]").arg(i));
-    cell->setMinimumWidth(0);
+    cell->setMinimumWidth(kLeastCell);
     const auto place = static_cast<int>(i);
     grid->addWidget(cell, place / kCellsInRow, place % kCellsInRow);
     elements.push_back(std::move(entry));
@@ -169,7 +170,10 @@ EntryWidget MakeGrid(const Schema::Field& field, const QString& name, const Edit
   for (int column = 0; column < kCellsInRow; ++column) grid->setColumnStretch(column, 1);
   for (std::size_t i = 0; i < cells.size(); ++i) {
     QObject::connect(cells[i], &QLineEdit::textChanged, widget,
-                     [cells, i] { SpreadPastedNumbers(cells, i); });
+                     [cells, i, size = cells[i]->text().size()](const QString& text) mutable {
+                       const bool is_typed = text.size() == std::exchange(size, text.size()) + 1;
+                       if (!is_typed) SpreadPastedNumbers(cells, i);
+                     });
   }
   return {std::make_unique<ListEntry>(std::move(elements)), widget};
 }

@@ -57,9 +57,7 @@ class CallPanelTest : public ::testing::Test {
   }
   QPushButton& Button() { return *panel_.findChild<QPushButton*>(QStringLiteral("call.call")); }
   QString Status() { return panel_.findChild<QLabel*>(QStringLiteral("call.status"))->text(); }
-  QPlainTextEdit& Answer() {
-    return *panel_.findChild<QPlainTextEdit*>(QStringLiteral("call.answer"));
-  }
+  QLabel& Answer() { return *panel_.findChild<QLabel*>(QStringLiteral("call.answer")); }
   QToolButton& Link(const QString& name) { return *panel_.findChild<QToolButton*>(name); }
   void Click() { QTest::mouseClick(&Button(), Qt::LeftButton); }
 
@@ -72,9 +70,10 @@ TEST_F(CallPanelTest, SaysWhatIsEntered) {
   Enter("to", "0.5");
 
   Click();
+  Click();
 
-  EXPECT_EQ(calls_.calls, QStringList{kMove + R"( {"to":0.5,"mode":"a"})"});
-  EXPECT_FALSE(Button().isEnabled()) << "one call at a time";
+  EXPECT_EQ(calls_.calls, QStringList{kMove + R"( {"to":0.5,"mode":"a"})"}) << "one at a time";
+  EXPECT_EQ(Status(), "Calling…");
 }
 
 TEST_F(CallPanelTest, TheAnswerIsShownAFieldALine) {
@@ -82,12 +81,13 @@ TEST_F(CallPanelTest, TheAnswerIsShownAFieldALine) {
   panel_.show();
   Click();
 
-  calls_.answer(std::string(R"({"position":[1,2],"valid":true})"), 0.003);
+  calls_.answer(std::string(R"({"position":[1,-0.7853981633974483],"valid":true})"), 0.003);
 
   EXPECT_EQ(Status(), "Done in 3.000 ms");
   EXPECT_TRUE(Answer().isVisible());
-  EXPECT_EQ(Answer().toPlainText(), "position: [1,2]\nvalid: true");
-  EXPECT_TRUE(Button().isEnabled());
+  EXPECT_EQ(Answer().text(), "position: [1, -0.785398]\nvalid: true");
+  Click();
+  EXPECT_EQ(calls_.calls.size(), 2);
 }
 
 TEST_F(CallPanelTest, ARefusalIsToldInItsWords) {
@@ -208,6 +208,42 @@ TEST_F(CallPanelTest, ItIsCalledByAButtonThatIsHeld) {
   QTest::mouseRelease(&Button(), Qt::LeftButton);
 
   EXPECT_EQ(calls_.calls.size(), 1);
+}
+
+TEST_F(CallPanelTest, AButtonThatIsHeldOnCallsOnce) {
+  ShowStop();
+  panel_.setCareful(true);
+  QTest::mousePress(&Button(), Qt::LeftButton);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return calls_.calls.size() == 1; }));
+  calls_.answer(std::string(), 0.001);
+
+  QTest::mouseMove(&Button(), QPoint(-20, -20));
+  Q_EMIT Button().pressed();
+  QTest::qWait(600);
+  QTest::mouseRelease(&Button(), Qt::LeftButton);
+
+  EXPECT_EQ(calls_.calls.size(), 1);
+}
+
+TEST_F(CallPanelTest, AClickThatIsTakenBackCallsNothing) {
+  ShowStop();
+
+  QTest::mousePress(&Button(), Qt::LeftButton);
+  QTest::mouseRelease(&Button(), Qt::LeftButton, {}, QPoint(-20, -20));
+
+  EXPECT_EQ(calls_.calls.size(), 0);
+}
+
+TEST_F(CallPanelTest, TheFirstKeyIsForgottenWithItsCommand) {
+  ShowStop();
+  Activate();
+  panel_.setCareful(true);
+  QTest::keyClick(&Button(), Qt::Key_Return, Qt::ControlModifier);
+
+  panel_.showCommand(kGet, CommandOf("Get", CommandKind::kRead));
+  QTest::keyClick(&Button(), Qt::Key_Return, Qt::ControlModifier);
+
+  EXPECT_EQ(calls_.calls.size(), 0);
 }
 
 TEST_F(CallPanelTest, OrByTheKeyPressedTwice) {

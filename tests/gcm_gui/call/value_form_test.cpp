@@ -95,6 +95,12 @@ TEST_F(ValueFormTest, PastedNumbersFillTheCellsThatFollow) {
   EXPECT_EQ(form_.json().substr(0, 31), R"({"position":[0,1.5,-2,3,4],"spe)");
 }
 
+TEST_F(ValueFormTest, ADecimalCommaThatIsTypedLeavesTheNextCellAlone) {
+  QTest::keyClicks(Cells("position")[1], QStringLiteral(",5"));
+
+  EXPECT_EQ(form_.json().substr(0, 30), R"({"position":[0,"0,5",0,0,0],"s)");
+}
+
 TEST_F(ValueFormTest, ShowsAValueThatItIsGiven) {
   const std::string json =
       R"({"position":[1,2,3,4,5.5],"speed":2.0,"count":7,"hold":true,"mode":"on","note":"a",)"
