@@ -27,7 +27,10 @@ _gcm() {
     rest=${rest#"$piece"}
   done
   local word="${words[${#words[@]}-1]}" line
-  local begin=${word%"${word##*[:=]}"}  # stands already, and is no part of what bash completes
+  local breaks= begin=  # what stands already, and is no part of what bash completes
+  [[ $COMP_WORDBREAKS == *:* ]] && breaks+=:
+  [[ $COMP_WORDBREAKS == *=* ]] && breaks+==
+  [[ -n $breaks ]] && begin=${word%"${word##*[$breaks]}"}
   COMPREPLY=()
   while IFS= read -r line; do
     if [[ $line == :files ]]; then

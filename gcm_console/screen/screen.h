@@ -38,8 +38,9 @@ class Screen {
   }
 
  private:
-  void Take() { out_ << "\x1b[?1049h\x1b[?25l" << std::flush; }
-  void GiveBack() { out_ << "\x1b[?25h\x1b[?1049l" << std::flush; }
+  /// A line that is too long ends at the edge.
+  void Take() { out_ << "\x1b[?1049h\x1b[?25l\x1b[?7l" << std::flush; }
+  void GiveBack() { out_ << "\x1b[?7h\x1b[?25h\x1b[?1049l" << std::flush; }
 
   std::ostream& out_;
 };

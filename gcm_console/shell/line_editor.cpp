@@ -138,6 +138,7 @@ class LineEditor final : public LineReader {
     std::error_code none;
     const auto size = fs::file_size(file_, none);
     if (none || size == 0) static_cast<void>(tendon::os::AppendDurably(file_, kHistoryMark));
+    fs::permissions(file_, fs::perms::owner_read | fs::perms::owner_write, none);
   }
 
   /// At the end of the file, where other shells write too.
@@ -154,7 +155,12 @@ class LineEditor final : public LineReader {
         UnfinishedOf({info->buffer, static_cast<std::size_t>(info->cursor - info->buffer)});
     const std::string& word = line.words.back();
     Completion found = completion_(line);
-    if (found.is_file) found.candidates = Files(word);
+    if (found.is_file) {
+      const bool is_option = word.starts_with("--") && word.find('=') != word.npos;
+      const std::string begin = is_option ? word.substr(0, word.find('=') + 1) : "";
+      found.candidates = Files(word.substr(begin.size()));
+      for (auto& one : found.candidates) one.text.insert(0, begin);
+    }
     if (found.candidates.empty()) return CC_REFRESH_BEEP;
     const std::string common = CommonBegin(found.candidates);
     if (common.size() > word.size()) {

@@ -6,6 +6,7 @@
 #include <csignal>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "gcm_console/demo_fixture.h"
 #include "gcm_console/terminal.h"
@@ -50,6 +51,17 @@ class HealthTest : public SystemFixture {
                  : testing::AssertionFailure() << process << " tells " << health;
   }
 
+  /// What is older than three seconds is not told: on a busy machine it is asked again.
+  testing::AssertionResult EventuallyMatches(const Program::Words& line,
+                                             const std::string& pattern) const {
+    std::string out;
+    const bool matches = EventuallyTrue([&] {
+      out = Gcm(line).out;
+      return std::regex_search(out, std::regex(pattern));
+    });
+    return matches ? testing::AssertionSuccess() : testing::AssertionFailure() << out;
+  }
+
   std::unique_ptr<Program> busy;
   std::unique_ptr<Program> idle;
 };
@@ -58,34 +70,34 @@ TEST_F(HealthTest, WhoWorksMoreUsesMore) {
   ASSERT_TRUE(EventuallyTells("busy")) << busy->err().substr(0, 1000);
   ASSERT_TRUE(EventuallyTells("idle")) << idle->err();
 
-  EXPECT_TRUE(EventuallyTrue([&] {
-    const json working = HealthOf("busy");
-    const json resting = HealthOf("idle");
-    return working.value("cpu_cores", 0.0) > 2 * resting.value("cpu_cores", 1.0);
-  })) << HealthOf("busy")
-      << HealthOf("idle");
-  const json health = HealthOf("busy");
-  EXPECT_GT(health["memory_bytes"], 1'000'000);
-  EXPECT_EQ(health["clock_offset_s"], 0.0);  // on one host
-  EXPECT_GE(health["clock_uncertainty_s"], 0.0);
-  EXPECT_GE(health["age_s"], 0.0);
+  json working;
+  json resting;
+  ASSERT_TRUE(EventuallyTrue([&] {
+    working = HealthOf("busy");
+    resting = HealthOf("idle");
+    return working.contains("clock_offset_s") &&
+           working.value("cpu_cores", 0.0) > 2 * resting.value("cpu_cores", 1.0);
+  })) << working
+      << resting;
+  EXPECT_GT(working["memory_bytes"], 1'000'000);
+  EXPECT_EQ(working["clock_offset_s"], 0.0);  // on one host
+  EXPECT_GE(working["clock_uncertainty_s"], 0.0);
+  EXPECT_GE(working["age_s"], 0.0);
 }
 
 TEST_F(HealthTest, IsShownByEachVerbThatShowsProcesses) {
   ASSERT_TRUE(EventuallyTells("idle")) << idle->err();
 
   EXPECT_TRUE(EventuallySays({"ls", "-l"}, "idle\tprocess\t\talive\tcpu "));
-  EXPECT_THAT(Gcm({"ls", "-l"}).out, HasSubstr(" %, memory "));
-  const std::string shown = Gcm({"show", "idle"}).out;
-  EXPECT_THAT(shown, testing::ContainsRegex("cpu\t[0-9.]+ %\n"));
-  EXPECT_THAT(shown, testing::ContainsRegex("memory\t[0-9.]+ MiB\n"));
-  EXPECT_THAT(shown, HasSubstr("clock\t0.0 ms off (+-"));
-  EXPECT_TRUE(json::parse(Gcm({"--json", "show", "idle"}).out)["process"]["health"].contains(
-      "memory_bytes"));
-  EXPECT_THAT(Gcm({"doctor"}).out,
-              testing::ContainsRegex("process idle .*, cpu [0-9.]+ %, memory"));
-  const json top = json::parse(Gcm({"--json", "top"}).out);
-  EXPECT_TRUE(HealthIn(top["processes"], "idle").contains("cpu_cores")) << top;
+  EXPECT_TRUE(EventuallyMatches({"ls", "-l"}, "idle.* %, memory "));
+  EXPECT_TRUE(EventuallyMatches({"show", "idle"},
+                                "cpu\t[0-9.]+ %\nmemory\t[0-9.]+ MiB\nclock\t0.0 ms off \\(\\+-"));
+  EXPECT_TRUE(EventuallyMatches({"--json", "show", "idle"}, "\"memory_bytes\""));
+  EXPECT_TRUE(EventuallyMatches({"doctor"}, "process idle .*, cpu [0-9.]+ %, memory"));
+  EXPECT_TRUE(EventuallyTrue([&] {
+    const json top = json::parse(Gcm({"--json", "top"}).out, nullptr, false);
+    return top.is_object() && HealthIn(top["processes"], "idle").contains("cpu_cores");
+  }));
 
   Terminal terminal(Binary("gcm") + " --gcm " + address + " --timeout " + kPatience + " top", {},
                     100);

@@ -34,6 +34,7 @@ class StartedSystemTest : public SystemFixture {
 
   /// Those that the GCM has started would run on.
   void TearDown() override {
+    gcm.reset();  // which would start them again
     for (const auto& folder : std::filesystem::directory_iterator("/proc")) {
       std::ifstream file(folder.path() / "cmdline", std::ios::binary);
       const std::string words(std::istreambuf_iterator<char>(file), {});

@@ -47,6 +47,7 @@ class Terminal {
     ioctl(master_, TIOCSWINSZ, &size);
   }
   void Type(const std::string& keys) {
+    Read();
     seen_.clear();
     const auto written = write(master_, keys.data(), keys.size());
     static_cast<void>(written);

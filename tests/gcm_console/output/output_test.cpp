@@ -110,6 +110,8 @@ class OutputTest : public DemoFixture {
             {"rm", "robot/spare"},
             {"disconnect", "desk/supervisor/Robot"},
             {"apply", saved},
+            {"kill", "extra"},
+            {"forget", "extra"},
             {"top"},
             {"doctor"},
             {"version"},
@@ -126,6 +128,10 @@ class OutputTest : public DemoFixture {
 };
 
 TEST_F(OutputTest, EveryDocumentFitsItsSchema) {
+  home.Write("extra.json",
+             R"({"version": 1, "name": "more", "processes": [{"name": "extra", "start": {}}]})");
+  const Outcome started = Gcm({"apply", (home.path() / "extra.json").string()});
+  ASSERT_EQ(started.exit_code, program::kOk) << started.err;
   for (const Program::Words& words : Lines()) ExpectFits(words);
 
   for (const console::Verb& verb : verbs) {

@@ -65,9 +65,11 @@ TEST_F(ScreenTest, TopAlwaysShowsItsKeysAndFollowsTheSizeOfTheTerminal) {
   ASSERT_TRUE(terminal.Shows("RATE/Hz")) << terminal.seen();
   ASSERT_TRUE(terminal.Shows("q end")) << terminal.seen();
 
-  terminal.Resize(4, 100);  // rows: there is room for two tasks at most
+  terminal.Resize(7, 100);  // rows: those of the processes, and what orders the tasks
   terminal.Type("n");
   ASSERT_TRUE(terminal.Shows("by name")) << terminal.seen();
+  terminal.Type("r");
+  ASSERT_TRUE(terminal.Shows("by rate")) << terminal.seen();
   ASSERT_TRUE(terminal.Shows("q end")) << terminal.seen();
   EXPECT_THAT(terminal.seen(), testing::Not(HasSubstr("teleoperation")));
 

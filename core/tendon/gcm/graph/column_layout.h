@@ -33,6 +33,7 @@ struct Rect {
 /// Places are remembered, one for each layer, for blocks that come back.
 class ColumnLayout {
  public:
+  /// What is placed, by its name.
   struct Block {
     std::string key;
     Size size;
@@ -40,6 +41,7 @@ class ColumnLayout {
 
     bool operator==(const Block&) const = default;
   };
+  /// Between what stands side by side, and one above the other.
   struct Spacing {
     double columns = 64;
     double rows = 16;
