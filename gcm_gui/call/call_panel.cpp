@@ -10,6 +10,7 @@
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPainter>
 #include <QPlainTextEdit>
 #include <QPointer>
 #include <QPushButton>
@@ -105,7 +106,7 @@ void CallPanel::build() {
   answer_->setAccessibleName(QStringLiteral("Answer"));
   SetRole(*answer_, QStringLiteral("mono"));
   auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
+  column->setContentsMargins(0, kGap, 0, 0);
   column->setSpacing(0);
   column->addWidget(head_);
   column->addWidget(buildArgument());
@@ -159,6 +160,7 @@ QWidget* CallPanel::buildButtons() {
   auto* widget = new QWidget;
   auto* row = new QHBoxLayout(widget);
   row->setContentsMargins(kInset, 2 * kGrid, kInset - 6, 2 * kGrid);
+  row->setSpacing(0);
   row->addWidget(call_);
   row->addWidget(retry_);
   row->addStretch();
@@ -283,6 +285,11 @@ bool CallPanel::eventFilter(QObject* watched, QEvent* event) {
                          type == QEvent::KeyPress;
   if (watched == call_ && goes_down) has_held_ = false;
   return QWidget::eventFilter(watched, event);
+}
+
+void CallPanel::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.fillRect(0, 0, width(), kGap, Theme::instance().color(Token::kLine));
 }
 
 void CallPanel::click() {

@@ -45,6 +45,7 @@ class CallPanel : public QWidget {
  protected:
   /// The button goes down.
   bool eventFilter(QObject* watched, QEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
 
  private:
   void call();

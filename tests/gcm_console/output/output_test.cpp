@@ -129,7 +129,8 @@ class OutputTest : public DemoFixture {
 
 TEST_F(OutputTest, EveryDocumentFitsItsSchema) {
   home.Write("extra.json",
-             R"({"version": 1, "name": "more", "processes": [{"name": "extra", "start": {}}]})");
+             R"({"version": 1, "name": "more", "processes": [
+                 {"name": "extra", "start": {}, "components": []}]})");
   const Outcome started = Gcm({"apply", (home.path() / "extra.json").string()});
   ASSERT_EQ(started.exit_code, program::kOk) << started.err;
   for (const Program::Words& words : Lines()) ExpectFits(words);
