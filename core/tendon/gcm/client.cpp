@@ -58,6 +58,13 @@ Error NoCommand(const std::string& path) {
           "'" + path + "' names no command: expected process/component/interface.member"};
 }
 
+/// On a machine that is busy beyond measure, who is patient is answered by more than "it hangs".
+client::ProcessLinks::Options OpeningOf(const GcmClient::Options& options) {
+  client::ProcessLinks::Options opening{.name = options.name, .role = options.role};
+  opening.patience = std::max(opening.patience, options.timeout / 2);
+  return opening;
+}
+
 }  // namespace
 
 /// The parts, and in which order they come and go.
@@ -73,8 +80,8 @@ class GcmClient::Implementation {
             client::GcmLink::Events{std::move(listener),
                                     [this](const auto& processes) { OnMoved(processes); }},
             timer_)),
-        links_(std::make_shared<client::ProcessLinks>(*middleware_, Resolver(link_), options.name,
-                                                      options.role)),
+        links_(std::make_shared<client::ProcessLinks>(*middleware_, Resolver(link_),
+                                                      OpeningOf(options))),
         caller_(std::make_shared<client::Caller>(links_, timer_, options.timeout)),
         events_(std::make_shared<client::EventFeed>(links_, timer_, EventsOf(link_), options.name,
                                                     options.timeout)) {

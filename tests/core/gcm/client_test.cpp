@@ -113,7 +113,7 @@ TEST_P(Client, NewsOfAProcessEndNoChannelThatLeadsThereAlready) {
   const auto links = std::make_shared<client::ProcessLinks>(
       *middleware,
       [this](const std::string&) { return Result<ProcessDescription>(robot_->description()); },
-      "test", Role::kOperator);
+      client::ProcessLinks::Options{.name = "test"});
   std::promise<std::shared_ptr<Channel>> promise;
   links->With("robot", [&](const auto& channel) { promise.set_value(*channel); });
   const auto channel = promise.get_future().get();

@@ -7,11 +7,6 @@
 #include <utility>
 
 namespace tendon::client {
-namespace {
-
-constexpr std::chrono::milliseconds kOpenTimeout(1000);
-
-}  // namespace
 
 class ProcessLinks::Handler final : public ChannelHandler {
  public:
@@ -38,8 +33,8 @@ class ProcessLinks::Handler final : public ChannelHandler {
   const Role role_;
 };
 
-ProcessLinks::ProcessLinks(Middleware& middleware, Resolve resolve, std::string name, Role role)
-    : middleware_(middleware), resolve_(std::move(resolve)), name_(std::move(name)), role_(role) {}
+ProcessLinks::ProcessLinks(Middleware& middleware, Resolve resolve, Options options)
+    : middleware_(middleware), resolve_(std::move(resolve)), options_(std::move(options)) {}
 
 void ProcessLinks::With(const std::string& process, Use use) {
   std::unique_lock lock(mutex_);
@@ -102,10 +97,10 @@ Result<ProcessLinks::SharedChannel> ProcessLinks::TryOpen(const std::string& pro
   const auto cookie = LoopbackCookie();
   if (!cookie) return cookie.error();
   const Hello mine{
-      .instance = os::RandomNumber(), .name = name_, .wanted = process, .cookie = *cookie};
-  const auto handler = std::make_shared<Handler>(weak_from_this(), listener_, role_);
+      .instance = os::RandomNumber(), .name = options_.name, .wanted = process, .cookie = *cookie};
+  const auto handler = std::make_shared<Handler>(weak_from_this(), listener_, options_.role);
   const std::string who = "process '" + process + "' does not answer at " + there->address;
-  auto channel = Channel::Open(middleware_, there->address, mine, handler, kOpenTimeout);
+  auto channel = Channel::Open(middleware_, there->address, mine, handler, options_.patience);
   if (!channel) return Error{channel.error().code, who + ": " + channel.error().message};
   if ((*channel)->peer().instance == there->instance) return channel;
   (*channel)->Close();

@@ -5,6 +5,7 @@
 #include <tendon/process/worker.h>
 #include <tendon/security/role.h>
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -25,8 +26,16 @@ class ProcessLinks final : public std::enable_shared_from_this<ProcessLinks> {
   /// Where a process is now; the error says why it is nowhere.
   using Resolve = std::function<Result<ProcessDescription>(const std::string& process)>;
 
-  /// The middleware outlives Stop(). In the processes, we have `role` at most.
-  ProcessLinks(Middleware& middleware, Resolve resolve, std::string name, Role role);
+  /// Who comes to the processes, with `role` at most, and for how long one may hold up the others
+  /// by not answering.
+  struct Options {
+    std::string name;
+    Role role = Role::kOperator;
+    std::chrono::milliseconds patience{1000};
+  };
+
+  /// The middleware outlives Stop().
+  ProcessLinks(Middleware& middleware, Resolve resolve, Options options);
 
   /// Before the first With(): who hears the notices on all channels, and the ends of those.
   void HearNotices(std::weak_ptr<ChannelHandler> listener) { listener_ = std::move(listener); }
@@ -50,8 +59,7 @@ class ProcessLinks final : public std::enable_shared_from_this<ProcessLinks> {
 
   Middleware& middleware_;
   const Resolve resolve_;
-  const std::string name_;
-  const Role role_;
+  const Options options_;
   std::weak_ptr<ChannelHandler> listener_;
   std::mutex mutex_;
   bool stopped_ = false;
