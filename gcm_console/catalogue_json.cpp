@@ -1,5 +1,6 @@
 #include <gcm_console/catalogue_json.h>
 #include <gcm_console/place.h>
+#include <tendon/gcm/lookup.h>
 
 #include <algorithm>
 #include <chrono>
@@ -71,7 +72,7 @@ ordered_json ToJson(const tendon::RequiredDescription& interface) {
 
 ordered_json ToJson(const tendon::MemberDescription& member) {
   ordered_json json = {{"name", member.name}, {"kind", ToString(member.signature.kind)}};
-  if (TakesArgument(member)) json["in"] = member.in_type;
+  if (TakesArgument(member.signature)) json["in"] = member.in_type;
   if (GivesAnswer(member)) json["out"] = member.out_type;
   if (member.optional) json["optional"] = true;
   if (!member.hazard.empty()) json["hazard"] = member.hazard;

@@ -75,13 +75,9 @@ Result<Place> FindPlace(const tendon::Catalog& catalog, const std::string& text)
 }
 
 std::string TypesOf(const tendon::MemberDescription& member) {
-  const std::string in = TakesArgument(member) ? member.in_type : "";
+  const std::string in = TakesArgument(member.signature) ? member.in_type : "";
   const std::string out = GivesAnswer(member) ? member.out_type : "";
   return in + (in.empty() || out.empty() ? "" : " -> ") + out;
-}
-
-bool TakesArgument(const tendon::MemberDescription& member) {
-  return member.signature.in != tendon::FingerprintOf<tendon::None>();
 }
 
 bool GivesAnswer(const tendon::MemberDescription& member) {

@@ -24,7 +24,6 @@ tendon::Result<Place> FindPlace(const tendon::Catalog& catalog, const std::strin
 
 /// "arm.LinkId -> geometry_msgs.Pose", "double[7]", or nothing where neither goes in or out.
 std::string TypesOf(const tendon::MemberDescription& member);
-bool TakesArgument(const tendon::MemberDescription& member);
 bool GivesAnswer(const tendon::MemberDescription& member);
 
 }  // namespace console

@@ -5,6 +5,7 @@
 #include <gcm_console/verb.h>
 #include <program/command_line.h>
 #include <tendon/base/os/termination.h>
+#include <tendon/gcm/lookup.h>
 #include <tendon/gcm/text/wall_time.h>
 #include <tendon/payload/json.h>
 
@@ -48,7 +49,7 @@ class EventWriter {
       for (std::size_t i = 0; i < one.events.size(); ++i, ++next) {
         const auto& event = content.descriptions.at(next);
         const tendon::Fingerprint type = event.signature.in;
-        if (!TakesArgument(event) || schemas_.contains(type)) continue;
+        if (!TakesArgument(event.signature) || schemas_.contains(type)) continue;
         auto schema = tendon::Wait<tendon::Schema>(context_.settings().timeout, [&](auto handler) {
           client_.GetSchema(one.provided.process, type, handler);
         });
@@ -72,7 +73,7 @@ class EventWriter {
            {"value", nlohmann::ordered_json::parse(value, nullptr, false)}});
     }
     context_.out() << tendon::FineWallTimeText(event.time_ns) << '\t' << Plain(event.path) << '\t'
-                   << (TakesArgument(event.description) ? value : "-") << '\n';
+                   << (TakesArgument(event.description.signature) ? value : "-") << '\n';
   }
   [[nodiscard]] std::uint64_t printed() const { return printed_; }
 
@@ -128,8 +129,9 @@ class Listeners {
 /// Of `content`; returns how many events are lost.
 std::uint64_t Remark(const EventInbox::Content& content, std::ostream& err) {
   for (const tendon::EventSubscription& one : content.begun) {
-    err << "gcm: listening to " << one.events.size() << " events of "
-        << Plain(ToString(one.provided)) << '\n';
+    err << "gcm: listening to " << one.events.size()
+        << (one.events.size() == 1 ? " event of " : " events of ") << Plain(ToString(one.provided))
+        << '\n';
   }
   std::uint64_t all = 0;
   for (const auto& [path, lost] : content.lost) {

@@ -6,6 +6,7 @@
 #include <gcm_console/screen/screen.h>
 #include <gcm_console/screen/task_feed.h>
 #include <gcm_console/verb.h>
+#include <tendon/gcm/lookup.h>
 #include <tendon/gcm/text/health_text.h>
 #include <tendon/gcm/text/wall_time.h>
 
@@ -312,7 +313,7 @@ void PrintPayload(Context& context, const std::string& process, const std::strin
 void PrintCall(Context& context, const Place& place, const std::string& path) {
   const auto& member = *place.member;
   std::string argument;
-  if (TakesArgument(member)) {
+  if (TakesArgument(member.signature)) {
     const auto schema = context.Ask<tendon::Schema>([&](tendon::GcmClient& client, auto handler) {
       client.GetSchema(place.process->process.name, member.signature.in, handler);
     });
@@ -325,7 +326,8 @@ void PrintCall(Context& context, const Place& place, const std::string& path) {
 void PrintPayloads(Context& context, const Place& place, const std::string& path) {
   const auto& member = *place.member;
   const std::string& process = place.process->process.name;
-  if (TakesArgument(member)) PrintPayload(context, process, "argument", member.signature.in);
+  if (TakesArgument(member.signature))
+    PrintPayload(context, process, "argument", member.signature.in);
   if (GivesAnswer(member)) PrintPayload(context, process, "answer", member.signature.out);
   if (place.noun == "command") PrintCall(context, place, path);
 }

@@ -3,6 +3,7 @@
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
+#include <gcm_gui/views/link.h>
 #include <gcm_gui/views/row_delegate.h>
 #include <gcm_gui/views/row_view.h>
 
@@ -18,16 +19,6 @@ namespace tendon::gui {
 namespace {
 
 constexpr int kLinksWidth = 200;
-
-QToolButton* MakeLink(const QString& text, const QString& name) {
-  auto* link = new QToolButton;
-  link->setText(text);
-  link->setObjectName(name);
-  link->setAccessibleName(text);
-  link->setCursor(Qt::PointingHandCursor);
-  SetRole(*link, QStringLiteral("accent"));
-  return link;
-}
 
 }  // namespace
 

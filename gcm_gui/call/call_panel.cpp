@@ -4,6 +4,8 @@
 #include <gcm_gui/theme/head_row.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
+#include <gcm_gui/views/link.h>
+#include <tendon/gcm/lookup.h>
 #include <tendon/payload/json.h>
 
 #include <QClipboard>
@@ -22,6 +24,7 @@
 #include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 namespace tendon::gui {
 namespace {
@@ -31,6 +34,7 @@ using Json = nlohmann::ordered_json;
 constexpr int kMostFormHeight = 232;
 constexpr int kJsonHeight = 120;
 constexpr qsizetype kLongestAnswer = 1500;
+constexpr std::size_t kMostRead = 65536;  // more takes longer than the window may stand still
 constexpr std::chrono::milliseconds kHold{400};
 constexpr std::chrono::seconds kSecondKey{2};
 enum ArgumentPage { kFormPage, kJsonPage };
@@ -44,8 +48,13 @@ QString ValueText(const Json& value) {
   return '[' + elements.join(QStringLiteral(", ")) + ']';
 }
 
+QString Rest() { return QStringLiteral("…\nThe whole answer: Copy as command"); }
+
 /// One field a line, as a person reads it; the rest of what is very long is left to a terminal.
 QString Readable(const std::string& json) {
+  if (json.size() > kMostRead) {
+    return ToQString(std::string_view(json).substr(0, kLongestAnswer)) + Rest();
+  }
   const Json value = Json::parse(json, nullptr, false);
   QStringList lines;
   if (value.is_object()) {
@@ -57,12 +66,7 @@ QString Readable(const std::string& json) {
   }
   const QString text = lines.join('\n');
   if (text.size() <= kLongestAnswer) return text;
-  return text.left(kLongestAnswer) + QStringLiteral("…\nThe whole answer: Copy as command");
-}
-
-bool TakesArgument(CommandKind kind) {
-  return kind == CommandKind::kWrite || kind == CommandKind::kQualifiedRead ||
-         kind == CommandKind::kWriteReturn;
+  return text.left(kLongestAnswer) + Rest();
 }
 
 QLabel* MakeWords(const QString& name) {
@@ -133,15 +137,6 @@ QWidget* CallPanel::buildArgument() {
 }
 
 QWidget* CallPanel::buildButtons() {
-  const auto link = [](const QString& text, const QString& name) {
-    auto* button = new QToolButton;
-    button->setText(text);
-    button->setObjectName(name);
-    button->setAccessibleName(text);
-    button->setCursor(Qt::PointingHandCursor);
-    SetRole(*button, QStringLiteral("accent"));
-    return button;
-  };
   call_ = new QPushButton(QStringLiteral("Call"));
   call_->setObjectName(QStringLiteral("call.call"));
   SetRole(*call_, QStringLiteral("primary"));
@@ -149,13 +144,13 @@ QWidget* CallPanel::buildButtons() {
   connect(call_, &QPushButton::clicked, this, &CallPanel::click);
   connect(call_, &QPushButton::pressed, this, &CallPanel::press);
   connect(call_, &QPushButton::released, this, &CallPanel::release);
-  retry_ = link(QStringLiteral("Ask again"), QStringLiteral("call.retry"));
+  retry_ = MakeLink(QStringLiteral("Ask again"), QStringLiteral("call.retry"));
   connect(retry_, &QToolButton::clicked, this, &CallPanel::askForSchema);
-  as_json_ = link(QStringLiteral("JSON"), QStringLiteral("call.asJson"));
+  as_json_ = MakeLink(QStringLiteral("JSON"), QStringLiteral("call.asJson"));
   as_json_->setToolTip(QStringLiteral("The argument as text, instead of a form"));
   as_json_->setCheckable(true);
   connect(as_json_, &QToolButton::toggled, this, &CallPanel::showAsJson);
-  QToolButton* copy = link(QStringLiteral("Copy as command"), QStringLiteral("call.copy"));
+  QToolButton* copy = MakeLink(QStringLiteral("Copy as command"), QStringLiteral("call.copy"));
   connect(copy, &QToolButton::clicked, this, &CallPanel::copyCommand);
   auto* widget = new QWidget;
   auto* row = new QHBoxLayout(widget);
@@ -174,7 +169,7 @@ void CallPanel::showCommand(const QString& path, const MemberDescription& comman
   showNothing();
   path_ = path;
   command_ = command;
-  takes_argument_ = TakesArgument(command.signature.kind);
+  takes_argument_ = TakesArgument(command.signature);
   head_->setTitle(QStringLiteral("Call ") + ToQString(command.name));
   head_->setToolTip(path);
   kind_->setText(ToQString(ToString(command.signature.kind)));

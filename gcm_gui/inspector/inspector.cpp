@@ -8,6 +8,7 @@
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
 #include <gcm_gui/views/fact_grid.h>
+#include <gcm_gui/views/link.h>
 #include <gcm_gui/views/row_delegate.h>
 #include <gcm_gui/views/row_view.h>
 #include <gcm_gui/views/state_label.h>
@@ -240,12 +241,8 @@ QWidget* Inspector::makeLinks(const InterfaceRow& peer) {
   line->addStretch();
   const QString required = ToQString(ToString(peer.required));
   const auto add = [&](const QString& word, const QString& name) {
-    auto* button = new QToolButton;
-    button->setText(word);
-    button->setCursor(Qt::PointingHandCursor);
-    button->setObjectName(name);
+    QToolButton* button = MakeLink(word, name);
     button->setAccessibleName(word + ' ' + required);
-    SetRole(*button, QStringLiteral("accent"));
     line->addWidget(button);
     return button;
   };

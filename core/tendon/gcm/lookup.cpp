@@ -154,6 +154,12 @@ Result<MemberDescription> LookUpCommand(const Catalog& catalog, const Path& path
                   NamesOf(commands));
 }
 
+bool TakesArgument(const Signature& signature) {
+  const CommandKind kind = signature.kind;
+  return kind == CommandKind::kWrite || kind == CommandKind::kQualifiedRead ||
+         kind == CommandKind::kWriteReturn;
+}
+
 Result<message::Wiring> PlanConnect(const Catalog& catalog, const message::Wire& wire,
                                     Occupied occupied) {
   for (const InterfaceName& name : {wire.required, wire.provided}) {

@@ -25,6 +25,9 @@ Result<const RequiredDescription*> LookUpRequired(const Catalog& catalog,
 /// A command, or a column of a state table as the read command that it is.
 Result<MemberDescription> LookUpCommand(const Catalog& catalog, const Path& path);
 
+/// Whether its caller, or who raises it, has something to say.
+[[nodiscard]] bool TakesArgument(const Signature& signature);
+
 /// What a connect makes of a required interface that is connected.
 enum class Occupied { kRefused, kReplaced };
 

@@ -17,6 +17,13 @@ int TerminalColumns(Stream stream) noexcept {
   return says ? size.ws_col : kUsual;
 }
 
+int TerminalRows() noexcept {
+  constexpr int kUsual = 24;
+  winsize size{};
+  const bool says = ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_row > 0;
+  return says ? size.ws_row : kUsual;
+}
+
 void GuardStreams() noexcept {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (fcntl(stream, F_GETFD) != -1) continue;

@@ -8,6 +8,9 @@ enum class Stream { kInput, kOutput, kError };
 /// stream is a pipe or a file.
 int TerminalColumns(Stream stream) noexcept;
 
+/// How many lines the terminal at the standard output has, 24 where it does not say.
+[[nodiscard]] int TerminalRows() noexcept;
+
 /// Makes sure that the three streams are there, so that no socket gets their numbers: what is
 /// written to one that was closed fails. First thing in main().
 void GuardStreams() noexcept;

@@ -1,5 +1,6 @@
 #include <tendon/gcm/client/caller.h>
 #include <tendon/gcm/client/json_field.h>
+#include <tendon/gcm/lookup.h>
 #include <tendon/payload/json.h>
 #include <tendon/process/ask.h>
 #include <tendon/process/schema_exchange.h>
@@ -9,11 +10,6 @@
 
 namespace tendon::client {
 namespace {
-
-bool TakesArgument(CommandKind kind) {
-  return kind == CommandKind::kWrite || kind == CommandKind::kQualifiedRead ||
-         kind == CommandKind::kWriteReturn;
-}
 
 bool Answers(CommandKind kind) { return kind != CommandKind::kVoid && kind != CommandKind::kWrite; }
 
@@ -40,7 +36,7 @@ Error Refusal(const std::string& command, Status status) {
 Result<void> CheckArgument(const std::string& command, const MemberDescription& description,
                            const std::string& argument) {
   const bool is_given = !argument.empty() && argument != "null";
-  if (is_given == TakesArgument(description.signature.kind)) return {};
+  if (is_given == TakesArgument(description.signature)) return {};
   if (is_given) return Error{ErrorCode::kInvalid, command + " takes no argument"};
   return Error{ErrorCode::kInvalid,
                command + " needs an argument of " + description.in_type + ", as JSON"};
@@ -69,7 +65,7 @@ void Caller::Call(const Path& path, const MemberDescription& command, const std:
   const auto order = std::make_shared<const Order>(
       Order{path, name, command.signature, argument, std::move(handler)});
   std::vector<Fingerprint> needed;
-  if (TakesArgument(order->signature.kind)) needed.push_back(order->signature.in);
+  if (TakesArgument(order->signature)) needed.push_back(order->signature.in);
   if (Answers(order->signature.kind)) needed.push_back(order->signature.out);
   FetchSchemas(path.process, needed,
                [self = shared_from_this(), order](const Result<void>& fetched) {
@@ -149,7 +145,7 @@ std::optional<Schema> Caller::Find(Fingerprint fingerprint) const {
 void Caller::Send(const std::shared_ptr<const Order>& order) {
   const Path& path = order->path;
   message::CallMember call{path.component, path.interface, path.member, {}, timeout_ * 3 / 4};
-  if (TakesArgument(order->signature.kind)) {
+  if (TakesArgument(order->signature)) {
     auto argument = FromJson(*Find(order->signature.in), order->argument);
     if (!argument) {
       return order->handler(

@@ -1,6 +1,5 @@
 #include <fcntl.h>
 #include <poll.h>
-#include <sys/ioctl.h>
 #include <tendon/base/os/screen/keyboard.h>
 #include <termios.h>
 #include <unistd.h>
@@ -101,13 +100,6 @@ void Keyboard::Pause() noexcept {
   raise(SIGTSTP);
   HandleWith(SIGTSTP, &OnSignal);
   Prepare();
-}
-
-int TerminalRows() noexcept {
-  constexpr int kUsual = 24;
-  winsize size{};
-  const bool says = ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_row > 0;
-  return says ? size.ws_row : kUsual;
 }
 
 }  // namespace tendon::os

@@ -35,7 +35,4 @@ class Keyboard {
   bool is_pause_asked_ = false;
 };
 
-/// How many lines the terminal at the standard output has, 24 where it does not say.
-[[nodiscard]] int TerminalRows() noexcept;
-
 }  // namespace tendon::os
