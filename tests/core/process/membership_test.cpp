@@ -146,6 +146,10 @@ TEST_P(Membership, LosesNothingButTheGcmWhenThatIsKilled) {
   ASSERT_TRUE(desk->Connect(kRobot, kControl).ok());
   ASSERT_TRUE(EventuallyActive(*desk, 1));
   ASSERT_TRUE(EventuallyListed(kRobot, ConnectionState::kActive));
+  ASSERT_TRUE(EventuallyTrue([&] {
+    return gcm().catalog().FindComponent("robot", "plant")->state ==
+           tendon::ComponentState::kActive;
+  }));
   const tendon::Fingerprint before = gcm().catalog().ContentHash();
 
   KillGcm();

@@ -52,6 +52,17 @@ std::string SystemFile(const std::string& folder) {
          connection("shop/sender/Parcels", "post/receiver/Parcels") + "]}";
 }
 
+/// All its components, so that nothing more changes by itself.
+bool IsActive(const tendon::Catalog& catalog) {
+  for (const auto& [name, entry] : catalog.processes()) {
+    const auto is_active = [](const auto& one) {
+      return one.second.state == tendon::ComponentState::kActive;
+    };
+    if (!std::ranges::all_of(entry.components, is_active)) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 const std::vector<std::string>& Edits() {
@@ -115,6 +126,7 @@ void FaultTest::StartSystem() {
   robot_ = MakeLcm("robot");
   desk_ = MakeLcm("desk");
   ASSERT_TRUE(EventuallyConnected()) << robot_->err() << desk_->err();
+  ASSERT_TRUE(Eventually([this] { return IsActive(viewer_->catalog()); })) << Gcm({"tree"}).out;
   viewer_->telemetry().Subscribe({"robot", "ledger", "state", {"Sample"}}, stream_);
   ASSERT_TRUE(Flows()) << ToString(stream_->verdict());
 }
