@@ -1,14 +1,12 @@
+#include <gcm_console/outcomes.h>
 #include <gcm_console/report.h>
 #include <gcm_console/verb.h>
-#include <tendon/base/os/terminal.h>
 #include <tendon/gcm/life/life_plan.h>
 #include <tendon/gcm/lookup.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <ostream>
 #include <string_view>
 
@@ -35,11 +33,6 @@ struct Wording {
   LifeVerb verb;
   std::string_view infinitive;
   std::string_view done;
-};
-
-struct Outcome {
-  std::string path;
-  Result<void> result;
 };
 
 /// Which components are meant, and how many of those that a glob names have no use for the verb.
@@ -72,58 +65,20 @@ Result<Targets> FindTargets(const Catalog& catalog, LifeVerb verb, const Argumen
   return targets;
 }
 
-/// A person at a terminal is asked before many are changed at once.
-bool IsConfirmed(const Context& context, const Wording& wording, const Targets& targets,
-                 const Arguments& arguments) {
-  using tendon::os::Stream;
-  using tendon::os::TerminalColumns;
-  const bool is_asked = targets.has_glob && targets.paths.size() > 1 && !arguments.yes;
-  const bool can_answer = context.columns() > 0 && TerminalColumns(Stream::kInput) > 0;
-  if (!is_asked || !can_answer) return true;
-  std::ostream& err = context.streams().err;
-  err << wording.infinitive << ' ' << targets.paths.size() << " components:";
-  for (const Path& path : targets.paths) err << ' ' << Plain(ToString(path));
-  err << "? [y/N] " << std::flush;
-  std::string answer;
-  std::getline(std::cin, answer);
-  return answer == "y" || answer == "yes";
-}
-
 Result<void> Carry(Context& context, const LifeOrder& order) {
   return context.Ask<void>(
       [&](tendon::GcmClient& client, auto handler) { client.Steer(order, std::move(handler)); },
       tendon::GcmClient::kOrdersOfALife);
 }
 
-void Print(const Context& context, std::string_view verb, std::string_view participle,
-           const std::vector<Outcome>& outcomes, bool is_dry) {
-  const std::string done = (is_dry ? "would be " : "") + std::string(participle);
-  if (context.settings().json) {
-    auto results = nlohmann::ordered_json::array();
-    for (const Outcome& one : outcomes) {
-      results.push_back({{"path", one.path},
-                         {"done", one.result.ok() && !is_dry},
-                         {"reason", one.result ? "" : one.result.error().message}});
-    }
-    return context.PrintJson(
-        {{"verb", verb}, {"dry_run", is_dry}, {"results", std::move(results)}});
-  }
-  for (const Outcome& one : outcomes) {
-    if (one.result) {
-      context.out() << Plain(one.path) << '\t' << done << '\n';
-    } else {
-      context.streams().err << "gcm: " << Plain(one.path) << ": "
-                            << Plain(one.result.error().message) << '\n';
-    }
-  }
-}
-
-ExitCode ExitCodeOf(const std::vector<Outcome>& outcomes) {
-  const auto failed = [](const Outcome& one) { return !one.result; };
-  const auto first = std::ranges::find_if(outcomes, failed);
-  if (first == outcomes.end()) return program::kOk;
-  const bool is_whole = std::ranges::all_of(outcomes, failed);
-  return is_whole ? program::ExitCodeOf(first->result.error().code) : program::kPartial;
+/// A person at a terminal is asked before a glob changes several.
+bool IsConfirmed(const Context& context, const Wording& wording, const Targets& targets,
+                 const Arguments& arguments) {
+  if (!targets.has_glob || targets.paths.size() < 2 || arguments.yes) return true;
+  std::string question =
+      std::string(wording.infinitive) + ' ' + std::to_string(targets.paths.size()) + " components:";
+  for (const Path& path : targets.paths) question += ' ' + ToString(path);
+  return Confirm(context, question);
 }
 
 Result<ExitCode> Steer(Context& context, const Wording& wording, const Arguments& arguments) {
@@ -138,7 +93,7 @@ Result<ExitCode> Steer(Context& context, const Wording& wording, const Arguments
                   << wording.done << '\n';
   }
   if (!arguments.dry_run && !IsConfirmed(context, wording, *targets, arguments)) {
-    return Error{ErrorCode::kFailed, "nothing was done"};
+    return Declined();
   }
   std::vector<Outcome> outcomes;
   for (const Path& path : targets->paths) {
@@ -146,7 +101,7 @@ Result<ExitCode> Steer(Context& context, const Wording& wording, const Arguments
     outcomes.push_back(
         {ToString(path), arguments.dry_run ? CheckLife(catalog, order) : Carry(context, order)});
   }
-  Print(context, wording.infinitive, wording.done, outcomes, arguments.dry_run);
+  PrintOutcomes(context, {wording.infinitive, wording.done, arguments.dry_run}, outcomes);
   return ExitCodeOf(outcomes);
 }
 
@@ -208,7 +163,7 @@ Result<ExitCode> Carry(Context& context, const ProcessWording& wording,
     outcomes.push_back({process, arguments.dry_run ? wording.check(catalog, process)
                                                    : wording.carry(context, process)});
   }
-  Print(context, wording.infinitive, wording.done, outcomes, arguments.dry_run);
+  PrintOutcomes(context, {wording.infinitive, wording.done, arguments.dry_run}, outcomes);
   return ExitCodeOf(outcomes);
 }
 

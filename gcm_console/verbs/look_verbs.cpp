@@ -263,7 +263,10 @@ Table Facts(Context& context, const Catalog& catalog, const Place& place) {
   }
   if (place.required != nullptr) {
     table.Add({"required", place.required->name});
-    table.Add({"connection", ProviderOf(catalog, name_of(place.required->name))});
+    const InterfaceName required = name_of(place.required->name);
+    table.Add({"connection", ProviderOf(catalog, required)});
+    const auto* connection = catalog.FindConnection(required);
+    if (connection != nullptr) table.Add({"number", std::to_string(connection->id)});
   }
   if (place.member != nullptr && !place.member->hazard.empty()) {
     table.Add({"hazard", place.member->hazard});

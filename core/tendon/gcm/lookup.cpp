@@ -2,6 +2,7 @@
 #include <tendon/interface/compatibility.h>
 
 #include <algorithm>
+#include <charconv>
 #include <vector>
 
 namespace tendon {
@@ -206,6 +207,28 @@ Result<ConnectionDescription> PlanDisconnect(const Catalog& catalog,
   if (const auto* connection = catalog.FindConnection(required)) return *connection;
   return Error{ErrorCode::kFailed,
                ToString(required) + " is not connected: there is nothing to disconnect"};
+}
+
+Result<InterfaceName> LookUpConnected(const Catalog& catalog, const std::string& text) {
+  const std::size_t slash = text.rfind('/');
+  const std::string number = text.substr(slash == std::string::npos ? 0 : slash + 1);
+  std::uint64_t id = 0;
+  const auto [end, code] = std::from_chars(number.data(), number.data() + number.size(), id);
+  const bool is_number = code == std::errc() && end == number.data() + number.size();
+  if (!is_number) return ParseInterfaceName(text);
+  const std::string process = slash == std::string::npos ? "" : text.substr(0, slash);
+  std::vector<InterfaceName> found;
+  for (const ConnectionDescription& one : catalog.connections()) {
+    const bool is_meant = process.empty() || one.required.process == process;
+    if (is_meant && one.id == id) found.push_back(one.required);
+  }
+  if (found.size() == 1) return found.front();
+  if (found.empty()) return Error{ErrorCode::kNotFound, "no connection has the number " + text};
+  std::string all;
+  for (const InterfaceName& one : found) {
+    all += (all.empty() ? "" : ", ") + one.process + "/" + number + " is of " + ToString(one);
+  }
+  return Error{ErrorCode::kInvalid, "more than one connection has the number " + text + ": " + all};
 }
 
 std::uint64_t InstanceOf(const Catalog& catalog, const std::string& process) {

@@ -47,6 +47,10 @@ Result<message::Wiring> PlanConnect(const Catalog& catalog, const message::Wire&
 /// connected or its process is not there.
 Result<ConnectionDescription> PlanDisconnect(const Catalog& catalog, const InterfaceName& required);
 
+/// The required interface that `text` names: by its path; or by the number of its connection, "12",
+/// or "desk/12" where more than one process has a connection of that number (else kInvalid).
+Result<InterfaceName> LookUpConnected(const Catalog& catalog, const std::string& text);
+
 /// New at each start of the process; 0 where there is none of that name.
 [[nodiscard]] std::uint64_t InstanceOf(const Catalog& catalog, const std::string& process);
 

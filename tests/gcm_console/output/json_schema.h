@@ -5,8 +5,8 @@
 #include <string>
 
 /// Why a value does not fit a JSON schema, with the place in the value; empty where it fits. Knows
-/// what our schemas use: type, const, enum, required, properties, additionalProperties: false and
-/// items.
+/// what our schemas use: anyOf, type, const, enum, required, properties, additionalProperties:
+/// false and items.
 inline std::string MisfitOf(const nlohmann::json& value, const nlohmann::json& schema,
                             const std::string& place = "document") {
   using nlohmann::json;
@@ -14,6 +14,15 @@ inline std::string MisfitOf(const nlohmann::json& value, const nlohmann::json& s
   if (schema.contains("enum")) {
     const auto& all = schema["enum"];
     if (std::find(all.begin(), all.end(), value) == all.end()) return place + " is " + value.dump();
+  }
+  if (schema.contains("anyOf")) {
+    std::string misfits;
+    for (const auto& one : schema["anyOf"]) {
+      const std::string misfit = MisfitOf(value, one, place);
+      if (misfit.empty()) return "";
+      misfits += (misfits.empty() ? "" : "; or ") + misfit;
+    }
+    return misfits;
   }
   if (schema.contains("type")) {
     const std::string type = schema["type"];

@@ -1,0 +1,247 @@
+#include <gcm_console/outcomes.h>
+#include <gcm_console/report.h>
+#include <gcm_console/verb.h>
+#include <tendon/gcm/lookup.h>
+#include <tendon/gcm/wiring/matching.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+namespace console {
+namespace {
+
+using program::ExitCode;
+using tendon::Catalog;
+using tendon::Error;
+using tendon::ErrorCode;
+using tendon::InterfaceName;
+using tendon::Match;
+using tendon::Result;
+
+struct Ends {
+  std::string required;
+  std::string provided;
+  bool replace = false;
+  bool match = false;
+  bool dry_run = false;
+  bool yes = false;
+};
+
+std::string WireText(const InterfaceName& required, const InterfaceName& provided) {
+  return ToString(required) + " -> " + ToString(provided);
+}
+
+/// The connection waits for a process that nobody has ever seen, perhaps because it is misspelt.
+ExitCode WarnOfUnknown(Context& context, const tendon::Error& unknown, const Ends& ends) {
+  const bool asks = unknown.message.ends_with("?");
+  context.err() << "gcm: " << Plain(unknown.message) << (asks ? " " : "; ")
+                << "the connection waits for it; take it back: gcm disconnect " << ends.required
+                << '\n';
+  return program::kNotFound;
+}
+
+/// Nobody who looks from the other side means something else.
+Result<void> CheckOrder(const Catalog& catalog, const InterfaceName& required,
+                        const InterfaceName& provided) {
+  const bool is_swapped = catalog.FindRequired(required) == nullptr &&
+                          catalog.FindProvided(required) != nullptr &&
+                          catalog.FindRequired(provided) != nullptr;
+  if (!is_swapped) return {};
+  return Error{ErrorCode::kInvalid, ToString(required) +
+                                        " is what is provided: the required interface comes "
+                                        "first; run: gcm connect " +
+                                        ToString(provided) + " " + ToString(required)};
+}
+
+Result<tendon::ConnectionDescription> Carry(Context& context, const InterfaceName& required,
+                                            const InterfaceName& provided, bool replace) {
+  return context.Ask<tendon::ConnectionDescription>(
+      [&](tendon::GcmClient& asked, auto handler) {
+        if (replace) {
+          asked.Replace(required, provided, handler);
+        } else {
+          asked.Connect(required, provided, handler);
+        }
+      },
+      tendon::GcmClient::kOrdersOfAReplacement);
+}
+
+/// As PlanConnect(), of whom nothing but that it is all right is wanted.
+Result<void> CheckConnect(const Catalog& catalog, const InterfaceName& required,
+                          const InterfaceName& provided, bool replace) {
+  using tendon::Occupied;
+  const auto plan = PlanConnect(catalog, {required, provided},
+                                replace ? Occupied::kReplaced : Occupied::kRefused);
+  return plan ? Result<void>() : plan.error();
+}
+
+ExitCode Print(Context& context, const Doing& doing, const std::vector<Outcome>& outcomes) {
+  PrintOutcomes(context, doing, outcomes);
+  return ExitCodeOf(outcomes);
+}
+
+/// What cannot be matched, and why.
+Error Unmatched(const Match& match, const std::string& pattern) {
+  if (match.provided.empty()) {
+    return {ErrorCode::kIncompatible, "nothing that '" + pattern +
+                                          "' names fits it; look with: gcm candidates " +
+                                          ToString(match.required)};
+  }
+  std::string all;
+  for (const InterfaceName& one : match.provided) {
+    all += (all.empty() ? "" : ", ") + ToString(one);
+  }
+  return {ErrorCode::kNotFound,
+          std::to_string(match.provided.size()) + " fit it equally well: " + all};
+}
+
+bool IsClear(const Match& match) { return match.provided.size() == 1; }
+
+std::string PathOf(const Match& match) {
+  return IsClear(match) ? WireText(match.required, match.provided.front())
+                        : ToString(match.required);
+}
+
+/// Before several are connected at once; empty where there are not several.
+std::string QuestionOf(const std::vector<Match>& matches) {
+  std::string question;
+  std::size_t count = 0;
+  for (const Match& match : matches) {
+    if (!IsClear(match)) continue;
+    question += (count++ == 0 ? " " : ", ") + PathOf(match);
+  }
+  return count < 2 ? "" : "connect " + std::to_string(count) + " interfaces:" + question;
+}
+
+Result<ExitCode> ConnectMatching(Context& context, const Ends& ends) {
+  if (ends.replace) {
+    return Error{ErrorCode::kInvalid,
+                 "--match connects what is free; --replace is for one interface"};
+  }
+  const auto client = context.Client();
+  if (!client) return client.error();
+  const Catalog catalog = (*client)->catalog();
+  const auto matches = MatchInterfaces(catalog, {ends.required, ends.provided});
+  if (!matches) return matches.error();
+  if (matches->empty()) {
+    context.err() << "gcm: all that '" << Plain(ends.required) << "' names are connected\n";
+  }
+  const std::string question = QuestionOf(*matches);
+  if (!ends.dry_run && !ends.yes && !question.empty() && !Confirm(context, question)) {
+    return Declined();
+  }
+  std::vector<Outcome> outcomes;
+  for (const Match& match : *matches) {
+    Result<void> result;
+    if (!IsClear(match)) {
+      result = Unmatched(match, ends.provided);
+    } else if (ends.dry_run) {
+      result = CheckConnect(catalog, match.required, match.provided.front(), false);
+    } else if (auto made = Carry(context, match.required, match.provided.front(), false); !made) {
+      result = made.error();
+    }
+    outcomes.push_back({PathOf(match), std::move(result)});
+  }
+  return Print(context, {"connect", "connected", ends.dry_run}, outcomes);
+}
+
+Result<ExitCode> Connect(Context& context, const Ends& ends) {
+  if (ends.match) return ConnectMatching(context, ends);
+  const auto required = tendon::ParseInterfaceName(ends.required);
+  if (!required) return required.error();
+  const auto provided = tendon::ParseInterfaceName(ends.provided);
+  if (!provided) return provided.error();
+  const auto client = context.Client();
+  if (!client) return client.error();
+  if (auto good = CheckOrder((*client)->catalog(), *required, *provided); !good) {
+    return good.error();
+  }
+  if (ends.dry_run) {
+    auto checked = CheckConnect((*client)->catalog(), *required, *provided, ends.replace);
+    if (!checked) return checked.error();
+    return Print(context, {"connect", "connected", true}, {{WireText(*required, *provided), {}}});
+  }
+  const auto made = Carry(context, *required, *provided, ends.replace);
+  if (!made) return made.error();
+  const Catalog catalog = (*client)->catalog();
+  const auto provider = LookUpProcess(catalog, provided->process);
+  const bool is_unknown = !provider && made->state == tendon::ConnectionState::kPending;
+  const std::string state(tendon::ToString(made->state));
+  if (context.settings().json) {
+    context.PrintJson({{"id", made->id},
+                       {"required", ToString(made->required)},
+                       {"provided", ToString(made->provided)},
+                       {"state", state},
+                       {"reason", made->reason}});
+  } else {
+    const bool is_said = is_unknown || made->reason.empty();
+    context.out() << WireText(made->required, made->provided) << "  " << state
+                  << (is_said ? "" : ": " + Plain(made->reason)) << '\n';
+  }
+  return is_unknown ? WarnOfUnknown(context, provider.error(), ends) : program::kOk;
+}
+
+Result<ExitCode> Disconnect(Context& context, const Ends& ends) {
+  const auto client = context.Client();
+  if (!client) return client.error();
+  const auto required = LookUpConnected((*client)->catalog(), ends.required);
+  if (!required) return required.error();
+  if (ends.dry_run) {
+    const auto plan = PlanDisconnect((*client)->catalog(), *required);
+    if (!plan) return plan.error();
+    return Print(context, {"disconnect", "disconnected", true},
+                 {{WireText(plan->required, plan->provided), {}}});
+  }
+  const auto done = context.Ask<void>(
+      [&](tendon::GcmClient& asked, auto handler) { asked.Disconnect(*required, handler); });
+  if (!done) return done.error();
+  if (context.settings().json) {
+    context.PrintJson({{"required", ToString(*required)}});
+  } else {
+    context.out() << ToString(*required) << "  disconnected\n";
+  }
+  return program::kOk;
+}
+
+}  // namespace
+
+std::vector<Verb> WireVerbs() {
+  return {
+      {"connect",
+       "connect a required interface to a provided one",
+       [](CLI::App& app) -> Verb::Run {
+         auto ends = std::make_shared<Ends>();
+         Names(app.add_option("required", ends->required, "process/component/interface"),
+               WordKind::kRequired)
+             ->required();
+         Names(app.add_option("provided", ends->provided, "process/component/interface"),
+               WordKind::kProvided)
+             ->required();
+         app.add_flag("--replace", ends->replace,
+                      "end what the required interface is connected to, in one step");
+         app.add_flag("--match", ends->match,
+                      "both are globs: connect each required interface that is free to the one "
+                      "that fits it, of several to the one of its name");
+         app.add_flag("--dry-run", ends->dry_run, "say what would be done, and do nothing");
+         app.add_flag("--yes", ends->yes, "do not ask before --match connects several");
+         return [ends](Context& context) { return Connect(context, *ends); };
+       },
+       {"gcm connect desk/teleoperation/Robot robot/arm/Control",
+        "gcm connect --match 'desk/**' 'robot/**' --dry-run"}},
+      {"disconnect", "end the connection of a required interface",
+       [](CLI::App& app) -> Verb::Run {
+         auto ends = std::make_shared<Ends>();
+         Names(app.add_option("required", ends->required,
+                              "process/component/interface, or the number of its connection: 3, "
+                              "or process/3"),
+               WordKind::kRequired)
+             ->required();
+         app.add_flag("--dry-run", ends->dry_run, "say what would be done, and do nothing");
+         return [ends](Context& context) { return Disconnect(context, *ends); };
+       }},
+  };
+}
+
+}  // namespace console

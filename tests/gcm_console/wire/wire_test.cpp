@@ -1,0 +1,89 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <program/exit_code.h>
+
+#include <nlohmann/json.hpp>
+
+#include "gcm_console/demo_fixture.h"
+
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+/// `gcm connect` and `gcm disconnect` beyond one pair of names.
+class WireVerbsTest : public DemoFixture {};
+
+constexpr const char* kTeleoperation = "desk/teleoperation/Robot";
+
+TEST_F(WireVerbsTest, ADryRunSaysWhatWouldBeAndDoesNothing) {
+  const Outcome connected = Gcm({"connect", kTeleoperation, "robot/arm/Control", "--dry-run"});
+  EXPECT_EQ(connected.exit_code, program::kOk) << connected.err;
+  EXPECT_EQ(connected.out, "desk/teleoperation/Robot -> robot/arm/Control\twould be connected\n");
+  EXPECT_EQ(Gcm({"disconnect", "desk/supervisor/Robot", "--dry-run"}).out,
+            "desk/supervisor/Robot -> robot/arm/Control\twould be disconnected\n");
+
+  const Outcome refused = Gcm({"connect", kTeleoperation, "desk/old_arm/Control", "--dry-run"});
+  EXPECT_EQ(refused.exit_code, program::kIncompatible) << refused.err;
+  const Outcome taken = Gcm({"connect", "desk/supervisor/Robot", "robot/arm/Control", "--dry-run"});
+  EXPECT_EQ(taken.exit_code, program::kRefused) << taken.err;
+
+  EXPECT_EQ(Gcm({"show", kTeleoperation, "--json"}).out.find("number"), std::string::npos);
+  EXPECT_THAT(Gcm({"tree"}).out, HasSubstr("Robot  required  not connected"));
+  EXPECT_THAT(Gcm({"ls", "desk/supervisor"}).out, HasSubstr("-> robot/arm/Control\n"));
+}
+
+TEST_F(WireVerbsTest, AMatchConnectsWhatIsFreeWithWhatFits) {
+  const Outcome dry = Gcm({"connect", "--match", "desk/**", "robot/**", "--dry-run"});
+  EXPECT_EQ(dry.out, "desk/teleoperation/Robot -> robot/arm/Control\twould be connected\n");
+
+  const Outcome matched = Gcm({"connect", "--match", "desk/**", "robot/**"});
+  EXPECT_EQ(matched.exit_code, program::kOk) << matched.err;
+  EXPECT_EQ(matched.out, "desk/teleoperation/Robot -> robot/arm/Control\tconnected\n");
+  EXPECT_TRUE(EventuallySays({"ls", "desk/teleoperation"}, "-> robot/arm/Control\n"));
+
+  const Outcome again = Gcm({"connect", "--match", "desk/**", "robot/**"});
+  EXPECT_EQ(again.exit_code, program::kOk);
+  EXPECT_EQ(again.out, "");
+  EXPECT_EQ(again.err, "gcm: all that 'desk/**' names are connected\n");
+}
+
+TEST_F(WireVerbsTest, WhatCannotBeMatchedIsSaidAndTheRestIsDone) {
+  for (const std::string name : {"second", "third"}) {
+    ASSERT_EQ(Gcm({"create", "SimulatedArm", name, "--in", "robot"}).exit_code, program::kOk);
+  }
+
+  const Outcome unclear = Gcm({"connect", "--match", "desk/**", "robot/**"});
+  EXPECT_EQ(unclear.exit_code, program::kNotFound);
+  EXPECT_EQ(unclear.err,
+            "gcm: desk/teleoperation/Robot: 3 fit it equally well: robot/arm/Control, "
+            "robot/second/Control, robot/third/Control\n");
+
+  const Outcome unfit = Gcm({"--json", "connect", "--match", "desk/**", "desk/old_arm/*"});
+  EXPECT_EQ(unfit.exit_code, program::kIncompatible);
+  const json result = json::parse(unfit.out)["results"][0];
+  EXPECT_EQ(result["path"], kTeleoperation);
+  EXPECT_EQ(result["done"], false);
+  EXPECT_EQ(result["reason"],
+            "nothing that 'desk/old_arm/*' names fits it; look with: gcm candidates "
+            "desk/teleoperation/Robot");
+
+  EXPECT_EQ(Gcm({"connect", "--match", "dusk/**", "robot/**"}).exit_code, program::kNotFound);
+  EXPECT_EQ(Gcm({"connect", "--match", "desk/**", "robot/**", "--replace"}).exit_code,
+            program::kUsage);
+}
+
+TEST_F(WireVerbsTest, AConnectionIsEndedByItsNumber) {
+  const json made =
+      json::parse(Gcm({"--json", "connect", kTeleoperation, "robot/arm/Control"}).out);
+  const std::string number = made["id"].dump();
+  EXPECT_THAT(Gcm({"show", kTeleoperation}).out, HasSubstr("number\t" + number + "\n"));
+
+  EXPECT_EQ(Gcm({"disconnect", number, "--dry-run"}).out,
+            "desk/teleoperation/Robot -> robot/arm/Control\twould be disconnected\n");
+  EXPECT_EQ(Gcm({"disconnect", "desk/" + number}).out, "desk/teleoperation/Robot  disconnected\n");
+  EXPECT_EQ(Gcm({"disconnect", number}).err, "gcm: no connection has the number " + number + "\n");
+  EXPECT_EQ(Gcm({"disconnect", "robot/" + number}).exit_code, program::kNotFound);
+}
+
+}  // namespace
