@@ -87,6 +87,23 @@ ordered_json ToJson(const tendon::ConnectionDescription& connection) {
           {"reason", connection.reason}};
 }
 
+ordered_json ToJson(const tendon::ConnectionCounts& counts) {
+  using Seconds = std::chrono::duration<double>;
+  ordered_json json = {{"age_s", Seconds(counts.age).count()},
+                       {"taken", counts.taken},
+                       {"waiting", counts.waiting},
+                       {"capacity", counts.capacity},
+                       {"refused", counts.refused},
+                       {"replaced", counts.replaced},
+                       {"lost_events", counts.lost_events}};
+  if (counts.round_trip.count() >= 0) json["round_trip_s"] = Seconds(counts.round_trip).count();
+  return json;
+}
+
+ordered_json ToJson(const tendon::MailboxFill& fill) {
+  return {{"waiting", fill.waiting}, {"capacity", fill.capacity}};
+}
+
 ordered_json HealthOf(const tendon::message::SystemHealth& health,
                       const tendon::ProcessDescription& process) {
   using Seconds = std::chrono::duration<double>;

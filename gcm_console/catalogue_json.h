@@ -14,6 +14,8 @@ nlohmann::ordered_json ToJson(const tendon::ProvidedDescription& interface);
 nlohmann::ordered_json ToJson(const tendon::RequiredDescription& interface);
 nlohmann::ordered_json ToJson(const tendon::MemberDescription& member);
 nlohmann::ordered_json ToJson(const tendon::ConnectionDescription& connection);
+nlohmann::ordered_json ToJson(const tendon::ConnectionCounts& counts);
+nlohmann::ordered_json ToJson(const tendon::MailboxFill& fill);
 
 /// As the GCM has it of the process, with its age: without what is not known, empty where that is
 /// all.

@@ -113,11 +113,35 @@ ordered_json JsonOf(const tendon::ProcessEntry& entry, const SystemHealth& healt
   return json;
 }
 
+/// As its process knows; null where it is not connected, or the process does not tell.
+std::optional<tendon::ConnectionCounts> AskCounts(Context& context, const Place& place) {
+  const InterfaceName required(place.process->process.name, place.component->name,
+                               place.required->name);
+  const auto counts = context.Ask<tendon::ConnectionCounts>(
+      [&](tendon::GcmClient& client, auto handler) { client.GetCounts(required, handler); });
+  return counts ? std::optional(*counts) : std::nullopt;
+}
+
+std::optional<tendon::MailboxFill> AskFill(Context& context, const Place& place) {
+  const auto fill = context.Ask<tendon::MailboxFill>([&](tendon::GcmClient& client, auto handler) {
+    client.GetFill(place.process->process.name, place.component->name, handler);
+  });
+  return fill && fill->capacity > 0 ? std::optional(*fill) : std::nullopt;
+}
+
 ordered_json JsonOf(Context& context, const Catalog& catalog, const Place& place) {
   if (place.member != nullptr) return {{"member", ToJson(*place.member)}};
   if (place.provided != nullptr) return {{"interface", ToJson(*place.provided)}};
-  if (place.required != nullptr) return {{"interface", ToJson(*place.required)}};
-  if (place.component != nullptr) return {{"component", ToJson(*place.component)}};
+  if (place.required != nullptr) {
+    ordered_json json = {{"interface", ToJson(*place.required)}};
+    if (const auto counts = AskCounts(context, place)) json["counts"] = ToJson(*counts);
+    return json;
+  }
+  if (place.component != nullptr) {
+    ordered_json json = {{"component", ToJson(*place.component)}};
+    if (const auto fill = AskFill(context, place)) json["mailbox"] = ToJson(*fill);
+    return json;
+  }
   const SystemHealth health = AskHealth(context);
   if (place.process != nullptr) return {{"process", JsonOf(*place.process, health)}};
   ordered_json processes = ordered_json::array();
@@ -296,6 +320,33 @@ void AddTask(tendon::GcmClient& client, const Place& place, Table& table) {
   table.Add({"skipped", std::to_string(task.skipped)});
 }
 
+/// "3 of 64 wait".
+std::string WaitingText(std::uint64_t waiting, std::uint64_t capacity) {
+  return std::to_string(waiting) + " of " + std::to_string(capacity) + " wait";
+}
+
+/// How a connection that stands is doing.
+void AddCounts(Context& context, const Place& place, Table& table) {
+  const auto counts = AskCounts(context, place);
+  if (!counts) return;
+  using Seconds = std::chrono::duration<double>;
+  using Microseconds = std::chrono::duration<double, std::micro>;
+  const double age = Seconds(counts->age).count();
+  table.Add({"stands for", Fixed(age, 1) + " s"});
+  if (counts->round_trip.count() >= 0) {
+    table.Add({"round trip", Fixed(Microseconds(counts->round_trip).count(), 0) + " us"});
+  }
+  table.Add({"calls, events", std::to_string(counts->taken) + ", " +
+                                  Fixed(static_cast<double>(counts->taken) / age, 1) +
+                                  " a second since it stands"});
+  if (counts->capacity > 0) {
+    table.Add({"mailbox", WaitingText(counts->waiting, counts->capacity)});
+  }
+  table.Add({"refused", std::to_string(counts->refused)});
+  table.Add({"replaced", std::to_string(counts->replaced)});
+  table.Add({"lost events", std::to_string(counts->lost_events)});
+}
+
 /// What goes into a member or comes out of it, field by field; best effort, for the process may be
 /// gone.
 void PrintPayload(Context& context, const std::string& process, const std::string& title,
@@ -348,6 +399,11 @@ Result<ExitCode> Show(Context& context, const std::string& path) {
   if (is_component && place->component->state == tendon::ComponentState::kActive) {
     AddTask(**client, *place, facts);
   }
+  if (is_component) {
+    const auto fill = AskFill(context, *place);
+    if (fill) facts.Add({"mailbox", WaitingText(fill->waiting, fill->capacity)});
+  }
+  if (place->required != nullptr) AddCounts(context, *place, facts);
   context.Print(facts);
   context.out() << '\n';
   context.Print(ListingOf(catalog, *place));

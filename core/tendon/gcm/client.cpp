@@ -309,6 +309,22 @@ void GcmClient::GetHealth(std::function<void(Result<message::SystemHealth>)> han
       message::kHealth, None{}, implementation_->Guarded(std::move(handler)));
 }
 
+void GcmClient::GetCounts(const InterfaceName& required,
+                          std::function<void(Result<ConnectionCounts>)> handler) {
+  implementation_->timer().Post(
+      [this, required, done = implementation_->Guarded(std::move(handler))] {
+        implementation_->caller().GetCounts(required, done);
+      });
+}
+
+void GcmClient::GetFill(const std::string& process, const std::string& component,
+                        std::function<void(Result<MailboxFill>)> handler) {
+  implementation_->timer().Post(
+      [this, process, component, done = implementation_->Guarded(std::move(handler))] {
+        implementation_->caller().GetFill(process, component, done);
+      });
+}
+
 void GcmClient::Forget(const std::string& process, DoneHandler handler) {
   implementation_->link().Request<None>(message::kForget, message::Forget{process},
                                         [done = implementation_->Guarded(std::move(handler))](

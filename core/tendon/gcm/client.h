@@ -114,6 +114,13 @@ class GcmClient {
   void GetHistory(std::function<void(Result<message::History>)> handler);
   /// What processes take of their machines, as they have told the GCM last.
   void GetHealth(std::function<void(Result<message::SystemHealth>)> handler);
+  /// How the connection of a required interface does, as its process knows. kNotFound, kFailed
+  /// where it does not stand.
+  void GetCounts(const InterfaceName& required,
+                 std::function<void(Result<ConnectionCounts>)> handler);
+  /// How full the mailboxes of a component are.
+  void GetFill(const std::string& process, const std::string& component,
+               std::function<void(Result<MailboxFill>)> handler);
   /// Removes a tombstone.
   void Forget(const std::string& process, DoneHandler handler);
 

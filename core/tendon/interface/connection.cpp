@@ -164,6 +164,15 @@ std::size_t Connection::Close(std::chrono::milliseconds patience) {
   return dropped;
 }
 
+std::uint64_t Connection::taken() const {
+  const std::uint64_t calls = commands_ != nullptr ? commands_->taken() : 0;
+  return calls + (events_ != nullptr ? events_->taken() : 0);
+}
+
+std::size_t Connection::capacity() const {
+  return commands_ != nullptr ? commands_->capacity() : 0;
+}
+
 std::size_t Connection::waiting() const { return commands_ != nullptr ? commands_->size() : 0; }
 
 std::uint64_t Connection::refused() const {

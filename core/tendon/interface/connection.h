@@ -1,5 +1,6 @@
 #pragma once
 
+#include <tendon/base/clock.h>
 #include <tendon/base/result.h>
 #include <tendon/interface/provided_interface.h>
 #include <tendon/interface/required_interface.h>
@@ -40,6 +41,13 @@ class Connection {
   /// and events were dropped. Never from a thread that executes either end's mailboxes.
   std::size_t Close(std::chrono::milliseconds patience);
 
+  /// When it was made.
+  [[nodiscard]] SteadyTime made() const { return made_; }
+  /// Calls that have left the server's mailbox, and events that have left the client's. Reads do
+  /// not wait in any: they are not counted.
+  [[nodiscard]] std::uint64_t taken() const;
+  /// Calls that the server's mailbox holds at most; 0 where calls do not wait.
+  [[nodiscard]] std::size_t capacity() const;
   /// Calls waiting at the server now.
   [[nodiscard]] std::size_t waiting() const;
   /// Calls refused because the server's mailbox was full.
@@ -77,6 +85,7 @@ class Connection {
   std::vector<Subscription> subscriptions_;
   std::vector<std::string> converted_;
   std::uint64_t lost_before_ = 0;
+  const SteadyTime made_ = SteadyClock().Now();
   bool open_ = false;
 };
 

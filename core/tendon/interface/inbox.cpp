@@ -134,6 +134,17 @@ std::size_t Inbox::size() const {
   return sum;
 }
 
+Inbox::Fill Inbox::fill() const {
+  const std::scoped_lock lock(mutex_);
+  Fill fullest;
+  for (const auto& mailbox : mailboxes_) {
+    const Fill fill{mailbox->size(), mailbox->capacity()};
+    const bool is_fuller = fill.waiting * fullest.capacity > fullest.waiting * fill.capacity;
+    if (fullest.capacity == 0 || is_fuller) fullest = fill;
+  }
+  return fullest;
+}
+
 std::unique_ptr<Inbox::List> Inbox::Copy() const {
   return list_ ? std::make_unique<List>(*list_) : std::make_unique<List>();
 }

@@ -72,6 +72,13 @@ class Inbox {
   /// Calls waiting now, over all mailboxes.
   [[nodiscard]] std::size_t size() const;
 
+  /// Of the mailbox that is fullest, by its capacity; 0 of 0 where there is none. Locks.
+  struct Fill {
+    std::size_t waiting = 0;
+    std::size_t capacity = 0;
+  };
+  [[nodiscard]] Fill fill() const;
+
  private:
   static constexpr std::size_t kRow = 64;
   struct alignas(kCacheLine) FlagRow {

@@ -105,6 +105,10 @@ class Mailbox {
 
   [[nodiscard]] std::size_t size() const noexcept { return many_ ? many_->size() : one_->size(); }
   [[nodiscard]] std::size_t capacity() const noexcept { return capacity_; }
+  /// How many calls have left it, nearly all because they were executed.
+  [[nodiscard]] std::uint64_t taken() const noexcept {
+    return many_ ? many_->released() : one_->released();
+  }
   /// Slots there are in memory: a pool of this many arguments has one for each.
   [[nodiscard]] std::size_t storage() const noexcept { return completions_.size(); }
   /// How many calls were refused because it was full.

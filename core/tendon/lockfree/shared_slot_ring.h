@@ -67,6 +67,10 @@ class SharedSlotRing {
     return std::min<std::size_t>(write_.load(std::memory_order_relaxed) - read,
                                  capacity_ + reserve_);
   }
+  /// How many slots the consumer has returned so far. Any thread.
+  [[nodiscard]] std::uint64_t released() const noexcept {
+    return read_.load(std::memory_order_relaxed);
+  }
   [[nodiscard]] std::size_t capacity() const noexcept { return capacity_; }
   [[nodiscard]] std::size_t storage() const noexcept { return slots_.count_in_memory(); }
 

@@ -64,6 +64,10 @@ class SlotRing {
     const std::uint64_t write = producer_.write.load(std::memory_order_acquire);  // pairs with (A)
     return std::min<std::size_t>(write - read, capacity_ + reserve_);
   }
+  /// How many slots the consumer has returned so far. Any thread.
+  [[nodiscard]] std::uint64_t released() const noexcept {
+    return consumer_.read.load(std::memory_order_relaxed);
+  }
   [[nodiscard]] std::size_t capacity() const noexcept { return capacity_; }
   /// Slots in memory: a power of two.
   [[nodiscard]] std::size_t storage() const noexcept { return slots_.count_in_memory(); }

@@ -5,6 +5,7 @@
 #include <tendon/payload/shared_list.h>
 #include <tendon/task/component_state.h>
 
+#include <chrono>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -79,14 +80,28 @@ struct ConnectionDescription {
   bool operator==(const ConnectionDescription&) const = default;
 };
 
-/// How the calls and events of a connection have fared since it was made.
+/// How the calls and events of a connection have fared since it was made, or made again.
 struct ConnectionCounts {
+  std::chrono::nanoseconds age{0};  ///< since then
+  /// To the other process and back, as measured last; below 0 within one process, or where it is
+  /// not known yet.
+  std::chrono::nanoseconds round_trip{-1};
+  std::uint64_t taken = 0;        ///< calls and events that have left a mailbox: executed, or sent
+  std::uint64_t capacity = 0;     ///< calls that can wait at the server
   std::uint64_t waiting = 0;      ///< calls that wait at the server now
   std::uint64_t refused = 0;      ///< calls that found the server's mailbox full
   std::uint64_t replaced = 0;     ///< calls replaced by newer ones, where only the latest is kept
   std::uint64_t lost_events = 0;  ///< events that have not reached the client
 
   bool operator==(const ConnectionCounts&) const = default;
+};
+
+/// How full the mailboxes of a component are: the fullest of them.
+struct MailboxFill {
+  std::uint64_t waiting = 0;   ///< calls or events, now
+  std::uint64_t capacity = 0;  ///< how many can; 0 where nothing is connected
+
+  bool operator==(const MailboxFill&) const = default;
 };
 
 }  // namespace tendon
@@ -132,3 +147,19 @@ inline constexpr auto tendon::kPayload<tendon::ConnectionDescription> = tendon::
     tendon::Field{"state", &tendon::ConnectionDescription::state},
     tendon::Field{"reason", &tendon::ConnectionDescription::reason},
     tendon::Field{"converted", &tendon::ConnectionDescription::converted});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::ConnectionCounts> = tendon::Describe(
+    "tendon.ConnectionCounts", tendon::Field{"age", &tendon::ConnectionCounts::age},
+    tendon::Field{"round_trip", &tendon::ConnectionCounts::round_trip},
+    tendon::Field{"taken", &tendon::ConnectionCounts::taken},
+    tendon::Field{"capacity", &tendon::ConnectionCounts::capacity},
+    tendon::Field{"waiting", &tendon::ConnectionCounts::waiting},
+    tendon::Field{"refused", &tendon::ConnectionCounts::refused},
+    tendon::Field{"replaced", &tendon::ConnectionCounts::replaced},
+    tendon::Field{"lost_events", &tendon::ConnectionCounts::lost_events});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::MailboxFill> =
+    tendon::Describe("tendon.MailboxFill", tendon::Field{"waiting", &tendon::MailboxFill::waiting},
+                     tendon::Field{"capacity", &tendon::MailboxFill::capacity});

@@ -39,6 +39,16 @@ ConfigurationError ExistsAlready(const std::string& name, const ComponentOrigin&
 
 }  // namespace
 
+ConnectionCounts CountsOf(const Connection& connection) {
+  return {.age = SteadyClock().Now() - connection.made(),
+          .taken = connection.taken(),
+          .capacity = connection.capacity(),
+          .waiting = connection.waiting(),
+          .refused = connection.refused(),
+          .replaced = connection.replaced(),
+          .lost_events = connection.lost_events()};
+}
+
 LocalManager::~LocalManager() { Clear(); }
 
 void LocalManager::Clear() {
@@ -190,11 +200,15 @@ Result<ConnectionCounts> LocalManager::Counts(const InterfaceName& required) con
   const auto lock = Lock();
   const auto found = FindConnection(required);
   if (!found) return found.error();
-  const Connection& connection = *connections_.at(*found).connection;
-  return ConnectionCounts{.waiting = connection.waiting(),
-                          .refused = connection.refused(),
-                          .replaced = connection.replaced(),
-                          .lost_events = connection.lost_events()};
+  return CountsOf(*connections_.at(*found).connection);
+}
+
+Result<MailboxFill> LocalManager::FillOf(const std::string& component) const {
+  const auto lock = Lock();
+  const auto found = Require(component);
+  if (!found) return found.error();
+  const Inbox::Fill fill = (*found)->mailbox_fill();
+  return MailboxFill{.waiting = fill.waiting, .capacity = fill.capacity};
 }
 
 Result<ConnectionId> LocalManager::FindConnection(const InterfaceName& required) const {

@@ -39,6 +39,9 @@ struct RunSettings {
   bool is_at_rest = true;                 ///< neither running nor starting
 };
 
+/// As LocalManager::Counts() tells it.
+[[nodiscard]] ConnectionCounts CountsOf(const Connection& connection);
+
 /// The local component manager: owns the components of one process and the connections between
 /// them. Several may live in a process. A Process is one with a network.
 ///
@@ -110,8 +113,10 @@ class LocalManager {
   [[nodiscard]] Result<RunSettings> SettingsOf(const std::string& component) const;
   /// One of which an end is faulted is pending, with the reason, until that was started anew.
   [[nodiscard]] virtual std::vector<ConnectionDescription> connections() const;
-  /// Of a connection within this process; kNotFound where there is none.
-  [[nodiscard]] Result<ConnectionCounts> Counts(const InterfaceName& required) const;
+  /// kNotFound where it is not connected, kFailed where the connection does not stand.
+  [[nodiscard]] virtual Result<ConnectionCounts> Counts(const InterfaceName& required) const;
+  /// kNotFound where there is no such component.
+  [[nodiscard]] Result<MailboxFill> FillOf(const std::string& component) const;
 
   /// How long a disconnect lets servers execute what they have accepted.
   static constexpr std::chrono::milliseconds kDrainPatience{500};

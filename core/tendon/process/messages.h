@@ -1,5 +1,6 @@
 #pragma once
 
+#include <tendon/manager/description.h>
 #include <tendon/middleware/frame.h>
 #include <tendon/payload/fingerprint.h>
 #include <tendon/process/telemetry/row_choice.h>
@@ -34,6 +35,21 @@ inline constexpr auto kRowTaken = static_cast<MessageType>(0x206);  // notice: e
 // kEvents, kEventsLost and kInterfaceClosed from the process, kCloseInterface from the viewer.
 inline constexpr auto kListen =
     static_cast<MessageType>(0x207);  // request: OpenInterface -> InterfaceOpened
+
+/// How a connection, whose required side is in the process, and the mailboxes of a component do.
+inline constexpr auto kGetCounts =
+    static_cast<MessageType>(0x208);  // request: GetCounts -> ConnectionCounts
+inline constexpr auto kGetFill =
+    static_cast<MessageType>(0x209);  // request: GetFill -> MailboxFill
+
+/// By the interface's name, which is that of the required side.
+struct GetCounts {
+  InterfaceName required;
+};
+
+struct GetFill {
+  std::string component;
+};
 
 /// Which payload types' schemas are wanted.
 struct GetSchemas {
@@ -102,6 +118,14 @@ struct RowsHeader {
 };
 
 }  // namespace tendon::message
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::GetCounts> = tendon::Describe(
+    "tendon.GetCounts", tendon::Field{"required", &tendon::message::GetCounts::required});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::GetFill> = tendon::Describe(
+    "tendon.GetFill", tendon::Field{"component", &tendon::message::GetFill::component});
 
 template <>
 inline constexpr auto tendon::kPayload<tendon::message::GetSchemas> = tendon::Describe(

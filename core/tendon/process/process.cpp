@@ -229,6 +229,14 @@ Result<void> Process::Disconnect(const InterfaceName& required) {
   return LocalManager::Disconnect(WithoutProcess(*here));
 }
 
+Result<ConnectionCounts> Process::Counts(const InterfaceName& required) const {
+  const auto here = Here(required);
+  if (!here) return here.error();
+  const auto lock = Lock();
+  if (parts_->connections().Has(*here)) return parts_->connections().Counts(*here);
+  return LocalManager::Counts(WithoutProcess(*here));
+}
+
 std::vector<ConnectionDescription> Process::connections() const {
   const auto lock = Lock();
   std::vector<ConnectionDescription> all = LocalManager::connections();
@@ -266,6 +274,14 @@ Result<ProvidedInterface*> Process::LookUpProvided(const InterfaceName& interfac
 }
 
 Component* Process::LookUpComponent(const std::string& component) const { return Find(component); }
+
+Result<ConnectionCounts> Process::LookUpCounts(const InterfaceName& required) const {
+  return Counts(required);
+}
+
+Result<MailboxFill> Process::LookUpFill(const std::string& component) const {
+  return FillOf(component);
+}
 
 ProcessOptions Tcp(ProcessOptions options, Exposure exposure) {
   options.middleware = MakeTcpMiddleware(exposure);

@@ -68,6 +68,8 @@ class Process final : public LocalManager, private ProcessHost {
                                const InterfaceName& provided) override;
   Result<void> Disconnect(const InterfaceName& required) override;
 
+  [[nodiscard]] Result<ConnectionCounts> Counts(const InterfaceName& required) const override;
+
   /// All of this process, with its name in both ends, also the pending and failed ones.
   [[nodiscard]] std::vector<ConnectionDescription> connections() const override;
 
@@ -85,6 +87,8 @@ class Process final : public LocalManager, private ProcessHost {
   Result<RequiredInterface*> LookUpRequired(const InterfaceName& name) const override;
   Result<ProvidedInterface*> LookUpProvided(const InterfaceName& name) const override;
   Component* LookUpComponent(const std::string& component) const override;
+  Result<ConnectionCounts> LookUpCounts(const InterfaceName& required) const override;
+  Result<MailboxFill> LookUpFill(const std::string& component) const override;
   ConnectionId NewConnectionId() override { return NextConnectionId(); }
   void StructureChanged() const override { NotifyChanged(); }
 

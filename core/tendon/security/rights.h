@@ -39,6 +39,8 @@ inline constexpr auto kRights = std::to_array<Right>({
     {0x203, "end a subscription", Role::kViewer, Audit::kRefusals},
     {0x206, "take a row", Role::kViewer, Audit::kRefusals},
     {0x207, "listen to events", Role::kViewer, Audit::kRefusals},
+    {0x208, "look at a connection", Role::kViewer, Audit::kRefusals},
+    {0x209, "look at mailboxes", Role::kViewer, Audit::kRefusals},
     // process/membership_messages.h
     {0x300, "join", Role::kOperator, Audit::kAll},
     {0x301, "report a change", Role::kOperator, Audit::kRefusals},

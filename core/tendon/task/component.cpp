@@ -209,6 +209,8 @@ void Component::End() {
   }
 }
 
+Inbox::Fill Component::mailbox_fill() const { return inbox_ ? inbox_->fill() : Inbox::Fill(); }
+
 void Component::SetStateObserver(std::function<void()> observer) {
   const std::scoped_lock lock(mutex_);
   observer_ = std::move(observer);

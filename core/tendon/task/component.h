@@ -91,6 +91,8 @@ class Component {
   [[nodiscard]] bool is_at_rest() const;
   /// Stops it where it runs, and waits for that as long as it takes: it can be destroyed then.
   void End();
+  /// How full the fullest of its mailboxes is; 0 of 0 where it has none. Any thread; locks.
+  [[nodiscard]] Inbox::Fill mailbox_fill() const;
   /// Called after each change of the state, in the thread that made it; must not call back.
   void SetStateObserver(std::function<void()> observer);
 

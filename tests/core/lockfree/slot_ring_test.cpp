@@ -115,6 +115,7 @@ TEST(SlotRing, CountsWhatWaits) {
   EXPECT_EQ(ring.size(), 2U);
   Pop(ring);
   EXPECT_EQ(ring.size(), 1U);
+  EXPECT_EQ(ring.released(), 1U);
 }
 
 /// Size, alignment and the stride that follows.

@@ -129,11 +129,17 @@ struct ConnectionToAnIdleTask : testing::Test {
 TEST_F(ConnectionToAnIdleTask, IsCounted) {
   const auto flooded = manager.Counts(required);
   ASSERT_TRUE(flooded.ok());
-  EXPECT_EQ(*flooded, (tendon::ConnectionCounts{.waiting = 64, .refused = 6}));
+  EXPECT_GT(flooded->age.count(), 0);
+  EXPECT_EQ(*flooded, (tendon::ConnectionCounts{
+                          .age = flooded->age, .capacity = 64, .waiting = 64, .refused = 6}));
+  EXPECT_EQ(*manager.FillOf("server"), (tendon::MailboxFill{.waiting = 64, .capacity = 64}));
 
   EXPECT_TRUE(server.Cycle());
 
   EXPECT_EQ(manager.Counts(required)->waiting, 0U);
+  EXPECT_EQ(manager.Counts(required)->taken, 64U);
+  EXPECT_EQ(*manager.FillOf("server"), (tendon::MailboxFill{.waiting = 0, .capacity = 64}));
+  EXPECT_EQ(manager.FillOf("sever").error().code, tendon::ErrorCode::kNotFound);
   ASSERT_TRUE(manager.Disconnect(required).ok());
   EXPECT_EQ(manager.Counts(required).error().message, "client/Server is not connected");
 }

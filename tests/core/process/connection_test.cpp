@@ -103,6 +103,25 @@ TEST_P(RemoteConnection, RefusesWhatTheServerHasNoRoomForAndLosesNothing) {
   for (std::size_t i = 0; i < accepted.size(); ++i) ASSERT_EQ(executed[i].number, accepted[i]);
 }
 
+TEST_P(RemoteConnection, TellsHowItDoes) {
+  StartDesk(16);
+  ASSERT_TRUE(desk->Connect(kRobot, kControl).ok());
+  const auto pending = desk->Counts(kRobot);
+  ASSERT_FALSE(pending.ok());
+  EXPECT_EQ(pending.error().code, ErrorCode::kFailed);
+  EXPECT_THAT(pending.error().message,
+              HasSubstr("desk/operator/Robot is pending: process 'robot' is not there"));
+
+  StartRobot();
+  ASSERT_TRUE(EventuallyActive(*desk, 1)) << Reason();
+  ASSERT_TRUE(EventuallyQueued([&] { return user->stop(); }));
+
+  EXPECT_TRUE(EventuallyTrue([&] { return desk->Counts(kRobot)->taken >= 1; }));
+  EXPECT_TRUE(EventuallyTrue([&] { return desk->Counts(kRobot)->round_trip.count() > 0; }));
+  EXPECT_GT(desk->Counts(kRobot)->age.count(), 0);
+  EXPECT_EQ(desk->Counts(kRobot)->capacity, 16U);
+}
+
 TEST_P(RemoteConnection, TellsTheCallerThatTheServerDoesNotRun) {
   StartRobot();
   StartDesk();

@@ -86,4 +86,20 @@ TEST_F(WireVerbsTest, AConnectionIsEndedByItsNumber) {
   EXPECT_EQ(Gcm({"disconnect", "robot/" + number}).exit_code, program::kNotFound);
 }
 
+TEST_F(WireVerbsTest, ShowTellsHowAConnectionDoes) {
+  EXPECT_TRUE(EventuallySays({"show", "desk/supervisor/Robot"}, "round trip\t"));
+  const std::string shown = Gcm({"show", "desk/supervisor/Robot"}).out;
+  EXPECT_THAT(shown, HasSubstr("stands for\t"));
+  EXPECT_THAT(shown, HasSubstr("mailbox\t0 of 64 wait\n"));
+  EXPECT_THAT(shown, HasSubstr("refused\t0\n"));
+  EXPECT_THAT(shown, HasSubstr("lost events\t0\n"));
+  const json counts = json::parse(Gcm({"--json", "show", "desk/supervisor/Robot"}).out)["counts"];
+  EXPECT_GT(counts["age_s"], 0.0);
+  EXPECT_GT(counts["round_trip_s"], 0.0);
+  EXPECT_EQ(counts["capacity"], 64);
+
+  EXPECT_THAT(Gcm({"show", kTeleoperation}).out, testing::Not(HasSubstr("stands for")));
+  EXPECT_THAT(Gcm({"show", "robot/arm"}).out, HasSubstr("mailbox\t0 of 64 wait\n"));
+}
+
 }  // namespace

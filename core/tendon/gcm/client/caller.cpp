@@ -84,6 +84,26 @@ void Caller::GetSchema(const std::string& process, Fingerprint fingerprint,
                });
 }
 
+void Caller::GetCounts(const InterfaceName& required, Handler<ConnectionCounts> handler) {
+  AskProcess(required.process, message::kGetCounts, message::GetCounts{required},
+             std::move(handler));
+}
+
+void Caller::GetFill(const std::string& process, const std::string& component,
+                     Handler<MailboxFill> handler) {
+  AskProcess(process, message::kGetFill, message::GetFill{component}, std::move(handler));
+}
+
+template <Payload Answer, Message T>
+void Caller::AskProcess(const std::string& process, MessageType type, const T& question,
+                        Handler<Answer> handler) {
+  links_->With(process, [self = shared_from_this(), type, question,
+                         handler = std::move(handler)](const auto& channel) {
+    if (!channel) return handler(channel.error());
+    Ask<Answer>(*self->timer_, *channel, type, question, self->timeout_, handler);
+  });
+}
+
 void Caller::Learn(const std::map<std::string, message::GetSchemas>& types, Handler<void> handler) {
   const auto timeout = std::min(timeout_, std::chrono::milliseconds(500));
   // Called by the last who lets go of it.

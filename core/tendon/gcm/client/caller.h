@@ -32,6 +32,9 @@ class Caller final : public std::enable_shared_from_this<Caller> {
   void Call(const Path& path, const MemberDescription& command, const std::string& argument,
             Handler<std::string> handler);
   void GetSchema(const std::string& process, Fingerprint fingerprint, Handler<Schema> handler);
+  void GetCounts(const InterfaceName& required, Handler<ConnectionCounts> handler);
+  void GetFill(const std::string& process, const std::string& component,
+               Handler<MailboxFill> handler);
   /// Types by the processes that know them, for FindSchema(). No process is waited for much longer
   /// than one needs that is well.
   void Learn(const std::map<std::string, message::GetSchemas>& types, Handler<void> handler);
@@ -39,6 +42,9 @@ class Caller final : public std::enable_shared_from_this<Caller> {
  private:
   struct Order;
 
+  template <Payload Answer, Message T>
+  void AskProcess(const std::string& process, MessageType type, const T& question,
+                  Handler<Answer> handler);
   void FetchSchemas(const std::string& process, std::vector<Fingerprint> fingerprints,
                     Handler<void> handler);
   Result<void> Keep(const std::string& process, const std::vector<Fingerprint>& fingerprints,

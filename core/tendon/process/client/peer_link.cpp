@@ -19,7 +19,12 @@ Result<std::shared_ptr<PeerLink>> PeerLink::Open(const ProcessContext& context,
                                            ": " + channel.error().message};
   }
   link->channel_ = *std::move(channel);
-  WatchOver(context.worker, link->channel_);
+  WatchOver(context.worker, link->channel_,
+            [weak = std::weak_ptr(link)](SteadyTime sent, SteadyTime, SteadyTime arrived) {
+              const auto measured = weak.lock();
+              if (!measured) return;
+              measured->round_trip_.Set(arrived - sent);
+            });
   return link;
 }
 

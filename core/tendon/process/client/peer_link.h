@@ -1,10 +1,12 @@
 #pragma once
 
+#include <tendon/lockfree/flag.h>
 #include <tendon/middleware/channel.h>
 #include <tendon/process/context.h>
 #include <tendon/proxy/handle_table.h>
 #include <tendon/proxy/provided_interface_proxy.h>
 
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -39,6 +41,8 @@ class PeerLink final : public ChannelHandler, public std::enable_shared_from_thi
 
   [[nodiscard]] const std::shared_ptr<Channel>& channel() const { return channel_; }
   [[nodiscard]] std::uint64_t instance() const { return channel_->peer().instance; }
+  /// To the peer and back, as measured last; below 0 where it has not answered yet. Any thread.
+  [[nodiscard]] std::chrono::nanoseconds round_trip() const { return round_trip_.Get(); }
   /// Our numbers of connections and event handlers.
   [[nodiscard]] HandleTable<ProvidedInterfaceProxy>& handles() { return handles_; }
 
@@ -52,6 +56,7 @@ class PeerLink final : public ChannelHandler, public std::enable_shared_from_thi
   const std::shared_ptr<Worker> worker_;
   PeerListener& listener_;  // on the worker only
   std::shared_ptr<Channel> channel_;
+  Published<std::chrono::nanoseconds> round_trip_{std::chrono::nanoseconds(-1)};
   HandleTable<ProvidedInterfaceProxy> handles_;
 };
 

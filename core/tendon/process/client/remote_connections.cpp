@@ -354,6 +354,23 @@ void RemoteConnections::RemoveComponent(const std::string& component) {
   for (const InterfaceName& required : concerned) (void)Disconnect(required);
 }
 
+Result<ConnectionCounts> RemoteConnections::Counts(const InterfaceName& required) const {
+  const auto lock = context_.host.LockStructure();
+  const auto found = FindEntry(required);
+  if (found == entries_.end()) {
+    return Error{ErrorCode::kNotFound, ToString(required) + " is not connected"};
+  }
+  const Entry& entry = found->second;
+  if (!entry.connection) {
+    const ConnectionDescription& one = entry.description;
+    return Error{ErrorCode::kFailed, "the connection of " + ToString(required) + " is " +
+                                         std::string(ToString(one.state)) + ": " + one.reason};
+  }
+  ConnectionCounts counts = CountsOf(*entry.connection);
+  counts.round_trip = entry.link->round_trip();
+  return counts;
+}
+
 std::vector<ConnectionDescription> RemoteConnections::descriptions() const {
   const auto lock = context_.host.LockStructure();
   std::vector<ConnectionDescription> all;

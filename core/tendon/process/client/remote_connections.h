@@ -40,6 +40,8 @@ class RemoteConnections final : private PeerListener {
   /// Before the component goes.
   void RemoveComponent(const std::string& component);
   [[nodiscard]] std::vector<ConnectionDescription> descriptions() const;
+  /// kFailed where it does not stand.
+  [[nodiscard]] Result<ConnectionCounts> Counts(const InterfaceName& required) const;
 
   /// Once the worker has stopped: ends all.
   void Close();

@@ -24,6 +24,8 @@ void Session::OnAllowedRequest(const SharedChannel& channel, const FrameHeader& 
   if (type == message::kOpenInterface) return OpenInterface(body, std::move(responder));
   if (type == message::kListen) return Listen(body, std::move(responder));
   if (type == message::kGetSchemas) return AnswerSchemas(body, responder);
+  if (type == message::kGetCounts) return GetCounts(body, std::move(responder));
+  if (type == message::kGetFill) return GetFill(body, std::move(responder));
   if (type == message::kCallMember) return CallMember(body, std::move(responder));
   if (type == message::kSubscribe) return Subscribe(channel, body, std::move(responder));
   ChannelHandler::OnRequest(channel, header, body, std::move(responder));
@@ -109,6 +111,30 @@ void Session::Open(const message::OpenInterface& open, ServedConnections::Use us
                                   shared = std::make_shared<Responder>(std::move(responder))] {
     services.connections.Open(client, open, use, shared);
   });
+}
+
+/// What takes the manager's lock is looked up on the worker.
+template <typename Answer>
+void Session::LookUp(std::function<Result<Answer>(const ProcessHost&)> look, Responder responder) {
+  services_.context.worker->Post(
+      [&host = services_.context.host, look = std::move(look),
+       shared = std::make_shared<Responder>(std::move(responder))] { shared->Answer(look(host)); });
+}
+
+void Session::GetCounts(Body body, Responder responder) {
+  const auto asked = DecodeBody<message::GetCounts>(body);
+  if (!asked) return responder.Refuse(asked.error());
+  LookUp<ConnectionCounts>(
+      [required = asked->required](const ProcessHost& host) { return host.LookUpCounts(required); },
+      std::move(responder));
+}
+
+void Session::GetFill(Body body, Responder responder) {
+  const auto asked = DecodeBody<message::GetFill>(body);
+  if (!asked) return responder.Refuse(asked.error());
+  LookUp<MailboxFill>([component = asked->component](
+                          const ProcessHost& host) { return host.LookUpFill(component); },
+                      std::move(responder));
 }
 
 void Session::CallMember(Body body, Responder responder) {

@@ -6,6 +6,7 @@
 #include <tendon/process/server/served_connections.h>
 #include <tendon/process/telemetry/telemetry_server.h>
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -41,6 +42,10 @@ class Session final : public GuardedHandler {
   void OpenInterface(Body body, Responder responder);
   void Listen(Body body, Responder responder);
   void Open(const message::OpenInterface& open, ServedConnections::Use use, Responder responder);
+  template <typename Answer>
+  void LookUp(std::function<Result<Answer>(const ProcessHost&)> look, Responder responder);
+  void GetCounts(Body body, Responder responder);
+  void GetFill(Body body, Responder responder);
   void CallMember(Body body, Responder responder);
   void Subscribe(const SharedChannel& channel, Body body, Responder responder);
 

@@ -19,7 +19,7 @@ const Types kLooks = {message::kPing,        message::kGetSchemas, message::kSub
                       message::kUnsubscribe, message::kRowTaken,   message::kRenew,
                       message::kWatch,       message::kHistory,    message::kWatchLog,
                       message::kGetClasses,  message::kListen,     message::kCloseInterface,
-                      message::kHealth};
+                      message::kHealth,      message::kGetCounts,  message::kGetFill};
 
 /// What an operator may send besides.
 const Types kActs = {message::kOpenInterface, message::kCommands,   message::kRead,
