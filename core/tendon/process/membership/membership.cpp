@@ -268,10 +268,11 @@ bool Membership::Work(SteadyTime now, SteadyTime& next) {
     if (!channel_) return false;
     channel = channel_;
     // What the GCM has answered may wait behind a large message.
-    is_silent = now - std::max(last_renewed_->Get(), LargeInHand::Last(now)) >= kSilence;
+    const SteadyTime lost = std::max(last_renewed_->Get(), LargeInHand::Last(now)) + kSilence;
+    is_silent = now >= lost;
     is_due = now >= next_renewal_;
     if (is_due) next_renewal_ = now + kBetweenRenewals;
-    next = std::min(next, next_renewal_);
+    next = std::min({next, next_renewal_, lost});
   }
   if (is_silent) {
     channel->Close();
