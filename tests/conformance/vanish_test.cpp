@@ -1,10 +1,12 @@
 #include <arpa/inet.h>
 #include <linux/filter.h>
 #include <netinet/in.h>
+#include <netinet/tcp.h>
 #include <sys/socket.h>
 
 #include "conformance/contract.h"
 #include "conformance/resources.h"
+#include "support/wait.h"
 
 namespace tendon::conformance {
 namespace {
@@ -18,10 +20,12 @@ std::uint16_t PortOf(int descriptor, Query query) {
   return address.sin_family == AF_INET ? ntohs(address.sin_port) : std::uint16_t{0};
 }
 
+enum class Ends { kBoth, kOpeners };
+
 /// From now on whatever comes for the connections to `port` of this program, at either end, is
 /// thrown away before the kernel answers it, as if the cable had been cut. Returns how many ends
 /// there were.
-int CutCable(std::uint16_t port) {
+int CutCable(std::uint16_t port, Ends which = Ends::kBoth) {
   constexpr int kDescriptors = 1024;
   sock_filter drop{BPF_RET | BPF_K, 0, 0, 0};
   const sock_fprog program{1, &drop};
@@ -30,9 +34,23 @@ int CutCable(std::uint16_t port) {
     const std::uint16_t local = PortOf(descriptor, getsockname);
     const std::uint16_t peer = PortOf(descriptor, getpeername);
     if (peer == 0 || (local != port && peer != port)) continue;
+    if (which == Ends::kOpeners && local == port) continue;
     ends += setsockopt(descriptor, SOL_SOCKET, SO_ATTACH_FILTER, &program, sizeof program) == 0;
   }
   return ends;
+}
+
+/// Whether the kernel repeats what an opener has sent to `port`.
+bool IsRepeated(std::uint16_t port) {
+  constexpr int kDescriptors = 1024;
+  for (int descriptor = 0; descriptor < kDescriptors; ++descriptor) {
+    tcp_info info{};
+    socklen_t size = sizeof info;
+    if (PortOf(descriptor, getpeername) != port) continue;
+    if (getsockopt(descriptor, IPPROTO_TCP, TCP_INFO, &info, &size) != 0) continue;
+    if (info.tcpi_unacked > 0 && info.tcpi_retransmits > 0) return true;
+  }
+  return false;
 }
 
 TEST_P(PortContract, AnOpenerThatVanishedWithoutAWordIsNoticedByWhatIsSentToIt) {
@@ -50,6 +68,21 @@ TEST_P(PortContract, AnOpenerThatVanishedWithoutAWordIsNoticedInSilenceToo) {
   ASSERT_NO_FATAL_FAILURE(Meet(host));
 
   ASSERT_EQ(CutCable(ParseAddress(listener_->address(), 1)->port), 2);
+
+  EXPECT_TRUE(guest_.recorder->WaitForClosed());
+}
+
+TEST_P(PortContract, OneWhoHearsNothingAnyMoreAndGivesUpIsGoneAtOnceForTheOtherEnd) {
+  Host host;
+  ASSERT_NO_FATAL_FAILURE(Meet(host));
+  ASSERT_EQ(CutCable(ParseAddress(listener_->address(), 1)->port, Ends::kOpeners), 1);
+  ASSERT_TRUE(EventuallyTrue([&] {
+    EXPECT_EQ(link_->Send(FrameOf(2)), Status::kQueued);
+    return IsRepeated(ParseAddress(listener_->address(), 1)->port);
+  }));
+  ASSERT_EQ(link_->Send(FrameOf(3)), Status::kQueued);  // which waits behind what is repeated
+
+  link_->Close();
 
   EXPECT_TRUE(guest_.recorder->WaitForClosed());
 }

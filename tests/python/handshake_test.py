@@ -7,8 +7,9 @@ import struct
 import tempfile
 import unittest
 
-from tendon import Denied, Incompatible, Invalid, NotFound, messages
+from tendon import Denied, Incompatible, Invalid, NotFound, Unreachable, messages
 from tendon.messages import MessageType
+from tendon.middleware.certificate import Shown
 from tendon.middleware.frame import PROTOCOL_VERSION, Header
 from tendon.middleware.handshake import Opener, loopback_cookie
 
@@ -74,6 +75,24 @@ class Handshake(unittest.TestCase):
         zeroes = messages.encode("Challenge", {"greeting": ACCEPTOR, "proof": bytes(32)})
         with self.assertRaises(Denied):
             self.opener.take(Header(MessageType.CHALLENGE), zeroes)
+
+    def test_under_tls_the_certificate_says_who_is_there(self):
+        def answer(shown, wanted="gcm"):
+            opener = Opener("test", ADDRESS, 0, shown, wanted)
+            challenge = {"greeting": ACCEPTOR, "proof": bytes(32)}
+            opener.greet()
+            return opener.take(Header(MessageType.CHALLENGE),
+                               messages.encode("Challenge", challenge))
+
+        proof = messages.decode("Proof", answer(Shown("gcm", "operator")).body)["proof"]
+        self.assertEqual(proof, bytes(32))
+        for kind, words, shown, wanted in [
+                (Denied, "calls itself 'gcm', but shows the certificate of 'robot'",
+                 Shown("robot", "operator"), "gcm"),
+                (Denied, "shows a viewer's certificate", Shown("gcm", "viewer"), "gcm"),
+                (Unreachable, "is 'gcm', not 'robot'", Shown("gcm", "operator"), "robot")]:
+            with self.subTest(words), self.assertRaisesRegex(kind, words):
+                answer(shown, wanted)
 
     def test_each_has_a_nonce_and_an_instance_of_its_own(self):
         other = messages.decode("Greeting", Opener("test", ADDRESS, COOKIE).greet().body)

@@ -41,6 +41,13 @@ Ends EndsOf(const Ice::Connection& connection) {
   return {};
 }
 
+/// Of a link that is about to be closed.
+bool IsUnheard(const std::string& local, const std::string& peer) {
+  const auto here = ParseAddress(local, 1);
+  const auto there = ParseAddress(peer, 1);
+  return here && there && os::DropUnheard(here->port, there->port);
+}
+
 }  // namespace
 
 Ice::Identity EndpointIdentity() { return {"tendon", ""}; }
@@ -121,7 +128,10 @@ void IceLink::Close() {
 }
 
 void IceLink::Fail(const Error& reason) {
-  if (StartClosing(reason)) connection_->close(Ice::ConnectionClose::Gracefully);
+  if (!StartClosing(reason)) return;
+  const bool is_unheard = door_ == 0 && IsUnheard(local_, peer_);
+  connection_->close(is_unheard ? Ice::ConnectionClose::Forcefully
+                                : Ice::ConnectionClose::Gracefully);
 }
 
 void IceLink::CloseAtOnce() {

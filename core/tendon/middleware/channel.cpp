@@ -1,8 +1,11 @@
 #include <tendon/base/log.h>
 #include <tendon/middleware/channel.h>
 #include <tendon/middleware/handover.h>
+#include <tendon/middleware/parts/large_in_hand.h>
 
 #include <cassert>
+#include <stop_token>
+#include <thread>
 #include <utility>
 
 namespace tendon {
@@ -248,23 +251,49 @@ void Channel::OnPart(const FrameHeader& header, std::span<const std::byte> part)
   Progress progress = Progress::kNonsense;
   CallGuarded(peer_.name, [&] { progress = assembly_.Add(header.handle, part, frame); });
   taken_.Set(assembly_.taken());
+  last_part_.Set(SteadyClock().Now());
   if (progress == Progress::kMoreToCome) return;
   const auto whole = ReadFrameHeader(frame, kMaxBodySize + FrameHeader::kSize);
   if (!whole || whole->type == MessageType::kPart || whole->type == MessageType::kPartsTaken) {
     return Fail({ErrorCode::kInvalid, peer_.name + " sent parts of what is no message"});
   }
-  TellTaken();  // who handles it may take a while
-  OnMessage(*whole, std::span(frame).subspan(FrameHeader::kSize));
+  TellTaken();
+  HandleLarge(*whole, std::span(frame).subspan(FrameHeader::kSize));
+}
+
+/// Who handles it may take a while: the peer, which this thread does not answer meanwhile, is told
+/// again and again how much was taken.
+void Channel::HandleLarge(const FrameHeader& header, std::span<const std::byte> body) {
+  constexpr std::size_t kSoonHandled = std::size_t{4} << 20U;
+  if (body.size() < kSoonHandled) return OnMessage(header, body);
+  const LargeInHand mark;
+  std::jthread teller;
+  CallGuarded(peer_.name, [&] {
+    teller = std::jthread([this](const std::stop_token& stop) {
+      constexpr std::chrono::milliseconds kBetweenSigns(250);
+      std::mutex mutex;
+      std::condition_variable_any never;
+      std::unique_lock lock(mutex);
+      while (!never.wait_for(lock, stop, kBetweenSigns, [&] { return stop.stop_requested(); })) {
+        SendTaken();
+      }
+    });
+  });
+  OnMessage(header, body);
 }
 
 void Channel::OnPartsTaken(std::span<const std::byte> body) {
   const auto taken = DecodeBody<std::uint64_t>(body);
+  last_part_.Set(SteadyClock().Now());
   if (taken && parts_.OnTaken(*link_, *taken)) return;
   Fail({ErrorCode::kInvalid, peer_.name + " has taken more than was sent to it"});
 }
 
 void Channel::TellTaken() {
-  if (taken_.Get() == told_taken_.Get()) return;
+  if (taken_.Get() != told_taken_.Get()) SendTaken();
+}
+
+void Channel::SendTaken() {
   const std::scoped_lock lock(telling_);  // the numbers must arrive in order
   const std::uint64_t taken = taken_.Get();
   const Bytes body = EncodeBody(taken);

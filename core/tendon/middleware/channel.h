@@ -123,6 +123,9 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   /// The peer's Hello; empty before OnOpen().
   [[nodiscard]] const Hello& peer() const { return peer_; }
   [[nodiscard]] std::string peer_address() const;
+  /// When a part of a large message last arrived, or was last said to have been taken: whatever
+  /// else is sent waits behind parts, and a peer that takes them, or handles what they make, lives.
+  [[nodiscard]] SteadyTime last_part() const { return last_part_.Get(); }
   /// Answers that came after their requests had ended.
   [[nodiscard]] std::uint64_t late_replies() const;
 
@@ -143,6 +146,8 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   void OnPart(const FrameHeader& header, std::span<const std::byte> part);
   void OnPartsTaken(std::span<const std::byte> body);
   void TellTaken();
+  void SendTaken();
+  void HandleLarge(const FrameHeader& header, std::span<const std::byte> body);
   void Resume();
   void Opened(Hello peer);
   void Fail(const Error& reason);
@@ -166,6 +171,7 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   PartSender parts_;
   Published<std::uint64_t> taken_{0};  // bytes of parts
   Published<std::uint64_t> told_taken_{0};
+  Published<SteadyTime> last_part_;
   std::mutex telling_;
 
   mutable std::mutex mutex_;

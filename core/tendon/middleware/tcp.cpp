@@ -181,7 +181,9 @@ class TcpLink final : public Link, public Served, public std::enable_shared_from
     if (!is_open()) return;
     state_ = State::kClosing;
     deadline_ = SteadyClock().Now() + std::chrono::milliseconds(750);
-    loop_->Post([self = shared_from_this()] { self->Flush(); });
+    loop_->Post([self = shared_from_this(), is_unheard = os::DropUnheard(socket_)] {
+      is_unheard ? self->Shut() : self->Flush();
+    });
   }
 
   [[nodiscard]] std::string peer() const override { return peer_; }

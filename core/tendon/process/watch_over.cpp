@@ -1,8 +1,19 @@
+#include <tendon/middleware/parts/large_in_hand.h>
 #include <tendon/process/ask.h>
 #include <tendon/process/watch_over.h>
 #include <tendon/proxy/messages.h>
 
+#include <algorithm>
+
 namespace tendon {
+namespace {
+
+/// Whether an answer may yet come that waits behind a large message, at either end.
+bool MayBeHeldUp(const Channel& channel, SteadyTime now, std::chrono::milliseconds silence) {
+  return now - std::max(channel.last_part(), LargeInHand::Last(now)) < silence;
+}
+
+}  // namespace
 
 void WatchOver(const std::shared_ptr<Worker>& worker, const std::shared_ptr<Channel>& channel,
                const HearTime& hear_time) {
@@ -17,7 +28,8 @@ void WatchOver(const std::shared_ptr<Worker>& worker, const std::shared_ptr<Chan
           hear_time(sent, SteadyTime(std::chrono::nanoseconds(answer->time)), SteadyClock().Now());
         }
         if (answer || answer.error().code != ErrorCode::kTimeout) return;
-        if (const auto silent = weak.lock()) silent->Close();
+        const auto silent = weak.lock();
+        if (silent && !MayBeHeldUp(*silent, SteadyClock().Now(), kSilence)) silent->Close();
       },
       kOwnLane);
   worker->PostAfter(kBetweenQuestions, [weak_worker = std::weak_ptr(worker),

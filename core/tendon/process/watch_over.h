@@ -15,7 +15,8 @@ using HearTime = std::function<void(SteadyTime sent, SteadyTime there, SteadyTim
 
 /// Asks the process at the other end twice a second whether it lives, as long as the channel is
 /// open, and closes the channel when there was no answer for 1.5 s: a process that hangs, or has
-/// been cut off, does not close it. `worker` sees to the time.
+/// been cut off, does not close it. Large messages that are on their way, or in hand, may hold the
+/// answer up: as long as they go on there is no hurry. `worker` sees to the time.
 void WatchOver(const std::shared_ptr<Worker>& worker, const std::shared_ptr<Channel>& channel,
                const HearTime& hear_time = nullptr);
 

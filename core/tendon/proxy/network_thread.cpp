@@ -1,9 +1,12 @@
 #include <tendon/base/os/thread.h>
 #include <tendon/proxy/network_thread.h>
 
+#include <utility>
+
 namespace tendon {
 
-NetworkThread::NetworkThread() : thread_([this] { Run(); }) {}
+NetworkThread::NetworkThread(std::string name)
+    : name_(std::move(name)), thread_([this] { Run(); }) {}
 
 NetworkThread::~NetworkThread() {
   stopping_.Set(true);
@@ -27,7 +30,7 @@ void NetworkThread::Remove(NetworkJob& job) {
 }
 
 void NetworkThread::Run() {
-  os::NameThisThread("network");
+  os::NameThisThread(name_);
   while (!stopping_.Get()) {
     SteadyTime next;
     while (Round(next) && !stopping_.Get()) {

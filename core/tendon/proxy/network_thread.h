@@ -30,7 +30,7 @@ class NetworkJob {
 /// Idle, it sleeps. Thread-safe.
 class NetworkThread {
  public:
-  NetworkThread();
+  explicit NetworkThread(std::string name = "network");
   NetworkThread(const NetworkThread&) = delete;
   NetworkThread& operator=(const NetworkThread&) = delete;
   /// Waits for the round that is under way.
@@ -50,6 +50,7 @@ class NetworkThread {
   /// Asks every job once.
   bool Round(SteadyTime& next);
 
+  const std::string name_;
   Wakeup<> wakeup_;
   Flag stopping_;
   std::mutex turn_;  // taken before mutex_, so that a round after the other locks nobody out

@@ -10,10 +10,12 @@ from . import messages
 from .catalog import Catalog
 from .errors import Error, Invalid, TimedOut, Unreachable
 from .messages import MessageType
-from .middleware.address import parse_address
 from .middleware.frame import Header
 from .middleware.ice import Network
 from .middleware.link import Link, reading
+
+
+GCM_NAME = "gcm"
 
 
 class GcmLink:
@@ -21,7 +23,7 @@ class GcmLink:
 
     def __init__(self, network: Network, address: str, name: str, timeout: float) -> None:
         self._network = network
-        self._address = parse_address(address)
+        self._address = network.address(address)
         self._name = name
         self._timeout = timeout
         self._opening = threading.Lock()
@@ -74,7 +76,7 @@ class GcmLink:
                 return self._link
             try:
                 self._link = Link(self._network, self._address, self._name, self._timeout,
-                                  self._on_notice, self._on_closed)
+                                  self._on_notice, self._on_closed, wanted=GCM_NAME)
                 self._link.request(MessageType.WATCH, messages.encode("None"), self._timeout,
                                    self._on_snapshot)
                 return self._link

@@ -9,7 +9,6 @@ from . import messages
 from .catalog import Description
 from .errors import Denied, Error, Failed, Invalid, NotFound, TimedOut, Unreachable
 from .messages import MessageType
-from .middleware.address import parse_address
 from .middleware.ice import Network
 from .middleware.link import Link, reading
 from .paths import Path, select
@@ -115,8 +114,8 @@ class Processes:
             feeds = Feeds()
             where = f"process '{name}' does not answer at {process['address']}"
             try:
-                link = Link(self._network, parse_address(process["address"]), self._name,
-                            self._timeout, feeds.on_notice, feeds.on_closed)
+                link = Link(self._network, self._network.address(process["address"]), self._name,
+                            self._timeout, feeds.on_notice, feeds.on_closed, wanted=name)
             except Error as why:
                 raise type(why)(f"{where}: {why}") from None
             if link.peer_instance != process["instance"]:

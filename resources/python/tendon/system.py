@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import time
 import weakref
 from typing import Any, Callable, Sequence
@@ -11,6 +12,7 @@ from .errors import Invalid, NotFound, TimedOut, did_you_mean
 from .gcm import GcmLink
 from .messages import MessageType
 from .middleware.address import gcm_address
+from .middleware.certificate import Credentials, chosen_credentials
 from .middleware.ice import Network
 from .paths import parse_interface, parse_path, split_member, steps_of
 from .processes import Processes, Wanted
@@ -27,8 +29,9 @@ class System:
     for the console `gcm`; descriptions are dicts with the fields that the C++ gives them.
     """
 
-    def __init__(self, address: str | None, name: str, timeout: float) -> None:
-        network = Network()
+    def __init__(self, address: str | None, name: str, timeout: float,
+                 credentials: Credentials | None = None) -> None:
+        network = Network(credentials)
         self._ending = weakref.finalize(self, network.close)
         self._gcm = GcmLink(network, gcm_address(address), name, timeout)
         self._processes = Processes(network, name, timeout)
@@ -125,10 +128,16 @@ class System:
 
 
 def connect(address: str | None = None, name: str = "python",
-            timeout: float = DEFAULT_TIMEOUT) -> System:
-    """Joins the system of the GCM at `address`, of this machine: $TENDON_GCM or 127.0.0.1:10705
-    where none is given. `name` is for the GCM's history. Raises Unreachable when nobody answers."""
-    return System(address, name, timeout)
+            timeout: float = DEFAULT_TIMEOUT,
+            certificate: str | os.PathLike[str] | None = None,
+            authority: str | os.PathLike[str] | None = None) -> System:
+    """Joins the system of the GCM at `address`: $TENDON_GCM or 127.0.0.1:10705 where none is given.
+    `name` is for the GCM's history. Raises Unreachable when nobody answers.
+
+    With a `certificate`, the file that the programs take as --certificate, all is under TLS and the
+    GCM may be on another machine; `authority` is the folder of --ca. Where they are not given,
+    $TENDON_CERTIFICATE and $TENDON_CA are taken."""
+    return System(address, name, timeout, chosen_credentials(certificate, authority))
 
 
 def _columns_of(asked: Sequence[str], known: list[str],

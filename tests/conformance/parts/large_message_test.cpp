@@ -1,4 +1,5 @@
 #include <gmock/gmock.h>
+#include <sys/mman.h>
 
 #include <atomic>
 #include <condition_variable>
@@ -83,6 +84,28 @@ std::vector<std::uint32_t> HandlesOf(const std::vector<Taker::Notice>& notices) 
 constexpr std::size_t kLarge = std::size_t{3} << 20U;
 constexpr std::size_t kSmall = 100;
 
+constexpr std::size_t kMost = 1000 * kMaxPayload;
+
+/// Addresses of more bytes than there are: whoever looks at one of them dies.
+class NobodysMemory {
+ public:
+  NobodysMemory()
+      : begin_(
+            mmap(nullptr, kMost, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0)) {
+    EXPECT_NE(begin_, MAP_FAILED);
+  }
+  NobodysMemory(const NobodysMemory&) = delete;
+  NobodysMemory& operator=(const NobodysMemory&) = delete;
+  ~NobodysMemory() { munmap(begin_, kMost); }
+
+  [[nodiscard]] std::span<const std::byte> First(std::size_t size) const {
+    return {static_cast<const std::byte*>(begin_), size};
+  }
+
+ private:
+  void* const begin_;
+};
+
 /// What is at the two ends of the channel.
 struct Takers {
   std::shared_ptr<Taker> server = std::make_shared<Taker>();
@@ -122,11 +145,12 @@ TEST_P(LargeMessageContract, ArrivesWholeWhateverItsSize) {
 TEST_P(LargeMessageContract, OverTheLimitIsRefusedWhereItWouldBeSentAndTheChannelLives) {
   const Takers takers;
   Connect(takers.server, takers.client);
-  const std::size_t sizes[] = {kMaxBodySize + 1, kMaxPayload + kMaxPayload / 10, 10 * kMaxPayload};
-  const std::unique_ptr<std::byte[]> memory(new std::byte[10 * kMaxPayload]);  // never looked at
+  const std::size_t sizes[] = {kMaxBodySize + 1, kMaxPayload + kMaxPayload / 10, 10 * kMaxPayload,
+                               kMost};
+  const NobodysMemory memory;
 
   for (const std::size_t size : sizes) {
-    const std::span body(memory.get(), size);
+    const std::span body = memory.First(size);
     EXPECT_EQ(channel_->Notify(kTell, 0, body), Status::kInvalid) << size;
     const auto answer = channel_->Call(kAsk, 0, body, kLong);
     ASSERT_FALSE(answer.ok());

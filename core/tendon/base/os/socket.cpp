@@ -164,6 +164,29 @@ std::string ListenerAt(std::uint16_t port) {
   return "another program";
 }
 
+/// Calls with each descriptor of this program's connections between two ports.
+template <typename Call>
+void ForEachBetween(std::uint16_t local_port, std::uint16_t peer_port, Call call) {
+  std::error_code ignored;
+  for (fs::directory_iterator one("/proc/self/fd", ignored), end; one != end;
+       one.increment(ignored)) {
+    const int descriptor = std::atoi(one->path().filename().c_str());
+    if (PortOf(descriptor, getsockname) == local_port &&
+        PortOf(descriptor, getpeername) == peer_port) {
+      call(descriptor);
+    }
+  }
+}
+
+bool DropUnheardOf(int descriptor) {
+  tcp_info info{};
+  socklen_t size = sizeof(info);
+  if (getsockopt(descriptor, IPPROTO_TCP, TCP_INFO, &info, &size) != 0) return false;
+  if (info.tcpi_unacked == 0 || info.tcpi_retransmits == 0) return false;
+  const linger at_once{.l_onoff = 1, .l_linger = 0};
+  return setsockopt(descriptor, SOL_SOCKET, SO_LINGER, &at_once, sizeof at_once) == 0;
+}
+
 }  // namespace
 
 Socket::Socket(Socket&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
@@ -250,6 +273,16 @@ std::optional<std::span<const std::byte>> ReceiveSome(const Socket& socket,
   }
 }
 
+bool DropUnheard(const Socket& socket) { return DropUnheardOf(socket.descriptor()); }
+
+bool DropUnheard(std::uint16_t local_port, std::uint16_t peer_port) {
+  bool is_unheard = false;
+  ForEachBetween(local_port, peer_port, [&is_unheard](int descriptor) {
+    is_unheard = DropUnheardOf(descriptor) || is_unheard;
+  });
+  return is_unheard;
+}
+
 bool HasVanished(const Socket& socket) {
   // Not TCP_USER_TIMEOUT: that also cuts off a peer which answers but has stopped reading. The
   // kernel repeats after some 0.2 s and waits twice as long each time: the third goes out after 1.6
@@ -268,15 +301,8 @@ std::string LocalAddress(const Socket& socket) { return AddressOf(socket, getsoc
 std::string PeerAddress(const Socket& socket) { return AddressOf(socket, getpeername); }
 
 void KeepFromPrograms(std::uint16_t local_port, std::uint16_t peer_port) {
-  std::error_code ignored;
-  for (fs::directory_iterator one("/proc/self/fd", ignored), end; one != end;
-       one.increment(ignored)) {
-    const int descriptor = std::atoi(one->path().filename().c_str());
-    if (PortOf(descriptor, getsockname) == local_port &&
-        PortOf(descriptor, getpeername) == peer_port) {
-      fcntl(descriptor, F_SETFD, FD_CLOEXEC);
-    }
-  }
+  ForEachBetween(local_port, peer_port,
+                 [](int descriptor) { fcntl(descriptor, F_SETFD, FD_CLOEXEC); });
 }
 
 Error AddressInUse(const std::string& host, std::uint16_t port) {

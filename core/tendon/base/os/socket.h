@@ -55,6 +55,13 @@ std::optional<std::span<const std::byte>> ReceiveSome(const Socket& socket,
 /// way to it, is gone. A peer that only does not read still answers.
 [[nodiscard]] bool HasVanished(const Socket& socket);
 
+/// Where the kernel repeats what was sent, for nobody answers it, closing the socket from now on
+/// drops that and tells the peer at once: what else is sent would wait behind it, and of a line
+/// that is cut one way only, the peer would not learn. Says whether that is so.
+bool DropUnheard(const Socket& socket);
+/// The same of the connection of this program between these two ports, whoever made it.
+bool DropUnheard(std::uint16_t local_port, std::uint16_t peer_port);
+
 /// Tells the peer that nothing more will come.
 void ShutDownSending(const Socket& socket);
 

@@ -1,5 +1,6 @@
 #include <tendon/base/log.h>
 #include <tendon/base/os/process.h>
+#include <tendon/middleware/parts/large_in_hand.h>
 #include <tendon/process/ask.h>
 #include <tendon/process/log/messages.h>
 #include <tendon/process/membership/membership.h>
@@ -107,10 +108,10 @@ class Membership::GcmHandler final : public ChannelHandler {
 
 Membership::Membership(ProcessContext& context, MembershipDelegate& delegate, Options options)
     : context_(context), delegate_(delegate), options_(std::move(options)), log_(context_.network) {
-  context_.network->Add(*this);
+  lease_thread_.Add(*this);
 }
 
-Membership::~Membership() { context_.network->Remove(*this); }
+Membership::~Membership() { lease_thread_.Remove(*this); }
 
 void Membership::Begin() {
   context_.worker->Post([this] { Try(); });
@@ -197,7 +198,8 @@ void Membership::SetJoined(std::shared_ptr<Channel> channel) {
     next_renewal_ = last_renewed_->Get() + kBetweenRenewals;
   }
   changed_.notify_all();
-  log_.SetChannel(std::move(channel));  // wakes the network thread
+  lease_thread_.Notify();
+  log_.SetChannel(std::move(channel));
 }
 
 void Membership::Fail(const Error& error) {
@@ -265,10 +267,12 @@ bool Membership::Work(SteadyTime now, SteadyTime& next) {
     const std::scoped_lock lock(mutex_);
     if (!channel_) return false;
     channel = channel_;
-    is_silent = now - last_renewed_->Get() >= kSilence;
+    // What the GCM has answered may wait behind a large message.
+    const SteadyTime lost = std::max(last_renewed_->Get(), LargeInHand::Last(now)) + kSilence;
+    is_silent = now >= lost;
     is_due = now >= next_renewal_;
     if (is_due) next_renewal_ = now + kBetweenRenewals;
-    next = std::min(next, next_renewal_);
+    next = std::min({next, next_renewal_, lost});
   }
   if (is_silent) {
     channel->Close();

@@ -83,7 +83,7 @@ class Membership final : private NetworkJob {
   MembershipDelegate& delegate_;
   Options options_;
   LogForwarder log_;
-  HealthTeller health_;  // of the network thread
+  HealthTeller health_;  // of the lease's thread
 
   // Of the worker.
   std::shared_ptr<Channel> candidate_;  // has been asked to let us join
@@ -99,6 +99,9 @@ class Membership final : private NetworkJob {
   SteadyTime next_renewal_{};
   const std::shared_ptr<Published<SteadyTime>> last_renewed_ =
       std::make_shared<Published<SteadyTime>>();
+
+  /// Renews the lease while that of the process copies large messages. Last: it uses the others.
+  NetworkThread lease_thread_{"lease"};
 };
 
 }  // namespace tendon

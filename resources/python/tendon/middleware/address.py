@@ -25,8 +25,8 @@ class Address(NamedTuple):
         return f"{host}:{self.port}"
 
 
-def parse_address(text: str) -> Address:
-    """Reads host:port, on this machine: nothing that this package sends is encrypted."""
+def parse_address(text: str, is_encrypted: bool = False) -> Address:
+    """Reads host:port, which is on this machine unless what is sent there is encrypted."""
     host, colon, port = text.rpartition(":")
     if not colon:
         raise Invalid(f"address '{text}': expected host:port, such as 127.0.0.1:10705")
@@ -39,8 +39,9 @@ def parse_address(text: str) -> Address:
     if not re.fullmatch("[0-9]{1,5}", port) or not 1 <= int(port) <= 65535:
         raise Invalid(f"port '{port}': expected 1..65535")
     host = "127.0.0.1" if host == "localhost" else host
-    if not _is_loopback(host):
-        raise Denied(f"host '{host}' is off this machine and nothing is encrypted: use 127.0.0.1")
+    if not is_encrypted and not _is_loopback(host):
+        raise Denied(f"host '{host}' is off this machine and nothing is encrypted: use 127.0.0.1, "
+                     "or show a certificate")
     return Address(host, int(port))
 
 

@@ -1,4 +1,5 @@
-"""How the opener of a link proves that it knows this user's cookie, without saying it:
+"""How the opener of a link proves that it knows this user's cookie, without saying it; under TLS
+certificates prove who is there, and the proofs are zeroes:
 
     opener     HELLO      Greeting
     acceptor   CHALLENGE  Challenge: its greeting and its proof
@@ -19,9 +20,10 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from .. import messages
-from ..errors import Denied, Error, Incompatible, Invalid
+from ..errors import Denied, Error, Incompatible, Invalid, Unreachable
 from ..messages import MessageType
 from ..payload.schema import Field, Number, String, Structure
+from .certificate import Shown
 from .frame import PROTOCOL_VERSION, Header
 
 OPENER, ACCEPTOR = 0, 1
@@ -72,9 +74,13 @@ class Answer(NamedTuple):
 
 class Opener:
     """The opener's half. `address` is where it finds the acceptor; `peer` is the acceptor's
-    greeting once that has proved itself."""
+    greeting once that has proved itself. Under TLS, with whatever certificate the acceptor has
+    `shown`, the cookie is 0, and only the process `wanted` will do."""
 
-    def __init__(self, name: str, address: str, cookie: int) -> None:
+    def __init__(self, name: str, address: str, cookie: int, shown: Shown | None = None,
+                 wanted: str = "") -> None:
+        self._shown = shown
+        self._wanted = wanted
         self._mine = {"protocol_version": PROTOCOL_VERSION, "instance": secrets.randbits(64),
                       "name": name, "nonce": secrets.token_bytes(16)}
         self._address = address
@@ -105,14 +111,30 @@ class Opener:
     def _on_challenge(self, challenge: dict[str, Any]) -> Answer:
         greeting = challenge["greeting"]
         its_proof = self._proof(ACCEPTOR, greeting)
-        if not hmac.compare_digest(challenge["proof"], its_proof):
+        if self._shown is not None:
+            self._check_shown(self._shown, greeting["name"])
+        elif not hmac.compare_digest(challenge["proof"], its_proof):
             raise Denied(f"{greeting['name']} does not know '{self._mine['name']}': both must run "
                          "as the same user of this machine")
         self.peer = greeting
         proof = {"proof": self._proof(OPENER, greeting), "session": 0}
         return Answer(MessageType.PROOF, messages.encode("Proof", proof))
 
+    def _check_shown(self, shown: Shown, name: str) -> None:
+        """Before anything is said that is not for everybody. That it is the certificate of a
+        process TLS itself sees."""
+        if shown.name != name:
+            raise Denied(f"{self._address} calls itself '{name}', but shows the certificate of "
+                         f"'{shown.name}': do not trust it")
+        if shown.role != "operator":
+            raise Denied(f"{self._address} shows a viewer's certificate, and to give orders takes "
+                         f"an operator's: issue '{name}' another")
+        if self._wanted not in ("", name):
+            raise Unreachable(f"at {self._address} is '{name}', not '{self._wanted}'")
+
     def _proof(self, role: int, acceptor: dict[str, Any]) -> bytes:
+        if self._cookie == 0:
+            return bytes(hashlib.sha256().digest_size)
         covered = _COVERED.encode({"role": role, "opener": self._mine, "acceptor": acceptor,
                                    "address": self._address, "session": 0})
         return hmac.new(struct.pack("<Q", self._cookie), covered, hashlib.sha256).digest()

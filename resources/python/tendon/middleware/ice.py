@@ -10,8 +10,9 @@ from typing import Any, Callable
 
 import Ice
 
-from ..errors import Error, Failed, Invalid, TimedOut, Unreachable
-from .address import Address
+from ..errors import Denied, Error, Failed, Invalid, TimedOut, Unreachable
+from .address import Address, parse_address
+from .certificate import Credentials, Shown, holder_of
 from .frame import MAX_FRAME_SIZE, MAX_PIECE_SIZE, Header, Pieces
 
 Ice.loadSlice("", [str(Path(__file__).with_name("tendon.ice").resolve())])
@@ -45,12 +46,13 @@ OnClosed = Callable[[Error], None]
 
 
 class Network:
-    """One communicator. Thread-safe."""
+    """One communicator; all of its links are under TLS where it has credentials. Thread-safe."""
 
-    def __init__(self) -> None:
+    def __init__(self, credentials: Credentials | None = None) -> None:
+        self._credentials = credentials
         settings = Ice.InitializationData()
         settings.properties = Ice.createProperties()
-        for name, value in _SETTINGS.items():
+        for name, value in (_SETTINGS | _tls_settings(credentials)).items():
             settings.properties.setProperty(name, value)
         self._communicator = Ice.initialize(settings)
         self._lock = threading.Lock()
@@ -61,10 +63,19 @@ class Network:
         self._adapter.add(_Endpoint(self._links), _IDENTITY)
         self._adapter.activate()
 
+    @property
+    def is_encrypted(self) -> bool:
+        """Whether all of its links are under TLS."""
+        return self._credentials is not None
+
+    def address(self, text: str) -> Address:
+        """Reads host:port, of where this network may go."""
+        return parse_address(text, is_encrypted=self.is_encrypted)
+
     def open(self, address: Address, on_frame: OnFrame, on_closed: OnClosed,
              timeout: float) -> IceLink:
-        """A new connection to whoever listens at an address on this machine, within `timeout`
-        seconds. What it hears is told in one thread of Ice, which must not be held up."""
+        """A new connection to whoever listens at an address, within `timeout` seconds. What it
+        hears is told in one thread of Ice, which must not be held up."""
         deadline = time.monotonic() + timeout
         with self._lock:
             if self._is_closed:
@@ -73,8 +84,9 @@ class Network:
             number = self._last_number
         opening = None
         try:
+            protocol = "tcp" if self._credentials is None else "ssl"
             proxy = self._communicator.stringToProxy(
-                f'tendon:tcp -h "{address.host}" -p {address.port}')
+                f'tendon:{protocol} -h "{address.host}" -p {address.port}')
             # One of its own for each link.
             opening = proxy.ice_connectionId(str(number)).ice_getConnectionAsync()
             connection = opening.result(_left(deadline))
@@ -88,7 +100,7 @@ class Network:
         except Ice.Exception as why:
             if opening is not None:
                 opening.add_done_callback(_close)  # at once, or when it comes too late
-            raise _why_not_opened(why, address, timeout) from None
+            raise _why_not_opened(why, address, timeout, self._credentials) from None
 
     def close(self) -> None:
         """Ends all connections; may be called twice."""
@@ -116,6 +128,7 @@ class IceLink:
         self._on_frame = on_frame
         self._connection = connection
         self._pieces = Pieces()
+        self.shown = _shown_by(connection)  # by the peer, under TLS
         self._peer = _CONTRACT.EndpointPrx.uncheckedCast(
             connection.createProxy(_IDENTITY).ice_oneway())
 
@@ -198,6 +211,30 @@ def _left(deadline: float) -> float:
     return max(0.0, deadline - time.monotonic())
 
 
+def _tls_settings(credentials: Credentials | None) -> dict[str, str]:
+    """As core/tendon/ice/tls.cpp; the list of the revoked is read once."""
+    if credentials is None:
+        return {}
+    return {
+        "Ice.Plugin.IceSSL": "IceSSL:createIceSSL",
+        "IceSSL.Protocols": "TLS1_2, TLS1_3",
+        "IceSSL.VerifyPeer": "2",
+        "IceSSL.VerifyDepthMax": "2",
+        "IceSSL.CAs": str(credentials.authority / "ca.crt"),
+        "IceSSL.CertFile": str(credentials.certificate),
+        "IceSSL.KeyFile": str(credentials.key),
+        "IceSSL.RevocationCheck": "1",
+        "IceSSL.CertificateRevocationListFiles": str(credentials.authority / "crl.pem"),
+    }
+
+
+def _shown_by(connection: Any) -> Shown | None:
+    info = connection.getInfo()
+    if not isinstance(info, Ice.SSLConnectionInfo):
+        return None
+    return holder_of(info.certs[0] if info.certs else "")
+
+
 def _peer_of(connection: Any) -> str:
     """As the peer calls itself in the handshake."""
     info = connection.getInfo()
@@ -207,7 +244,15 @@ def _peer_of(connection: Any) -> str:
     return str(Address(host, info.remotePort))
 
 
-def _why_not_opened(why: Any, address: Address, timeout: float) -> Error:
+def _why_not_opened(why: Any, address: Address, timeout: float,
+                    credentials: Credentials | None) -> Error:
+    if credentials is not None and isinstance(why, Ice.SecurityException):
+        return Denied(f"{address} is not trusted: {why.reason.strip()}; the CA is that of "
+                      f"{credentials.authority}")
+    if credentials is not None and isinstance(why, (Ice.ConnectionLostException,
+                                                    Ice.ProtocolException)):
+        return Unreachable(f"{address} does not accept {credentials.certificate}, or speaks no "
+                           "TLS: its log says why")
     if isinstance(why, Ice.TimeoutException):
         return TimedOut(f"no answer from {address} within {timeout * 1000:.0f} ms")
     if isinstance(why, Ice.SyscallException):

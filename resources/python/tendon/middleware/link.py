@@ -36,13 +36,15 @@ class Asked(NamedTuple):
 
 
 class Link:
-    """One end, open from the start; raises the reason where it does not come about. Thread-safe.
+    """One end, open from the start; raises the reason where it does not come about, also where
+    under TLS another process than the one that is wanted is there. Thread-safe.
 
     `on_notice` and `on_closed` are called in a thread of Ice and must not wait for anything.
     """
 
     def __init__(self, network: Network, address: Address, name: str, timeout: float,
-                 on_notice: OnNotice | None = None, on_closed: OnClosed | None = None) -> None:
+                 on_notice: OnNotice | None = None, on_closed: OnClosed | None = None,
+                 wanted: str = "") -> None:
         self._on_notice = on_notice
         self._on_closed = on_closed
         self._timeout = timeout
@@ -57,9 +59,9 @@ class Link:
         self._parts = PartSender(self._send_piece)
         self.peer_name = str(address)  # until it has said it
         deadline = time.monotonic() + timeout
-        cookie = loopback_cookie()
+        cookie = 0 if network.is_encrypted else loopback_cookie()
         self._link = network.open(address, self._on_frame, self._closed, timeout)
-        opener = Opener(name, self._link.peer_address, cookie)
+        opener = Opener(name, self._link.peer_address, cookie, self._link.shown, wanted)
         try:
             self._greet(opener, deadline)
         except Error:

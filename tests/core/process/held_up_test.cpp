@@ -1,0 +1,297 @@
+#include <gtest/gtest.h>
+#include <tendon/gcm/global_manager.h>
+#include <tendon/middleware/loopback.h>
+#include <tendon/middleware/parts/large_in_hand.h>
+#include <tendon/process/membership/membership.h>
+#include <tendon/process/watch_over.h>
+#include <tendon/proxy/messages.h>
+
+#include <atomic>
+#include <condition_variable>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "support/folder.h"
+#include "support/wait.h"
+
+namespace {
+
+using tendon::Bytes;
+using tendon::Channel;
+using tendon::FrameHeader;
+using tendon::LargeInHand;
+using tendon::LoopbackMiddleware;
+using tendon::LoopbackNetwork;
+using tendon::MessageType;
+using tendon::ProcessContext;
+using tendon::Status;
+using tendon::Worker;
+
+constexpr std::chrono::seconds kPatience(20);
+constexpr std::size_t kLarge = std::size_t{5} << 20U;
+// So many take much longer than anybody may be silent.
+constexpr int kQuestions = 6;
+constexpr int kRenewals = 10;
+
+/// Answers pings; can be held up in the notices that it hears.
+class Answering final : public tendon::ChannelHandler {
+ public:
+  void OnRequest(const std::shared_ptr<Channel>& /*channel*/, const FrameHeader& /*header*/,
+                 std::span<const std::byte> /*body*/, tendon::Responder responder) override {
+    responder.Reply(tendon::EncodeBody(tendon::message::Pong{}));
+  }
+  void OnNotice(const std::shared_ptr<Channel>& /*channel*/, const FrameHeader& /*header*/,
+                std::span<const std::byte> /*body*/) override {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return !is_held_; });
+  }
+  void SetHeld(bool is_held) {
+    const std::scoped_lock lock(mutex_);
+    is_held_ = is_held;
+    changed_.notify_all();
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  bool is_held_ = false;
+};
+
+/// A channel that is watched over; what is asked on it is counted, and lost where that is wanted.
+class WatchOver : public testing::Test {
+ protected:
+  WatchOver() {
+    network_->SetFilter([this](std::span<const std::byte> frame) {
+      if (tendon::ReadFrameHeader(frame, frame.size())->type != tendon::message::kPing) return true;
+      ++asked_;
+      return !are_lost_;
+    });
+    auto listener = server_.Listen(
+        "127.0.0.1:0", Channel::Acceptor({.instance = 1, .name = "robot", .cookie = 4711},
+                                         [this] { return handler_; }));
+    EXPECT_TRUE(listener.ok());
+    listener_ = *std::move(listener);
+    const auto channel = Channel::Open(client_, listener_->address(),
+                                       {.instance = 2, .name = "desk", .cookie = 4711},
+                                       std::make_shared<tendon::ChannelHandler>(), kPatience);
+    EXPECT_TRUE(channel.ok());
+    channel_ = *channel;
+    tendon::WatchOver(worker_, channel_);
+  }
+  ~WatchOver() override { handler_->SetHeld(false); }
+
+  /// So often again, while it is open.
+  bool EventuallyAsked(
+      int times, const std::function<void()>& meanwhile = [] {}) {
+    const int before = asked_;
+    return EventuallyTrue([&] {
+      meanwhile();
+      return asked_ >= before + times || !channel_->is_open();
+    });
+  }
+
+  std::atomic<int> asked_ = 0;
+  std::atomic<bool> are_lost_ = false;
+  const std::shared_ptr<LoopbackNetwork> network_ = std::make_shared<LoopbackNetwork>();
+  LoopbackMiddleware server_{network_};
+  LoopbackMiddleware client_{network_};
+  const std::shared_ptr<Answering> handler_ = std::make_shared<Answering>();
+  std::unique_ptr<tendon::Listener> listener_;
+  std::shared_ptr<Channel> channel_;
+  const std::shared_ptr<Worker> worker_ = std::make_shared<Worker>("timer", "test");
+};
+
+TEST_F(WatchOver, WhatHangsIsGivenUp) {
+  handler_->SetHeld(true);
+  ASSERT_EQ(channel_->Notify(tendon::message::kCommands, 0, Bytes(8)), Status::kQueued);
+
+  EXPECT_TRUE(EventuallyTrue([&] { return !channel_->is_open(); }));
+}
+
+TEST_F(WatchOver, PartsOfLargeMessagesThatAreTakenAreSignsOfLife) {
+  are_lost_ = true;
+
+  const Bytes large(tendon::kMaxPieceSize + 1);
+  EXPECT_TRUE(EventuallyAsked(kQuestions, [&] {
+    (void)channel_->Notify(tendon::message::kCommands, 0, large);
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }));
+
+  EXPECT_TRUE(channel_->is_open());
+  EXPECT_TRUE(EventuallyTrue([&] { return !channel_->is_open(); })) << "they have ended";
+}
+
+TEST_F(WatchOver, WhoTakesLongToHandleALargeMessageIsNotTakenForOneThatHangs) {
+  handler_->SetHeld(true);
+  ASSERT_EQ(channel_->Notify(tendon::message::kCommands, 0, Bytes(kLarge)), Status::kQueued);
+
+  EXPECT_TRUE(EventuallyAsked(kQuestions));
+
+  EXPECT_TRUE(channel_->is_open());
+  handler_->SetHeld(false);
+  EXPECT_TRUE(channel_->Call(tendon::message::kPing, 0, Bytes(), kPatience).ok());
+}
+
+TEST_F(WatchOver, WhileALargeMessageIsHandledHereNobodyIsToBlameForSilence) {
+  are_lost_ = true;
+  std::optional<LargeInHand> large(std::in_place);
+
+  EXPECT_TRUE(EventuallyAsked(kQuestions));
+
+  EXPECT_TRUE(channel_->is_open());
+  large.reset();
+  EXPECT_TRUE(EventuallyTrue([&] { return !channel_->is_open(); }));
+}
+
+/// A process without components.
+class Empty final : public tendon::ProcessHost, public tendon::MembershipDelegate {
+ public:
+  using Lock = std::unique_lock<std::recursive_mutex>;
+
+  [[nodiscard]] Lock LockStructure() const override { return Lock(mutex_); }
+  [[nodiscard]] tendon::Result<tendon::RequiredInterface*> LookUpRequired(
+      const tendon::InterfaceName& /*name*/) const override {
+    return Nothing();
+  }
+  [[nodiscard]] tendon::Result<tendon::ProvidedInterface*> LookUpProvided(
+      const tendon::InterfaceName& /*name*/) const override {
+    return Nothing();
+  }
+  [[nodiscard]] tendon::Component* LookUpComponent(const std::string& /*name*/) const override {
+    return nullptr;
+  }
+  tendon::ConnectionId NewConnectionId() override { return {}; }
+  void StructureChanged() const override {}
+
+  [[nodiscard]] tendon::ProcessContent content() const override { return {}; }
+  void OnPeers(const std::vector<tendon::ProcessDescription>& /*processes*/) override {}
+  void MakeConnection(
+      const tendon::message::Wiring& /*wiring*/,
+      std::function<void(const tendon::Result<tendon::ConnectionDescription>&)> done) override {
+    done(Nothing());
+  }
+  tendon::Result<void> BreakConnection(const tendon::InterfaceName& /*required*/) override {
+    return Nothing();
+  }
+  void Obey(
+      const tendon::message::LifeOrder& /*order*/, std::function<tendon::Result<void>()> /*begin*/,
+      std::function<void(const tendon::Result<tendon::message::LifeOutcome>&)> done) override {
+    done(Nothing());
+  }
+  void ListClasses(
+      std::function<void(const tendon::Result<tendon::message::Classes>&)> done) override {
+    done(Nothing());
+  }
+
+ private:
+  static tendon::Error Nothing() { return {tendon::ErrorCode::kNotFound, "there is nothing"}; }
+
+  mutable std::recursive_mutex mutex_;
+};
+
+/// Takes all of its thread's time until it is told to go on.
+class Idler final : public tendon::NetworkJob {
+ public:
+  bool Work(tendon::SteadyTime /*now*/, tendon::SteadyTime& /*next*/) override {
+    std::unique_lock lock(mutex_);
+    is_there_ = true;
+    changed_.notify_all();
+    changed_.wait(lock, [this] { return is_over_; });
+    return false;
+  }
+  void AwaitWork() {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return is_there_; });
+  }
+  void End() {
+    const std::scoped_lock lock(mutex_);
+    is_over_ = true;
+    changed_.notify_all();
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  bool is_there_ = false;
+  bool is_over_ = false;
+};
+
+/// A member of a GCM, whose renewals are counted, and their answers lost where that is wanted.
+class Lease : public testing::Test {
+ protected:
+  Lease() {
+    network_->SetFilter([this](std::span<const std::byte> frame) {
+      const MessageType type = tendon::ReadFrameHeader(frame, frame.size())->type;
+      if (type == tendon::message::kRenew) ++renewals_;
+      return !are_answers_lost_ || type != MessageType::kReply;
+    });
+    auto gcm = tendon::GlobalManager::Start(std::make_shared<LoopbackMiddleware>(network_),
+                                            {.state_folder = folder_.path()});
+    EXPECT_TRUE(gcm.ok()) << gcm.error().message;
+    gcm_ = *std::move(gcm);
+    member_ = std::make_unique<tendon::Membership>(
+        context_, host_,
+        tendon::Membership::Options{.gcm = gcm_->address(), .process = {.name = "robot"}});
+    member_->Begin();
+    const auto joined = member_->WaitUntilJoined(kPatience);
+    EXPECT_TRUE(joined.ok()) << joined.error().message;
+  }
+  ~Lease() override { context_.worker->Stop(); }
+
+  bool EventuallyRenewed(int times) {
+    const int before = renewals_;
+    return EventuallyTrue([&] { return renewals_ >= before + times; });
+  }
+  /// The GCM's word.
+  [[nodiscard]] tendon::ProcessState state() const {
+    return gcm_->catalog().FindProcess("robot")->process.state;
+  }
+
+  std::atomic<int> renewals_ = 0;
+  std::atomic<bool> are_answers_lost_ = false;
+  const tendon::test::Folder folder_;
+  const std::shared_ptr<LoopbackNetwork> network_ = std::make_shared<LoopbackNetwork>();
+  std::unique_ptr<tendon::GlobalManager> gcm_;
+  Empty host_;
+  ProcessContext context_{
+      .name = "robot",
+      .host = host_,
+      .middleware = std::make_shared<LoopbackMiddleware>(network_),
+      .hello = {.instance = 1, .name = "robot", .cookie = *tendon::LoopbackCookie()},
+      .worker = std::make_shared<Worker>("process", "robot"),
+      .network = std::make_shared<tendon::NetworkThread>(),
+      .proxies = tendon::ComponentProxies(nullptr)};
+  std::unique_ptr<tendon::Membership> member_;
+};
+
+TEST_F(Lease, IsRenewedWhileTheNetworkThreadCopiesWhatIsLarge) {
+  Idler copying;
+  context_.network->Add(copying);
+  copying.AwaitWork();
+
+  EXPECT_TRUE(EventuallyRenewed(kRenewals));
+
+  EXPECT_TRUE(member_->is_joined());
+  EXPECT_EQ(state(), tendon::ProcessState::kAlive);
+  copying.End();
+  context_.network->Remove(copying);
+}
+
+TEST_F(Lease, IsNotGivenUpWhileTheAnswersMayWaitBehindALargeMessage) {
+  std::optional<LargeInHand> large(std::in_place);
+  are_answers_lost_ = true;
+
+  EXPECT_TRUE(EventuallyRenewed(kRenewals));
+
+  EXPECT_TRUE(member_->is_joined());
+  EXPECT_EQ(state(), tendon::ProcessState::kAlive);
+  large.reset();
+  EXPECT_TRUE(EventuallyTrue([&] { return !member_->is_joined(); })) << "the GCM is silent";
+}
+
+}  // namespace
