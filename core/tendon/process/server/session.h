@@ -42,7 +42,8 @@ class Session final : public GuardedHandler {
   void Listen(Body body, Responder responder);
   void Open(const message::OpenInterface& open, ServedConnections::Use use, Responder responder);
   void CallMember(Body body, Responder responder);
-  void Subscribe(const SharedChannel& channel, Body body, Responder responder);
+  /// Directly, or by a topic, as `type` says.
+  void Subscribe(MessageType type, const SharedChannel& channel, Body body, Responder responder);
 
   Services& services_;
   const std::shared_ptr<Client> client_ = std::make_shared<Client>();
