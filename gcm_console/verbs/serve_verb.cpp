@@ -29,6 +29,9 @@ tendon::Result<program::ExitCode> Serve(Context& context, const std::string& fan
   if (auto address = program::CheckGcmAddress(settings.gcm, settings.network); !address) {
     return address.error();
   }
+  if (const auto place = tendon::ParseAddress(fan_out, 1); !fan_out.empty() && !place) {
+    return tendon::Error{place.error().code, "--fan-out: " + place.error().message};
+  }
   auto middleware = program::MakeMiddleware(settings.network);
   if (!middleware) return middleware.error();
   auto manager =
@@ -47,7 +50,8 @@ tendon::Result<program::ExitCode> Serve(Context& context, const std::string& fan
 
 Verb::Run PrepareServe(CLI::App& app) {
   const auto fan_out = std::make_shared<std::string>();
-  app.add_option("--fan-out", *fan_out, "address of a gcm fan-out, which many viewers share");
+  app.add_option("--fan-out", *fan_out, "address of a gcm fan-out, which many viewers share")
+      ->type_name("ADDRESS");
   return [fan_out](Context& context) { return Serve(context, *fan_out); };
 }
 
@@ -81,7 +85,9 @@ tendon::Result<program::ExitCode> RunFanOut(Context& context, const std::string&
 
 Verb::Run PrepareFanOut(CLI::App& app) {
   const auto address = std::make_shared<std::string>(program::kFanOutAddress);
-  app.add_option("--listen", *address, "address for processes and viewers")->capture_default_str();
+  app.add_option("--listen", *address, "address for processes and viewers")
+      ->type_name("ADDRESS")
+      ->capture_default_str();
   return [address](Context& context) { return RunFanOut(context, *address); };
 }
 

@@ -113,7 +113,10 @@ class IceMiddleware final : public Middleware {
   [[nodiscard]] const Certificate* certificate() const override {
     return tls_ ? &tls_->certificate() : nullptr;
   }
-  [[nodiscard]] FanOut* fan_out() override { return &fan_out_; }
+  /// The broker opens links to who listens, which nobody does to a person.
+  [[nodiscard]] FanOut* fan_out() override {
+    return tls_ && tls_->certificate().holder == Holder::kPerson ? nullptr : &fan_out_;
+  }
 
   Result<std::unique_ptr<Listener>> Listen(const std::string& address, AcceptLink accept) override {
     const auto place = ParseAllowedAddress(address, 0, exposure_);

@@ -81,9 +81,9 @@ std::string NumberText() {
   return std::to_string(os::RandomNumber()) + "-" + std::to_string(os::RandomNumber());
 }
 
-Error NotReached(const std::string& broker, const std::exception& failure) {
+Error NotReached(const std::string& broker, const Ice::Exception& failure) {
   return {ErrorCode::kUnreachable,
-          "no fan-out answers at " + broker + " (" + failure.what() + "); gcm fan-out starts it"};
+          "no fan-out answers at " + broker + " (" + failure.ice_id() + "); gcm fan-out starts it"};
 }
 
 }  // namespace
@@ -128,7 +128,7 @@ Result<std::unique_ptr<FanOut::Reception>> IceFanOut::Listen(const std::string& 
     auto reception = std::make_unique<IceReception>(adapter, topic, listener);
     topic->subscribeAndGetPublisher({}, listener);
     return std::unique_ptr<Reception>(std::move(reception));
-  } catch (const std::exception& failure) {
+  } catch (const Ice::Exception& failure) {
     return NotReached(broker, failure);
   }
 }

@@ -58,9 +58,9 @@ class Outlet final : public std::enable_shared_from_this<Outlet> {
     }
     try {
       Make();
-    } catch (const std::exception& failure) {
+    } catch (const Ice::Exception& failure) {
       Lose();
-      Complain("no fan-out answers at " + broker_ + " (" + failure.what() + ")");
+      Complain("no fan-out answers at " + broker_ + " (" + failure.ice_id() + ")");
     }
     if (const auto alive = worker.lock()) {
       alive->PostAfter(kBetweenLooks, [self = shared_from_this(), worker] { self->Look(worker); });
