@@ -1,11 +1,16 @@
 #include <gcm_console/verb.h>
+#include <program/fan_out.h>
 #include <program/lcm_launch.h>
 #include <tendon/base/log.h>
+#include <tendon/base/os/private_file.h>
 #include <tendon/base/os/process.h>
 #include <tendon/base/os/termination.h>
 #include <tendon/gcm/global_manager.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <memory>
 #include <ostream>
 
 namespace console {
@@ -18,18 +23,22 @@ tendon::Error WithHint(tendon::Error error) {
   return error;
 }
 
-tendon::Result<program::ExitCode> Serve(Context& context) {
+tendon::Result<program::ExitCode> Serve(Context& context, const std::string& fan_out) {
   tendon::os::HoldTerminationSignals();
   const Settings& settings = context.settings();
   if (auto address = program::CheckGcmAddress(settings.gcm, settings.network); !address) {
     return address.error();
+  }
+  if (const auto place = tendon::ParseAddress(fan_out, 1); !fan_out.empty() && !place) {
+    return tendon::Error{place.error().code, "--fan-out: " + place.error().message};
   }
   auto middleware = program::MakeMiddleware(settings.network);
   if (!middleware) return middleware.error();
   auto manager =
       tendon::GlobalManager::Start(*middleware, {.address = settings.gcm,
                                                  .state_folder = tendon::os::StateFolder(),
-                                                 .launch = program::LcmLaunch(settings.network)});
+                                                 .launch = program::LcmLaunch(settings.network),
+                                                 .fan_out = fan_out});
   if (!manager) return WithHint(manager.error());
   if (tendon::os::RunsAsRoot()) {
     tendon::Log(tendon::LogLevel::kWarning, "gcm", "runs as root, which a GCM does not need");
@@ -39,11 +48,59 @@ tendon::Result<program::ExitCode> Serve(Context& context) {
   return program::kOk;
 }
 
+Verb::Run PrepareServe(CLI::App& app) {
+  const auto fan_out = std::make_shared<std::string>();
+  app.add_option("--fan-out", *fan_out, "address of a gcm fan-out, which many viewers share")
+      ->type_name("ADDRESS");
+  return [fan_out](Context& context) { return Serve(context, *fan_out); };
+}
+
+/// A file of this user alone: what the broker's objects are called by is a secret.
+tendon::Result<std::filesystem::path> WriteSettings(const std::string& address,
+                                                    const std::string& settings) {
+  std::string name = "fan-out-" + address + ".conf";
+  std::replace(name.begin(), name.end(), '/', '-');
+  auto file = tendon::os::RuntimeFolder() / name;
+  std::error_code ignored;
+  std::filesystem::remove(file, ignored);
+  const auto written = tendon::os::ReadOrMakePrivateFile(file, settings);
+  if (!written) return written.error();
+  return file;
+}
+
+tendon::Result<program::ExitCode> RunFanOut(Context& context, const std::string& address) {
+  if (context.session() != nullptr) {
+    return tendon::Error{tendon::ErrorCode::kInvalid,
+                         "fan-out runs until told to stop: start it outside of gcm shell"};
+  }
+  const auto settings = program::BrokerSettings(address, context.settings().network);
+  if (!settings) return settings.error();
+  const auto file = WriteSettings(address, *settings);
+  if (!file) return file.error();
+  tendon::os::BecomeProgram({"icebox", "--Ice.Config=" + file->string()});
+  return tendon::Error{tendon::ErrorCode::kNotFound,
+                       "icebox is not installed: apt-get install zeroc-icebox "
+                       "libzeroc-icestorm3.7, as tools/setup does"};
+}
+
+Verb::Run PrepareFanOut(CLI::App& app) {
+  const auto address = std::make_shared<std::string>(program::kFanOutAddress);
+  app.add_option("--listen", *address, "address for processes and viewers")
+      ->type_name("ADDRESS")
+      ->capture_default_str();
+  return [address](Context& context) { return RunFanOut(context, *address); };
+}
+
 }  // namespace
 
 std::vector<Verb> ServeVerbs() {
-  return {{"serve", "run a GCM at the address of --gcm until told to stop",
-           [](CLI::App&) -> Verb::Run { return &Serve; }}};
+  return {
+      {"serve", "run a GCM at the address of --gcm until told to stop", &PrepareServe},
+      {"fan-out",
+       "run IceStorm, by which rows reach many viewers",
+       &PrepareFanOut,
+       {"gcm fan-out", "gcm serve --fan-out 127.0.0.1:10706"}},
+  };
 }
 
 }  // namespace console

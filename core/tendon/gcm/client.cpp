@@ -8,6 +8,7 @@
 #include <tendon/gcm/client/process_links.h>
 #include <tendon/gcm/disputed_types.h>
 #include <tendon/gcm/lookup.h>
+#include <tendon/process/telemetry/fan_out_messages.h>
 
 #include <algorithm>
 #include <mutex>
@@ -113,7 +114,9 @@ class GcmClient::Implementation {
   /// Made at the first call: a program that subscribes to nothing has no use for it.
   TelemetryClient& telemetry() {
     const std::scoped_lock lock(mutex_);
-    if (!telemetry_) telemetry_ = MakeTelemetryClient(middleware_, AddressResolver(), Mine());
+    if (!telemetry_) {
+      telemetry_ = MakeTelemetryClient(middleware_, AddressResolver(), Mine(), FanOutFinder());
+    }
     return *telemetry_;
   }
 
@@ -173,6 +176,19 @@ class GcmClient::Implementation {
       const auto there = resolve(process);
       if (!there) return there.error();
       return there->address;
+    };
+  }
+
+  /// The GCM is asked each time, which tells it to whom it lets watch.
+  [[nodiscard]] FindFanOut FanOutFinder() const {
+    return [weak = std::weak_ptr(link_), timeout = timeout_]() -> Result<std::string> {
+      const auto alive = weak.lock();
+      if (!alive) return Error{ErrorCode::kUnreachable, "the client is closed"};
+      const auto place = Wait<message::FanOutPlace>(timeout, [&](auto handler) {
+        alive->Request<message::FanOutPlace>(message::kFanOut, None{}, std::move(handler));
+      });
+      if (!place) return place.error();
+      return place->address;
     };
   }
 

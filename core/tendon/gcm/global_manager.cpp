@@ -60,7 +60,8 @@ Result<std::unique_ptr<GlobalManager>> GlobalManager::Start(std::shared_ptr<Midd
       .order_timeout = options.order_timeout,
       .instance = mine.instance,
       .launcher = std::make_shared<server::LcmLauncher>(options.launch, (*listener)->address(),
-                                                        StatePath(options, "processes", ""))});
+                                                        StatePath(options, "processes", "")),
+      .fan_out = options.fan_out});
   server->Start();
   promise.set_value(server);
   return std::unique_ptr<GlobalManager>(new GlobalManager(std::move(middleware), std::move(server),

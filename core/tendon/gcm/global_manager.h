@@ -35,6 +35,8 @@ class GlobalManager {
     /// than clients wait for us.
     std::chrono::milliseconds order_timeout{1500};
     Launch launch{};  ///< of the processes that it starts
+    /// Where the broker is by which rows reach many viewers; empty: there is none.
+    std::string fan_out{};
   };
 
   /// Errors are those of Middleware::Listen(): kExists where another GCM is at this address.

@@ -1,6 +1,7 @@
 #include <Ice/Ice.h>
 #include <tendon/base/log.h>
 #include <tendon/base/os/socket.h>
+#include <tendon/ice/fan_out/ice_fan_out.h>
 #include <tendon/ice/ice_middleware.h>
 #include <tendon/ice/sequence_size_check.h>
 #include <tendon/ice/servants.h>
@@ -91,7 +92,8 @@ class IceMiddleware final : public Middleware {
       : exposure_(exposure),
         tls_(std::move(tls)),
         communicator_(MakeCommunicator(tls_)),
-        opened_(communicator_->createObjectAdapter("")) {
+        opened_(communicator_->createObjectAdapter("")),
+        fan_out_(communicator_, tls_ != nullptr) {
     WarnOfExposure(exposure, "ice");
     if (!RefusesImpossibleSizes(communicator_)) {
       Log(LogLevel::kWarning, "ice",
@@ -110,6 +112,10 @@ class IceMiddleware final : public Middleware {
   [[nodiscard]] std::string_view name() const override { return "ice"; }
   [[nodiscard]] const Certificate* certificate() const override {
     return tls_ ? &tls_->certificate() : nullptr;
+  }
+  /// The broker opens links to who listens, which nobody does to a person.
+  [[nodiscard]] FanOut* fan_out() override {
+    return tls_ && tls_->certificate().holder == Holder::kPerson ? nullptr : &fan_out_;
   }
 
   Result<std::unique_ptr<Listener>> Listen(const std::string& address, AcceptLink accept) override {
@@ -221,6 +227,7 @@ class IceMiddleware final : public Middleware {
   const std::shared_ptr<Links> links_ = std::make_shared<Links>();
   const std::shared_ptr<Ice::Communicator> communicator_;
   const std::shared_ptr<Ice::ObjectAdapter> opened_;  // serves the connections made here
+  IceFanOut fan_out_;
   std::mutex mutex_;
   std::uint64_t last_number_ = 0;
 };

@@ -14,6 +14,8 @@
 
 namespace tendon {
 
+class FanOut;
+
 /// How many bytes may wait on a link for a peer that does not keep up.
 inline constexpr std::size_t kSendWindow = std::size_t{8} << 20U;
 
@@ -105,6 +107,8 @@ class Middleware {
   [[nodiscard]] virtual std::string_view name() const = 0;
   /// What it shows to peers; null without TLS.
   [[nodiscard]] virtual const Certificate* certificate() const { return nullptr; }
+  /// The way to many at once, by a broker; null where there is none. Ends with the middleware.
+  [[nodiscard]] virtual FanOut* fan_out() { return nullptr; }
 
   /// Listens at "host:port"; port 0 takes a free one. Errors: kExists, with who holds it where that
   /// can be known; kDenied for an address that Exposure does not allow; kInvalid.

@@ -128,6 +128,8 @@ class Process::Parts final : public MembershipDelegate {
     connections_.UpdatePeers(processes);
   }
 
+  void OnFanOut(const std::string& address) override { services_.telemetry.SetBroker(address); }
+
   void MakeConnection(const message::Wiring& wiring, RemoteConnections::Done done) override {
     const message::Wire& wire = wiring.wire;
     const auto here = process_.Here(wire.required);

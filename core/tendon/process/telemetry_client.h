@@ -95,8 +95,15 @@ class TelemetryClient {
 /// threads.
 using ResolveAddress = std::function<Result<std::string>(const std::string& process)>;
 
-/// Opens channels to processes on demand and says `mine` there.
+/// Where the broker is by which processes reach many viewers at once, or why there is none. Called
+/// off the middleware's threads; may be null.
+using FindFanOut = std::function<Result<std::string>()>;
+
+/// Opens channels to processes on demand and says `mine` there. Every row of a table comes by the
+/// broker, where there is one and the process and the middleware know the way; else, and where that
+/// brings nothing for some seconds, it comes directly, which the log says.
 std::unique_ptr<TelemetryClient> MakeTelemetryClient(std::shared_ptr<Middleware> middleware,
-                                                     ResolveAddress resolve, Hello mine);
+                                                     ResolveAddress resolve, Hello mine,
+                                                     FindFanOut find_fan_out = nullptr);
 
 }  // namespace tendon

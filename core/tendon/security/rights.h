@@ -41,6 +41,7 @@ inline constexpr auto kRights = std::to_array<Right>({
     {0x207, "listen to events", Role::kViewer, Audit::kRefusals},
     {0x208, "look at a connection", Role::kViewer, Audit::kRefusals},
     {0x209, "look at mailboxes", Role::kViewer, Audit::kRefusals},
+    {0x20a, "watch a state table by the fan-out", Role::kViewer, Audit::kRefusals},  // telemetry/
     // process/membership_messages.h
     {0x300, "join", Role::kOperator, Audit::kAll},
     {0x301, "report a change", Role::kOperator, Audit::kRefusals},
@@ -62,6 +63,7 @@ inline constexpr auto kRights = std::to_array<Right>({
     // gcm/messages.h
     {0x31a, "read the health", Role::kViewer, Audit::kRefusals},
     {0x31b, "give an order for a process", Role::kOperator, Audit::kAll},
+    {0x31c, "find the fan-out", Role::kViewer, Audit::kRefusals},  // process/telemetry/
     {0x31f, "pass over a step", Role::kOperator, Audit::kAll},
     // process/log/messages.h, gcm/messages.h
     {0x340, "log", Role::kOperator, Audit::kRefusals},

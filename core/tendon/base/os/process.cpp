@@ -81,4 +81,12 @@ fs::path ProgramFolder() {
   return fs::read_symlink("/proc/self/exe", ignored).parent_path();
 }
 
+void BecomeProgram(const std::vector<std::string>& words) {
+  std::vector<std::string> copies = words;
+  std::vector<char*> arguments;
+  for (std::string& word : copies) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  execvp(arguments.front(), arguments.data());
+}
+
 }  // namespace tendon::os

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace tendon::os {
 
@@ -33,5 +34,9 @@ struct Usage {
 
 /// Where this program lies, without its own name.
 [[nodiscard]] std::filesystem::path ProgramFolder();
+
+/// This process goes on as another program, which is looked for in $PATH. Returns only where there
+/// is none.
+void BecomeProgram(const std::vector<std::string>& words);
 
 }  // namespace tendon::os

@@ -8,6 +8,7 @@
 #include <tendon/base/os/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <charconv>
@@ -19,6 +20,7 @@
 #include <string_view>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 namespace tendon::os {
 namespace {
@@ -115,9 +117,16 @@ std::string AddressOf(const Socket& socket, Query query) {
   return (text.find(':') != text.npos ? "[" + text + "]:" : text + ":") + port.data();
 }
 
-/// The kernel's number of the socket that listens at `port`, as text.
-std::optional<std::string> InodeOfListener(const char* table, std::uint16_t port) {
+/// A line of the kernel's on a socket that listens, as far as we want to know it, as text.
+struct ListeningSocket {
+  std::string user;
+  std::string inode;
+};
+
+/// Those at `port`, of one table of the kernel.
+std::vector<ListeningSocket> ListenersIn(const char* table, std::uint16_t port) {
   constexpr int kHex = 16;
+  std::vector<ListeningSocket> found;
   std::ifstream lines(table);
   std::string line;
   while (std::getline(lines, line)) {
@@ -125,16 +134,22 @@ std::optional<std::string> InodeOfListener(const char* table, std::uint16_t port
     std::string skipped;
     std::string local;
     std::string state;
-    std::string inode;
-    words >> skipped >> local >> skipped >> state;
-    for (int i = 0; i < 6; ++i) words >> inode;
+    ListeningSocket socket;
+    words >> skipped >> local >> skipped >> state >> skipped >> skipped >> skipped >> socket.user >>
+        skipped >> socket.inode;
     const auto colon = local.rfind(':');
     if (state != "0A" || colon == local.npos) continue;  // 0A: listening
     unsigned number = 0;
     std::from_chars(local.data() + colon + 1, local.data() + local.size(), number, kHex);
-    if (number == port) return inode;
+    if (number == port) found.push_back(std::move(socket));
   }
-  return std::nullopt;
+  return found;
+}
+
+std::vector<ListeningSocket> ListenersAt(std::uint16_t port) {
+  auto found = ListenersIn("/proc/net/tcp", port);
+  for (auto& socket : ListenersIn("/proc/net/tcp6", port)) found.push_back(std::move(socket));
+  return found;
 }
 
 bool HoldsSocket(const fs::path& process, const std::string& inode) {
@@ -149,14 +164,13 @@ bool HoldsSocket(const fs::path& process, const std::string& inode) {
 
 /// "pid 812 (gcm)"
 std::string ListenerAt(std::uint16_t port) {
-  auto inode = InodeOfListener("/proc/net/tcp", port);
-  if (!inode) inode = InodeOfListener("/proc/net/tcp6", port);
+  const auto sockets = ListenersAt(port);
   std::error_code ignored;
-  for (fs::directory_iterator process("/proc", ignored), end; inode && process != end;
+  for (fs::directory_iterator process("/proc", ignored), end; !sockets.empty() && process != end;
        process.increment(ignored)) {
     const std::string pid = process->path().filename();
     if (pid.find_first_not_of("0123456789") != pid.npos) continue;
-    if (!HoldsSocket(process->path(), *inode)) continue;
+    if (!HoldsSocket(process->path(), sockets.front().inode)) continue;
     std::string program;
     std::getline(std::ifstream(process->path() / "comm"), program);
     return "pid " + pid + " (" + program + ")";
@@ -303,6 +317,13 @@ std::string PeerAddress(const Socket& socket) { return AddressOf(socket, getpeer
 void KeepFromPrograms(std::uint16_t local_port, std::uint16_t peer_port) {
   ForEachBetween(local_port, peer_port,
                  [](int descriptor) { fcntl(descriptor, F_SETFD, FD_CLOEXEC); });
+}
+
+bool IsHeldByUser(std::uint16_t port) {
+  const auto sockets = ListenersAt(port);
+  const std::string user = std::to_string(geteuid());
+  return !sockets.empty() && std::all_of(sockets.begin(), sockets.end(),
+                                         [&](const auto& socket) { return socket.user == user; });
 }
 
 Error AddressInUse(const std::string& host, std::uint16_t port) {

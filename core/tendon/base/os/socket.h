@@ -73,6 +73,9 @@ void ShutDownSending(const Socket& socket);
 /// the peer's; 0 for the peer of one that listens. For libraries that do not see to it themselves.
 void KeepFromPrograms(std::uint16_t local_port, std::uint16_t peer_port);
 
+/// Whether all who listen at a port of this machine are this user's programs.
+[[nodiscard]] bool IsHeldByUser(std::uint16_t port);
+
 /// An error of code kExists: "127.0.0.1:10705 is in use by pid 812 (gcm)", or "by another program"
 /// where /proc does not show whom.
 [[nodiscard]] Error AddressInUse(const std::string& host, std::uint16_t port);

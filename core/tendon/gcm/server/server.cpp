@@ -8,6 +8,7 @@
 #include <tendon/gcm/text/audit_object.h>
 #include <tendon/process/access/guarded_handler.h>
 #include <tendon/process/ask.h>
+#include <tendon/process/telemetry/fan_out_messages.h>
 
 #include <map>
 #include <utility>
@@ -197,16 +198,16 @@ void Server::Answer(const Request& request, Result<T> result) {
 
 Server::Serve Server::ServeOf(MessageType type) {
   static const std::map<MessageType, Serve> kServes = {
-      {message::kJoin, &Server::Join},           {message::kRenew, &Server::Renew},
-      {message::kLeave, &Server::Leave},         {message::kWatch, &Server::Watch},
-      {message::kConnect, &Server::Connect},     {message::kDisconnect, &Server::Disconnect},
-      {message::kUndo, &Server::Undo},           {message::kHistory, &Server::Tell},
-      {message::kForget, &Server::Forget},       {message::kReplace, &Server::Replace},
-      {message::kWatchLog, &Server::WatchLog},   {message::kSetLogLevel, &Server::SetLogLevel},
-      {message::kLife, &Server::Steer},          {message::kGetClasses, &Server::ListClasses},
-      {message::kPassOver, &Server::PassOver},   {message::kBeginOrder, &Server::BeginOrder},
-      {message::kHealth, &Server::TellHealth},   {message::kTellHealth, &Server::TakeHealth},
-      {message::kProcess, &Server::SteerProcess}};
+      {message::kJoin, &Server::Join},         {message::kRenew, &Server::Renew},
+      {message::kLeave, &Server::Leave},       {message::kWatch, &Server::Watch},
+      {message::kConnect, &Server::Connect},   {message::kDisconnect, &Server::Disconnect},
+      {message::kUndo, &Server::Undo},         {message::kHistory, &Server::Tell},
+      {message::kForget, &Server::Forget},     {message::kReplace, &Server::Replace},
+      {message::kWatchLog, &Server::WatchLog}, {message::kSetLogLevel, &Server::SetLogLevel},
+      {message::kLife, &Server::Steer},        {message::kGetClasses, &Server::ListClasses},
+      {message::kPassOver, &Server::PassOver}, {message::kBeginOrder, &Server::BeginOrder},
+      {message::kHealth, &Server::TellHealth}, {message::kTellHealth, &Server::TakeHealth},
+      {message::kFanOut, &Server::TellFanOut}, {message::kProcess, &Server::SteerProcess}};
   const auto found = kServes.find(type);
   return found == kServes.end() ? nullptr : found->second;
 }
@@ -349,6 +350,10 @@ void Server::PassOver(const Request& request) {
 }
 
 void Server::Tell(const Request& request) { request.responder->Answer(Result(history_.steps())); }
+
+void Server::TellFanOut(const Request& request) {
+  request.responder->Answer(Result(message::FanOutPlace{options_.fan_out}));
+}
 
 void Server::TellHealth(const Request& request) {
   Locked([&] { Answer(request, Result(registry_.health())); });

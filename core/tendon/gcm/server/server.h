@@ -37,6 +37,7 @@ class Server final : public std::enable_shared_from_this<Server> {
     std::chrono::milliseconds order_timeout;
     std::uint64_t instance = 0;
     std::shared_ptr<Launcher> launcher{};
+    std::string fan_out{};  ///< the broker's address; empty: there is none
   };
   explicit Server(Options options);
 
@@ -90,6 +91,7 @@ class Server final : public std::enable_shared_from_this<Server> {
   void PassOver(const Request& request);
   void Tell(const Request& request);
   void TellHealth(const Request& request);
+  void TellFanOut(const Request& request);
   void Forget(const Request& request);
   void WatchLog(const Request& request);
   void SetLogLevel(const Request& request);

@@ -5,6 +5,7 @@
 #include <tendon/process/log/messages.h>
 #include <tendon/process/membership/membership.h>
 #include <tendon/process/schema_exchange.h>
+#include <tendon/process/telemetry/fan_out_messages.h>
 
 #include <algorithm>
 #include <utility>
@@ -187,6 +188,12 @@ void Membership::Finish(const std::shared_ptr<Channel>& channel, ProcessContent 
   delegate_.OnPeers(joined->processes);
   Log("joined the GCM at " + options_.gcm + " as process '" + context_.name + "'");
   Report();
+  Ask<message::FanOutPlace>(
+      *context_.worker, channel, message::kFanOut, None{}, kJoinTimeout,
+      [this, worker = context_.worker](const auto& place) {
+        if (!place) return;
+        worker->Post([this, address = place->address] { delegate_.OnFanOut(address); });
+      });
 }
 
 void Membership::SetJoined(std::shared_ptr<Channel> channel) {

@@ -26,6 +26,8 @@ class MembershipDelegate {
   virtual ~MembershipDelegate() = default;
   [[nodiscard]] virtual ProcessContent content() const = 0;
   virtual void OnPeers(const std::vector<ProcessDescription>& processes) = 0;
+  /// Where the broker for rows is that many watch; empty where there is none.
+  virtual void OnFanOut(const std::string& address) = 0;
   /// `done` is called on the worker.
   virtual void MakeConnection(const message::Wiring& wiring,
                               std::function<void(const Result<ConnectionDescription>&)> done) = 0;

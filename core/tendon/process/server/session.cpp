@@ -27,7 +27,9 @@ void Session::OnAllowedRequest(const SharedChannel& channel, const FrameHeader& 
   if (type == message::kGetCounts) return GetCounts(body, std::move(responder));
   if (type == message::kGetFill) return GetFill(body, std::move(responder));
   if (type == message::kCallMember) return CallMember(body, std::move(responder));
-  if (type == message::kSubscribe) return Subscribe(channel, body, std::move(responder));
+  if (type == message::kSubscribe || type == message::kJoinTopic) {
+    return Subscribe(type, channel, body, std::move(responder));
+  }
   ChannelHandler::OnRequest(channel, header, body, std::move(responder));
 }
 
@@ -144,11 +146,13 @@ void Session::CallMember(Body body, Responder responder) {
                        std::make_shared<Responder>(std::move(responder)));
 }
 
-void Session::Subscribe(const SharedChannel& channel, Body body, Responder responder) {
+void Session::Subscribe(MessageType type, const SharedChannel& channel, Body body,
+                        Responder responder) {
   const auto wanted = DecodeBody<message::Subscribe>(body);
   if (!wanted) return responder.Refuse(wanted.error());
-  services_.context.worker->Post([&services = services_, channel, wanted = *wanted,
+  services_.context.worker->Post([&services = services_, type, channel, wanted = *wanted,
                                   shared = std::make_shared<Responder>(std::move(responder))] {
+    if (type == message::kJoinTopic) return services.telemetry.JoinTopic(channel, wanted, *shared);
     services.telemetry.Subscribe(channel, wanted, *shared);
   });
 }

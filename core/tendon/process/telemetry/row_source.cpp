@@ -1,3 +1,4 @@
+#include <tendon/base/log.h>
 #include <tendon/process/ask.h>
 #include <tendon/process/telemetry/row_source.h>
 #include <tendon/process/watch_over.h>
@@ -12,11 +13,20 @@ constexpr std::chrono::milliseconds kOpenTimeout(1000);
 constexpr std::chrono::milliseconds kAnswerTimeout(2000);
 constexpr std::chrono::milliseconds kShortestPause(100);
 constexpr std::chrono::milliseconds kLongestPause(1000);
+constexpr std::chrono::seconds kLongestSilence(
+    5);  // of a topic, which says something twice a second
+
+message::Subscribe RequestFor(const TableSubscription& wanted) {
+  return {.component = wanted.component,
+          .table = wanted.table,
+          .columns = wanted.columns,
+          .rows = wanted.rows};
+}
 
 }  // namespace
 
 void RowSource::Add(const std::shared_ptr<RowSubscription>& subscription) {
-  items_.push_back({.subscription = subscription, .stage = Stage::kWanted, .handle = 0});
+  items_.emplace_back().subscription = subscription;
   Pursue();
 }
 
@@ -34,6 +44,7 @@ void RowSource::Retry() {
 }
 
 void RowSource::Close() {
+  for (Item& item : items_) item.reception = nullptr;
   if (const auto channel = std::exchange(channel_, nullptr)) channel->Close();
 }
 
@@ -64,7 +75,10 @@ Result<void> RowSource::Open() {
     standing_.clear();  // what stood on the channel before is asked for again
     clock_ = {};        // a process that has moved has another
   }
-  for (Item& item : items_) item.stage = Stage::kWanted;
+  for (Item& item : items_) {
+    item.stage = Stage::kWanted;
+    item.is_direct = false;
+  }
   MeasureClock();
   return {};
 }
@@ -81,14 +95,16 @@ void RowSource::MeasureClock() {
 }
 
 void RowSource::Ask(Item& item) {
+  item.reception = nullptr;
+  item.line = nullptr;
+  const std::string broker = BrokerFor(item);
+  broker.empty() ? AskDirectly(item) : AskForTopic(item, broker);
+}
+
+void RowSource::AskDirectly(Item& item) {
   item.stage = Stage::kAsked;
-  const TableSubscription& wanted = item.subscription->wanted();
   tendon::Ask<message::Subscribed>(
-      *worker_, channel_, message::kSubscribe,
-      message::Subscribe{.component = wanted.component,
-                         .table = wanted.table,
-                         .columns = wanted.columns,
-                         .rows = wanted.rows},
+      *worker_, channel_, message::kSubscribe, RequestFor(item.subscription->wanted()),
       kAnswerTimeout,
       [self = shared_from_this(), channel = channel_,
        subscription = item.subscription](const Result<message::Subscribed>& answer) {
@@ -101,6 +117,100 @@ void RowSource::Ask(Item& item) {
           self->OnAnswer(channel, subscription, outcome);
         });
       });
+}
+
+std::string RowSource::BrokerFor(const Item& item) const {
+  const bool may_come = !item.is_direct && item.subscription->wanted().rows == RowChoice{} &&
+                        access_.find_fan_out && access_.middleware->fan_out() != nullptr;
+  if (!may_come) return {};
+  const auto found = access_.find_fan_out();
+  return found ? *found : std::string();
+}
+
+void RowSource::AskForTopic(Item& item, const std::string& broker) {
+  item.stage = Stage::kAsked;
+  tendon::Ask<message::TopicJoined>(
+      *worker_, channel_, message::kJoinTopic, RequestFor(item.subscription->wanted()),
+      kAnswerTimeout,
+      [self = shared_from_this(), channel = channel_, subscription = item.subscription,
+       broker](const Result<message::TopicJoined>& answer) {
+        self->worker_->Post([self, channel, subscription, broker, answer] {
+          self->OnTopicJoined(channel, subscription, broker, answer);
+        });
+      });
+}
+
+void RowSource::OnTopicJoined(const std::shared_ptr<Channel>& channel,
+                              const SharedSubscription& subscription, const std::string& broker,
+                              const Result<message::TopicJoined>& answer) {
+  Item* item = Find(subscription);
+  const bool is_void = item == nullptr || channel != channel_;
+  if (is_void) {
+    if (answer) EndThere(*channel, answer->subscribed.handle);
+    return;
+  }
+  if (!answer) return FallBack(*item, answer.error());
+  if (const auto followed = Follow(*item, broker, *answer); !followed) {
+    EndThere(*channel, answer->subscribed.handle);
+    FallBack(*item, followed.error());
+  }
+}
+
+/// What comes before the subscription has begun is not told of: it begins with what comes next.
+Result<void> RowSource::Follow(Item& item, const std::string& broker,
+                               const message::TopicJoined& joined) {
+  const auto line = std::make_shared<TopicLine>();
+  const auto hear = [weak = weak_from_this(), line,
+                     subscription = item.subscription](std::span<const std::byte> body) {
+    const auto self = weak.lock();
+    const std::uint64_t beginning = line->Hear();
+    if (self && beginning != 0) {
+      std::unique_lock lock(self->mutex_);
+      const ClockOffset clock = self->clock_;
+      lock.unlock();
+      subscription->Deliver(beginning, body, clock);
+    }
+    line->Rest();
+  };
+  auto reception = access_.middleware->fan_out()->Listen(broker, joined.topic, hear, kOpenTimeout);
+  if (!reception) return reception.error();
+  const auto beginning = item.subscription->BeginTopic(joined.subscribed);
+  if (!beginning) return beginning.error();
+  {
+    const std::scoped_lock lock(mutex_);
+    standing_[{channel_.get(), joined.subscribed.handle}] = {.subscription = item.subscription,
+                                                             .beginning = *beginning};
+  }
+  line->Begin(*beginning);
+  item.stage = Stage::kStanding;
+  item.handle = joined.subscribed.handle;
+  item.line = line;
+  item.reception = *std::move(reception);
+  pause_ = {};
+  WatchOverTopic(item.subscription, line);
+  return {};
+}
+
+void RowSource::WatchOverTopic(const SharedSubscription& subscription,
+                               const std::shared_ptr<TopicLine>& line) {
+  worker_->PostAfter(kLongestPause, [self = shared_from_this(), subscription, line] {
+    Item* item = self->Find(subscription);
+    if (item == nullptr || item->line != line || !self->channel_) return;
+    if (line->silence() < kLongestSilence) return self->WatchOverTopic(subscription, line);
+    const Error silent{ErrorCode::kUnreachable, "the fan-out has brought nothing for 5 s"};
+    subscription->Interrupt(silent);
+    self->EndThere(*self->channel_, item->handle);
+    self->FallBack(*item, silent);
+  });
+}
+
+void RowSource::FallBack(Item& item, const Error& reason) {
+  if (std::exchange(fallen_back_, reason.message) != reason.message) {
+    Log(LogLevel::kWarning, "telemetry",
+        "rows of " + process_ + " come directly: " + reason.message);
+  }
+  item.is_direct = true;
+  Ask(item);
 }
 
 Result<void> RowSource::Begin(Channel& channel,

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <tendon/middleware/channel.h>
-#include <tendon/process/messages.h>
+#include <tendon/middleware/fan_out/fan_out.h>
 #include <tendon/process/telemetry/clock_offset.h>
+#include <tendon/process/telemetry/fan_out_messages.h>
 #include <tendon/process/telemetry/row_subscription.h>
+#include <tendon/process/telemetry/topic_line.h>
 #include <tendon/process/worker.h>
 
 #include <chrono>
@@ -28,6 +30,7 @@ class RowSource final : public ChannelHandler, public std::enable_shared_from_th
     std::shared_ptr<Middleware> middleware;
     ResolveAddress resolve;
     Hello hello;
+    FindFanOut find_fan_out{};
   };
   RowSource(const Access& access, std::shared_ptr<Worker> worker, std::string process)
       : access_(access), worker_(std::move(worker)), process_(std::move(process)) {}
@@ -46,7 +49,11 @@ class RowSource final : public ChannelHandler, public std::enable_shared_from_th
     std::shared_ptr<RowSubscription> subscription;
     Stage stage = Stage::kWanted;
     std::uint32_t handle = 0;
+    bool is_direct = false;           // for the fan-out has failed it, on this channel
+    std::shared_ptr<TopicLine> line;  // where the rows come by a topic, as the next
+    std::unique_ptr<FanOut::Reception> reception;
   };
+  using SharedSubscription = std::shared_ptr<RowSubscription>;
   struct Standing {
     std::shared_ptr<RowSubscription> subscription;
     std::uint64_t beginning = 0;
@@ -60,6 +67,17 @@ class RowSource final : public ChannelHandler, public std::enable_shared_from_th
   Result<void> Open();
   void MeasureClock();
   void Ask(Item& item);
+  void AskDirectly(Item& item);
+  /// Where there is a broker, and what is wanted goes by it.
+  [[nodiscard]] std::string BrokerFor(const Item& item) const;
+  void AskForTopic(Item& item, const std::string& broker);
+  void OnTopicJoined(const std::shared_ptr<Channel>& channel,
+                     const SharedSubscription& subscription, const std::string& broker,
+                     const Result<message::TopicJoined>& answer);
+  Result<void> Follow(Item& item, const std::string& broker, const message::TopicJoined& joined);
+  void WatchOverTopic(const SharedSubscription& subscription,
+                      const std::shared_ptr<TopicLine>& line);
+  void FallBack(Item& item, const Error& reason);
   /// In the middleware's thread.
   Result<void> Begin(Channel& channel, const std::shared_ptr<RowSubscription>& subscription,
                      const message::Subscribed& subscribed);
@@ -80,6 +98,7 @@ class RowSource final : public ChannelHandler, public std::enable_shared_from_th
   std::vector<Item> items_;
   std::chrono::milliseconds pause_{0};
   bool is_retry_due_ = false;
+  std::string fallen_back_;  // why, as it was logged
 
   std::mutex mutex_;  // of what the middleware's thread uses
   // By channel, too: the end of an old one may be heard when the next is open already.

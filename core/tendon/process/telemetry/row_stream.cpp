@@ -33,10 +33,20 @@ void RowStream::Add(std::shared_ptr<Channel> channel, std::uint32_t handle, Lane
   viewers_.push_back(std::move(viewer));
 }
 
+const std::string& RowStream::AddToTopic(const MakeRowTopic& make, std::shared_ptr<Channel> channel,
+                                         std::uint32_t handle) {
+  if (!topic_) topic_ = make();
+  topic_->Add(std::move(channel), handle);
+  return topic_->name();
+}
+
 void RowStream::Remove(const Channel& channel, std::uint32_t handle) {
   std::erase_if(viewers_, [&](const Viewer& viewer) {
     return viewer.channel.get() == &channel && viewer.handle == handle;
   });
+  if (!topic_) return;
+  topic_->Remove(channel, handle);
+  if (!topic_->has_viewers()) topic_ = nullptr;
 }
 
 void RowStream::OnRowTaken(const Channel& channel, std::uint32_t handle) {
@@ -48,6 +58,9 @@ void RowStream::OnRowTaken(const Channel& channel, std::uint32_t handle) {
 
 void RowStream::RemoveClosed() {
   std::erase_if(viewers_, [](const Viewer& viewer) { return !viewer.channel->is_open(); });
+  if (!topic_) return;
+  topic_->RemoveClosed();
+  if (!topic_->has_viewers()) topic_ = nullptr;
 }
 
 void RowStream::Take(std::uint64_t tick, std::int64_t time, std::span<const std::uint64_t> row) {
@@ -75,6 +88,7 @@ void RowStream::Send(std::uint64_t lost, std::uint64_t next_tick) {
     return;
   }
   for (Viewer& viewer : viewers_) SendAll(viewer, lost, next_tick);
+  if (topic_) topic_->Send(batch_, lost, next_tick);
   batch_.Clear();
 }
 
@@ -106,6 +120,8 @@ void RowStream::End(const Error& reason) {
     if (told == Status(Status::kQueueFull)) viewer.channel->Close();
   }
   viewers_.clear();
+  if (topic_) topic_->End(reason);
+  topic_ = nullptr;
 }
 
 }  // namespace tendon

@@ -4,12 +4,14 @@
 #include <tendon/middleware/channel.h>
 #include <tendon/process/telemetry/row_batch.h>
 #include <tendon/process/telemetry/row_choice.h>
+#include <tendon/process/telemetry/row_topic.h>
 #include <tendon/state/state_table.h>
 
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace tendon {
@@ -29,11 +31,14 @@ class RowStream {
 
   /// `lane` is of its rows alone: nothing else waits for them.
   void Add(std::shared_ptr<Channel> channel, std::uint32_t handle, Lane lane);
+  /// `make` makes the topic where there is none yet. Returns its name.
+  const std::string& AddToTopic(const MakeRowTopic& make, std::shared_ptr<Channel> channel,
+                                std::uint32_t handle);
   void Remove(const Channel& channel, std::uint32_t handle);
   /// The viewer has taken the newest row, and may have the next.
   void OnRowTaken(const Channel& channel, std::uint32_t handle);
   void RemoveClosed();
-  [[nodiscard]] bool has_viewers() const { return !viewers_.empty(); }
+  [[nodiscard]] bool has_viewers() const { return !viewers_.empty() || topic_; }
 
   /// The next row of the table, whether it is wanted or not; `row` as copied by CopyRow().
   void Take(std::uint64_t tick, std::int64_t time, std::span<const std::uint64_t> row);
@@ -68,6 +73,7 @@ class RowStream {
   std::uint64_t newest_tick_ = 0;        // in the batch
   std::optional<std::int64_t> stretch_;  // of the last row that was wanted, where there is a period
   std::vector<Viewer> viewers_;
+  std::unique_ptr<RowTopic> topic_;  // where it has viewers
 };
 
 }  // namespace tendon

@@ -7,6 +7,14 @@
 namespace tendon {
 
 Result<std::uint64_t> RowSubscription::Begin(const message::Subscribed& subscribed) {
+  return Begin(subscribed, From::kFirstTick);
+}
+
+Result<std::uint64_t> RowSubscription::BeginTopic(const message::Subscribed& subscribed) {
+  return Begin(subscribed, From::kFirstBatch);
+}
+
+Result<std::uint64_t> RowSubscription::Begin(const message::Subscribed& subscribed, From from) {
   if (subscribed.schemas.size() != wanted_.columns.size()) {
     return Error{ErrorCode::kInvalid, wanted_.process + " answered with another number of columns"};
   }
@@ -17,18 +25,35 @@ Result<std::uint64_t> RowSubscription::Begin(const message::Subscribed& subscrib
     schemas.push_back(*std::move(schema));
   }
   const std::scoped_lock lock(mutex_);
-  const bool goes_on = beginnings_ > 0 && epoch_ == subscribed.epoch;
-  if (goes_on && wanted_.rows == RowChoice{}) {
-    lost_between_ += subscribed.first_tick - std::min(next_tick_, subscribed.first_tick);
-  }
-  if (!goes_on) newest_.reset();
+  goes_on_ = has_begun_ && epoch_ == subscribed.epoch;
+  if (!goes_on_) newest_.reset();
   ++beginnings_;
   epoch_ = subscribed.epoch;
-  next_tick_ = subscribed.first_tick;
+  is_of_topic_ = from == From::kFirstBatch;
+  waits_for_batch_ = is_of_topic_;
+  if (!goes_on_) has_begun_ = false;
+  if (!waits_for_batch_) GoOn(subscribed.first_tick);
   rows_ = 0;
   interruption_ = {};
   if (sink_) sink_->OnSubscribed(schemas);
   return beginnings_;
+}
+
+void RowSubscription::GoOn(std::uint64_t first_tick) {
+  if (goes_on_ && wanted_.rows == RowChoice{}) {
+    lost_between_ += first_tick - std::min(next_tick_, first_tick);
+  }
+  next_tick_ = first_tick;
+  has_begun_ = true;
+}
+
+bool RowSubscription::GoOnWith(const message::RowsHeader& header) {
+  if (goes_on_ && header.next_tick <= next_tick_) return false;
+  const std::uint64_t told_of = header.rows + header.lost_table;
+  GoOn(header.next_tick - std::min(told_of, header.next_tick));
+  rows_ = header.rows_before;
+  waits_for_batch_ = false;
+  return true;
 }
 
 void RowSubscription::Deliver(std::uint64_t beginning, std::span<const std::byte> body,
@@ -38,12 +63,13 @@ void RowSubscription::Deliver(std::uint64_t beginning, std::span<const std::byte
   const message::RowsHeader& header = reader->header();
   const std::scoped_lock lock(mutex_);
   if (beginning != beginnings_) return;
+  if (waits_for_batch_ && !GoOnWith(header)) return;
   ReadStamps(*reader);
   RowBatch batch;
   batch.epoch = epoch_;
-  batch.lost_table = header.lost_table;
-  batch.lost_network =
-      header.rows_before - std::min(rows_, header.rows_before) + std::exchange(lost_between_, 0);
+  const std::uint64_t lost_here = header.rows_before - std::min(rows_, header.rows_before);
+  batch.lost_table = LostInTable(header, lost_here);
+  batch.lost_network = lost_here + std::exchange(lost_between_, 0);
   batch.count = header.rows;
   batch.ticks = ticks_;
   batch.times = times_;
@@ -56,6 +82,14 @@ void RowSubscription::Deliver(std::uint64_t beginning, std::span<const std::byte
   counts_.lost_table += batch.lost_table;
   counts_.lost_network += batch.lost_network;
   if (sink_) counts_.lost_viewer += sink_->OnRows(batch);
+}
+
+/// Of a topic, which is of every row, the numbers tell: the batch that would have told may be lost.
+std::uint64_t RowSubscription::LostInTable(const message::RowsHeader& header,
+                                           std::uint64_t lost_here) const {
+  if (!is_of_topic_) return header.lost_table;
+  const std::uint64_t written = header.next_tick - std::min(next_tick_, header.next_tick);
+  return written - std::min(lost_here + header.rows, written);
 }
 
 void RowSubscription::ReadStamps(const RowBatchReader& reader) {

@@ -13,10 +13,19 @@ TableFeed::TableFeed(std::string component, const StateTable& table)
 
 void TableFeed::Add(const std::vector<std::size_t>& columns, const RowChoice& rows,
                     std::shared_ptr<Channel> channel, std::uint32_t handle, Lane lane) {
-  auto stream = std::find_if(streams_.begin(), streams_.end(),
-                             [&](const RowStream& one) { return one.IsOf(columns, rows); });
-  if (stream == streams_.end()) stream = streams_.emplace(stream, table_, columns, rows);
-  stream->Add(std::move(channel), handle, lane);
+  StreamOf(columns, rows).Add(std::move(channel), handle, lane);
+}
+
+const std::string& TableFeed::AddToTopic(const std::vector<std::size_t>& columns,
+                                         const MakeRowTopic& make, std::shared_ptr<Channel> channel,
+                                         std::uint32_t handle) {
+  return StreamOf(columns, {}).AddToTopic(make, std::move(channel), handle);
+}
+
+RowStream& TableFeed::StreamOf(const std::vector<std::size_t>& columns, const RowChoice& rows) {
+  const auto stream = std::find_if(streams_.begin(), streams_.end(),
+                                   [&](const RowStream& one) { return one.IsOf(columns, rows); });
+  return stream != streams_.end() ? *stream : streams_.emplace_back(table_, columns, rows);
 }
 
 void TableFeed::Remove(const Channel& channel, std::uint32_t handle) {

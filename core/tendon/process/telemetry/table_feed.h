@@ -28,6 +28,9 @@ class TableFeed {
   /// `handle` is our number of the subscription, `lane` that of its rows alone.
   void Add(const std::vector<std::size_t>& columns, const RowChoice& rows,
            std::shared_ptr<Channel> channel, std::uint32_t handle, Lane lane);
+  /// Every row, by a topic; returns its name.
+  const std::string& AddToTopic(const std::vector<std::size_t>& columns, const MakeRowTopic& make,
+                                std::shared_ptr<Channel> channel, std::uint32_t handle);
   void Remove(const Channel& channel, std::uint32_t handle);
   void OnRowTaken(const Channel& channel, std::uint32_t handle);
   [[nodiscard]] bool has_viewers() const { return !streams_.empty(); }
@@ -37,6 +40,7 @@ class TableFeed {
   void End(const Error& reason);
 
  private:
+  RowStream& StreamOf(const std::vector<std::size_t>& columns, const RowChoice& rows);
   /// As many rows as fit a batch; false when there are no more.
   bool GatherBatch();
   [[nodiscard]] bool IsBatchFull() const;

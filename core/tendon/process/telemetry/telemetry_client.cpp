@@ -73,11 +73,13 @@ class ChannelTelemetryClient final : public TelemetryClient {
 }  // namespace
 
 std::unique_ptr<TelemetryClient> MakeTelemetryClient(std::shared_ptr<Middleware> middleware,
-                                                     ResolveAddress resolve, Hello mine) {
+                                                     ResolveAddress resolve, Hello mine,
+                                                     FindFanOut find_fan_out) {
   return std::make_unique<ChannelTelemetryClient>(
       RowSource::Access{.middleware = std::move(middleware),
                         .resolve = std::move(resolve),
-                        .hello = std::move(mine)});
+                        .hello = std::move(mine),
+                        .find_fan_out = std::move(find_fan_out)});
 }
 
 }  // namespace tendon

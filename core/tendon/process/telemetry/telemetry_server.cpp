@@ -1,3 +1,5 @@
+#include <tendon/base/os/process.h>
+#include <tendon/middleware/fan_out/fan_out.h>
 #include <tendon/process/telemetry/telemetry_server.h>
 
 #include <algorithm>
@@ -31,11 +33,7 @@ void TelemetryServer::Subscribe(const std::shared_ptr<Channel>& channel,
     return responder.Refuse({ErrorCode::kInvalid, "the period of rows must not be below zero"});
   }
   if (!source) return responder.Refuse(source.error());
-  message::Subscribed subscribed;
-  subscribed.epoch = source->table->epoch();
-  for (const std::size_t column : source->columns) {
-    subscribed.schemas.push_back(source->table->columns()[column]->schema().TextWithHelp());
-  }
+  message::Subscribed subscribed = Describe(*source);
   const std::scoped_lock lock(mutex_);
   TableFeed& feed = FeedOf(wanted.component, *source->table);
   subscribed.handle = ++last_handle_;
@@ -44,6 +42,61 @@ void TelemetryServer::Subscribe(const std::shared_ptr<Channel>& channel,
   responder.Reply(EncodeBody(subscribed), lane);  // rows must not pass it
   feed.Add(source->columns, wanted.rows, channel, subscribed.handle, lane);
   context_.network->Notify();
+}
+
+message::Subscribed TelemetryServer::Describe(const Source& source) {
+  message::Subscribed subscribed;
+  subscribed.epoch = source.table->epoch();
+  for (const std::size_t column : source.columns) {
+    subscribed.schemas.push_back(source.table->columns()[column]->schema().TextWithHelp());
+  }
+  return subscribed;
+}
+
+void TelemetryServer::JoinTopic(const std::shared_ptr<Channel>& channel,
+                                const message::Subscribe& wanted, Responder& responder) {
+  const auto structure = context_.host.LockStructure();
+  const auto source = LookUp(wanted);
+  if (!source) return responder.Refuse(source.error());
+  const std::scoped_lock lock(mutex_);
+  if (auto fits = FitsTopic(wanted, *source); !fits) return responder.Refuse(fits.error());
+  message::TopicJoined joined{.subscribed = Describe(*source), .topic = {}};
+  TableFeed& feed = FeedOf(wanted.component, *source->table);
+  joined.subscribed.handle = ++last_handle_;
+  joined.subscribed.first_tick = feed.next_tick();
+  const auto make = [&] {
+    std::string name = context_.name + "-" + std::to_string(os::RandomNumber());
+    auto topic = context_.middleware->fan_out()->Speak(broker_, name);
+    return std::make_unique<RowTopic>(std::move(name), std::move(topic));
+  };
+  joined.topic = feed.AddToTopic(source->columns, make, channel, joined.subscribed.handle);
+  responder.Reply(EncodeBody(joined));
+  context_.network->Notify();
+}
+
+/// With the mutex.
+Result<void> TelemetryServer::FitsTopic(const message::Subscribe& wanted,
+                                        const Source& source) const {
+  if (context_.middleware->fan_out() == nullptr || broker_.empty()) {
+    return Error{ErrorCode::kNotFound, "process '" + context_.name + "' knows no fan-out"};
+  }
+  if (wanted.rows != RowChoice{}) {
+    return Error{ErrorCode::kInvalid, "a fan-out carries every row, or none"};
+  }
+  std::size_t row = 0;
+  for (const std::size_t column : source.columns) {
+    row += source.table->columns()[column]->layout().bytes;
+  }
+  constexpr std::size_t kLargestRow = FanOut::kMaxMessage / 4;  // half a batch
+  if (row <= kLargestRow) return {};
+  return Error{ErrorCode::kInvalid, "rows of " + std::to_string(row) +
+                                        " bytes are too large for a fan-out, which carries " +
+                                        std::to_string(kLargestRow)};
+}
+
+void TelemetryServer::SetBroker(const std::string& address) {
+  const std::scoped_lock lock(mutex_);
+  broker_ = address;
 }
 
 Result<TelemetryServer::Source> TelemetryServer::LookUp(const message::Subscribe& wanted) const {

@@ -3,6 +3,7 @@
 #include <tendon/middleware/channel.h>
 #include <tendon/process/context.h>
 #include <tendon/process/messages.h>
+#include <tendon/process/telemetry/fan_out_messages.h>
 #include <tendon/process/telemetry/table_feed.h>
 
 #include <cstdint>
@@ -27,6 +28,12 @@ class TelemetryServer final : public NetworkJob {
   /// period below zero.
   void Subscribe(const std::shared_ptr<Channel>& channel, const message::Subscribe& wanted,
                  Responder& responder);
+  /// The rows come by a topic of the broker. Refusals: also kNotFound where there is none, or the
+  /// middleware has no way to it; kInvalid for what it cannot carry.
+  void JoinTopic(const std::shared_ptr<Channel>& channel, const message::Subscribe& wanted,
+                 Responder& responder);
+  /// Of topics that are made from now on; empty where there is none.
+  void SetBroker(const std::string& address);
   void Unsubscribe(const std::shared_ptr<Channel>& channel, std::uint32_t handle);
   void OnRowTaken(const std::shared_ptr<Channel>& channel, std::uint32_t handle);
 
@@ -41,12 +48,16 @@ class TelemetryServer final : public NetworkJob {
     std::vector<std::size_t> columns;
   };
 
+  [[nodiscard]] Result<void> FitsTopic(const message::Subscribe& wanted,
+                                       const Source& source) const;
+  [[nodiscard]] static message::Subscribed Describe(const Source& source);
   [[nodiscard]] Result<Source> LookUp(const message::Subscribe& wanted) const;
   TableFeed& FeedOf(const std::string& component, const StateTable& table);
 
   ProcessContext& context_;
   std::mutex mutex_;  // taken after the manager's lock
   std::list<TableFeed> feeds_;
+  std::string broker_;
   std::uint32_t last_handle_ = 0;
   SteadyTime next_gathering_{};
 };

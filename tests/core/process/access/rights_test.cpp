@@ -3,6 +3,7 @@
 #include <tendon/process/access/guarded_handler.h>
 #include <tendon/process/membership_messages.h>
 #include <tendon/process/messages.h>
+#include <tendon/process/telemetry/fan_out_messages.h>
 #include <tendon/proxy/messages.h>
 #include <tendon/security/rights.h>
 
@@ -19,7 +20,8 @@ const Types kLooks = {message::kPing,        message::kGetSchemas, message::kSub
                       message::kUnsubscribe, message::kRowTaken,   message::kRenew,
                       message::kWatch,       message::kHistory,    message::kWatchLog,
                       message::kGetClasses,  message::kListen,     message::kCloseInterface,
-                      message::kHealth,      message::kGetCounts,  message::kGetFill};
+                      message::kHealth,      message::kGetCounts,  message::kGetFill,
+                      message::kJoinTopic,   message::kFanOut};
 
 /// What an operator may send besides.
 const Types kActs = {message::kOpenInterface, message::kCommands,   message::kRead,

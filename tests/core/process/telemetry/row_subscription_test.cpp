@@ -36,6 +36,12 @@ class Viewer {
     rows_before = 0;
     next_tick = first_tick;
   }
+  /// The same by a topic, to which so many rows were sent before that of `tick`.
+  void StandByTopic(std::uint64_t epoch, std::uint64_t tick, std::uint64_t rows) {
+    beginning = *subscription.BeginTopic({.handle = 1, .epoch = epoch});
+    rows_before = rows;
+    next_tick = tick;
+  }
   /// The next rows are written; what the viewer is not sent is counted as its process does.
   void Send(std::uint64_t rows, SteadyTime first = SteadyTime(1s), nanoseconds period = 1ms) {
     RowBatchWriter writer({});
@@ -181,6 +187,54 @@ TEST(RowSubscription, OfImpossibleTimesIsNoReasonToFall) {
   }
 
   EXPECT_EQ(viewer.subscription.counts().received, 3U);
+}
+
+TEST(RowSubscription, OfATopicBeginsWithTheFirstBatchThatArrives) {
+  Viewer viewer;
+  viewer.StandByTopic(1, 500, 321);
+
+  viewer.Send(10);
+  viewer.Refuse(4);
+  viewer.Send(6);
+
+  EXPECT_EQ(viewer.subscription.counts(), (RowCounts{.received = 16, .lost_network = 4}));
+}
+
+TEST(RowSubscription, OfATopicKnowsOfWhatALostBatchWouldHaveTold) {
+  Viewer viewer;
+  viewer.StandByTopic(1, 100, 0);
+  viewer.Send(10);
+
+  viewer.Overwrite(5);
+  viewer.Refuse(3);
+  viewer.overwritten = 0;  // that batch said so
+  viewer.Send(2);
+
+  EXPECT_EQ(viewer.subscription.counts(),
+            (RowCounts{.received = 12, .lost_table = 5, .lost_network = 3}));
+}
+
+TEST(RowSubscription, ThatTurnsFromATopicToTheProcessCountsWhatWasWrittenInBetween) {
+  Viewer viewer;
+  viewer.StandByTopic(1, 100, 50);
+  viewer.Send(10);
+
+  viewer.Stand(1, 130);
+  viewer.Send(5);
+
+  EXPECT_EQ(viewer.subscription.counts(), (RowCounts{.received = 15, .lost_network = 20}));
+}
+
+TEST(RowSubscription, ThatTurnsToATopicHearsNoRowTwice) {
+  Viewer viewer;
+  viewer.Stand(1, 100);
+  viewer.Send(100);
+
+  viewer.StandByTopic(1, 190, 40);
+  viewer.Send(10);  // which it has had
+  viewer.Send(10);
+
+  EXPECT_EQ(viewer.subscription.counts(), (RowCounts{.received = 110}));
 }
 
 }  // namespace

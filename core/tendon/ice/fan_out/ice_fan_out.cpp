@@ -1,0 +1,149 @@
+#include <tendon/base/os/process.h>
+#include <tendon/ice/bounded_reader.h>
+#include <tendon/ice/fan_out/ice_fan_out.h>
+#include <tendon/ice/fan_out/ice_topic.h>
+
+#include <exception>
+#include <mutex>
+#include <span>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace tendon::ice {
+namespace {
+
+/// Hands what comes from a topic to its listener. Its name is a number that only the broker is
+/// told.
+class ListeningServant final : public Ice::BlobjectArray {
+ public:
+  explicit ListeningServant(FanOut::Hear hear) : hear_(std::move(hear)) {}
+
+  bool ice_invoke(std::pair<const Ice::Byte*, const Ice::Byte*> parameters,
+                  std::vector<Ice::Byte>& answer, const Ice::Current& current) override {
+    if (current.requestId != 0) answer = {6, 0, 0, 0, 1, 1};
+    const auto message =
+        ReadOnlyParameter(std::as_bytes(std::span(parameters.first, parameters.second)));
+    if (current.operation != kTopicOperation || !message) {
+      throw Ice::MarshalException("tendon", 0, "no message of a topic");
+    }
+    const std::scoped_lock lock(mutex_);
+    hear_(*message);
+    return true;
+  }
+
+ private:
+  std::mutex mutex_;
+  const FanOut::Hear hear_;
+};
+
+/// Among the listeners of a topic, until its end.
+class IceReception final : public FanOut::Reception {
+ public:
+  IceReception(std::shared_ptr<Ice::ObjectAdapter> adapter,
+               std::shared_ptr<IceStorm::TopicPrx> topic, std::shared_ptr<Ice::ObjectPrx> listener)
+      : adapter_(std::move(adapter)), topic_(std::move(topic)), listener_(std::move(listener)) {}
+
+  ~IceReception() override {
+    try {
+      adapter_->remove(listener_->ice_getIdentity());
+      topic_->unsubscribeAsync(listener_, nullptr, [](const std::exception_ptr&) {});
+    } catch (const Ice::Exception&) {
+      // The broker is gone, and with it its listeners; or the middleware is.
+    }
+  }
+
+ private:
+  const std::shared_ptr<Ice::ObjectAdapter> adapter_;
+  const std::shared_ptr<IceStorm::TopicPrx> topic_;
+  const std::shared_ptr<Ice::ObjectPrx> listener_;
+};
+
+/// Nothing when there is none yet.
+std::shared_ptr<IceStorm::TopicPrx> Find(IceStorm::TopicManagerPrx& manager,
+                                         const std::string& name) {
+  try {
+    return manager.retrieve(name);
+  } catch (const IceStorm::NoSuchTopic&) {
+    return nullptr;
+  }
+}
+
+/// This end's number of a connection, under TLS or not.
+std::string LocalHostOf(const Ice::Connection& connection) {
+  auto info = connection.getInfo();
+  while (info->underlying) info = info->underlying;
+  return std::dynamic_pointer_cast<Ice::IPConnectionInfo>(info)->localAddress;
+}
+
+/// That nobody can guess.
+std::string NumberText() {
+  return std::to_string(os::RandomNumber()) + "-" + std::to_string(os::RandomNumber());
+}
+
+Error NotReached(const std::string& broker, const Ice::Exception& failure) {
+  return {ErrorCode::kUnreachable,
+          "no fan-out answers at " + broker + " (" + failure.ice_id() + "); gcm fan-out starts it"};
+}
+
+}  // namespace
+
+IceFanOut::IceFanOut(std::shared_ptr<Ice::Communicator> communicator, bool is_certified)
+    : communicator_(std::move(communicator)), door_(communicator_, is_certified) {}
+
+IceFanOut::~IceFanOut() {
+  if (worker_) worker_->Stop();
+}
+
+std::unique_ptr<FanOut::Topic> IceFanOut::Speak(const std::string& broker,
+                                                const std::string& name) {
+  const std::scoped_lock lock(mutex_);
+  if (!worker_) worker_ = std::make_shared<Worker>("fan-out");
+  return MakeTopic(door_, worker_, broker, name);
+}
+
+Result<std::unique_ptr<FanOut::Reception>> IceFanOut::Listen(const std::string& broker,
+                                                             const std::string& name, Hear hear,
+                                                             std::chrono::milliseconds timeout) {
+  constexpr std::chrono::milliseconds kPause(10);
+  const SteadyTime deadline = SteadyClock().Now() + timeout;
+  try {
+    const auto manager = door_.Open(broker);
+    if (!manager) return manager.error();
+    auto topic = Find(**manager, name);
+    for (; !topic && SteadyClock().Now() < deadline; topic = Find(**manager, name)) {
+      std::this_thread::sleep_for(kPause);
+    }
+    if (!topic) {
+      return Error{ErrorCode::kTimeout,
+                   "the fan-out at " + broker + " has not got topic '" + name + "' in time"};
+    }
+    const auto reached = door_.Reach(topic);
+    if (!reached) return reached.error();
+    topic = Ice::uncheckedCast<IceStorm::TopicPrx>(*reached);
+    const auto adapter = AdapterAt(LocalHostOf(*topic->ice_getConnection()));
+    const Ice::Identity identity{NumberText(), "listener"};
+    const auto listener =
+        adapter->add(std::make_shared<ListeningServant>(std::move(hear)), identity)->ice_oneway();
+    auto reception = std::make_unique<IceReception>(adapter, topic, listener);
+    topic->subscribeAndGetPublisher({}, listener);
+    return std::unique_ptr<Reception>(std::move(reception));
+  } catch (const Ice::Exception& failure) {
+    return NotReached(broker, failure);
+  }
+}
+
+std::shared_ptr<Ice::ObjectAdapter> IceFanOut::AdapterAt(const std::string& host) {
+  const std::scoped_lock lock(mutex_);
+  auto& adapter = adapters_[host];
+  if (!adapter) {
+    const std::string transport = door_.is_certified() ? "ssl" : "tcp";
+    const auto made = communicator_->createObjectAdapterWithEndpoints(
+        "listeners-" + host, transport + " -h \"" + host + "\" -p 0");
+    made->activate();
+    adapter = made;
+  }
+  return adapter;
+}
+
+}  // namespace tendon::ice

@@ -1,0 +1,43 @@
+#include <tendon/process/messages.h>
+#include <tendon/process/telemetry/row_topic.h>
+
+#include <utility>
+
+namespace tendon {
+
+void RowTopic::Add(std::shared_ptr<Channel> channel, std::uint32_t handle) {
+  viewers_.push_back({.channel = std::move(channel), .handle = handle});
+}
+
+void RowTopic::Remove(const Channel& channel, std::uint32_t handle) {
+  std::erase_if(viewers_, [&](const Viewer& viewer) {
+    return viewer.channel.get() == &channel && viewer.handle == handle;
+  });
+}
+
+void RowTopic::RemoveClosed() {
+  std::erase_if(viewers_, [](const Viewer& viewer) { return !viewer.channel->is_open(); });
+}
+
+void RowTopic::Send(RowBatchWriter& batch, std::uint64_t lost, std::uint64_t next_tick) {
+  constexpr int kLongestSilence = 25;  // gatherings: half a second
+  lost_table_ += lost;
+  ++silence_;
+  if (batch.rows() == 0 && lost_table_ == 0 && silence_ < kLongestSilence) return;
+  const auto body = batch.Finish(
+      {.rows_before = rows_before_, .lost_table = lost_table_, .next_tick = next_tick});
+  rows_before_ += batch.rows();  // whether it arrives or not: the viewers see the hole
+  if (!topic_->Publish(body)) return;
+  lost_table_ = 0;
+  silence_ = 0;
+}
+
+void RowTopic::End(const Error& reason) {
+  for (const Viewer& viewer : viewers_) {
+    const Status told = viewer.channel->Notify(message::kRowsEnded, viewer.handle, reason);
+    if (told == Status(Status::kQueueFull)) viewer.channel->Close();
+  }
+  viewers_.clear();
+}
+
+}  // namespace tendon

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <tendon/middleware/channel.h>
+#include <tendon/middleware/fan_out/fan_out.h>
+#include <tendon/process/telemetry/row_batch.h>
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace tendon {
+
+/// The rows of one stream, said once for all viewers who hear them by a broker. What becomes of
+/// them there nobody tells: the numbers in the batches let each viewer see it.
+///
+/// One thread at a time.
+class RowTopic {
+ public:
+  RowTopic(std::string name, std::unique_ptr<FanOut::Topic> topic)
+      : name_(std::move(name)), topic_(std::move(topic)) {}
+
+  [[nodiscard]] const std::string& name() const { return name_; }
+
+  /// Viewers are known by their channels, which carry everything but rows.
+  void Add(std::shared_ptr<Channel> channel, std::uint32_t handle);
+  void Remove(const Channel& channel, std::uint32_t handle);
+  void RemoveClosed();
+  [[nodiscard]] bool has_viewers() const { return !viewers_.empty(); }
+
+  /// As RowStream::Send(). A batch without rows goes out now and then, though there is nothing new.
+  void Send(RowBatchWriter& batch, std::uint64_t lost, std::uint64_t next_tick);
+  /// As RowStream::End().
+  void End(const Error& reason);
+
+ private:
+  struct Viewer {
+    std::shared_ptr<Channel> channel;
+    std::uint32_t handle = 0;
+  };
+
+  const std::string name_;
+  const std::unique_ptr<FanOut::Topic> topic_;
+  std::vector<Viewer> viewers_;
+  std::uint64_t rows_before_ = 0;
+  std::uint64_t lost_table_ = 0;  // since the last batch that was sent
+  int silence_ = 0;               // calls of Send() since then
+};
+
+using MakeRowTopic = std::function<std::unique_ptr<RowTopic>()>;
+
+}  // namespace tendon
