@@ -165,11 +165,20 @@ class Empty final : public tendon::ProcessHost, public tendon::MembershipDelegat
   [[nodiscard]] tendon::Component* LookUpComponent(const std::string& /*name*/) const override {
     return nullptr;
   }
+  [[nodiscard]] tendon::Result<tendon::ConnectionCounts> LookUpCounts(
+      const tendon::InterfaceName& /*name*/) const override {
+    return Nothing();
+  }
+  [[nodiscard]] tendon::Result<tendon::MailboxFill> LookUpFill(
+      const std::string& /*component*/) const override {
+    return Nothing();
+  }
   tendon::ConnectionId NewConnectionId() override { return {}; }
   void StructureChanged() const override {}
 
   [[nodiscard]] tendon::ProcessContent content() const override { return {}; }
   void OnPeers(const std::vector<tendon::ProcessDescription>& /*processes*/) override {}
+  void OnFanOut(const std::string& /*address*/) override {}
   void MakeConnection(
       const tendon::message::Wiring& /*wiring*/,
       std::function<void(const tendon::Result<tendon::ConnectionDescription>&)> done) override {
