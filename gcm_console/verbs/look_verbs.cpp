@@ -336,8 +336,8 @@ void AddCounts(Context& context, const Place& place, Table& table) {
   if (counts->round_trip.count() >= 0) {
     table.Add({"round trip", Fixed(Microseconds(counts->round_trip).count(), 0) + " us"});
   }
-  table.Add({"calls, events", std::to_string(counts->taken) + ", " +
-                                  Fixed(static_cast<double>(counts->taken) / age, 1) +
+  const double rate = age > 0.0 ? static_cast<double>(counts->taken) / age : 0.0;
+  table.Add({"calls, events", std::to_string(counts->taken) + ", " + Fixed(rate, 1) +
                                   " a second since it stands"});
   if (counts->capacity > 0) {
     table.Add({"mailbox", WaitingText(counts->waiting, counts->capacity)});
@@ -380,8 +380,8 @@ void PrintCall(Context& context, const Place& place, const std::string& path) {
 void PrintPayloads(Context& context, const Place& place, const std::string& path) {
   const auto& member = *place.member;
   const std::string& process = place.process->process.name;
-  if (TakesArgument(member.signature))
-    PrintPayload(context, process, "argument", member.signature.in);
+  const auto& signature = member.signature;
+  if (TakesArgument(signature)) PrintPayload(context, process, "argument", signature.in);
   if (GivesAnswer(member)) PrintPayload(context, process, "answer", member.signature.out);
   if (place.noun == "command") PrintCall(context, place, path);
 }

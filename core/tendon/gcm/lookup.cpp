@@ -214,7 +214,8 @@ Result<InterfaceName> LookUpConnected(const Catalog& catalog, const std::string&
   const std::string number = text.substr(slash == std::string::npos ? 0 : slash + 1);
   std::uint64_t id = 0;
   const auto [end, code] = std::from_chars(number.data(), number.data() + number.size(), id);
-  const bool is_number = code == std::errc() && end == number.data() + number.size();
+  const bool is_number = code == std::errc() && end == number.data() + number.size() &&
+                         (slash == std::string::npos || text.find('/') == slash);
   if (!is_number) return ParseInterfaceName(text);
   const std::string process = slash == std::string::npos ? "" : text.substr(0, slash);
   std::vector<InterfaceName> found;

@@ -274,7 +274,9 @@ void Channel::HandleLarge(const FrameHeader& header, std::span<const std::byte> 
       std::mutex mutex;
       std::condition_variable_any never;
       std::unique_lock lock(mutex);
-      while (!never.wait_for(lock, stop, kBetweenSigns, [&] { return stop.stop_requested(); })) {
+      const SteadyTime end = SteadyClock().Now() + LargeInHand::kAtMost;
+      while (!never.wait_for(lock, stop, kBetweenSigns, [&] { return stop.stop_requested(); }) &&
+             SteadyClock().Now() < end) {
         SendTaken();
       }
     });

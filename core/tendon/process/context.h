@@ -23,9 +23,10 @@ class ProcessHost {
   [[nodiscard]] virtual Result<RequiredInterface*> LookUpRequired(const InterfaceName&) const = 0;
   [[nodiscard]] virtual Result<ProvidedInterface*> LookUpProvided(const InterfaceName&) const = 0;
   [[nodiscard]] virtual Component* LookUpComponent(const std::string& name) const = 0;
+  virtual ConnectionId NewConnectionId() = 0;
+  // Any thread.
   [[nodiscard]] virtual Result<ConnectionCounts> LookUpCounts(const InterfaceName&) const = 0;
   [[nodiscard]] virtual Result<MailboxFill> LookUpFill(const std::string& component) const = 0;
-  virtual ConnectionId NewConnectionId() = 0;
   /// A connection has changed.
   virtual void StructureChanged() const = 0;
 };

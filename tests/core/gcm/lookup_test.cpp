@@ -137,6 +137,27 @@ TEST_F(Lookup, AConnectedInterfaceSaysToWhatAndWhatToDo) {
             "first: gcm disconnect desk/teleoperation/Robot");
 }
 
+TEST_F(Lookup, AConnectionIsNamedByItsNumberToo) {
+  Connect(kRobot, kControl);
+
+  EXPECT_EQ(*LookUpConnected(catalog_, "1"), kRobot);
+  EXPECT_EQ(*LookUpConnected(catalog_, "desk/1"), kRobot);
+  EXPECT_EQ(*LookUpConnected(catalog_, "desk/teleoperation/Robot"), kRobot);
+  EXPECT_EQ(*LookUpConnected(catalog_, "desk/teleoperation/1"),
+            InterfaceName("desk", "teleoperation", "1"));
+  EXPECT_EQ(LookUpConnected(catalog_, "robot/1").error().message,
+            "no connection has the number robot/1");
+
+  const InterfaceName other("robot", "follower", "Robot");
+  Connect(other, kControl);
+  const auto ambiguous = LookUpConnected(catalog_, "1");
+  ASSERT_FALSE(ambiguous);
+  EXPECT_EQ(ambiguous.error().code, ErrorCode::kInvalid);
+  EXPECT_EQ(ambiguous.error().message,
+            "more than one connection has the number 1: desk/1 is of desk/teleoperation/Robot, "
+            "robot/1 is of robot/follower/Robot");
+}
+
 TEST_F(Lookup, AConnectToATombstoneIsPendingIfItWouldFit) {
   SetState("robot", ProcessState::kLost);
 

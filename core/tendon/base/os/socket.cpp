@@ -196,7 +196,7 @@ bool DropUnheardOf(int descriptor) {
   tcp_info info{};
   socklen_t size = sizeof(info);
   if (getsockopt(descriptor, IPPROTO_TCP, TCP_INFO, &info, &size) != 0) return false;
-  if (info.tcpi_unacked == 0 || info.tcpi_retransmits == 0) return false;
+  if (info.tcpi_unacked == 0 || info.tcpi_retransmits < 2) return false;  // one may be lost
   const linger at_once{.l_onoff = 1, .l_linger = 0};
   return setsockopt(descriptor, SOL_SOCKET, SO_LINGER, &at_once, sizeof at_once) == 0;
 }

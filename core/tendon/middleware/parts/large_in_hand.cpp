@@ -1,5 +1,6 @@
 #include <tendon/middleware/parts/large_in_hand.h>
 
+#include <algorithm>
 #include <mutex>
 
 namespace tendon {
@@ -9,6 +10,7 @@ namespace {
 struct Hand {
   std::mutex mutex;
   int held = 0;
+  SteadyTime since{};  ///< while it is held
   SteadyTime last{};
 };
 
@@ -22,20 +24,19 @@ Hand& TheHand() {
 LargeInHand::LargeInHand() {
   Hand& hand = TheHand();
   const std::scoped_lock lock(hand.mutex);
-  ++hand.held;
+  if (hand.held++ == 0) hand.since = SteadyClock().Now();
 }
 
 LargeInHand::~LargeInHand() {
   Hand& hand = TheHand();
   const std::scoped_lock lock(hand.mutex);
-  --hand.held;
-  hand.last = SteadyClock().Now();
+  if (--hand.held == 0) hand.last = std::min(SteadyClock().Now(), hand.since + kAtMost);
 }
 
 SteadyTime LargeInHand::Last(SteadyTime now) {
   Hand& hand = TheHand();
   const std::scoped_lock lock(hand.mutex);
-  return hand.held > 0 ? now : hand.last;
+  return hand.held > 0 ? std::min(now, hand.since + kAtMost) : hand.last;
 }
 
 }  // namespace tendon

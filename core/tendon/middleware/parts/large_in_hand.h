@@ -2,6 +2,8 @@
 
 #include <tendon/base/clock.h>
 
+#include <chrono>
+
 namespace tendon {
 
 /// While it lives a large message is handled in this process, which may take a thread of the
@@ -14,7 +16,10 @@ class LargeInHand {
   LargeInHand& operator=(const LargeInHand&) = delete;
   ~LargeInHand();
 
-  /// `now` while there is one; else when the last one was done with.
+  /// For so long it excuses silence: who handles one longer than this hangs.
+  static constexpr std::chrono::seconds kAtMost{30};
+
+  /// `now` while there is one, and has not been for too long; else when there last was one.
   [[nodiscard]] static SteadyTime Last(SteadyTime now);
 };
 

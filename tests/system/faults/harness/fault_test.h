@@ -12,10 +12,10 @@
 
 #include "support/folder.h"
 #include "support/program.h"
+#include "support/stall_meter.h"
 #include "system/faults/harness/command_checker.h"
 #include "system/faults/harness/process_watch.h"
 #include "system/faults/harness/size.h"
-#include "system/faults/harness/stall_meter.h"
 #include "system/faults/harness/stream_checker.h"
 
 namespace faults {
@@ -70,7 +70,7 @@ class FaultTest : public testing::TestWithParam<std::string> {
   /// The one line of a test: what was done, and what the checkers found.
   static void Tell(const std::string& line);
 
-  const StallMeter stalls_;
+  const tendon::test::StallMeter stalls_;
   const tendon::test::Folder home_;
   Environment more_environment_;  ///< of the programs that are begun from now on
   std::string gcm_address_;

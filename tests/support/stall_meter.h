@@ -6,7 +6,7 @@
 #include <thread>
 #include <utility>
 
-namespace faults {
+namespace tendon::test {
 
 /// Notices how long this machine ran nobody: whoever promises to show a sign of life in time cannot
 /// keep that then, and a test must not blame him.
@@ -15,8 +15,12 @@ class StallMeter {
   using Time = std::chrono::milliseconds;
 
   [[nodiscard]] Time longest() const { return longest_; }
+  /// So long that leases may have run out, although nobody is to blame.
+  [[nodiscard]] bool has_stood_still() const { return longest() >= kMuch; }
 
  private:
+  static constexpr Time kMuch{500};  // a third of a lease
+
   void Measure(const std::stop_token& stop) {
     constexpr Time kNap(10);
     for (auto last = std::chrono::steady_clock::now(); !stop.stop_requested();) {
@@ -31,4 +35,4 @@ class StallMeter {
   std::jthread thread_{[this](const std::stop_token& stop) { Measure(stop); }};
 };
 
-}  // namespace faults
+}  // namespace tendon::test
