@@ -47,6 +47,7 @@ struct GetCounts {
   InterfaceName required;
 };
 
+/// By the component's name.
 struct GetFill {
   std::string component;
 };

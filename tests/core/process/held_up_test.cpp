@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "support/folder.h"
-#include "support/stall_meter.h"
+#include "support/machine/stall_meter.h"
 #include "support/wait.h"
 
 namespace {

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "support/folder.h"
+#include "support/machine/stall_meter.h"
 #include "support/program.h"
-#include "support/stall_meter.h"
 #include "system/faults/harness/command_checker.h"
 #include "system/faults/harness/process_watch.h"
 #include "system/faults/harness/size.h"
