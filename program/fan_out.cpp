@@ -13,6 +13,7 @@ using tendon::Result;
 #ifdef TENDON_WITH_ICE
 
 Result<std::string> BrokerSettings(const std::string& address, const NetworkOptions& options) {
+  if (auto installed = tendon::ice::CheckBrokerIsInstalled(); !installed) return installed.error();
   if (options.certificate.empty()) return tendon::ice::BrokerSettings(address);
   const auto middleware = MakeMiddleware(options);  // it finds what is wrong with a certificate
   if (!middleware) return middleware.error();

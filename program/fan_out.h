@@ -11,8 +11,8 @@ namespace program {
 inline constexpr const char* kFanOutAddress = "127.0.0.1:10706";
 
 /// Settings for icebox(1), which make it the broker for programs that talk as `options` say.
-/// kInvalid without Ice; kDenied for an address off this machine without a certificate, or one of
-/// another name.
+/// kInvalid without Ice; kNotFound without IceStorm; kDenied for an address off this machine
+/// without a certificate, or one of another name.
 tendon::Result<std::string> BrokerSettings(const std::string& address,
                                            const NetworkOptions& options);
 

@@ -29,7 +29,10 @@ tendon::Result<program::ExitCode> Serve(Context& context, const std::string& fan
   if (auto address = program::CheckGcmAddress(settings.gcm, settings.network); !address) {
     return address.error();
   }
-  if (const auto place = tendon::ParseAddress(fan_out, 1); !fan_out.empty() && !place) {
+  const auto exposure = settings.network.certificate.empty() ? tendon::Exposure::kLoopbackOnly
+                                                             : tendon::Exposure::kCertified;
+  if (const auto place = tendon::ParseAllowedAddress(fan_out, 1, exposure);
+      !fan_out.empty() && !place) {
     return tendon::Error{place.error().code, "--fan-out: " + place.error().message};
   }
   auto middleware = program::MakeMiddleware(settings.network);

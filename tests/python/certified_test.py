@@ -126,6 +126,13 @@ class UnderTls(unittest.TestCase):
         with self.assertRaisesRegex(tendon.Denied, "chmod 600"):
             tendon.connect(self.address, certificate=careless)
         self.assertIsNone(chosen_credentials(None, None))
+        for file in (careless, careless.with_suffix(".key")):
+            careless.with_suffix(".key").chmod(0o600)
+            content = file.read_bytes()
+            file.write_bytes(b"nonsense")
+            with self.subTest(file), self.assertRaisesRegex(tendon.Invalid, "cannot be used"):
+                tendon.connect(self.address, certificate=careless)
+            file.write_bytes(content)
 
     def test_a_certificate_says_whose_it_is(self):
         text = self.anna.read_text(encoding="ascii")

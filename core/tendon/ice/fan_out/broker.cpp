@@ -1,9 +1,14 @@
+#include <Ice/Ice.h>
 #include <openssl/evp.h>
+#include <tendon/base/os/loading/shared_library.h>
+#include <tendon/base/printable.h>
 #include <tendon/ice/fan_out/broker.h>
 #include <tendon/middleware/hello.h>
 #include <tendon/middleware/middleware.h>
 
+#include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <filesystem>
 #include <iomanip>
 #include <sstream>
@@ -44,7 +49,37 @@ std::string SettingsFor(const HostPort& place, const std::string& instance,
          "\nIceStorm.Publish.Endpoints=" + host + "0\n";
 }
 
+/// Where the dynamic linker looks for what icebox loads: with the rest of Ice, first of all.
+std::vector<std::filesystem::path> LibraryFolders() {
+  const auto* of_ice = reinterpret_cast<const void*>(&Ice::stringToIdentity);
+  std::vector<std::filesystem::path> folders = {os::FileOf(of_ice).parent_path()};
+  const char* more = std::getenv("LD_LIBRARY_PATH");  // NOLINT(concurrency-mt-unsafe): read only
+  std::istringstream rest(more == nullptr ? "" : more);
+  for (std::string folder; std::getline(rest, folder, ':');) folders.emplace_back(folder);
+  return folders;
+}
+
+/// Ice reads lines of NAME=VALUE, with comments and escapes, and ':' between files.
+Result<void> CheckFits(const std::filesystem::path& file) {
+  const std::string text = file.string();
+  if (text.find_first_of("#\\=: \t\r\n") == std::string::npos) return {};
+  return Error{ErrorCode::kInvalid,
+               "the settings of icebox cannot hold the path '" + Printable(text) +
+                   "': put the file where there is no '#', '\\', '=', ':' or blank in it"};
+}
+
 }  // namespace
+
+Result<void> CheckBrokerIsInstalled() {
+  std::error_code ignored;
+  const bool is_there = std::ranges::any_of(LibraryFolders(), [&](const auto& folder) {
+    return std::filesystem::exists(folder / "libIceStormService.so.37", ignored);
+  });
+  if (is_there) return {};
+  return Error{ErrorCode::kNotFound,
+               "IceStorm is not installed: apt-get install zeroc-icebox libzeroc-icestorm3.7, as "
+               "tools/setup does"};
+}
 
 Result<std::string> BrokerInstance(bool is_certified) {
   if (is_certified) return std::string("tendon");
@@ -77,6 +112,9 @@ Result<std::string> BrokerSettings(const std::string& address, const Credentials
   const auto authority = std::filesystem::absolute(credentials.authority);
   auto key = certificate;
   key.replace_extension(".key");
+  for (const auto& file : {certificate, authority}) {
+    if (auto fits = CheckFits(file); !fits) return fits.error();
+  }
   return SettingsFor(*place, *BrokerInstance(true), "ssl") +
          "Ice.Plugin.IceSSL=IceSSL:createIceSSL" +
          "\nIceSSL.Protocols=TLS1_2, TLS1_3\nIceSSL.VerifyPeer=2\nIceSSL.VerifyDepthMax=2" +

@@ -15,9 +15,13 @@ inline constexpr const char* kBrokerName = "fan-out";
 /// itself asks nobody who he is.
 Result<std::string> BrokerInstance(bool is_certified);
 
+/// kNotFound, and what to install, where icebox would not find IceStorm.
+Result<void> CheckBrokerIsInstalled();
+
 /// Settings for icebox(1), which make it a broker at `address`, on this machine alone.
 Result<std::string> BrokerSettings(const std::string& address);
-/// The same under TLS: only operators may publish.
+/// The same under TLS: only operators may publish. kInvalid for files of a name that settings
+/// cannot hold.
 Result<std::string> BrokerSettings(const std::string& address, const Credentials& credentials);
 
 }  // namespace tendon::ice

@@ -1,7 +1,9 @@
 #include <tendon/base/os/process.h>
 #include <tendon/ice/bounded_reader.h>
+#include <tendon/ice/fan_out/broker.h>
 #include <tendon/ice/fan_out/ice_fan_out.h>
 #include <tendon/ice/fan_out/ice_topic.h>
+#include <tendon/ice/tls.h>
 
 #include <exception>
 #include <mutex>
@@ -14,27 +16,43 @@ namespace tendon::ice {
 namespace {
 
 /// Hands what comes from a topic to its listener. Its name is a number that only the broker is
-/// told.
+/// told, and under TLS it hears nobody else.
 class ListeningServant final : public Ice::BlobjectArray {
  public:
-  explicit ListeningServant(FanOut::Hear hear) : hear_(std::move(hear)) {}
+  ListeningServant(FanOut::Hear hear, bool is_certified)
+      : hear_(std::move(hear)), is_certified_(is_certified) {}
 
   bool ice_invoke(std::pair<const Ice::Byte*, const Ice::Byte*> parameters,
                   std::vector<Ice::Byte>& answer, const Ice::Current& current) override {
+    const std::scoped_lock lock(mutex_);
+    if (is_certified_ && !IsOfBroker(current.con)) {
+      throw Ice::ObjectNotExistException(__FILE__, __LINE__, current.id, current.facet,
+                                         current.operation);
+    }
     if (current.requestId != 0) answer = {6, 0, 0, 0, 1, 1};
     const auto message =
         ReadOnlyParameter(std::as_bytes(std::span(parameters.first, parameters.second)));
     if (current.operation != kTopicOperation || !message) {
       throw Ice::MarshalException("tendon", 0, "no message of a topic");
     }
-    const std::scoped_lock lock(mutex_);
     hear_(*message);
     return true;
   }
 
  private:
-  std::mutex mutex_;
+  /// A connection is looked at once.
+  bool IsOfBroker(const std::shared_ptr<Ice::Connection>& connection) {
+    if (connection == good_.lock()) return true;
+    const auto certificate = CertificateOf(*connection);
+    if (!certificate || certificate->name != kBrokerName) return false;
+    good_ = connection;
+    return true;
+  }
+
   const FanOut::Hear hear_;
+  const bool is_certified_;
+  std::mutex mutex_;
+  std::weak_ptr<Ice::Connection> good_;
 };
 
 /// Among the listeners of a topic, until its end.
@@ -124,7 +142,10 @@ Result<std::unique_ptr<FanOut::Reception>> IceFanOut::Listen(const std::string& 
     const auto adapter = AdapterAt(LocalHostOf(*topic->ice_getConnection()));
     const Ice::Identity identity{NumberText(), "listener"};
     const auto listener =
-        adapter->add(std::make_shared<ListeningServant>(std::move(hear)), identity)->ice_oneway();
+        adapter
+            ->add(std::make_shared<ListeningServant>(std::move(hear), door_.is_certified()),
+                  identity)
+            ->ice_oneway();
     auto reception = std::make_unique<IceReception>(adapter, topic, listener);
     topic->subscribeAndGetPublisher({}, listener);
     return std::unique_ptr<Reception>(std::move(reception));

@@ -35,16 +35,17 @@ class Outlet final : public std::enable_shared_from_this<Outlet> {
     const auto* begin = reinterpret_cast<const Ice::Byte*>(parameters.data());
     const std::pair<const Ice::Byte*, const Ice::Byte*> range{begin, begin + parameters.size()};
     const auto sent = [self = shared_from_this(), size](bool /*at once*/) { self->OnSent(size); };
-    const auto failed = [self = shared_from_this(), size](const std::exception_ptr& /*why*/) {
+    const auto failed = [self = shared_from_this(), size,
+                         publisher](const std::exception_ptr& /*why*/) {
       self->OnSent(size);
-      self->Lose();
+      self->Lose(publisher);
     };
     try {
       publisher->ice_invokeAsync(kTopicOperation, Ice::OperationMode::Normal, range, nullptr,
                                  failed, sent);
     } catch (const Ice::Exception&) {
       OnSent(size);
-      Lose();
+      Lose(publisher);
       return Status::kNotConnected;
     }
     return Status::kQueued;
@@ -75,6 +76,11 @@ class Outlet final : public std::enable_shared_from_this<Outlet> {
       publisher_ = nullptr;
       topic = std::exchange(topic_, nullptr);
     }
+    Destroy(topic);
+  }
+
+ private:
+  static void Destroy(const std::shared_ptr<IceStorm::TopicPrx>& topic) {
     try {
       if (topic) topic->destroyAsync(nullptr, [](const std::exception_ptr& /*why*/) {});
     } catch (const Ice::Exception&) {
@@ -82,7 +88,6 @@ class Outlet final : public std::enable_shared_from_this<Outlet> {
     }
   }
 
- private:
   /// Makes the topic, unless the broker has it already, which is new where it was started anew.
   void Make() {
     const auto manager = door_.Open(broker_);
@@ -98,13 +103,20 @@ class Outlet final : public std::enable_shared_from_this<Outlet> {
     const auto reached = door_.Reach(topic);
     if (!reached) return Complain(reached.error().message);
     topic = Ice::uncheckedCast<IceStorm::TopicPrx>(*reached);
+    if (!Keep(topic)) return Destroy(topic);
     const auto publisher = door_.Reach(topic->getPublisher());
     if (!publisher) return Complain(publisher.error().message);
     const std::scoped_lock lock(mutex_);
     if (has_ended_) return;
-    topic_ = topic;
     publisher_ = (*publisher)->ice_invocationTimeout(-1)->ice_oneway();
     complaint_.clear();
+  }
+
+  /// False where there is nobody any more who would end it.
+  bool Keep(const std::shared_ptr<IceStorm::TopicPrx>& topic) {
+    const std::scoped_lock lock(mutex_);
+    if (!has_ended_) topic_ = topic;
+    return !has_ended_;
   }
 
   void OnSent(std::size_t size) {
@@ -115,6 +127,12 @@ class Outlet final : public std::enable_shared_from_this<Outlet> {
   void Lose() {
     const std::scoped_lock lock(mutex_);
     publisher_ = nullptr;
+  }
+
+  /// What is said late of one that was given up does not harm the next.
+  void Lose(const std::shared_ptr<Ice::ObjectPrx>& publisher) {
+    const std::scoped_lock lock(mutex_);
+    if (publisher_ == publisher) publisher_ = nullptr;
   }
 
   /// Once for each reason.

@@ -161,13 +161,32 @@ void Membership::Try() {
     return Fail(error);
   }
   candidate_ = *channel;
+  AskForFanOut(*channel);
+}
+
+/// Before the GCM shows us to viewers, who then ask for rows.
+void Membership::AskForFanOut(const std::shared_ptr<Channel>& channel) {
+  Ask<message::FanOutPlace>(
+      *context_.worker, channel, message::kFanOut, None{}, kJoinTimeout,
+      [this, worker = context_.worker, channel](const Result<message::FanOutPlace>& place) {
+        worker->Post([this, channel, place] {
+          if (!place && place.error().code == ErrorCode::kTimeout) {
+            return Finish(channel, {}, place.error());
+          }
+          if (place) delegate_.OnFanOut(place->address);
+          Join(channel);
+        });
+      });
+}
+
+void Membership::Join(const std::shared_ptr<Channel>& channel) {
   ProcessContent content = delegate_.content();
   const message::Join join{.process = options_.process,
                            .components = content.components,
                            .connections = content.connections};
   Ask<message::Joined>(
-      *context_.worker, *channel, message::kJoin, join, kJoinTimeout,
-      [this, worker = context_.worker, channel = *channel,
+      *context_.worker, channel, message::kJoin, join, kJoinTimeout,
+      [this, worker = context_.worker, channel,
        content = std::move(content)](const Result<message::Joined>& joined) {
         worker->Post([this, channel, content, joined] { Finish(channel, content, joined); });
       });
@@ -188,12 +207,6 @@ void Membership::Finish(const std::shared_ptr<Channel>& channel, ProcessContent 
   delegate_.OnPeers(joined->processes);
   Log("joined the GCM at " + options_.gcm + " as process '" + context_.name + "'");
   Report();
-  Ask<message::FanOutPlace>(
-      *context_.worker, channel, message::kFanOut, None{}, kJoinTimeout,
-      [this, worker = context_.worker](const auto& place) {
-        if (!place) return;
-        worker->Post([this, address = place->address] { delegate_.OnFanOut(address); });
-      });
 }
 
 void Membership::SetJoined(std::shared_ptr<Channel> channel) {

@@ -71,6 +71,8 @@ class Membership final : private NetworkJob {
   class GcmHandler;
 
   void Try();
+  void AskForFanOut(const std::shared_ptr<Channel>& channel);
+  void Join(const std::shared_ptr<Channel>& channel);
   void Finish(const std::shared_ptr<Channel>& channel, ProcessContent reported,
               const Result<message::Joined>& joined);
   void Fail(const Error& error);

@@ -11,6 +11,8 @@ namespace {
 
 constexpr std::chrono::milliseconds kOpenTimeout(1000);
 constexpr std::chrono::milliseconds kAnswerTimeout(2000);
+constexpr std::chrono::milliseconds kListenTimeout(5000);
+constexpr std::chrono::seconds kBrokerRest(30);  // of one that did not let us listen
 constexpr std::chrono::milliseconds kShortestPause(100);
 constexpr std::chrono::milliseconds kLongestPause(1000);
 constexpr std::chrono::seconds kLongestSilence(
@@ -124,7 +126,13 @@ std::string RowSource::BrokerFor(const Item& item) const {
                         access_.find_fan_out && access_.middleware->fan_out() != nullptr;
   if (!may_come) return {};
   const auto found = access_.find_fan_out();
-  return found ? *found : std::string();
+  return found && !MustRest(*found) ? *found : std::string();
+}
+
+bool RowSource::MustRest(const std::string& broker) const {
+  const auto failed = access_.failed_brokers->find(broker);
+  return failed != access_.failed_brokers->end() &&
+         SteadyClock().Now() - failed->second < kBrokerRest;
 }
 
 void RowSource::AskForTopic(Item& item, const std::string& broker) {
@@ -159,27 +167,33 @@ void RowSource::OnTopicJoined(const std::shared_ptr<Channel>& channel,
 /// What comes before the subscription has begun is not told of: it begins with what comes next.
 Result<void> RowSource::Follow(Item& item, const std::string& broker,
                                const message::TopicJoined& joined) {
+  if (MustRest(broker)) {  // another has waited for it since this one asked
+    return Error{ErrorCode::kUnreachable, "the fan-out at " + broker + " has just failed"};
+  }
   const auto line = std::make_shared<TopicLine>();
   const auto hear = [weak = weak_from_this(), line,
                      subscription = item.subscription](std::span<const std::byte> body) {
+    const TopicLine::Hearing hearing(*line);
     const auto self = weak.lock();
-    const std::uint64_t beginning = line->Hear();
-    if (self && beginning != 0) {
-      std::unique_lock lock(self->mutex_);
-      const ClockOffset clock = self->clock_;
-      lock.unlock();
-      subscription->Deliver(beginning, body, clock);
-    }
-    line->Rest();
+    const std::uint64_t beginning = line->beginning();
+    if (!self || beginning == 0) return;
+    std::unique_lock lock(self->mutex_);
+    const ClockOffset clock = self->clock_;
+    lock.unlock();
+    subscription->Deliver(beginning, body, clock);
   };
-  auto reception = access_.middleware->fan_out()->Listen(broker, joined.topic, hear, kOpenTimeout);
-  if (!reception) return reception.error();
+  auto reception =
+      access_.middleware->fan_out()->Listen(broker, joined.topic, hear, kListenTimeout);
+  if (!reception) {
+    (*access_.failed_brokers)[broker] = SteadyClock().Now();
+    return reception.error();
+  }
   const auto beginning = item.subscription->BeginTopic(joined.subscribed);
   if (!beginning) return beginning.error();
   {
     const std::scoped_lock lock(mutex_);
-    standing_[{channel_.get(), joined.subscribed.handle}] = {.subscription = item.subscription,
-                                                             .beginning = *beginning};
+    standing_[{channel_.get(), joined.subscribed.handle}] = {
+        .subscription = item.subscription, .beginning = *beginning, .line = line};
   }
   line->Begin(*beginning);
   item.stage = Stage::kStanding;
@@ -198,8 +212,8 @@ void RowSource::WatchOverTopic(const SharedSubscription& subscription,
     if (item == nullptr || item->line != line || !self->channel_) return;
     if (line->silence() < kLongestSilence) return self->WatchOverTopic(subscription, line);
     const Error silent{ErrorCode::kUnreachable, "the fan-out has brought nothing for 5 s"};
-    subscription->Interrupt(silent);
     self->EndThere(*self->channel_, item->handle);
+    subscription->Interrupt(silent);
     self->FallBack(*item, silent);
   });
 }
@@ -286,6 +300,7 @@ void RowSource::OnClosed(const std::shared_ptr<Channel>& channel, const Error& r
     const std::scoped_lock lock(mutex_);
     std::erase_if(standing_, [&](const auto& one) {
       if (one.first.first != channel.get()) return false;
+      if (one.second.line) one.second.line->End();
       interrupted.push_back(one.second.subscription);
       return true;
     });
@@ -296,7 +311,11 @@ void RowSource::OnClosed(const std::shared_ptr<Channel>& channel, const Error& r
   worker_->Post([self = shared_from_this(), channel] {
     if (self->channel_ != channel) return;
     self->channel_ = nullptr;
-    for (Item& item : self->items_) item.stage = Stage::kWanted;
+    for (Item& item : self->items_) {
+      item.stage = Stage::kWanted;
+      item.reception = nullptr;
+      item.line = nullptr;
+    }
     self->RetryLater();
   });
 }
@@ -325,7 +344,9 @@ RowSource::Item* RowSource::Find(const std::shared_ptr<RowSubscription>& subscri
 std::shared_ptr<RowSubscription> RowSource::Take(const Channel* channel, std::uint32_t handle) {
   const std::scoped_lock lock(mutex_);
   const auto node = standing_.extract({channel, handle});
-  return node ? node.mapped().subscription : nullptr;
+  if (!node) return nullptr;
+  if (node.mapped().line) node.mapped().line->End();
+  return node.mapped().subscription;
 }
 
 }  // namespace tendon

@@ -31,6 +31,9 @@ class RowSource final : public ChannelHandler, public std::enable_shared_from_th
     ResolveAddress resolve;
     Hello hello;
     FindFanOut find_fan_out{};
+    // When they last did not let us listen, by address; of the worker.
+    std::shared_ptr<std::map<std::string, SteadyTime>> failed_brokers =
+        std::make_shared<std::map<std::string, SteadyTime>>();
   };
   RowSource(const Access& access, std::shared_ptr<Worker> worker, std::string process)
       : access_(access), worker_(std::move(worker)), process_(std::move(process)) {}
@@ -57,6 +60,7 @@ class RowSource final : public ChannelHandler, public std::enable_shared_from_th
   struct Standing {
     std::shared_ptr<RowSubscription> subscription;
     std::uint64_t beginning = 0;
+    std::shared_ptr<TopicLine> line{};  // where the rows come by a topic
   };
 
   void OnNotice(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
@@ -70,6 +74,8 @@ class RowSource final : public ChannelHandler, public std::enable_shared_from_th
   void AskDirectly(Item& item);
   /// Where there is a broker, and what is wanted goes by it.
   [[nodiscard]] std::string BrokerFor(const Item& item) const;
+  /// It has just let somebody wait in vain.
+  [[nodiscard]] bool MustRest(const std::string& broker) const;
   void AskForTopic(Item& item, const std::string& broker);
   void OnTopicJoined(const std::shared_ptr<Channel>& channel,
                      const SharedSubscription& subscription, const std::string& broker,

@@ -47,10 +47,11 @@ void RowSubscription::GoOn(std::uint64_t first_tick) {
   has_begun_ = true;
 }
 
-bool RowSubscription::GoOnWith(const message::RowsHeader& header) {
+bool RowSubscription::GoOnWith(const RowBatchReader& batch) {
+  const message::RowsHeader& header = batch.header();
   if (goes_on_ && header.next_tick <= next_tick_) return false;
-  const std::uint64_t told_of = header.rows + header.lost_table;
-  GoOn(header.next_tick - std::min(told_of, header.next_tick));
+  // Not with what the batch tells as lost before it: that may have been before we listened.
+  GoOn(header.rows == 0 ? header.next_tick : std::min(batch.tick(0), header.next_tick));
   rows_ = header.rows_before;
   waits_for_batch_ = false;
   return true;
@@ -63,7 +64,7 @@ void RowSubscription::Deliver(std::uint64_t beginning, std::span<const std::byte
   const message::RowsHeader& header = reader->header();
   const std::scoped_lock lock(mutex_);
   if (beginning != beginnings_) return;
-  if (waits_for_batch_ && !GoOnWith(header)) return;
+  if (waits_for_batch_ && !GoOnWith(*reader)) return;
   ReadStamps(*reader);
   RowBatch batch;
   batch.epoch = epoch_;

@@ -44,7 +44,7 @@ class RowSubscription {
   /// What was written since the last row is lost; now comes that of `first_tick`.
   void GoOn(std::uint64_t first_tick);
   /// False where the batch is of before.
-  bool GoOnWith(const message::RowsHeader& header);
+  bool GoOnWith(const RowBatchReader& batch);
   [[nodiscard]] std::uint64_t LostInTable(const message::RowsHeader& header,
                                           std::uint64_t lost_here) const;
   void ReadStamps(const RowBatchReader& reader);

@@ -16,16 +16,24 @@ class TopicLine {
     const std::scoped_lock lock(mutex_);
     beginning_ = beginning;
   }
-  /// Something is heard, until Rest(). Returns the beginning, or 0 before there is one.
-  std::uint64_t Hear() {
+  /// The subscription hears no more of it.
+  void End() { Begin(0); }
+
+  /// While it lives, something is heard.
+  class Hearing {
+   public:
+    explicit Hearing(TopicLine& line) : line_(line) { line_.SetBusy(true); }
+    Hearing(const Hearing&) = delete;
+    Hearing& operator=(const Hearing&) = delete;
+    ~Hearing() { line_.SetBusy(false); }
+
+   private:
+    TopicLine& line_;
+  };
+  /// 0 where there is none.
+  [[nodiscard]] std::uint64_t beginning() const {
     const std::scoped_lock lock(mutex_);
-    is_busy_ = true;
     return beginning_;
-  }
-  void Rest() {
-    const std::scoped_lock lock(mutex_);
-    is_busy_ = false;
-    last_ = SteadyClock().Now();
   }
   /// None while it is the viewer who takes his time.
   [[nodiscard]] SteadyTime::duration silence() const {
@@ -34,6 +42,12 @@ class TopicLine {
   }
 
  private:
+  void SetBusy(bool is_busy) {
+    const std::scoped_lock lock(mutex_);
+    is_busy_ = is_busy;
+    last_ = SteadyClock().Now();
+  }
+
   mutable std::mutex mutex_;
   std::uint64_t beginning_ = 0;
   bool is_busy_ = false;

@@ -54,7 +54,10 @@ class Network:
         settings.properties = Ice.createProperties()
         for name, value in (_SETTINGS | _tls_settings(credentials)).items():
             settings.properties.setProperty(name, value)
-        self._communicator = Ice.initialize(settings)
+        try:
+            self._communicator = Ice.initialize(settings)
+        except Ice.Exception as why:
+            raise _why_not_started(why, credentials) from None
         self._lock = threading.Lock()
         self._is_closed = False
         self._last_number = 0
@@ -226,6 +229,14 @@ def _tls_settings(credentials: Credentials | None) -> dict[str, str]:
         "IceSSL.RevocationCheck": "1",
         "IceSSL.CertificateRevocationListFiles": str(credentials.authority / "crl.pem"),
     }
+
+
+def _why_not_started(why: Any, credentials: Credentials | None) -> Error:
+    reason = str(getattr(why, "reason", why.ice_id())).strip()
+    if credentials is None:
+        return Failed(f"Ice does not start: {reason}")
+    return Invalid(f"{credentials.certificate}, its key or the CA in {credentials.authority} "
+                   f"cannot be used: {reason}")
 
 
 def _shown_by(connection: Any) -> Shown | None:

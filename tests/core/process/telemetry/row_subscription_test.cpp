@@ -200,6 +200,18 @@ TEST(RowSubscription, OfATopicBeginsWithTheFirstBatchThatArrives) {
   EXPECT_EQ(viewer.subscription.counts(), (RowCounts{.received = 16, .lost_network = 4}));
 }
 
+TEST(RowSubscription, OfATopicDoesNotCountWhatWasLostBeforeItBegan) {
+  Viewer viewer;
+  viewer.StandByTopic(1, 500, 321);
+
+  viewer.Overwrite(7);
+  viewer.Send(10);
+  viewer.Overwrite(5);
+  viewer.Send(6);
+
+  EXPECT_EQ(viewer.subscription.counts(), (RowCounts{.received = 16, .lost_table = 5}));
+}
+
 TEST(RowSubscription, OfATopicKnowsOfWhatALostBatchWouldHaveTold) {
   Viewer viewer;
   viewer.StandByTopic(1, 100, 0);
