@@ -33,7 +33,7 @@ using tendon::ProcessContext;
 using tendon::Status;
 using tendon::Worker;
 
-constexpr std::chrono::seconds kPatience(20);
+constexpr std::chrono::seconds kLongEnough(20);
 constexpr std::size_t kLarge = std::size_t{5} << 20U;
 // So many take much longer than anybody may be silent.
 constexpr int kQuestions = 6;
@@ -83,7 +83,7 @@ class WatchOver : public testing::Test {
     listener_ = *std::move(listener);
     const auto channel = Channel::Open(client_, listener_->address(),
                                        {.instance = 2, .name = "desk", .cookie = 4711},
-                                       std::make_shared<tendon::ChannelHandler>(), kPatience);
+                                       std::make_shared<tendon::ChannelHandler>(), kLongEnough);
     EXPECT_TRUE(channel.ok());
     channel_ = *channel;
     tendon::WatchOver(worker_, channel_);
@@ -148,7 +148,7 @@ TEST_F(WatchOver, WhoTakesLongToHandleALargeMessageIsNotTakenForOneThatHangs) {
   EXPECT_TRUE(IsKept());
   handler_->SetHeld(false);
   if (!channel_->is_open()) return;
-  EXPECT_TRUE(channel_->Call(tendon::message::kPing, 0, Bytes(), kPatience).ok());
+  EXPECT_TRUE(channel_->Call(tendon::message::kPing, 0, Bytes(), kLongEnough).ok());
 }
 
 TEST_F(WatchOver, WhileALargeMessageIsHandledHereNobodyIsToBlameForSilence) {
@@ -269,7 +269,7 @@ class Lease : public testing::Test {
         context_, host_,
         tendon::Membership::Options{.gcm = gcm_->address(), .process = {.name = "robot"}});
     member_->Begin();
-    const auto joined = member_->WaitUntilJoined(kPatience);
+    const auto joined = member_->WaitUntilJoined(kLongEnough);
     EXPECT_TRUE(joined.ok()) << joined.error().message;
   }
   ~Lease() override { context_.worker->Stop(); }
