@@ -6,9 +6,9 @@
 
 namespace tendon {
 
-/// While it lives a large message is handled in this process, which may take a thread of the
-/// middleware seconds: whatever else has arrived for that thread is not heard, and nobody is to be
-/// blamed for his silence. Thread-safe.
+/// While it lives a large message is handled in this process, or made, which may take a thread of
+/// the middleware seconds: whatever else has arrived for that thread is not heard, and nobody is to
+/// be blamed for his silence. Thread-safe.
 class LargeInHand {
  public:
   LargeInHand();
