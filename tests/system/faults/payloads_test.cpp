@@ -104,7 +104,9 @@ TEST_P(Payloads, AGiantIsSentUpToTheLimitAndBeyondItRefusedWhereItWouldBeSent) {
     return shop->err().find("exceeds max_payload 67 108 864 B of post/receiver/Parcels") !=
            std::string::npos;
   })) << shop->err();
-  EXPECT_EQ(watch_->connection_changes(), changes) << "and has not been made anew";
+  if (!MachineStoodStill()) {
+    EXPECT_EQ(watch_->connection_changes(), changes) << "and has not been made anew";
+  }
   EXPECT_EQ(Lines("taken", "damaged"), 0U);
   EXPECT_EQ(Lines("taken"), taken.size() + refused.size());
   for (const char* name : {"post", "shop"}) ExpectNeverLost(name);
