@@ -95,14 +95,20 @@ TEST_P(GcmRestart, AHerdOfLcmsComesBackAndNobodyIsLostOnTheWay) {
     });
     return all_alive && all.size() == herd.size() + 2;
   };
-  ASSERT_TRUE(Eventually(is_complete));
+  const auto words = [&herd] {
+    std::string all;
+    for (const auto& sheep : herd) all += sheep->err();
+    return all;
+  };
+  ASSERT_TRUE(Eventually(is_complete)) << words();
   const tendon::Fingerprint before = Hash();
 
   const std::size_t snapshots = watch_->snapshots();
   KillGcm();
   const Stopwatch since_death;
   ASSERT_NO_FATAL_FAILURE(StartGcm());
-  ASSERT_TRUE(Eventually([&] { return watch_->snapshots() > snapshots && is_complete(); }));
+  ASSERT_TRUE(Eventually([&] { return watch_->snapshots() > snapshots && is_complete(); }))
+      << words();
 
   Tell(std::to_string(count + 2) + " LCMs were back " + std::to_string(since_death.milliseconds()) +
        " ms after the GCM was killed");
