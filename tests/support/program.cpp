@@ -49,22 +49,57 @@ void EndWith(pid_t parent) {
   if (getppid() != parent) _exit(127);  // that was before
 }
 
-/// In the child.
-[[noreturn]] void Become(const Program::Words& command,
-                         const std::map<std::string, std::string>& environment,
-                         const std::string& folder, const fs::path& home) {
-  RedirectTo(folder + "/out", STDOUT_FILENO);
-  RedirectTo(folder + "/err", STDERR_FILENO);
-  for (const char* name : {"XDG_RUNTIME_DIR", "XDG_STATE_HOME", "XDG_CACHE_HOME"}) {
-    setenv(name, home.c_str(), 1);
+/// Everything that a child becomes, made before there is one: between the fork and its new program
+/// it may have locks that threads of ours held, and must take none.
+class Start {
+ public:
+  Start(const Program::Words& command, const std::map<std::string, std::string>& environment,
+        const std::string& folder, const fs::path& home)
+      : words_(command), out_(folder + "/out"), err_(folder + "/err") {
+    std::map<std::string, std::string> variables = Variables();
+    for (const char* name : {"XDG_RUNTIME_DIR", "XDG_STATE_HOME", "XDG_CACHE_HOME"}) {
+      variables[name] = home;
+    }
+    for (const auto& [name, value] : environment) variables[name] = value;
+    for (const auto& [name, value] : variables) texts_.push_back(name + "=" + value);
+    argv_ = Pointers(words_);
+    envp_ = Pointers(texts_);
   }
-  for (const auto& [name, value] : environment) setenv(name.c_str(), value.c_str(), 1);
-  std::vector<char*> words;
-  for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
-  words.push_back(nullptr);
-  execv(words[0], words.data());
-  _exit(127);
-}
+  Start(const Start&) = delete;
+  Start& operator=(const Start&) = delete;
+
+  /// In the child.
+  [[noreturn]] void Become() const {
+    RedirectTo(out_, STDOUT_FILENO);
+    RedirectTo(err_, STDERR_FILENO);
+    execve(argv_[0], argv_.data(), envp_.data());
+    _exit(127);
+  }
+
+ private:
+  static std::map<std::string, std::string> Variables() {
+    std::map<std::string, std::string> variables;
+    for (char** one = environ; *one != nullptr; ++one) {
+      const std::string text = *one;
+      const std::size_t equals = text.find('=');
+      if (equals != std::string::npos) variables[text.substr(0, equals)] = text.substr(equals + 1);
+    }
+    return variables;
+  }
+  static std::vector<char*> Pointers(Program::Words& texts) {
+    std::vector<char*> pointers;
+    for (std::string& text : texts) pointers.push_back(text.data());
+    pointers.push_back(nullptr);
+    return pointers;
+  }
+
+  Program::Words words_;
+  Program::Words texts_;
+  std::vector<char*> argv_;
+  std::vector<char*> envp_;
+  std::string out_;
+  std::string err_;
+};
 
 /// Keeps other tests, those of other users too, off the port until this one ends: whoever takes it
 /// does so later than us. The name of a socket in no folder leaves nothing behind.
@@ -99,14 +134,14 @@ Program::Program(const Words& command, const std::map<std::string, std::string>&
   std::string folder = (fs::temp_directory_path() / "tendon-program-XXXXXX").string();
   if (mkdtemp(folder.data()) == nullptr) throw std::runtime_error("no folder for " + command[0]);
   folder_ = folder;
-  const fs::path& home = Home();
+  const Start start(command, environment, folder_, Home());
   const pid_t parent = getpid();
   const bool is_main_thread = gettid() == parent;  // others may end, and with them what they forked
   pid_ = fork();
   if (pid_ < 0) throw std::runtime_error("no process for " + command[0]);
   if (pid_ > 0) return;
   if (is_main_thread) EndWith(parent);
-  Become(command, environment, folder_, home);
+  start.Become();
 }
 
 Program::~Program() {
