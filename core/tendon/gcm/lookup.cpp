@@ -210,14 +210,13 @@ Result<ConnectionDescription> PlanDisconnect(const Catalog& catalog,
 }
 
 Result<InterfaceName> LookUpConnected(const Catalog& catalog, const std::string& text) {
-  const std::size_t slash = text.rfind('/');
-  const std::string number = text.substr(slash == std::string::npos ? 0 : slash + 1);
+  const std::size_t slash = text.find('/');
+  const std::string process = slash == std::string::npos ? "" : text.substr(0, slash);
+  const std::string number = slash == std::string::npos ? text : text.substr(slash + 1);
   std::uint64_t id = 0;
   const auto [end, code] = std::from_chars(number.data(), number.data() + number.size(), id);
-  const bool is_number = code == std::errc() && end == number.data() + number.size() &&
-                         (slash == std::string::npos || text.find('/') == slash);
+  const bool is_number = code == std::errc() && end == number.data() + number.size();
   if (!is_number) return ParseInterfaceName(text);
-  const std::string process = slash == std::string::npos ? "" : text.substr(0, slash);
   std::vector<InterfaceName> found;
   for (const ConnectionDescription& one : catalog.connections()) {
     const bool is_meant = process.empty() || one.required.process == process;

@@ -90,7 +90,7 @@ void RequiredInterfaceProxy::OnRead(std::size_t function, std::span<const std::b
   if (function >= functions_.size() || CanBeAwaited(functions_[function]->kind())) {
     return responder.Refuse({ErrorCode::kInvalid, "no such read in " + interface_.name()});
   }
-  const LargeInHand mark;  // the answer may be, which is known only once it is there
+  const LargeInHand mark;  // how large the answer is, is known once it is there
   Status status = (*functions_[function])(argument, answer_);
   if (!CanBeSent(function, answer_)) {
     answer_.clear();

@@ -162,12 +162,35 @@ TEST_F(WatchOver, WhileALargeMessageIsHandledHereNobodyIsToBlameForSilence) {
   EXPECT_TRUE(EventuallyTrue([&] { return !channel_->is_open(); }));
 }
 
-TEST(LargeInHand, ExcusesNobodyForEver) {
-  const tendon::SteadyTime now = tendon::SteadyClock().Now();
-  const LargeInHand large;
+TEST_F(WatchOver, WhoseReadsAreServedAllTheTimeStillSeesWhoHangs) {
+  are_lost_ = true;
 
-  EXPECT_EQ(LargeInHand::Last(now), now);
-  EXPECT_LE(LargeInHand::Last(now + std::chrono::hours(1)), now + 2 * LargeInHand::kAtMost);
+  EXPECT_TRUE(EventuallyTrue([&] {
+    const LargeInHand read;
+    return !channel_->is_open();
+  }));
+}
+
+TEST(LargeInHand, ExcusesNobodyForEver) {
+  const LargeInHand large;
+  const tendon::SteadyTime now = tendon::SteadyClock().Now();
+
+  EXPECT_EQ(LargeInHand::Last(now + LargeInHand::kShort), now + LargeInHand::kShort);
+  EXPECT_LE(LargeInHand::Last(now + std::chrono::hours(1)), now + LargeInHand::kAtMost);
+}
+
+TEST(LargeInHand, WhatIsDoneSoonExcusesNobody) {
+  const auto leaves_no_trace = [] {
+    const tendon::SteadyTime before = LargeInHand::Last(tendon::SteadyClock().Now());
+    {
+      const LargeInHand one;
+      const LargeInHand another;
+      if (LargeInHand::Last(tendon::SteadyClock().Now()) != before) return false;
+    }
+    return LargeInHand::Last(tendon::SteadyClock().Now()) == before;
+  };
+
+  EXPECT_TRUE(EventuallyTrue(leaves_no_trace)) << "unless this machine took its time";
 }
 
 /// A process without components.

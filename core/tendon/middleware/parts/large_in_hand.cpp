@@ -4,39 +4,47 @@
 #include <mutex>
 
 namespace tendon {
-namespace {
 
 /// Of this process: threads of a middleware may serve many links.
-struct Hand {
+struct LargeInHand::Hand {
   std::mutex mutex;
-  int held = 0;
-  SteadyTime since{};  ///< while it is held
+  LargeInHand* oldest = nullptr;
+  LargeInHand* newest = nullptr;
   SteadyTime last{};
 };
 
-Hand& TheHand() {
+LargeInHand::Hand& LargeInHand::TheHand() {
   static Hand hand;
   return hand;
 }
 
-}  // namespace
-
 LargeInHand::LargeInHand() {
   Hand& hand = TheHand();
   const std::scoped_lock lock(hand.mutex);
-  if (hand.held++ == 0) hand.since = SteadyClock().Now();
+  since_ = SteadyClock().Now();
+  older_ = hand.newest;
+  (older_ != nullptr ? older_->newer_ : hand.oldest) = this;
+  hand.newest = this;
 }
 
 LargeInHand::~LargeInHand() {
   Hand& hand = TheHand();
   const std::scoped_lock lock(hand.mutex);
-  if (--hand.held == 0) hand.last = std::min(SteadyClock().Now(), hand.since + kAtMost);
+  const SteadyTime now = SteadyClock().Now();
+  if (now - since_ >= kShort) hand.last = std::max(hand.last, std::min(now, since_ + kAtMost));
+  (older_ != nullptr ? older_->newer_ : hand.oldest) = newer_;
+  (newer_ != nullptr ? newer_->older_ : hand.newest) = older_;
 }
 
 SteadyTime LargeInHand::Last(SteadyTime now) {
   Hand& hand = TheHand();
   const std::scoped_lock lock(hand.mutex);
-  return hand.held > 0 ? std::min(now, hand.since + kAtMost) : hand.last;
+  SteadyTime last = hand.last;
+  for (const LargeInHand* one = hand.oldest; one != nullptr; one = one->newer_) {
+    if (now - one->since_ < kShort) break;  // and so are the newer ones
+    last = std::max(last, std::min(now, one->since_ + kAtMost));
+  }
+  return last;
 }
 
 }  // namespace tendon
