@@ -1,8 +1,8 @@
 #include <gcm_console/catalogue_json.h>
 #include <gcm_console/place.h>
 #include <tendon/gcm/lookup.h>
+#include <tendon/gcm/text/health_text.h>
 
-#include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
 
@@ -107,10 +107,9 @@ ordered_json ToJson(const tendon::MailboxFill& fill) {
 ordered_json HealthOf(const tendon::message::SystemHealth& health,
                       const tendon::ProcessDescription& process) {
   using Seconds = std::chrono::duration<double>;
-  const auto found =
-      std::ranges::find(health.processes, process.name, &tendon::message::ProcessHealth::process);
+  const auto* const found = LastHealth(health, process);
   ordered_json json = ordered_json::object();
-  if (found == health.processes.end() || found->instance != process.instance) return json;
+  if (found == nullptr) return json;
   if (found->cpu >= 0.0) json["cpu_cores"] = found->cpu;
   if (found->memory > 0) json["memory_bytes"] = found->memory;
   if (found->clock_uncertainty >= std::chrono::nanoseconds(0)) {

@@ -1,3 +1,4 @@
+#include <tendon/base/find_named.h>
 #include <tendon/gcm/catalog.h>
 #include <tendon/payload/codec.h>
 
@@ -7,14 +8,6 @@
 
 namespace tendon {
 namespace {
-
-/// The element of `elements` with this name, or null.
-template <typename List>
-const typename List::value_type* FindNamed(const List& elements, const std::string& name) {
-  const auto found = std::find_if(elements.begin(), elements.end(),
-                                  [&](const auto& element) { return element.name == name; });
-  return found == elements.end() ? nullptr : &*found;
-}
 
 bool ApplyProcess(std::map<std::string, ProcessEntry>& processes, const CatalogChange& change) {
   if (change.processes.size() != 1 || change.processes.front().name != change.process) return false;

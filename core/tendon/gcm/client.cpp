@@ -255,6 +255,10 @@ GcmClient::~GcmClient() = default;
 
 Result<void> GcmClient::WaitUntilWatching() { return implementation_->link().WaitUntilWatching(); }
 
+void GcmClient::Look(const std::function<void(const Catalog&)>& look) const {
+  implementation_->link().WithCatalog([&look](const Catalog& catalog) { look(catalog); });
+}
+
 Catalog GcmClient::catalog() const {
   return implementation_->link().WithCatalog([](const Catalog& catalog) { return catalog; });
 }

@@ -83,6 +83,9 @@ class GcmClient {
 
   /// A copy of the catalogue as it is now.
   [[nodiscard]] Catalog catalog() const;
+  /// Lets `look` see the catalogue as it is now, without a copy. The client waits for its end: it
+  /// must be short, and ask the client for nothing.
+  void Look(const std::function<void(const Catalog&)>& look) const;
 
   using ConnectHandler = std::function<void(Result<ConnectionDescription>)>;
   using DoneHandler = std::function<void(Result<void>)>;

@@ -1,7 +1,7 @@
+#include <tendon/base/find_named.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/interface/compatibility.h>
 
-#include <algorithm>
 #include <charconv>
 #include <vector>
 
@@ -39,13 +39,6 @@ std::vector<std::string> NamesOf(const List& elements) {
   std::vector<std::string> names;
   for (const auto& element : elements) names.push_back(element.name);
   return names;
-}
-
-template <typename List>
-const typename List::value_type* FindNamed(const List& elements, const std::string& name) {
-  const auto found = std::find_if(elements.begin(), elements.end(),
-                                  [&](const auto& element) { return element.name == name; });
-  return found == elements.end() ? nullptr : &*found;
 }
 
 /// Names may come from anywhere: none is repeated in an error before it was checked.

@@ -1,10 +1,10 @@
+#include <tendon/base/find_named.h>
 #include <tendon/base/os/file.h>
 #include <tendon/base/printable.h>
 #include <tendon/gcm/system_file.h>
 #include <tendon/payload/json.h>
 #include <tendon/payload/json/strict_json.h>
 
-#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <system_error>
@@ -104,13 +104,6 @@ Result<void> CheckConfigurations(const SystemFile& system) {
     }
   }
   return {};
-}
-
-template <typename T>
-const T* FindNamed(const std::vector<T>& elements, const std::string& name) {
-  const auto found = std::find_if(elements.begin(), elements.end(),
-                                  [&](const T& element) { return element.name == name; });
-  return found == elements.end() ? nullptr : &*found;
 }
 
 }  // namespace

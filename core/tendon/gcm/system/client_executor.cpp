@@ -2,6 +2,7 @@
 #include <tendon/gcm/system/client_executor.h>
 #include <tendon/payload/json.h>
 
+#include <optional>
 #include <thread>
 
 namespace tendon {
@@ -41,6 +42,14 @@ bool IsSo(const Catalog& catalog, LifeVerb verb, const PlanStep& step) {
   return verb == LifeVerb::kSuspend && now->state == ComponentState::kSuspended;
 }
 
+/// What `read` says of the catalogue as it is now.
+template <typename Read>
+auto Seen(const GcmClient& client, const Read& read) {
+  decltype(read(Catalog())) answer{};
+  client.Look([&](const Catalog& catalog) { answer = read(catalog); });
+  return answer;
+}
+
 }  // namespace
 
 Result<void> ClientExecutor::Execute(const PlanStep& step) {
@@ -77,7 +86,8 @@ Result<void> ClientExecutor::Execute(const PlanStep& step) {
 Result<void> ClientExecutor::CheckInstance(const PlanStep& step) const {
   const bool is_of_connection = step.process.empty();
   const std::string& process = is_of_connection ? step.wire.required.process : step.process;
-  if (step.instance == 0 || InstanceOf(client_.catalog(), process) == step.instance) return {};
+  const auto instance_of = [&](const Catalog& now) { return InstanceOf(now, process); };
+  if (step.instance == 0 || Seen(client_, instance_of) == step.instance) return {};
   return Error{ErrorCode::kFailed, "process '" + process +
                                        "' was started anew, or is gone, since the plan was made; "
                                        "make another one"};
@@ -86,10 +96,11 @@ Result<void> ClientExecutor::CheckInstance(const PlanStep& step) const {
 /// One that was just asked for is perhaps being made.
 Result<void> ClientExecutor::AwaitConnections(const PlanStep& step) const {
   for (const message::Wire& wire : step.needs) {
-    Result<void> connected = CheckConnected(client_.catalog(), wire);
+    const auto check = [&](const Catalog& now) { return CheckConnected(now, wire); };
+    Result<void> connected = Seen(client_, check);
     for (auto waited = kLook; !connected && waited <= timeout_; waited += kLook) {
       std::this_thread::sleep_for(kLook);
-      connected = CheckConnected(client_.catalog(), wire);
+      connected = Seen(client_, check);
     }
     if (!connected) return connected;
   }
@@ -115,9 +126,11 @@ Result<void> ClientExecutor::Connect(const PlanStep& step) {
 bool ClientExecutor::IsMadeByOthers(const message::Wire& wire, ErrorCode refusal) const {
   if (refusal != ErrorCode::kExists && refusal != ErrorCode::kFailed) return false;
   for (auto waited = kLook; waited <= kLonger; waited += kLook) {
-    const Catalog catalog = client_.catalog();
-    const auto* now = catalog.FindConnection(wire.required);
-    if (now != nullptr) return now->provided == wire.provided;
+    const auto provider = Seen(client_, [&](const Catalog& catalog) {
+      const auto* now = catalog.FindConnection(wire.required);
+      return now == nullptr ? std::nullopt : std::optional(now->provided);
+    });
+    if (provider) return provider == wire.provided;
     std::this_thread::sleep_for(kLook);
   }
   return false;
@@ -139,7 +152,8 @@ Result<void> ClientExecutor::Steer(LifeVerb verb, const PlanStep& step) {
   const auto made = Wait<void>(GcmClient::kOrdersOfALife * timeout_ + kLonger,
                                [&](auto handler) { client_.Steer(order, handler); });
   const bool is_refused = !made && made.error().code == ErrorCode::kFailed;
-  return is_refused && IsSo(client_.catalog(), verb, step) ? Result<void>() : made;
+  const auto is_so = [&](const Catalog& now) { return IsSo(now, verb, step); };
+  return is_refused && Seen(client_, is_so) ? Result<void>() : made;
 }
 
 /// It was not to run: where it does not come to be suspended, it is stopped.

@@ -3,7 +3,7 @@
 #include <tendon/gcm/system/reference_file.h>
 #include <tendon/gcm/system/system_index.h>
 
-#include <algorithm>
+#include <cstddef>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -41,10 +41,9 @@ class ReferenceReader {
 
   SystemFile::Process& ProcessNamed(const std::string& name) {
     auto& processes = imported_.file.processes;
-    const auto found = std::find_if(processes.begin(), processes.end(),
-                                    [&](const auto& process) { return process.name == name; });
-    if (found != processes.end()) return *found;
-    return processes.emplace_back(SystemFile::Process{name, {}});
+    const auto [place, is_new] = places_.emplace(name, processes.size());
+    if (is_new) processes.push_back({name, {}});
+    return processes[place->second];
   }
 
   void ReadManager(const FileObject& manager) {
@@ -127,6 +126,7 @@ class ReferenceReader {
 
   const std::string process_;
   ImportedSystem imported_;
+  std::map<std::string, std::size_t> places_;  // of the processes, by name
   file::NewNames names_{"component"};
   std::set<ComponentPath> known_;
   std::map<InterfaceName, InterfaceName> connected_;

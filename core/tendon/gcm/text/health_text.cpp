@@ -21,13 +21,19 @@ std::string Milliseconds(std::chrono::nanoseconds time) {
 
 }  // namespace
 
+const message::ProcessHealth* LastHealth(const message::SystemHealth& health,
+                                         const ProcessDescription& process) {
+  const auto found =
+      std::ranges::find(health.processes, process.name, &message::ProcessHealth::process);
+  const bool is_known = found != health.processes.end() && found->instance == process.instance;
+  return is_known ? &*found : nullptr;
+}
+
 const message::ProcessHealth* FindHealth(const message::SystemHealth& health,
                                          const ProcessDescription& process) {
   if (process.state != ProcessState::kAlive) return nullptr;
-  const auto found =
-      std::ranges::find(health.processes, process.name, &message::ProcessHealth::process);
-  if (found == health.processes.end() || found->instance != process.instance) return nullptr;
-  return found->age <= kFreshHealth ? &*found : nullptr;
+  const auto* const last = LastHealth(health, process);
+  return last != nullptr && last->age <= kFreshHealth ? last : nullptr;
 }
 
 std::string CpuText(const message::ProcessHealth* health) {

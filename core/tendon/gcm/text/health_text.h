@@ -10,7 +10,11 @@ namespace tendon {
 /// How old a figure may be to be shown as that of now: members tell each second.
 inline constexpr std::chrono::seconds kFreshHealth(3);
 
-/// Of a process as the catalogue has it; null where it is not alive, has not told, or not lately.
+/// What a process as the catalogue has it has told last, however long ago; null where it has not.
+[[nodiscard]] const message::ProcessHealth* LastHealth(const message::SystemHealth& health,
+                                                       const ProcessDescription& process);
+
+/// The same as what holds now; null where it is not alive, has not told, or not lately.
 [[nodiscard]] const message::ProcessHealth* FindHealth(const message::SystemHealth& health,
                                                        const ProcessDescription& process);
 

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <algorithm>
+#include <string>
+
+namespace tendon {
+
+/// The element of a list whose `name` this is, or null; looks at one after the other.
+template <typename List>
+[[nodiscard]] const typename List::value_type* FindNamed(const List& elements,
+                                                         const std::string& name) {
+  const auto found = std::find_if(elements.begin(), elements.end(),
+                                  [&](const auto& element) { return element.name == name; });
+  return found == elements.end() ? nullptr : &*found;
+}
+
+}  // namespace tendon
