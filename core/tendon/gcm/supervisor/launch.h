@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -14,6 +15,8 @@ struct Launch {
   /// name is valid.
   std::function<std::vector<std::string>(const std::string& process)> options =
       [](const std::string& /*process*/) { return std::vector<std::string>(); };
+  /// What a process writes is put aside when it is longer, in bytes.
+  std::uintmax_t longest_log = std::uintmax_t{8} << 20U;
 };
 
 }  // namespace tendon

@@ -93,6 +93,7 @@ Result<std::shared_ptr<StartedProcess>> LcmLauncher::Start(const Order& order) {
   }
   const fs::path log = FileOf(order.process, ".log");
   fs::rename(log, FileOf(order.process, ".log.1"), reason);
+  shortened_.erase(order.process);
   auto program = os::BackgroundProgram::Start(launch_.program, words, log);
   if (!program) return program.error();
   return std::shared_ptr<StartedProcess>(std::make_shared<LcmProcess>(*std::move(program)));
@@ -100,7 +101,20 @@ Result<std::shared_ptr<StartedProcess>> LcmLauncher::Start(const Order& order) {
 
 Traces LcmLauncher::TracesOf(const std::string& process) {
   const fs::path log = FileOf(process, ".log");
-  return {EndOf(log), log.string()};
+  std::string words = EndOf(log);
+  if (words.empty() && shortened_.contains(process)) words = EndOf(FileOf(process, ".log.1"));
+  return {words, log.string()};
+}
+
+/// The process appends to its file, wherever that ends.
+void LcmLauncher::ShortenLog(const std::string& process) {
+  std::error_code reason;
+  const fs::path log = FileOf(process, ".log");
+  const std::uintmax_t size = fs::file_size(log, reason);
+  if (reason || size <= launch_.longest_log) return;
+  fs::copy_file(log, FileOf(process, ".log.1"), fs::copy_options::overwrite_existing, reason);
+  fs::resize_file(log, 0, reason);  // also where the disk is full
+  shortened_.insert(process);
 }
 
 }  // namespace tendon::server

@@ -59,6 +59,18 @@ void Supervisor::Tick() {
   std::vector<std::string> names;  // for looking after one may drop it
   for (const auto& [process, child] : children_) names.push_back(process);
   for (const std::string& process : names) LookAfter(process, children_.at(process));
+  ShortenLogs();
+}
+
+void Supervisor::ShortenLogs() {
+  constexpr std::chrono::seconds kPause(1);
+  const SteadyTime now = parts_.clock.Now();
+  if (now < next_look_at_logs_) return;
+  next_look_at_logs_ = now + kPause;
+  for (const auto& [process, child] : children_) {
+    if (child.phase != Phase::kRunning) continue;
+    worker_.Post([launcher = parts_.launcher, name = process] { launcher->ShortenLog(name); });
+  }
 }
 
 void Supervisor::NoteChange(const std::string& process) {

@@ -97,6 +97,7 @@ class Supervisor {
   [[nodiscard]] Result<void> CheckStart(const std::string& process) const;
   [[nodiscard]] Result<void> CheckKill(const std::string& process) const;
   void Launch(const std::string& process, Child& child);
+  void ShortenLogs();
   void Begin(const std::string& process, const Result<std::shared_ptr<StartedProcess>>& program);
   void LookAfter(const std::string& process, Child& child);
   void Joined(const std::string& process, Child& child);
@@ -114,6 +115,7 @@ class Supervisor {
   Parts parts_;
   const Locked locked_;
   std::map<std::string, Child> children_;
+  SteadyTime next_look_at_logs_{};
   Worker worker_{"gcm-starts"};
 };
 

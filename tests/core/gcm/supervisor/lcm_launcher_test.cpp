@@ -88,6 +88,30 @@ TEST_F(LcmLauncherTest, GivesTheProgramTheSystemThatItIsToHaveAndKeepsTheFormerL
   EXPECT_NE(ReadSystemFile(file)->FindProcess("robot"), nullptr);
 }
 
+TEST_F(LcmLauncherTest, ALongLogIsPutAsideAndTheProgramWritesOn) {
+  const std::string fifo = (home_.path() / "fifo").string();
+  ASSERT_EQ(mkfifo(fifo.c_str(), 0600), 0);
+  Script("echo 'a long line'; read -r go < " + fifo + "; echo more; exec sleep 1000");
+  LcmLauncher launcher({.program = home_.path() / "lcm", .longest_log = 8}, "127.0.0.1:1",
+                       home_.path() / "state");
+  const auto process = launcher.Start({.process = "robot", .patience = 2s});
+  ASSERT_TRUE(process) << process.error().message;
+  ASSERT_TRUE(EventuallyTrue([&] { return home_.Read("state/robot.log") == "a long line\n"; }));
+
+  launcher.ShortenLog("robot");
+
+  EXPECT_EQ(home_.Read("state/robot.log"), "");
+  EXPECT_EQ(home_.Read("state/robot.log.1"), "a long line\n");
+  EXPECT_EQ(launcher.TracesOf("robot").last_words, "a long line");
+  home_.Write("fifo", "go\n");
+  EXPECT_TRUE(EventuallyTrue([&] { return home_.Read("state/robot.log") == "more\n"; }));
+  launcher.ShortenLog("robot");  // short as it is
+  EXPECT_EQ(home_.Read("state/robot.log"), "more\n");
+  EXPECT_EQ(launcher.TracesOf("robot").last_words, "more");
+  (*process)->Kill();
+  EXPECT_EQ(WaitForEndOf(**process).how, "was ended by SIGKILL");
+}
+
 TEST_F(LcmLauncherTest, SaysWhatIsMissing) {
   LcmLauncher launcher = Make();
   const auto missing = launcher.Start({.process = "robot"});

@@ -45,6 +45,10 @@ class FakeLauncher final : public Launcher {
     return std::shared_ptr<StartedProcess>(processes_.back());
   }
   Traces TracesOf(const std::string& process) override { return {"alas", process + ".log"}; }
+  void ShortenLog(const std::string& process) override {
+    const std::scoped_lock lock(mutex_);
+    shortened_.push_back(process);
+  }
 
   [[nodiscard]] std::size_t starts() const {
     const std::scoped_lock lock(mutex_);
@@ -60,11 +64,18 @@ class FakeLauncher final : public Launcher {
     return processes_.back();
   }
 
+  /// Whose log was looked at.
+  [[nodiscard]] std::vector<std::string> shortened() const {
+    const std::scoped_lock lock(mutex_);
+    return shortened_;
+  }
+
   std::string refusal;
 
  private:
   mutable std::mutex mutex_;
   std::vector<Order> orders_;
+  std::vector<std::string> shortened_;
   std::vector<std::shared_ptr<FakeProcessOfGcm>> processes_;
 };
 
@@ -180,6 +191,19 @@ class SupervisorTest : public testing::Test {
                            Locked([&] { action(supervisor_); });
                          }};
 };
+
+TEST_F(SupervisorTest, TheLogOfOneThatRunsIsLookedAtEachSecond) {
+  Run(RestartPolicy::kNever);
+  const std::size_t before = launcher_->shortened().size();
+
+  clock_.Advance(1s);
+  EXPECT_TRUE(Comes([&] { return launcher_->shortened().size() == before + 1; }));
+  Tick();
+  Tick();
+  clock_.Advance(1s);
+  EXPECT_TRUE(Comes([&] { return launcher_->shortened().size() == before + 2; }));
+  EXPECT_EQ(launcher_->shortened().back(), "robot");
+}
 
 TEST_F(SupervisorTest, AStartIsDoneOnceTheProcessHasJoined) {
   const auto answer = Order(ProcessVerb::kStart);
