@@ -42,6 +42,7 @@ std::vector<Verb> EventVerbs();      // events
 std::vector<Verb> RateVerbs();       // hz
 std::vector<Verb> ActVerbs();        // call
 std::vector<Verb> ClassVerbs();      // load classes create configure
+std::vector<Verb> SetVerbs();        // set
 std::vector<Verb> LifecycleVerbs();  // start suspend stop restart rm
 std::vector<Verb> WireVerbs();       // connect disconnect
 std::vector<Verb> ExplainVerbs();    // candidates explain

@@ -2,6 +2,7 @@
 #include <gcm_console/line/command_line.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 namespace console {
@@ -23,6 +24,7 @@ struct Standing {
   const Page* page = nullptr;            // the verb, or `gcm` while there is none
   const Page::Option* option = nullptr;  // whose value comes next
   std::size_t arguments = 0;             // that the verb has already
+  std::string last_argument = {};        // of those
 };
 
 Standing StandingOf(const Page& gcm, const std::vector<std::string>& words) {
@@ -37,6 +39,7 @@ Standing StandingOf(const Page& gcm, const std::vector<std::string>& words) {
       standing.page = part;
     } else {
       ++standing.arguments;
+      standing.last_argument = word;
     }
   }
   return standing;
@@ -44,8 +47,8 @@ Standing StandingOf(const Page& gcm, const std::vector<std::string>& words) {
 
 class Collector {
  public:
-  Collector(std::string word, const AskCatalog& catalog, std::string at)
-      : word_(std::move(word)), catalog_(catalog), at_(std::move(at)) {}
+  Collector(std::string word, const AskSystem& system, std::string at)
+      : word_(std::move(word)), system_(system), at_(std::move(at)) {}
 
   /// A word that is whole.
   void Offer(const std::string& text, const std::string& help) {
@@ -63,6 +66,17 @@ class Collector {
     if (kind == WordKind::kFile) found_.is_file = true;
     if (IsPath(kind)) OfferPaths(kind);
   }
+  /// Structures one step at a time, as paths.
+  void OfferParameters(const std::string& component) {
+    if (!system_.parameters) return;
+    std::set<std::string> steps;
+    for (const std::string& name : system_.parameters(ResolvedPath(at_, component))) {
+      if (!name.starts_with(word_)) continue;
+      const auto end = name.find('.', word_.size());
+      steps.insert(end == std::string::npos ? name + " " : name.substr(0, end + 1));
+    }
+    for (const std::string& step : steps) found_.candidates.push_back({step, ""});
+  }
   Completion Take() { return std::move(found_); }
 
  private:
@@ -74,24 +88,24 @@ class Collector {
       prefix += std::count(prefix.begin(), prefix.end(), '/') == 2 ? "." : "/";
     }
     if (word_.ends_with("..")) return;
-    for (const std::string& path : PathsOf(catalog_(), kind, prefix)) {
+    for (const std::string& path : PathsOf(system_.catalog(), kind, prefix)) {
       const bool goes_on = path.ends_with('/') || path.ends_with('.');
       found_.candidates.push_back({word_ + path.substr(prefix.size()) + (goes_on ? "" : " "), ""});
     }
   }
 
   const std::string word_;
-  const AskCatalog& catalog_;
+  const AskSystem& system_;
   const std::string at_;
   Completion found_;
 };
 
 /// Of "--color=", and what is typed of the value.
 Completion ValuesBehind(const std::string& begin, const std::string& value, const Page& gcm,
-                        const Page& verb, const AskCatalog& catalog, const std::string& at) {
+                        const Page& verb, const AskSystem& system, const std::string& at) {
   const auto* option = FindOption(gcm, verb, begin.substr(0, begin.size() - 1));
   if (option == nullptr) return {};
-  Collector collector(value, catalog, at);
+  Collector collector(value, system, at);
   collector.OfferValues(option->kind, option->choices, gcm);
   Completion found = collector.Take();
   for (auto& candidate : found.candidates) candidate.text.insert(0, begin);
@@ -100,16 +114,16 @@ Completion ValuesBehind(const std::string& begin, const std::string& value, cons
 
 }  // namespace
 
-Completion Complete(const Page& gcm, const std::vector<std::string>& words,
-                    const AskCatalog& catalog, const std::string& at) {
+Completion Complete(const Page& gcm, const std::vector<std::string>& words, const AskSystem& system,
+                    const std::string& at) {
   const std::string word = words.empty() ? "" : words.back();
   const Standing standing = StandingOf(gcm, words);
   if (const auto equals = word.find('=');
       standing.option == nullptr && word.starts_with("--") && equals != std::string::npos) {
     return ValuesBehind(word.substr(0, equals + 1), word.substr(equals + 1), gcm, *standing.page,
-                        catalog, at);
+                        system, at);
   }
-  Collector collector(word, catalog, at);
+  Collector collector(word, system, at);
   if (standing.option != nullptr) {
     collector.OfferValues(standing.option->kind, standing.option->choices, gcm);
   } else if (word.starts_with('-')) {
@@ -121,7 +135,11 @@ Completion Complete(const Page& gcm, const std::vector<std::string>& words,
     const std::size_t last = arguments.size() - 1;
     if (standing.arguments > last && !arguments[last].is_many) return {};
     const auto& argument = arguments[std::min(standing.arguments, last)];
-    collector.OfferValues(argument.kind, argument.choices, gcm);
+    if (argument.kind == WordKind::kParameter) {
+      collector.OfferParameters(standing.last_argument);
+    } else {
+      collector.OfferValues(argument.kind, argument.choices, gcm);
+    }
   }
   return collector.Take();
 }

@@ -23,13 +23,17 @@ struct Completion {
   bool is_file = false;  ///< a file is wanted; whoever asks knows those better
 };
 
-/// Asked only where a path is wanted.
-using AskCatalog = std::function<tendon::Catalog()>;
+/// What is asked of a live system, each only where it is wanted.
+struct AskSystem {
+  std::function<tendon::Catalog()> catalog;
+  /// The names of the parameters of a component.
+  std::function<std::vector<std::string>(const std::string& component)> parameters = nullptr;
+};
 
 /// The last of `words` is what is completed, and may be empty. `gcm` is the page of the whole
 /// program; paths begin at `at`.
-Completion Complete(const Page& gcm, const std::vector<std::string>& words,
-                    const AskCatalog& catalog, const std::string& at = "");
+Completion Complete(const Page& gcm, const std::vector<std::string>& words, const AskSystem& system,
+                    const std::string& at = "");
 
 /// All paths of that kind, in order; of the ways to them, those that are longer than `prefix` by
 /// one name only: "robot/arm/" for "robot/a".

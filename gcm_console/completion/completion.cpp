@@ -1,6 +1,7 @@
 #include <gcm_console/completion/completer.h>
 #include <gcm_console/completion/completion.h>
 #include <gcm_console/line/command_line.h>
+#include <gcm_console/parameters/parameter_source.h>
 
 #include <algorithm>
 #include <map>
@@ -90,7 +91,8 @@ std::string Given(const std::vector<std::string>& words, const std::string& opti
   return "";
 }
 
-tendon::Catalog CatalogFor(const std::vector<std::string>& words) {
+/// That has seen the catalogue; null where there is no GCM.
+std::shared_ptr<tendon::GcmClient> ClientFor(const std::vector<std::string>& words) {
   Settings settings;
   settings.timeout = kPatience;
   settings.gcm = program::GcmAddress(Given(words, "--gcm"));
@@ -101,8 +103,8 @@ tendon::Catalog CatalogFor(const std::vector<std::string>& words) {
   }
   settings.network.insecure = std::ranges::find(words, "--insecure") != words.end();
   const auto client = OpenClient(settings, "gcm complete");
-  if (!client || !(*client)->WaitUntilWatching()) return {};
-  return (*client)->catalog();
+  if (!client || !(*client)->WaitUntilWatching()) return nullptr;
+  return *client;
 }
 
 }  // namespace
@@ -110,7 +112,18 @@ tendon::Catalog CatalogFor(const std::vector<std::string>& words) {
 int PrintCompletions(const std::vector<std::string>& words, const Streams& streams) {
   const std::vector<std::string> typed(words.begin() + 1, words.end());
   const Completion found =
-      Complete(CommandLine({}).page(), typed, [&typed] { return CatalogFor(typed); });
+      Complete(CommandLine({}).page(), typed,
+               {.catalog =
+                    [&typed] {
+                      const auto client = ClientFor(typed);
+                      return client ? client->catalog() : tendon::Catalog();
+                    },
+                .parameters =
+                    [&typed](const std::string& component) {
+                      const auto client = ClientFor(typed);
+                      return client ? ParameterNames(*client, kPatience, component)
+                                    : std::vector<std::string>();
+                    }});
   if (found.is_file) streams.out << ":files\n";
   for (const auto& [text, help] : found.candidates) {
     const std::size_t end = text.find_last_not_of(' ') + 1;

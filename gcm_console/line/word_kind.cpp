@@ -8,9 +8,9 @@ namespace console {
 namespace {
 
 /// By the order of the enumerators, as the help calls them.
-constexpr std::array<std::string_view, 12> kNames = {"TEXT",      "FILE",  "VERB",      "PROCESS",
-                                                     "COMPONENT", "PATH",  "INTERFACE", "PROVIDED",
-                                                     "COMMAND",   "VALUE", "COLUMN",    "EVENT"};
+constexpr std::array<std::string_view, 13> kNames = {
+    "TEXT",      "FILE",     "VERB",    "PARAMETER", "PROCESS", "COMPONENT", "PATH",
+    "INTERFACE", "PROVIDED", "COMMAND", "VALUE",     "COLUMN",  "EVENT"};
 
 }  // namespace
 

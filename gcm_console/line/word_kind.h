@@ -13,6 +13,7 @@ enum class WordKind {
   kText,
   kFile,
   kVerb,
+  kParameter,  ///< of the component that stands before it
   kProcess,    ///< from here on: paths of a system
   kComponent,  ///< and processes on the way to one
   kPath,       ///< of anything

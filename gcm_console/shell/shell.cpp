@@ -1,4 +1,5 @@
 #include <gcm_console/line/command_line.h>
+#include <gcm_console/parameters/parameter_source.h>
 #include <gcm_console/place.h>
 #include <gcm_console/shell/shell.h>
 #include <tendon/base/os/termination.h>
@@ -100,9 +101,19 @@ std::string Shell::prompt() const {
   return (at.empty() ? "gcm" : at) + "> ";
 }
 
+std::vector<std::string> Shell::ParametersOf(const std::string& component) {
+  constexpr std::chrono::milliseconds kLongestPause(100);
+  const auto client = session_.Client();
+  if (!client) return {};
+  return ParameterNames(**client, kLongestPause, component);
+}
+
 Completion Shell::Complete(const Unfinished& line) {
   return console::Complete(
-      page_, line.words, [this] { return session_.catalog(); }, session_.settings().at);
+      page_, line.words,
+      {.catalog = [this] { return session_.catalog(); },
+       .parameters = [this](const std::string& component) { return ParametersOf(component); }},
+      session_.settings().at);
 }
 
 }  // namespace console

@@ -6,6 +6,7 @@
 #include <gcm_console/shell/words.h>
 
 #include <string>
+#include <vector>
 
 namespace console {
 
@@ -25,11 +26,13 @@ class Shell {
 
   /// "robot/arm> ", by where paths begin.
   [[nodiscard]] std::string prompt() const;
-  /// What a line may go on with, from the catalogue as it is known at this moment: never waits.
+  /// What a line may go on with, from the catalogue as it is known at this moment. Waits for
+  /// nothing but the names of parameters, which only their process knows: 100 ms at most.
   [[nodiscard]] Completion Complete(const Unfinished& line);
 
  private:
   int RunCommand(const Words& words, const Streams& streams);
+  std::vector<std::string> ParametersOf(const std::string& component);
   tendon::Result<void> GoTo(const std::string& typed);
 
   Session session_;

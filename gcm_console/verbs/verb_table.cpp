@@ -23,6 +23,7 @@ constexpr Group kGroups[] = {
     {"data", &LogVerbs},        //
     {"act", &ActVerbs},         //
     {"act", &ClassVerbs},       //
+    {"act", &SetVerbs},         //
     {"act", &LifecycleVerbs},   //
     {"wire", &WireVerbs},       //
     {"wire", &ExplainVerbs},    //

@@ -103,6 +103,7 @@ class OutputTest : public DemoFixture {
             {"classes", "robot"},
             {"create", "SimulatedArm", "robot/spare"},
             {"configure", "robot/spare", "--arg", "{}"},
+            {"set", "robot/spare", "noise", "0.001"},
             {"start", "robot/spare"},
             {"suspend", "robot/spare"},
             {"restart", "robot/spare"},

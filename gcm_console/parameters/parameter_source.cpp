@@ -1,0 +1,54 @@
+#include <gcm_console/parameters/parameter_source.h>
+#include <tendon/gcm/life/parameters.h>
+#include <tendon/gcm/lookup.h>
+
+#include <algorithm>
+
+namespace console {
+
+using tendon::Error;
+using tendon::ErrorCode;
+using tendon::Result;
+using tendon::message::Classes;
+
+Result<ConfiguredComponent> FindConfigured(tendon::GcmClient& client,
+                                           std::chrono::milliseconds patience,
+                                           const tendon::Path& path) {
+  const tendon::Catalog catalog = client.catalog();
+  const auto component = LookUpComponent(catalog, path.process, path.component);
+  if (!component) return component.error();
+  const tendon::ComponentDescription& known = **component;
+  if (known.class_name.empty()) {
+    return Error{ErrorCode::kFailed, "component '" + path.component +
+                                         "' was made by the program of process '" + path.process +
+                                         "' itself, not from a class: it has no parameters that "
+                                         "could be set from afar"};
+  }
+  const auto all = tendon::Wait<Classes>(
+      patience, [&](auto handler) { client.GetClasses(path.process, std::move(handler)); });
+  if (!all) return all.error();
+  const auto of = std::ranges::find_if(all->classes, [&](const tendon::ClassDescription& one) {
+    return one.name == known.class_name && one.library == known.library;
+  });
+  if (of == all->classes.end()) {
+    return Error{ErrorCode::kFailed, "process '" + path.process + "' does not say what class '" +
+                                         known.class_name + "' can be told"};
+  }
+  return ConfiguredComponent{*of, known.configuration, InstanceOf(catalog, path.process)};
+}
+
+std::vector<std::string> ParameterNames(tendon::GcmClient& client,
+                                        std::chrono::milliseconds patience,
+                                        const std::string& component) {
+  const auto path = tendon::ParsePath(component);
+  if (!path || path->component.empty()) return {};
+  const auto found = FindConfigured(client, patience, *path);
+  if (!found) return {};
+  const auto parameters = ParametersOf(found->of, found->told);
+  if (!parameters) return {};
+  std::vector<std::string> names;
+  for (const tendon::Parameter& one : *parameters) names.push_back(one.name);
+  return names;
+}
+
+}  // namespace console
