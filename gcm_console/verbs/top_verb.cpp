@@ -1,5 +1,6 @@
 #include <gcm_console/catalogue_json.h>
 #include <gcm_console/report.h>
+#include <gcm_console/screen/connection_feed.h>
 #include <gcm_console/screen/health_feed.h>
 #include <gcm_console/screen/screen.h>
 #include <gcm_console/screen/task_feed.h>
@@ -17,6 +18,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <sstream>
+#include <utility>
 
 namespace console {
 namespace {
@@ -27,20 +29,21 @@ using tendon::message::SystemHealth;
 using namespace std::chrono_literals;
 
 struct TopOptions {
-  std::string sort = "load";
+  std::string sort = "load";  // of tasks
+  std::string sort_connections = "rate";
   std::string filter;
+  bool shows_connections = false;
 };
 
-using Less = bool (*)(const TaskFigures&, const TaskFigures&);
-
 /// The key that sorts by it, and what the option calls it.
+template <typename Figures>
 struct Order {
   char key;
   const char* name;
-  Less less;
+  bool (*less)(const Figures&, const Figures&);
 };
 
-constexpr Order kOrders[] = {
+constexpr Order<TaskFigures> kOrders[] = {
     {'n', "name", [](const TaskFigures& a, const TaskFigures& b) { return a.path < b.path; }},
     {'r', "rate", [](const TaskFigures& a, const TaskFigures& b) { return a.rate > b.rate; }},
     {'t', "late", [](const TaskFigures& a, const TaskFigures& b) { return a.latest > b.latest; }},
@@ -48,13 +51,39 @@ constexpr Order kOrders[] = {
     {'s', "skipped",
      [](const TaskFigures& a, const TaskFigures& b) { return a.skipped > b.skipped; }}};
 
+using Of = ConnectionFigures;
+constexpr Order<Of> kConnectionOrders[] = {
+    {'n', "name", [](const Of& a, const Of& b) { return a.required < b.required; }},
+    {'r', "rate", [](const Of& a, const Of& b) { return a.rate > b.rate; }},
+    {'t', "round-trip", [](const Of& a, const Of& b) { return a.round_trip > b.round_trip; }},
+    {'w', "waiting", [](const Of& a, const Of& b) { return a.waiting > b.waiting; }},
+    {'s', "lost", [](const Of& a, const Of& b) { return a.lost > b.lost; }}};
+
+template <typename Figures, std::size_t kCount>
+void SortBy(const std::string& name, const Order<Figures> (&orders)[kCount],
+            std::vector<Figures>& all) {
+  for (const auto& order : orders) {
+    if (order.name == name) std::stable_sort(all.begin(), all.end(), order.less);
+  }
+}
+
+template <typename Figures, std::size_t kCount>
+bool Sorts(const std::string& name, const Order<Figures> (&orders)[kCount]) {
+  return std::ranges::any_of(orders, [&](const auto& order) { return order.name == name; });
+}
+
 void Arrange(std::vector<TaskFigures>& tasks, const TopOptions& options) {
   std::erase_if(tasks, [&](const TaskFigures& task) {
     return task.path.find(options.filter) == std::string::npos;
   });
-  for (const Order& order : kOrders) {
-    if (order.name == options.sort) std::stable_sort(tasks.begin(), tasks.end(), order.less);
-  }
+  SortBy(options.sort, kOrders, tasks);
+}
+
+void Arrange(std::vector<ConnectionFigures>& connections, const TopOptions& options) {
+  std::erase_if(connections, [&](const ConnectionFigures& one) {
+    return (one.required + " " + one.provided).find(options.filter) == std::string::npos;
+  });
+  SortBy(options.sort_connections, kConnectionOrders, connections);
 }
 
 Table TableOf(const std::vector<TaskFigures>& tasks) {
@@ -70,6 +99,22 @@ Table TableOf(const std::vector<TaskFigures>& tasks) {
     table.Add({task.path, task.state, Fixed(task.rate, 1), Fixed(task.late * kMicro, 0),
                Fixed(task.latest * kMicro, 0), Fixed(task.compute * kMicro, 1),
                Fixed(task.load * kPercent, 1), std::to_string(task.skipped)});
+  }
+  return table;
+}
+
+Table TableOf(const std::vector<ConnectionFigures>& connections) {
+  constexpr double kMilli = 1e3;
+  Table table({"REQUIRED", "PROVIDED", "STATE", "RATE/Hz", "ROUND-TRIP/ms", "WAITING", "LOST"});
+  for (const ConnectionFigures& one : connections) {
+    if (!one.is_known) {
+      table.Add({one.required, one.provided, one.state, "-", "-", "-", "-"});
+      continue;
+    }
+    table.Add({one.required, one.provided, one.state, Fixed(one.rate, 1),
+               one.round_trip < 0.0 ? "-" : Fixed(one.round_trip * kMilli, 2),
+               std::to_string(one.waiting) + "/" + std::to_string(one.capacity),
+               std::to_string(one.lost)});
   }
   return table;
 }
@@ -104,8 +149,24 @@ nlohmann::ordered_json JsonOf(const tendon::Catalog& catalog, const SystemHealth
   return all;
 }
 
-void PrintJson(Context& context, const std::vector<TaskFigures>& tasks,
-               nlohmann::ordered_json processes) {
+nlohmann::ordered_json JsonOf(const std::vector<ConnectionFigures>& connections) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const ConnectionFigures& figures : connections) {
+    nlohmann::ordered_json one = {
+        {"required", figures.required}, {"provided", figures.provided}, {"state", figures.state}};
+    if (figures.is_known) {
+      one["rate_hz"] = figures.rate;
+      if (figures.round_trip >= 0.0) one["round_trip_s"] = figures.round_trip;
+      one["waiting"] = figures.waiting;
+      one["capacity"] = figures.capacity;
+      one["lost"] = figures.lost;
+    }
+    all.push_back(std::move(one));
+  }
+  return all;
+}
+
+nlohmann::ordered_json JsonOf(const std::vector<TaskFigures>& tasks) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const TaskFigures& task : tasks) {
     nlohmann::ordered_json one = {{"path", task.path}, {"state", task.state}};
@@ -119,28 +180,31 @@ void PrintJson(Context& context, const std::vector<TaskFigures>& tasks,
     }
     all.push_back(std::move(one));
   }
-  context.PrintJson({{"processes", std::move(processes)}, {"tasks", std::move(all)}});
+  return all;
 }
 
-/// Once each task has told of a second, or has had the time for it.
-Result<ExitCode> PrintOnce(Context& context, tendon::GcmClient& client, const TopOptions& options) {
+/// Once all figures are known, or have had the time for it.
+template <typename Feed>
+Result<ExitCode> PrintOnce(Context& context, tendon::GcmClient& client, const TopOptions& options,
+                           const char* what) {
   const auto deadline = std::chrono::steady_clock::now() + 2s;
-  TaskFeed feed(client);
-  auto tasks = feed.Look();
-  const auto is_known = [](const TaskFigures& task) { return task.is_known; };
-  while (!std::all_of(tasks.begin(), tasks.end(), is_known) &&
+  Feed feed(client);
+  auto all = feed.Look();
+  const auto is_known = [](const auto& one) { return one.is_known; };
+  while (!std::all_of(all.begin(), all.end(), is_known) &&
          std::chrono::steady_clock::now() < deadline) {
     if (tendon::os::TerminationAsked(20ms)) return program::kInterrupted;
-    tasks = feed.Look();
+    all = feed.Look();
   }
-  Arrange(tasks, options);
-  if (context.settings().json) {
-    const auto health = context.Ask<SystemHealth>(
-        [](tendon::GcmClient& asked, auto handler) { asked.GetHealth(handler); });
-    PrintJson(context, tasks, JsonOf(client.catalog(), health ? *health : SystemHealth{}));
-  } else {
-    context.Print(TableOf(tasks));
+  Arrange(all, options);
+  if (!context.settings().json) {
+    context.Print(TableOf(all));
+    return program::kOk;
   }
+  const auto health = context.Ask<SystemHealth>(
+      [](tendon::GcmClient& asked, auto handler) { asked.GetHealth(handler); });
+  context.PrintJson({{"processes", JsonOf(client.catalog(), health ? *health : SystemHealth{})},
+                     {what, JsonOf(all)}});
   return program::kOk;
 }
 
@@ -171,40 +235,58 @@ void Press(char key, TopKeys& keys, TopOptions& options) {
     keys.is_typing = true;
     options.filter.clear();
   }
-  for (const Order& order : kOrders) {
+  if (key == 'c') options.shows_connections = !options.shows_connections;
+  if (options.shows_connections) {
+    for (const auto& order : kConnectionOrders) {
+      if (order.key == key) options.sort_connections = order.name;
+    }
+    return;
+  }
+  for (const auto& order : kOrders) {
     if (order.key == key) options.sort = order.name;
   }
 }
 
-std::string PictureOf(const Table& processes, const std::vector<TaskFigures>& tasks,
-                      const TopOptions& options, const TopKeys& keys, const Layout& layout) {
+/// What one feed says, below the processes.
+template <typename Figures>
+std::string PictureOf(const Table& processes, const std::vector<Figures>& all,
+                      const std::string& what, const TopOptions& options, const TopKeys& keys,
+                      const Layout& layout) {
   std::ostringstream picture;
   processes.Print(picture, layout);
-  picture << '\n';
-  picture << tasks.size() << (tasks.size() == 1 ? " task" : " tasks") << ", by " << options.sort;
+  picture << '\n'
+          << all.size() << ' ' << what << (all.size() == 1 ? "" : "s") << ", by "
+          << (options.shows_connections ? options.sort_connections : options.sort);
   if (keys.is_typing || !options.filter.empty()) picture << ", with '" << options.filter << "'";
   picture << (keys.is_typing ? "_  (Enter, Esc)" : "") << "\n\n";
-  TableOf(tasks).Print(picture, layout);
+  TableOf(all).Print(picture, layout);
   return picture.str();
 }
 
 constexpr const char* kKeyLine =
-    "sort: n name, r rate, t latest, l load, s skipped; / filter, q end";
+    "sort: n name, r rate, t latest, l load, s skipped; / filter, c connections, q end";
+constexpr const char* kConnectionKeyLine =
+    "sort: n name, r rate, t round trip, w waiting, s lost; / filter, c tasks, q end";
 
 ExitCode ShowAlways(Context& context, tendon::GcmClient& client, TopOptions options) {
-  TaskFeed feed(client);
+  TaskFeed tasks(client);
+  ConnectionFeed connections(client);
   HealthFeed health(client);
   tendon::os::Keyboard keyboard;
   Screen screen(context.out());
   TopKeys keys;
   while (!keys.wants_end) {
-    auto tasks = feed.Look();
-    Arrange(tasks, options);
     const Table processes = BusiestOf(client.catalog(), health.Look());
     Layout layout = context.layout();
     layout.columns = tendon::os::TerminalColumns(tendon::os::Stream::kOutput);
-    screen.Show(PictureOf(processes, tasks, options, keys, layout), kKeyLine,
-                tendon::os::TerminalRows());
+    const auto draw = [&](auto all, const char* what) {
+      Arrange(all, options);
+      return PictureOf(processes, all, what, options, keys, layout);
+    };
+    const bool is_of_connections = options.shows_connections;
+    screen.Show(
+        is_of_connections ? draw(connections.Look(), "connection") : draw(tasks.Look(), "task"),
+        is_of_connections ? kConnectionKeyLine : kKeyLine, tendon::os::TerminalRows());
     if (const auto key = keyboard.NextKey(200ms)) Press(*key, keys, options);
     screen.PauseIfAsked(keyboard);
     if (tendon::os::TerminationAsked(0ms)) return program::kInterrupted;
@@ -217,19 +299,37 @@ Result<ExitCode> Top(Context& context, const TopOptions& options) {
   const auto client = context.Client();
   if (!client) return client.error();
   const bool is_typed = context.streams().make_line_reader != nullptr;
-  if (!is_typed || context.settings().json) return PrintOnce(context, **client, options);
+  const bool is_once = !is_typed || context.settings().json;
+  if (is_once && options.shows_connections) {
+    return PrintOnce<ConnectionFeed>(context, **client, options, "connections");
+  }
+  if (is_once) return PrintOnce<TaskFeed>(context, **client, options, "tasks");
   return ShowAlways(context, **client, options);
 }
 
 Verb::Run Prepare(CLI::App& app) {
   auto options = std::make_shared<TopOptions>();
   std::vector<std::string> orders;
-  for (const Order& order : kOrders) orders.emplace_back(order.name);
-  app.add_option("--sort", options->sort, "what comes first")
-      ->check(CLI::IsMember(orders))
-      ->capture_default_str();
-  app.add_option("--filter", options->filter, "only tasks with this in their path");
-  return [options](Context& context) { return Top(context, *options); };
+  for (const auto& order : kOrders) orders.emplace_back(order.name);
+  for (const auto& order : kConnectionOrders) orders.emplace_back(order.name);
+  const auto* sort = app.add_option("--sort", options->sort, "what comes first")
+                         ->check(CLI::IsMember(orders))
+                         ->capture_default_str();
+  app.add_option("--filter", options->filter, "only what has this in its path");
+  app.add_flag("--connections", options->shows_connections, "show how all connections do");
+  return [options, sort](Context& context) -> Result<ExitCode> {
+    if (sort->count() == 0) return Top(context, *options);
+    const std::string& by = options->sort;
+    if (options->shows_connections && !Sorts(by, kConnectionOrders)) {
+      return Error{ErrorCode::kInvalid, "--sort " + by + " is for tasks, not for --connections"};
+    }
+    if (!options->shows_connections && !Sorts(by, kOrders)) {
+      return Error{ErrorCode::kInvalid, "--sort " + by + " is for --connections, not for tasks"};
+    }
+    if (options->shows_connections)
+      options->sort_connections = std::exchange(options->sort, "load");
+    return Top(context, *options);
+  };
 }
 
 }  // namespace
@@ -238,7 +338,8 @@ std::vector<Verb> TopVerbs() {
   return {{"top",
            "show how all tasks keep their time, on the whole screen or once into a pipe",
            &Prepare,
-           {"gcm top --sort late", "gcm top --filter robot/ | column -t"}}};
+           {"gcm top --sort late", "gcm top --connections --sort lost",
+            "gcm top --filter robot/ | column -t"}}};
 }
 
 }  // namespace console

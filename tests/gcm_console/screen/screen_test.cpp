@@ -5,12 +5,14 @@
 
 #include <algorithm>
 #include <csignal>
+#include <nlohmann/json.hpp>
 
 #include "gcm_console/demo_fixture.h"
 #include "gcm_console/terminal.h"
 
 namespace {
 
+using nlohmann::json;
 using testing::HasSubstr;
 
 TEST(BrailleCanvas, EachLetterShowsEightDots) {
@@ -57,6 +59,44 @@ TEST_F(ScreenTest, TopOnATerminalIsSortedAndFilteredByKeys) {
 
   EXPECT_EQ(terminal.program().Wait(), program::kOk);
   EXPECT_TRUE(terminal.Shows("\x1b[?1049l"));  // the screen is given back
+}
+
+TEST_F(ScreenTest, TopShowsConnectionsByAKey) {
+  Terminal terminal(Binary("gcm") + " --gcm " + address + " --timeout " + kPatience + " top", {},
+                    160);
+  ASSERT_TRUE(terminal.Shows("by load")) << terminal.seen();
+
+  terminal.Type("c");
+  EXPECT_TRUE(terminal.Shows("1 connection, by rate")) << terminal.seen();
+  EXPECT_TRUE(terminal.Shows("ROUND-TRIP/ms")) << terminal.seen();
+  EXPECT_TRUE(terminal.Shows("desk/supervisor/Robot")) << terminal.seen();
+  terminal.Type("w");
+  EXPECT_TRUE(terminal.Shows("by waiting")) << terminal.seen();
+  terminal.Type("c");
+  EXPECT_TRUE(terminal.Shows("by load")) << terminal.seen();
+  terminal.Type("q");
+
+  EXPECT_EQ(terminal.program().Wait(), program::kOk);
+}
+
+TEST_F(ScreenTest, TopOfConnectionsHasWhatTheirProcessesCount) {
+  const Outcome connected = Gcm({"connect", "desk/teleoperation/Robot", "robot/arm/Control"});
+  ASSERT_EQ(connected.exit_code, program::kOk) << connected.err;
+  json connection;
+  EXPECT_TRUE(EventuallyTrue([&] {
+    const json all = json::parse(Gcm({"top", "--connections", "--json"}).out, nullptr, false);
+    connection = all["connections"][0];
+    return connection.contains("round_trip_s") && connection["rate_hz"] > 0.0;
+  })) << connection;
+  EXPECT_EQ(connection["required"], "desk/teleoperation/Robot");  // the other one says little
+  EXPECT_TRUE(connection.contains("lost") && connection.contains("waiting")) << connection;
+
+  EXPECT_THAT(Gcm({"top", "--connections"}).out,
+              HasSubstr("desk/supervisor/Robot\trobot/arm/Control\tactive\t"));
+  EXPECT_EQ(Gcm({"top", "--connections", "--filter", "nobody"}).out, "");
+  EXPECT_EQ(Gcm({"top", "--sort", "waiting"}).err,
+            "gcm: --sort waiting is for --connections, not for tasks\n");
+  EXPECT_EQ(Gcm({"top", "--connections", "--sort", "load"}).exit_code, program::kUsage);
 }
 
 TEST_F(ScreenTest, TopAlwaysShowsItsKeysAndFollowsTheSizeOfTheTerminal) {
