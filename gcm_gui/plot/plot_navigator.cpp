@@ -3,8 +3,10 @@
 #include <gcm_gui/plot/plot_view.h>
 
 #include <QCursor>
+#include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <QToolTip>
 #include <QWheelEvent>
 #include <cmath>
 
@@ -42,6 +44,8 @@ bool PlotNavigator::eventFilter(QObject* watched, QEvent* event) {
       return false;
     case QEvent::Wheel:
       return wheel(static_cast<const QWheelEvent&>(*event));
+    case QEvent::ToolTip:
+      return help(static_cast<const QHelpEvent&>(*event));
     case QEvent::KeyPress:
       return key(static_cast<const QKeyEvent&>(*event));
     default:
@@ -121,6 +125,11 @@ void PlotNavigator::showGrip(int x) {
   } else {
     view_.canvas()->setCursor(Qt::ArrowCursor);
   }
+}
+
+bool PlotNavigator::help(const QHelpEvent& event) {
+  QToolTip::showText(event.globalPos(), view_.marksAt(event.pos().x()), view_.canvas());
+  return true;
 }
 
 bool PlotNavigator::cursorKey(int key) {

@@ -5,6 +5,7 @@
 #include <QObject>
 #include <QPoint>
 
+class QHelpEvent;
 class QKeyEvent;
 class QMouseEvent;
 class QWheelEvent;
@@ -36,6 +37,8 @@ class PlotNavigator : public QObject {
   bool move(const QMouseEvent& event);
   bool release(const QMouseEvent& event);
   bool wheel(const QWheelEvent& event);
+  /// What is marked where the mouse rests.
+  bool help(const QHelpEvent& event);
   bool key(const QKeyEvent& event);
   bool cursorKey(int key);
   void showGrip(int x);

@@ -59,6 +59,7 @@ void PlotPanel::buildTabs() {
 PlotView& PlotPanel::addPlot() {
   auto* view = new PlotView(plots_);
   view->setPaused(paused_);
+  view->setMarks(marks_);
   connect(view, &PlotView::curvesDropped, this, [this, view](const QList<CurveKey>& keys) {
     for (const CurveKey& key : keys) add(*view, key);
   });
@@ -164,6 +165,11 @@ void PlotPanel::append(const QString& path, std::span<const Sample> samples) {
   for (int i = 0; i < plotCount(); ++i) {
     if (Curve* curve = plot(i).curve(path)) curve->append(samples);
   }
+}
+
+void PlotPanel::addMark(Mark mark) {
+  marks_.add(std::move(mark));
+  for (int i = 0; i < plotCount(); ++i) plot(i).marksChanged();
 }
 
 void PlotPanel::beginEpoch(const QString& path) {

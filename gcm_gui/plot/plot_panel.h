@@ -1,6 +1,7 @@
 #pragma once
 
 #include <gcm_gui/plot/csv/csv_export.h>
+#include <gcm_gui/plot/marks/mark_track.h>
 #include <gcm_gui/plot/series/sample_ring.h>
 #include <gcm_gui/plot/series/signal_path.h>
 
@@ -40,6 +41,9 @@ class PlotPanel : public QWidget {
   /// for.
   void setStale(const QString& path, const QString& reason = {});
   [[nodiscard]] QStringList paths() const;
+  /// In all plots.
+  void addMark(Mark mark);
+  [[nodiscard]] const MarkTrack& marks() const { return marks_; }
 
   /// Stops the views; samples go on being kept.
   void setPaused(bool paused);
@@ -82,6 +86,7 @@ class PlotPanel : public QWidget {
   [[nodiscard]] bool isPlotted(const QString& path) const;
 
   CsvExport csv_;
+  MarkTrack marks_;
   PlotHead* head_;
   QStackedWidget* plots_;
   QTimer head_timer_;

@@ -1,7 +1,8 @@
 #include <gcm_gui/plot/canvas/cursor_lines.h>
 #include <gcm_gui/plot/canvas/curve_layer.h>
 #include <gcm_gui/plot/canvas/gap_bands.h>
-#include <gcm_gui/plot/legend.h>
+#include <gcm_gui/plot/legend/legend_area.h>
+#include <gcm_gui/plot/marks/mark_flags.h>
 #include <gcm_gui/plot/plot_navigator.h>
 #include <gcm_gui/plot/plot_overlay.h>
 #include <gcm_gui/plot/plot_view.h>
@@ -60,7 +61,6 @@ void PlotView::build() {
   canvas_widget->setObjectName("canvas");
   canvas_widget->setAccessibleName("Plot canvas");
   setFrameStyle(QFrame::NoFrame);
-  setContentsMargins(0, PlotAxes::kTop, 0, kGrid);
   grid_ = new QwtPlotGrid;
   grid_->attach(this);
   (new GapBands(curves_, window_))->attach(this);
@@ -68,22 +68,23 @@ void PlotView::build() {
   layer_->attach(this);
   (new CursorLines(curves_, window_, cursors_))->attach(this);
   overlay_ = new PlotOverlay(canvas());
-  legend_ = new Legend(canvas());
-  legend_->move(2 * kGrid, 2 * kGrid);
+  legend_ = new LegendArea(*this);
   live_pill_ = new QPushButton(canvas());
   live_pill_->setObjectName("live");
   live_pill_->setFocusPolicy(Qt::TabFocus);
   SetRole(*live_pill_, "primary");
   live_pill_->hide();
   connect(live_pill_, &QPushButton::clicked, this, &PlotView::goLive);
-  connect(legend_, &Legend::removeRequested, this, &PlotView::curveRemovalRequested);
-  connect(legend_, &Legend::toggled, this, [this](const QString& path) {
+  connect(&legendBox(), &Legend::removeRequested, this, &PlotView::curveRemovalRequested);
+  connect(&legendBox(), &Legend::toggled, this, [this](const QString& path) {
     if (Curve* toggled = curve(path)) toggled->setVisible(!toggled->isVisible());
     changed();
     updateLegend();
   });
   new PlotNavigator(*this);
 }
+
+Legend& PlotView::legendBox() { return legend_->legend(); }
 
 void PlotView::takeTheme() {
   axes_.takeTheme();
@@ -233,6 +234,18 @@ void PlotView::showCursors(bool shown) {
   Q_EMIT cursorsChanged(cursors_.any());
 }
 
+void PlotView::setMarks(const MarkTrack& marks) {
+  delete flags_;  // leaves the plot by itself
+  flags_ = new MarkFlags(marks, window_);
+  flags_->attach(this);
+  changed();
+}
+
+QString PlotView::marksAt(double x) const {
+  if (flags_ == nullptr) return {};
+  return flags_->textAt(x, canvasMap(QwtAxis::XBottom), canvas()->contentsRect());
+}
+
 void PlotView::setHover(std::optional<int> x) {
   if (x == hover_) return;
   hover_ = curves_.empty() ? std::nullopt : x;
@@ -321,7 +334,7 @@ void PlotView::updateLegend() {
          .stale = stale,
          .shown = curve->isVisible()});
   }
-  legend_->setEntries(entries);
+  legendBox().setEntries(entries);
 }
 
 void PlotView::showEvent(QShowEvent* event) {
@@ -336,6 +349,7 @@ void PlotView::hideEvent(QHideEvent* event) {
 
 void PlotView::resizeEvent(QResizeEvent* event) {
   QwtPlot::resizeEvent(event);
+  legend_->place();
   changed();
 }
 

@@ -20,6 +20,9 @@ namespace tendon::gui {
 
 class CurveLayer;
 class Legend;
+class LegendArea;
+class MarkFlags;
+class MarkTrack;
 class PlotOverlay;
 
 /// One live plot. Its curves share the time axis; each unit has a Y axis.
@@ -67,10 +70,16 @@ class PlotView : public QwtPlot {
   void showCursors(bool shown);
   [[nodiscard]] const Cursors& cursors() const { return cursors_; }
 
+  /// Draws these, which must outlive the plot; marksChanged() when there are more.
+  void setMarks(const MarkTrack& marks);
+  void marksChanged() { changed(); }
+  /// What is marked at canvas column `x`, a line each.
+  [[nodiscard]] QString marksAt(double x) const;
+
   /// The legend shows the values at canvas column `x` instead of the present ones.
   void setHover(std::optional<int> x);
   [[nodiscard]] std::vector<SourceFigures> figures() const;
-  [[nodiscard]] Legend& legendBox() { return *legend_; }
+  [[nodiscard]] Legend& legendBox();
   [[nodiscard]] PlotOverlay& overlay() { return *overlay_; }
   /// QwtPlot would leave the background to the palette, which the style sheet meddles with.
   void drawCanvas(QPainter* painter) override;
@@ -122,8 +131,9 @@ class PlotView : public QwtPlot {
   QTimer timer_;
   CurveLayer* layer_ = nullptr;  // owned by QwtPlot, as are the items below
   QwtPlotGrid* grid_ = nullptr;
+  MarkFlags* flags_ = nullptr;
   PlotOverlay* overlay_ = nullptr;
-  Legend* legend_ = nullptr;
+  LegendArea* legend_ = nullptr;
   QPushButton* live_pill_ = nullptr;
 };
 

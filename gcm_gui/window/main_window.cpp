@@ -23,6 +23,7 @@
 #include <gcm_gui/window/empty_state.h>
 #include <gcm_gui/window/main_window.h>
 #include <gcm_gui/window/plot_binding.h>
+#include <gcm_gui/window/plots/mark_binding.h>
 #include <gcm_gui/window/zoom_buttons.h>
 #include <tendon/base/path.h>
 
@@ -152,6 +153,7 @@ QSplitter* MainWindow::buildCentre() {
   plots_->setAutoFillBackground(true);
   plots_->setMinimumHeight(kLeastPlotsHeight);
   binding_ = new PlotBinding(*plots_, parts_.source, catalogue_model_, this);
+  new MarkBinding(*plots_, parts_.store, parts_.activity, plots_);
   auto* rows = new QSplitter(Qt::Vertical);
   rows->setObjectName(QStringLiteral("centreRows"));
   rows->setChildrenCollapsible(false);

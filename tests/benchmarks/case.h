@@ -61,5 +61,8 @@ std::vector<Case> TableCases(const Effort& effort);
 std::vector<Case> PeriodCases(const Effort& effort);
 /// Between two processes; none where Ice is not built in.
 std::vector<Case> NetworkCases(const Effort& effort);
+/// Of the window; none where it is not built in.
+std::vector<Case> PlotCases(const Effort& effort);
+std::vector<Case> WindowCases(const Effort& effort);
 
 }  // namespace tendon::benchmark

@@ -11,6 +11,7 @@ PROGRAM = ""
 IDS = ["Q1", "D1", "D3", "D4", "D5", "S1", "S2", "S3", "S4", "P1", "P1-p99", "P4"]
 NETWORK_IDS = ["R1", "R1-one", "R7", "R3", "R4", "R2", "R5", "R6", "R6-row", "R9", "R9-con", "T1", "T1-con",
                "G1", "G2", "G3"]
+WINDOW_IDS = ["V1", "V2", "V1-noi", "V2-noi", "V1-new", "V2-new", "V1-nn", "V2-nn", "W1", "W2", "W3"]
 KEYS = {"id", "ours", "floor", "ratio", "gate", "stretch", "holds"}
 
 
@@ -66,6 +67,14 @@ class Report(unittest.TestCase):
             self.assertGreater(entry["floor"], 0)
             self.assertGreater(entry["ours"], 0)
 
+    def test_plots_are_measured_with_stock_qwt(self):
+        if "V1" not in IDS:
+            self.skipTest("there is no window to measure")
+        _, report = entries("--only", "V1,V2")
+        for entry in report:
+            self.assertGreater(entry["floor"], 0)
+            self.assertGreater(entry["ours"], 0)
+
     def test_further_connections_need_no_threads(self):
         if "T1" not in IDS:
             self.skipTest("there is no Ice to compare with")
@@ -77,6 +86,8 @@ class Report(unittest.TestCase):
 
 if __name__ == "__main__":
     PROGRAM = sys.argv.pop(1)
-    if sys.argv[1:] and sys.argv.pop(1) == "with-network":
-        IDS += NETWORK_IDS
+    for kind, ids in (("with-network", NETWORK_IDS), ("with-window", WINDOW_IDS)):
+        if kind in sys.argv:
+            sys.argv.remove(kind)
+            IDS += ids
     unittest.main()

@@ -64,8 +64,7 @@ void CursorLines::draw(QPainter* painter, const QwtScaleMap& x_map, const QwtSca
     painter->setPen(theme.color(Token::kText, 0.7));
     painter->drawLine(QPointF(x, canvas_rect.top()), QPointF(x, canvas_rect.bottom()));
     painter->setPen(theme.color(Token::kText));
-    painter->drawText(QPointF(x + kGrid, canvas_rect.bottom() - metrics.descent() - 2),
-                      NameOf(cursor));
+    painter->drawText(QPointF(x + kGrid, canvas_rect.top() + metrics.ascent() + 2), NameOf(cursor));
     if (cursor == Cursor::kB) drawBox(*painter, x, canvas_rect);
   }
   painter->restore();

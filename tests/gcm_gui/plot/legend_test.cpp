@@ -1,4 +1,4 @@
-#include <gcm_gui/plot/legend.h>
+#include <gcm_gui/plot/legend/legend.h>
 #include <gmock/gmock.h>
 
 #include <QApplication>

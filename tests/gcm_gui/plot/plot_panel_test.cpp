@@ -1,4 +1,4 @@
-#include <gcm_gui/plot/legend.h>
+#include <gcm_gui/plot/legend/legend.h>
 #include <gcm_gui/plot/plot_panel.h>
 #include <gcm_gui/plot/plot_view.h>
 #include <gcm_gui/plot/rate_badge.h>

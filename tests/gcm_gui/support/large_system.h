@@ -6,8 +6,9 @@
 
 namespace tendon::gui {
 
-/// Components of which nearly all drive the one before: `process_100/component_100`, …
-SystemBuilder LargeSystem(int processes, int of_each);
+/// Components of which nearly all drive the one before: `process_100/component_100`, … Each has so
+/// many commands besides, ten in an interface.
+SystemBuilder LargeSystem(int processes, int of_each, int commands = 0);
 
 std::string LargeProcess(int i);
 std::string LargeComponent(int i);

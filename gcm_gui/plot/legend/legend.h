@@ -9,7 +9,7 @@
 #include <vector>
 
 class QLabel;
-class QVBoxLayout;
+class QGridLayout;
 
 namespace tendon::gui {
 
@@ -67,7 +67,7 @@ class LegendRow : public QWidget {
   int unit_width_ = 0;
 };
 
-/// The curves of a plot with their present values, in a corner of its canvas.
+/// The curves of a plot with their present values: a row each, from left to right and down.
 class Legend : public QFrame {
   Q_OBJECT
 
@@ -76,21 +76,24 @@ class Legend : public QFrame {
 
   /// Cheap when only values change.
   void setEntries(const std::vector<LegendEntry>& entries);
+  /// So many pixels across are there: the rows stand side by side as far as they fit.
+  void setRoom(int width);
   [[nodiscard]] const std::vector<LegendRow*>& rows() const { return rows_; }
 
  Q_SIGNALS:
   void toggled(const QString& path);
   void removeRequested(const QString& path);
 
- protected:
-  void paintEvent(QPaintEvent* event) override;
-
  private:
   void makeRows(std::size_t count);
   void alignColumns();
+  void arrange();
   [[nodiscard]] int widest(const std::function<int(const LegendRow&)>& width) const;
 
-  QVBoxLayout* column_;
+  QGridLayout* grid_;
+  int room_ = 0;    // pixels across
+  int across_ = 0;  // rows side by side
+  std::size_t arranged_ = 0;
   std::vector<LegendRow*> rows_;
   int value_width_ = 0;  // only grows, so that the legend does not tremble
 };

@@ -1,12 +1,13 @@
-#include <gcm_gui/plot/legend.h>
+#include <gcm_gui/plot/legend/legend.h>
 #include <gcm_gui/theme/icon.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
 
+#include <QFontMetrics>
+#include <QGridLayout>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -18,7 +19,8 @@ constexpr int kLegendRowHeight = 18;
 constexpr int kSwatchWidth = 12;
 constexpr int kSwatchHeight = 3;
 constexpr int kSpace = 8;
-constexpr double kBackground = 0.94;
+constexpr int kBetween = 20;  // two rows side by side
+constexpr int kWidestName = 220;
 constexpr double kHiddenOpacity = 0.45;
 
 // Laid out once and painted many times: the legend is painted with each frame of the plot.
@@ -44,8 +46,10 @@ void LegendRow::setEntry(const LegendEntry& entry) {
   entry_ = entry;
   setObjectName("legend:" + entry.path);
   setAccessibleName(QStringList{entry.name, entry.value, entry.unit}.join(' ').simplified());
-  setToolTip(entry.path);
-  SetText(name_, entry.name, Theme::instance().small());
+  setToolTip(entry.stale ? entry.path + '\n' + entry.name : entry.path);
+  const QFontMetrics metrics(Theme::instance().small());
+  SetText(name_, metrics.elidedText(entry.name, Qt::ElideMiddle, kWidestName),
+          Theme::instance().small());
   SetText(value_, entry.value, Theme::instance().smallMono());
   SetText(unit_, entry.unit, Theme::instance().small());
   update();
@@ -137,11 +141,13 @@ void LegendRow::keyPressEvent(QKeyEvent* event) {
   }
 }
 
-Legend::Legend(QWidget* parent) : QFrame(parent), column_(new QVBoxLayout(this)) {
+Legend::Legend(QWidget* parent) : QFrame(parent), grid_(new QGridLayout(this)) {
   setObjectName("legend");
   setAccessibleName("Legend");
-  column_->setContentsMargins(kSpace, kGrid, kSpace, kGrid);
-  column_->setSpacing(0);
+  grid_->setContentsMargins(0, 0, 0, 0);
+  grid_->setVerticalSpacing(0);
+  grid_->setHorizontalSpacing(kBetween);
+  grid_->setSizeConstraint(QLayout::SetFixedSize);
   hide();
   // Its fonts may be others: the next entries make the rows anew.
   connect(&Theme::instance(), &Theme::changed, this, [this] { makeRows(0); });
@@ -164,14 +170,14 @@ void Legend::makeRows(std::size_t count) {
   while (rows_.size() > count) {
     rows_.back()->deleteLater();
     rows_.back()->hide();
-    column_->removeWidget(rows_.back());
+    grid_->removeWidget(rows_.back());
     rows_.pop_back();
+    arranged_ = 0;
   }
   while (rows_.size() < count) {
     auto* row = new LegendRow(this);
     connect(row, &LegendRow::toggled, this, &Legend::toggled);
     connect(row, &LegendRow::removeRequested, this, &Legend::removeRequested);
-    column_->addWidget(row);
     rows_.push_back(row);
   }
 }
@@ -181,6 +187,26 @@ void Legend::alignColumns() {
   value_width_ = std::max(value_width_, widest(&LegendRow::valueWidth));
   const int unit_width = widest(&LegendRow::unitWidth);
   for (LegendRow* row : rows_) row->setColumns(name_width, value_width_, unit_width);
+  arrange();
+}
+
+void Legend::setRoom(int width) {
+  if (width == room_) return;
+  room_ = width;
+  arrange();
+}
+
+void Legend::arrange() {
+  if (rows_.empty()) return;
+  const int across = std::max(1, (room_ + kBetween) / (rows_.front()->width() + kBetween));
+  if (across != across_ || rows_.size() != arranged_) {
+    across_ = across;
+    arranged_ = rows_.size();
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      const int place = static_cast<int>(i);
+      grid_->addWidget(rows_[i], place / across, place % across);
+    }
+  }
   adjustSize();
 }
 
@@ -188,15 +214,6 @@ int Legend::widest(const std::function<int(const LegendRow&)>& width) const {
   int result = 0;
   for (const LegendRow* row : rows_) result = std::max(result, width(*row));
   return result;
-}
-
-void Legend::paintEvent(QPaintEvent*) {
-  const Theme& theme = Theme::instance();
-  QPainter painter(this);
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(theme.color(Token::kLine));
-  painter.setBrush(theme.color(Token::kPanel, kBackground));
-  painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), kRadius, kRadius);
 }
 
 QString LegendValue(double value, const AxisRange& range) {

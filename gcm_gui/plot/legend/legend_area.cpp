@@ -1,0 +1,48 @@
+#include <gcm_gui/plot/legend/legend_area.h>
+#include <gcm_gui/plot/plot_axes.h>
+#include <gcm_gui/theme/metrics.h>
+#include <qwt_plot.h>
+
+#include <QEvent>
+#include <QScrollBar>
+#include <algorithm>
+
+namespace tendon::gui {
+namespace {
+
+constexpr double kHighest = 0.4;  // of the plot
+constexpr int kEdge = kInset;
+
+}  // namespace
+
+LegendArea::LegendArea(QwtPlot& plot)
+    : QScrollArea(&plot), plot_(plot), legend_(new Legend(nullptr)) {
+  setObjectName("legendArea");
+  setFrameShape(QFrame::NoFrame);
+  setFocusPolicy(Qt::NoFocus);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  viewport()->setAutoFillBackground(false);
+  setWidget(legend_);
+  legend_->setAutoFillBackground(false);
+  legend_->installEventFilter(this);
+  place();
+}
+
+bool LegendArea::eventFilter(QObject* watched, QEvent* event) {
+  const bool is_other = event->type() == QEvent::Resize || event->type() == QEvent::ShowToParent ||
+                        event->type() == QEvent::HideToParent;
+  if (watched == legend_ && is_other) place();
+  return QScrollArea::eventFilter(watched, event);
+}
+
+void LegendArea::place() {
+  setVisible(!legend_->isHidden());
+  const int width = plot_.width() - 2 * kEdge;
+  legend_->setRoom(width - verticalScrollBar()->sizeHint().width());
+  const int most = static_cast<int>(kHighest * plot_.height());
+  const int height = legend_->isHidden() ? 0 : std::min(legend_->height(), most);
+  plot_.setContentsMargins(0, PlotAxes::kTop, 0, height + 2 * kGrid);
+  setGeometry(kEdge, plot_.height() - height - kGrid, width, height);
+}
+
+}  // namespace tendon::gui
