@@ -39,6 +39,9 @@ void ForgetBut(Items& items, const Keys& kept) {
   }
 }
 
+// After the required interface: of an edge that was refused, beside the one that stands.
+const QString kRefusedKey = QStringLiteral(" refused");
+
 QString CardTitle(const PortName& port) {
   return ToQString(port.name.component) + QStringLiteral(" / ") + ToQString(port.name.interface) +
          QStringLiteral(" does not fit");
@@ -87,7 +90,8 @@ std::vector<PortItem*> GraphScene::ports() const {
 }
 
 const EdgeItem* GraphScene::edge(const QString& required) const {
-  const auto it = edges_.find(required);
+  auto it = edges_.find(required);
+  if (it == edges_.end()) it = edges_.find(required + kRefusedKey);
   return it == edges_.end() ? nullptr : it->second;
 }
 
@@ -156,13 +160,13 @@ EdgeItem::Look GraphScene::lookOf(const ConnectionDescription& connection) const
 void GraphScene::showEdges() {
   std::set<QString> kept;
   const auto show = [&](const InterfaceName& required, const InterfaceName& provided,
-                        EdgeItem::Look look, const QString& reason) {
+                        EdgeItem::Look look, const QString& reason, const QString& suffix = {}) {
     const PortItem* to = port({Side::kRequired, required});
     const PortItem* from = port({Side::kProvided, provided});
     if (to == nullptr || from == nullptr) return;
     const QString key = ToQString(ToString(required));
-    kept.insert(key);
-    EdgeItem*& item = edges_[key];
+    kept.insert(key + suffix);
+    EdgeItem*& item = edges_[key + suffix];
     if (item == nullptr) addItem(item = new EdgeItem);
     item->setRequired(key);
     item->show(from->scenePos(), to->scenePos(), look, reason);
@@ -174,7 +178,16 @@ void GraphScene::showEdges() {
     if (requested_.contains(edge.required)) continue;  // to be replaced
     show(edge.required, edge.provided, lookOf(edge), ToQString(edge.reason));
   }
+  for (const auto& [required, refused] : refused_) {
+    if (requested_.contains(required)) continue;  // tried again
+    show(required, refused.provided, EdgeItem::Look::kFailed, refused.reason, kRefusedKey);
+  }
   ForgetBut(edges_, kept);
+}
+
+void GraphScene::showRefused(const Refusals::ByRequired& refused) {
+  refused_ = refused;
+  showEdges();
 }
 
 void GraphScene::showRequested(const InterfaceName& required, const InterfaceName& provided) {
@@ -192,7 +205,7 @@ void GraphScene::showSelection() {
   for (const auto& [path, item] : components_) item->setSelected(path == component);
   for (const auto& [name, item] : processes_) item->setSelected(name == current);
   const QString interface = current.section('.', 0, 0);
-  for (const auto& [required, item] : edges_) item->setSelected(required == interface);
+  for (const auto& [key, item] : edges_) item->setSelected(item->required() == interface);
 }
 
 void GraphScene::showMode() {

@@ -6,6 +6,7 @@
 #include <gcm_gui/graph/layout/picture_updater.h>
 #include <gcm_gui/models/selection.h>
 #include <gcm_gui/session/catalogue_store.h>
+#include <gcm_gui/why/refusals.h>
 
 #include <QGraphicsScene>
 #include <QHash>
@@ -38,7 +39,7 @@ class GraphScene : public QGraphicsScene {
   [[nodiscard]] std::vector<PortItem*> ports() const;
   [[nodiscard]] const std::map<QString, ComponentItem*>& components() const { return components_; }
   [[nodiscard]] const std::map<QString, ProcessItem*>& processes() const { return processes_; }
-  /// Of the connection of a required interface, or null.
+  /// Of the connection of a required interface, or of one that was refused; null without either.
   [[nodiscard]] const EdgeItem* edge(const QString& required) const;
   [[nodiscard]] const std::vector<CardItem*>& cards() const { return cards_; }
   /// Around all nodes and boxes.
@@ -48,6 +49,8 @@ class GraphScene : public QGraphicsScene {
   /// A dashed edge until forgotten, while a request for it is under way.
   void showRequested(const tendon::InterfaceName& required, const tendon::InterfaceName& provided);
   void forgetRequested(const tendon::InterfaceName& required);
+  /// Stay as failed edges until they are over.
+  void showRefused(const tendon::gui::Refusals::ByRequired& refused);
   /// The pointer is on this port: if it does not fit, a card says why.
   void point(const std::optional<tendon::gui::PortName>& port);
   /// Where cards can be seen.
@@ -85,8 +88,9 @@ class GraphScene : public QGraphicsScene {
   std::map<QString, ProcessItem*> processes_;
   std::map<QString, ComponentItem*> components_;
   std::map<PortName, PortItem*> ports_;
-  std::map<QString, EdgeItem*> edges_;  // by the required interface
+  std::map<QString, EdgeItem*> edges_;  // by edge key
   std::map<InterfaceName, InterfaceName> requested_;
+  Refusals::ByRequired refused_;
   EdgeItem* preview_;
   std::vector<CardItem*> cards_;
   std::optional<PortName> pointed_;

@@ -15,6 +15,8 @@
 #include <gcm_gui/views/row_delegate.h>
 #include <gcm_gui/views/row_view.h>
 #include <gcm_gui/views/tab_panel.h>
+#include <gcm_gui/why/why_binding.h>
+#include <gcm_gui/why/why_card.h>
 #include <gcm_gui/window/bar/lost_banner.h>
 #include <gcm_gui/window/bar/notice_line.h>
 #include <gcm_gui/window/bar/top_bar.h>
@@ -210,6 +212,19 @@ void MainWindow::connectViews() {
   top_bar_->showProblemCount(problems_.rowCount());
   connect(&parts_.link, &GcmLink::changed, this, &MainWindow::showLink);
   connectModeToViews();
+  connectWhy();
+}
+
+void MainWindow::connectWhy() {
+  why_card_ = new WhyCard(*centralWidget());
+  why_ = new WhyBinding(*why_card_, parts_.store, parts_.checks, parts_.actions, this);
+  connect(&parts_.activity, &ActivityModel::finished, &why_->refusals(), &Refusals::hear);
+  connect(&why_->refusals(), &Refusals::changed, scene_,
+          [this] { scene_->showRefused(why_->refusals().all()); });
+  connect(graph_, &GraphView::whyRequested, why_, &WhyBinding::open);
+  connect(inspector_, &Inspector::whyRequested, why_, &WhyBinding::open);
+  connect(strip_, &ActivityStrip::problemChosen, why_, &WhyBinding::openProblem);
+  connect(why_, &WhyBinding::notice, notice_, &NoticeLine::tell);
 }
 
 void MainWindow::connectModeToViews() {
@@ -249,6 +264,7 @@ void MainWindow::addSystemCommands() {
   };
   add("&Connect…", Qt::Key_C, [this] { connectSelection(); });
   add("&Disconnect", Qt::Key_D, [this] { disconnectSelection(); });
+  add("&Why is it connected, or not?", Qt::Key_W, [this] { why_->open(selection_.current()); });
   add("C&all the command…", {}, [this] { callSelection(); });
   add("&Undo", QKeySequence::Undo, [this] { parts_.actions.undo(); });
   commands_->menu(Commands::Menu::kSystem).addSeparator();
@@ -348,6 +364,7 @@ void MainWindow::revealSelection() {
 
 void MainWindow::escape() {
   if (mode_.active()) return mode_.leave();
+  if (why_card_->isVisible()) return why_card_->close();
   notice_->tell({});
 }
 

@@ -31,6 +31,8 @@ class PlotBinding;
 class PlotPanel;
 class TabPanel;
 class TopBar;
+class WhyBinding;
+class WhyCard;
 
 /// The window: a bar, three columns, a strip. It puts the views together and gives them their keys;
 /// what they show they know themselves.
@@ -77,6 +79,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] QWidget* buildConnectionsPage();
   void connectViews();
   void connectModeToViews();
+  void connectWhy();
   void addCommands();
   void addSystemCommands();
   void addPlotCommands();
@@ -113,6 +116,8 @@ class MainWindow : public QMainWindow {
   CandidatePanel* candidates_ = nullptr;
   ActivityStrip* strip_ = nullptr;
   Panels* panels_ = nullptr;
+  WhyCard* why_card_ = nullptr;
+  WhyBinding* why_ = nullptr;
   QTimer second_;
   std::int64_t lost_since_ = 0;  // of the GCM, ns since 1970; 0 while it is there
 };
