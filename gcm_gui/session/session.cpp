@@ -215,10 +215,10 @@ void Session::diagnose(const message::Wire& wire, DiagnosisHandler handler) {
     const auto end = std::chrono::steady_clock::now();
     auto complete = *diagnosis;
     const bool answers = answer.ok() || answer.error().code == ErrorCode::kNotFound;
-    AddRoundTrip(complete, answers
-                               ? Result<std::chrono::microseconds>(
-                                     std::chrono::duration_cast<std::chrono::microseconds>(end - start))
-                               : Result<std::chrono::microseconds>(answer.error()));
+    AddRoundTrip(complete,
+                 answers ? Result<std::chrono::microseconds>(
+                               std::chrono::duration_cast<std::chrono::microseconds>(end - start))
+                         : Result<std::chrono::microseconds>(answer.error()));
     courier->post([handler, complete] { handler(complete); });
   };
   // Answered by the process itself, without a thread of a component's.

@@ -22,10 +22,7 @@ namespace tendon::gui {
 
 /// The window's one connection to the system: the only class that hears network threads. All it
 /// hears arrives in the GUI thread, in order; nothing it is asked to do waits.
-class Session : public QObject,
-                public SystemActions,
-                public CommandCalls,
-                public ConnectionChecks {
+class Session : public QObject, public SystemActions, public CommandCalls, public ConnectionChecks {
   Q_OBJECT
 
  public:

@@ -104,8 +104,9 @@ QVariant SignatureModel::data(const QModelIndex& index, int role) const {
     case kStaleRole:
       return row.verdict == Verdict::kUnneeded;
     case Qt::AccessibleTextRole:
-      return QStringList{row.needed.name, row.needed.types, QStringLiteral("offered"),
-                         row.offered.name, row.offered.types, row.remark, row.tip}
+      return QStringList{row.needed.name,  row.needed.types,  QStringLiteral("offered"),
+                         row.offered.name, row.offered.types, row.remark,
+                         row.tip}
           .join(' ')
           .simplified();
     default:

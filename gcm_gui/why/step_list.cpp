@@ -98,6 +98,7 @@ void StepList::show(const Diagnosis& diagnosis) {
   int number = 0;
   for (const DiagnosisStep& step : shown_) addStep(++number, step);
   layout()->addWidget(rows_);
+  rows_->show();  // at once, for the keys
   if (toggle_ == nullptr) return;
   toggle_->setChecked(was_shown);
   if (had_focus) toggle_->setFocus();
@@ -116,6 +117,7 @@ QLabel* StepList::addText(const QString& text, const QString& role) {
   auto* label = new QLabel(text);
   label->setTextFormat(Qt::PlainText);
   label->setWordWrap(true);
+  label->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   SetRole(*label, role);
   return label;
 }

@@ -63,8 +63,7 @@ void WhyBinding::check() {
   if (!wire_) return;
   ask_again_ = std::exchange(is_asking_, true);
   if (ask_again_) return;
-  checks_.diagnose(*wire_,
-                   [this, wire = *wire_](const auto& diagnosis) { hear(wire, diagnosis); });
+  checks_.diagnose(*wire_, [this, wire = *wire_](const auto& diagnosis) { hear(wire, diagnosis); });
 }
 
 void WhyBinding::hear(const message::Wire& wire, const Result<Diagnosis>& diagnosis) {

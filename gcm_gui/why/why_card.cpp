@@ -100,7 +100,7 @@ QWidget* WhyCard::buildHead() {
   leave_->setToolTip(QStringLiteral("Close  (Esc)"));
   leave_->setText(QStringLiteral("✕"));
   leave_->setFocusPolicy(Qt::StrongFocus);
-  SetRole(*leave, QStringLiteral("dim"));
+  SetRole(*leave_, QStringLiteral("dim"));
   connect(retry_, &QPushButton::clicked, this, &WhyCard::retryRequested);
   connect(copy_, &QPushButton::clicked, this, &WhyCard::copyReport);
   connect(leave_, &QToolButton::clicked, this, &WhyCard::close);
@@ -185,7 +185,9 @@ void WhyCard::fit() {
   QLayout& lines = *scroll_->widget()->layout();
   lines.activate();
   const int wanted = kHeadHeight + 4 + lines.totalHeightForWidth(width - 2);
-  setGeometry(room.center().x() - width / 2, room.top(), width, std::min(wanted, room.height()));
+  const int height = std::min(wanted, room.height());
+  // From below: the graph and its edge are seen as long as there is room.
+  setGeometry(room.center().x() - width / 2, room.bottom() + 1 - height, width, height);
 }
 
 bool WhyCard::eventFilter(QObject* watched, QEvent* event) {

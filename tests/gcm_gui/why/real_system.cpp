@@ -28,8 +28,8 @@ Environment SharedWithTest() {
 RealSystem::RealSystem() {
   Environment own = SharedWithTest();
   own["XDG_STATE_HOME"] = home_.path().string();
-  gcm_ = std::make_unique<Program>(
-      Program::Words{TENDON_BIN "/gcm", "--gcm", address_, "serve"}, own);
+  gcm_ =
+      std::make_unique<Program>(Program::Words{TENDON_BIN "/gcm", "--gcm", address_, "serve"}, own);
   EXPECT_TRUE(Eventually([this] { return gcm_->out().starts_with("GCM at "); })) << gcm_->err();
   session_ = std::make_unique<Session>(*program::MakeMiddleware({}), address_, false);
   window_ = std::make_unique<MainWindow>(
@@ -38,16 +38,17 @@ RealSystem::RealSystem() {
   window_->show();
   window_->activateWindow();
   (void)QTest::qWaitForWindowActive(window_.get(), kLongest);
-  EXPECT_TRUE(Eventually([this] { return session_->link().state() == GcmLink::State::kConnected; }));
+  EXPECT_TRUE(
+      Eventually([this] { return session_->link().state() == GcmLink::State::kConnected; }));
 }
 
 RealSystem::~RealSystem() { Theme::instance().choose(Theme::Choice::kSystem); }
 
 void RealSystem::StartLcm(const std::string& process) {
-  lcms_[process] = std::make_unique<Program>(
-      Program::Words{TENDON_BIN "/lcm", "--name", process, "--gcm", address_, "--system",
-                     TENDON_DEMO_SYSTEM},
-      SharedWithTest());
+  lcms_[process] =
+      std::make_unique<Program>(Program::Words{TENDON_BIN "/lcm", "--name", process, "--gcm",
+                                               address_, "--system", TENDON_DEMO_SYSTEM},
+                                SharedWithTest());
   const std::string last = process == "robot" ? "host_monitor" : "old_arm";
   ASSERT_TRUE(Eventually([&] {
     const auto* component = Catalogue().FindComponent(process, last);
@@ -108,8 +109,8 @@ void RealSystem::ClickRow(const QString& list, const QString& text) {
 
 void RealSystem::Keep(const QString& name) {
   QDir().mkpath(PICTURE_FOLDER);
-  for (const auto& [choice, look] : {std::pair{Theme::Choice::kDark, "dark"},
-                                     std::pair{Theme::Choice::kLight, "light"}}) {
+  for (const auto& [choice, look] :
+       {std::pair{Theme::Choice::kDark, "dark"}, std::pair{Theme::Choice::kLight, "light"}}) {
     Theme::instance().choose(choice);
     QTest::qWait(100);  // what lays out and draws later has had its turn
     for (const int scale : {1, 2}) {

@@ -3,7 +3,6 @@
 
 #include <QSignalSpy>
 
-
 #include "support/sample_system.h"
 
 namespace tendon::gui {

@@ -30,9 +30,8 @@ TEST_F(SignatureDiffTest, EachNeededMemberStandsBesideWhatIsOffered) {
 
   std::vector<Verdict> verdicts;
   for (const auto& row : rows) verdicts.push_back(row.verdict);
-  EXPECT_EQ(verdicts,
-            (std::vector{Verdict::kChanged, Verdict::kMissing, Verdict::kSame, Verdict::kSame,
-                         Verdict::kUnneeded, Verdict::kUnneeded}));
+  EXPECT_EQ(verdicts, (std::vector{Verdict::kChanged, Verdict::kMissing, Verdict::kSame,
+                                   Verdict::kSame, Verdict::kUnneeded, Verdict::kUnneeded}));
   EXPECT_EQ(rows[0].remark, "needs write command 'MoveTo' of arm.Goal, offered is a read one");
   EXPECT_EQ(rows[1].remark, "missing; did you mean 'GetJoint'?");
   EXPECT_EQ(rows[4].offered->name, "GetJoint");
@@ -54,7 +53,8 @@ TEST_F(SignatureDiffTest, WhatIsOptionalMayBeMissing) {
 TEST_F(SignatureDiffTest, AsABadRowExactlyWhatDoesNotFit) {
   const auto rows = SignatureDiff(required_, provided_);
 
-  const auto bad = std::count_if(rows.begin(), rows.end(), [](const auto& r) { return r.is_bad(); });
+  const auto bad =
+      std::count_if(rows.begin(), rows.end(), [](const auto& r) { return r.is_bad(); });
   EXPECT_EQ(static_cast<std::size_t>(bad), Compare(required_, provided_).mismatches.size());
 }
 

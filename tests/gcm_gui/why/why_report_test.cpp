@@ -20,8 +20,7 @@ class WhyReportTest : public ::testing::Test {
 };
 
 TEST_F(WhyReportTest, TheVerdictNamesTheStepThatIsBad) {
-  EXPECT_EQ(Report(kTeleoperation, kController).verdict(),
-            "nothing keeps it from being connected");
+  EXPECT_EQ(Report(kTeleoperation, kController).verdict(), "nothing keeps it from being connected");
   EXPECT_EQ(Report(kTeleoperation, {"robot", "arm", "Drives"}).verdict(), "fails at step 4 of 7");
   EXPECT_EQ(Report(kTeleoperation, {"vision", "camera", "Video"}).verdict(),
             "fails at step 1 of 7");
