@@ -16,9 +16,7 @@ namespace {
 
 constexpr std::array kCardWidths{320.0, 260.0, 210.0};
 constexpr qsizetype kReasonsAsked = 2;
-// One that comes without being asked stays small, and away where it would hide more than edges.
-constexpr qsizetype kReasonsUnasked = 1;
-constexpr double kMostHiddenUnasked = 1;
+constexpr qsizetype kReasonsUnasked = 1;  // one that comes without being asked stays small
 
 QStringList FirstOf(const QStringList& reasons, qsizetype count) {
   QStringList first = reasons.mid(0, count);
@@ -253,20 +251,21 @@ void GraphScene::showPreview() {
 void GraphScene::showCards() {
   for (CardItem* card : cards_) delete card;
   cards_.clear();
-  if (!mode_.active()) return;
-  const Candidate* look_alike = mode_.bestLookAlike();
-  const Candidate* pointed = pointed_ ? mode_.find(*pointed_) : nullptr;
-  if (pointed != nullptr && !pointed->compatibility.fits()) {
-    addCard(*pointed, kReasonsAsked, std::nullopt);
-  } else if (look_alike != nullptr) {
-    addCard(*look_alike, kReasonsUnasked, kMostHiddenUnasked);
+  const bool active = mode_.active();
+  const Candidate* look_alike = active ? mode_.bestLookAlike() : nullptr;
+  const Candidate* pointed = active && pointed_ ? mode_.find(*pointed_) : nullptr;
+  if (pointed == nullptr || pointed->fits()) {
+    if (look_alike != nullptr) addCard(*look_alike, kReasonsUnasked);
+  } else if (!addCard(*pointed, kReasonsAsked)) {
+    Q_EMIT refusalPointed(CardTitle(pointed->port), pointed->reasons());
+    return;
   }
+  Q_EMIT refusalPointed({}, {});
 }
 
-void GraphScene::addCard(const Candidate& candidate, qsizetype reasons,
-                         std::optional<double> most_hidden) {
+bool GraphScene::addCard(const Candidate& candidate, qsizetype reasons) {
   const PortItem* item = port(candidate.port);
-  if (item == nullptr) return;
+  if (item == nullptr) return false;
   auto* card = new CardItem;
   const QString title = CardTitle(candidate.port);
   const QStringList lines = FirstOf(candidate.reasons(), reasons);
@@ -281,14 +280,14 @@ void GraphScene::addCard(const Candidate& candidate, qsizetype reasons,
     best_width = width;
   }
   card->setTexts(title, lines, best_width);
-  const double area = card->size().width() * card->size().height();
-  if (most_hidden && best->hidden > *most_hidden * area) {
+  if (best->hidden > 0) {
     delete card;
-    return;
+    return false;
   }
   card->place(best->corner, item->scenePos());
   addItem(card);
   cards_.push_back(card);
+  return true;
 }
 
 CardPlace GraphScene::placeBeside(const PortItem& port) const {

@@ -11,6 +11,7 @@
 #include <QGraphicsScene>
 #include <QHash>
 #include <QString>
+#include <QStringList>
 #include <map>
 #include <optional>
 #include <set>
@@ -51,7 +52,7 @@ class GraphScene : public QGraphicsScene {
   void forgetRequested(const tendon::InterfaceName& required);
   /// Stay as failed edges until they are over.
   void showRefused(const tendon::gui::Refusals::ByRequired& refused);
-  /// The pointer is on this port: if it does not fit, a card says why.
+  /// The pointer is on this port: if it does not fit, a card says why, or refusalPointed().
   void point(const std::optional<tendon::gui::PortName>& port);
   /// Where cards can be seen.
   void setVisible(const QRectF& visible) { visible_ = visible; }
@@ -61,6 +62,9 @@ class GraphScene : public QGraphicsScene {
 
  Q_SIGNALS:
   void contentsMoved();
+  /// The pointer is on a port that does not fit, and a card would hide something; without a title:
+  /// no longer.
+  void refusalPointed(const QString& title, const QStringList& reasons);
 
  protected:
   void helpEvent(QGraphicsSceneHelpEvent* event) override;
@@ -75,8 +79,8 @@ class GraphScene : public QGraphicsScene {
   void showRoles();
   void showPreview();
   void showCards();
-  /// Not at all where it would hide more than that, for each unit of its own area.
-  void addCard(const Candidate& candidate, qsizetype reasons, std::optional<double> most_hidden);
+  /// False where each place would hide something: there is no card then.
+  bool addCard(const Candidate& candidate, qsizetype reasons);
   [[nodiscard]] CardPlace placeBeside(const PortItem& port) const;
   [[nodiscard]] EdgeItem::Look lookOf(const ConnectionDescription& connection) const;
 

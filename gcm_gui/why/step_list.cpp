@@ -28,6 +28,7 @@ constexpr std::size_t kSignatureStep = 4;
 constexpr int kMostRows = 9;  // of the two sides, before they scroll
 constexpr int kMarkWidth = 16;
 constexpr int kNumberWidth = 14;
+constexpr int kLinkHeight = 18;  // as high as a line of text
 constexpr int kVerdictWidth = 200;
 
 struct VerdictLook {
@@ -150,6 +151,7 @@ void StepList::addStep(int number, const DiagnosisStep& step) {
   toggle_ = MakeLink(QStringLiteral("Show side by side"), QStringLiteral("why.sides"));
   toggle_->setCheckable(true);
   toggle_->setFocusPolicy(Qt::StrongFocus);
+  toggle_->setFixedHeight(kLinkHeight);
   line->addWidget(toggle_, 0, Qt::AlignTop);
   addSides();
 }
@@ -165,6 +167,7 @@ void StepList::addFix(const DiagnosisStep& step) {
   copy->setAccessibleName(QStringLiteral("Copy the fix: ") + command);
   copy->setToolTip(command);
   copy->setFocusPolicy(Qt::StrongFocus);
+  copy->setFixedHeight(kLinkHeight);
   connect(copy, &QToolButton::clicked, this, [this, command] {
     QGuiApplication::clipboard()->setText(command);
     Q_EMIT copied(QStringLiteral("Copied: ") + command);

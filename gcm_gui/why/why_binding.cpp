@@ -77,7 +77,8 @@ void WhyBinding::hear(const message::Wire& wire, const Result<Diagnosis>& diagno
   const auto* refused = refusals_.find(wire.required);
   if (refused != nullptr && refused->provided == wire.provided) report.refusal = *refused;
   const Catalog& catalogue = store_.catalogue();
-  if (report.refusal || diagnosis->failure) report.leftovers = LeftoversOf(catalogue, wire);
+  const bool is_tried = report.refusal || diagnosis->is_connected;
+  if (is_tried && diagnosis->failure) report.leftovers = LeftoversOf(catalogue, wire);
   card_.show(report, catalogue.FindRequired(wire.required), catalogue.FindProvided(wire.provided));
 }
 

@@ -1,5 +1,6 @@
 #include <gcm_gui/activity/activity_strip.h>
 #include <gcm_gui/connect/candidate_panel.h>
+#include <gcm_gui/connect/match_card.h>
 #include <gcm_gui/graph/graph_scene.h>
 #include <gcm_gui/graph/graph_view.h>
 #include <gcm_gui/inspector/inspector.h>
@@ -225,6 +226,7 @@ void MainWindow::connectWhy() {
   connect(inspector_, &Inspector::whyRequested, why_, &WhyBinding::open);
   connect(strip_, &ActivityStrip::problemChosen, why_, &WhyBinding::openProblem);
   connect(why_, &WhyBinding::notice, notice_, &NoticeLine::tell);
+  match_ = new MatchCard(*centralWidget(), parts_.store, parts_.actions);
 }
 
 void MainWindow::connectModeToViews() {
@@ -233,6 +235,7 @@ void MainWindow::connectModeToViews() {
     right_->setCurrentWidget(mode_.active() ? static_cast<QWidget*>(candidates_) : inspector_);
   });
   connect(candidates_, &CandidatePanel::pointed, scene_, &GraphScene::point);
+  connect(scene_, &GraphScene::refusalPointed, candidates_, &CandidatePanel::showRefusal);
   connect(&mode_, &ConnectMode::picked, scene_, &GraphScene::showRequested);
   connect(&mode_, &ConnectMode::picked, this, [this](const InterfaceName& required) {
     selection_.select(ToQString(ToString(required)));
@@ -321,7 +324,17 @@ void MainWindow::pickInConnectMode(const QString& path) {
   mode_.pick({to_provided ? Side::kProvided : Side::kRequired, *name});
 }
 
+std::vector<InterfaceName> MainWindow::selectedRequired() const {
+  std::vector<InterfaceName> all;
+  for (const QString& path : selection_.paths()) {
+    const auto name = ParseInterfaceName(path.toStdString());
+    if (name.ok() && parts_.store.catalogue().FindRequired(*name) != nullptr) all.push_back(*name);
+  }
+  return all;
+}
+
 void MainWindow::connectSelection() {
+  if (const auto required = selectedRequired(); required.size() > 1) return match_->open(required);
   const auto path = ParsePath(selection_.current().toStdString());
   if (!path.ok()) return notice_->tell(QStringLiteral("Select an interface to connect it"));
   if (!path->interface.empty()) return startConnecting(selection_.current());
@@ -365,6 +378,7 @@ void MainWindow::revealSelection() {
 void MainWindow::escape() {
   if (mode_.active()) return mode_.leave();
   if (why_card_->isVisible()) return why_card_->close();
+  if (match_->isVisible()) return match_->close();
   notice_->tell({});
 }
 

@@ -11,6 +11,7 @@
 #include <QMainWindow>
 #include <QTimer>
 #include <cstdint>
+#include <vector>
 
 class QSplitter;
 class QStackedWidget;
@@ -26,6 +27,7 @@ class GraphScene;
 class GraphView;
 class Inspector;
 class LostBanner;
+class MatchCard;
 class NoticeLine;
 class PlotBinding;
 class PlotPanel;
@@ -58,7 +60,8 @@ class MainWindow : public QMainWindow {
 
  public Q_SLOTS:
   void plotSelection();
-  /// Begins with the selected interface, or with the next unconnected one of the component.
+  /// Begins with the selected interface, or with the next unconnected one of the component. Of
+  /// several required ones that are selected, all are matched.
   void connectSelection();
   void disconnectSelection();
   /// Where the selected command is called.
@@ -88,6 +91,7 @@ class MainWindow : public QMainWindow {
   void showLink();
   void showPerspective(Panels::Perspective perspective);
   void tick();
+  [[nodiscard]] std::vector<InterfaceName> selectedRequired() const;
   void startConnecting(const QString& path);
   void pickInConnectMode(const QString& path);
 
@@ -118,6 +122,7 @@ class MainWindow : public QMainWindow {
   Panels* panels_ = nullptr;
   WhyCard* why_card_ = nullptr;
   WhyBinding* why_ = nullptr;
+  MatchCard* match_ = nullptr;
   QTimer second_;
   std::int64_t lost_since_ = 0;  // of the GCM, ns since 1970; 0 while it is there
 };

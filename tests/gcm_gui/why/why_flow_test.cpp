@@ -4,6 +4,7 @@
 #include <gcm_gui/views/tab_panel.h>
 #include <gcm_gui/why/why_card.h>
 
+#include <QCheckBox>
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QLabel>
@@ -159,6 +160,25 @@ TEST_F(WhyFlowTest, TheRowOfTheProblemAndTheInspectorOpenItToo) {
   QTest::mouseClick(why, Qt::LeftButton);
   EXPECT_TRUE(card().isVisible());
   lcm("desk").Signal(SIGCONT);
+}
+
+TEST_F(WhyFlowTest, SeveralInterfacesAreMatchedAndConnectedAtOneGo) {
+  StartLcm("robot");
+  StartLcm("desk");
+  window().selection().setPaths({kSlavePath, "desk/supervisor/Robot"});
+  QTest::keyClick(&window(), Qt::Key_D);  // the system file has connected the last one
+  const InterfaceName supervisor{"desk", "supervisor", "Robot"};
+  ASSERT_TRUE(Eventually([&] { return Catalogue().FindConnection(supervisor) == nullptr; }));
+  window().graph().setFocus();
+
+  QTest::keyClick(&window(), Qt::Key_C);
+  auto* box = window().findChild<QCheckBox*>("match." + kSlavePath);
+  ASSERT_NE(box, nullptr);
+  EXPECT_TRUE(box->isChecked());
+  Keep("match");
+  QTest::keyClick(window().focusWidget(), Qt::Key_Return);
+
+  EXPECT_TRUE(Eventually([&] { return IsConnected(kSlave) && IsConnected(supervisor); }));
 }
 
 }  // namespace
