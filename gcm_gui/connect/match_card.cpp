@@ -87,7 +87,8 @@ void MatchCard::addRow(const InterfaceName& required) {
   const auto say = [&](const QString& provided, const QString& remark) {
     grid_->addWidget(MakeCell(provided, QStringLiteral("mono")), line, 1);
     grid_->addWidget(MakeCell(remark, QStringLiteral("dim")), line, 2);
-    box->setAccessibleName(QStringList{PathText(required), provided, remark}.join(' ').simplified());
+    box->setAccessibleName(
+        QStringList{PathText(required), provided, remark}.join(' ').simplified());
   };
   if (const auto* connection = store_.catalogue().FindConnection(required)) {
     box->setEnabled(false);
