@@ -86,7 +86,7 @@ int Run(const Options& options) {
 
   tendon::gui::Session session(*middleware, address, hosted != nullptr);
   tendon::gui::MainWindow window({session.store(), session.link(), session.activity(), session,
-                                  session.liveSignals(), session});
+                                  session.liveSignals(), session, session});
   if (!options.describe_ui.empty()) {
     new tendon::gui::UiDescription(window, QString::fromStdString(options.describe_ui));
   }

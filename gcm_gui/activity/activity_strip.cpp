@@ -49,6 +49,11 @@ ActivityStrip::ActivityStrip(ActivityModel& activity, ProblemsModel& problems,
   };
   connect(list_, &QTreeView::clicked, this, select);
   connect(problem_list, &QTreeView::clicked, this, select);
+  const auto choose = [this](const QModelIndex& index) {
+    Q_EMIT problemChosen(index.data(kPathRole).toString());
+  };
+  connect(problem_list, &QTreeView::clicked, this, choose);
+  connect(problem_list, &QTreeView::activated, this, choose);
   linkRows(0, activity.rowCount() - 1);
   showProblemCount(problems.rowCount());
 }

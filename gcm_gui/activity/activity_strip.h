@@ -22,6 +22,10 @@ class ActivityStrip : public TabPanel {
  public Q_SLOTS:
   void showProblems() { setCurrent(problems_page_); }
 
+ Q_SIGNALS:
+  /// A row of the problems was clicked, or chosen with Enter: of what is wrong there.
+  void problemChosen(const QString& path);
+
  private:
   void linkRows(int first, int last);
   void linkRow(int row);

@@ -20,7 +20,8 @@ CandidatePanel::CandidatePanel(ConnectMode& mode, QWidget* parent)
       head_(new HeadRow(QStringLiteral("Connect"))),
       about_(new QLabel),
       field_(new QLineEdit),
-      list_(new CandidateList(model_)) {
+      list_(new CandidateList(model_)),
+      refusal_(new QLabel) {
   setObjectName(QStringLiteral("candidatePanel"));
   setAccessibleName(QStringLiteral("Candidates for a connection"));
   setAutoFillBackground(true);
@@ -48,6 +49,12 @@ CandidatePanel::CandidatePanel(ConnectMode& mode, QWidget* parent)
   column->addWidget(head_);
   column->addLayout(above);
   column->addWidget(list_, 1);
+  refusal_->setObjectName(QStringLiteral("candidates.refusal"));
+  refusal_->setTextFormat(Qt::PlainText);
+  refusal_->setWordWrap(true);
+  refusal_->setMargin(kInset);
+  refusal_->hide();
+  column->addWidget(refusal_);
 
   connect(field_, &QLineEdit::textChanged, &model_, &CandidatesModel::setFilter);
   connect(list_, &QTreeView::clicked, this, &CandidatePanel::pick);
@@ -74,6 +81,11 @@ void CandidatePanel::showMode() {
   } else {
     about_->setText(QStringLiteral("What could be connected to %1:").arg(name));
   }
+}
+
+void CandidatePanel::showRefusal(const QString& title, const QStringList& reasons) {
+  refusal_->setText((QStringList{title} + reasons).join('\n'));
+  refusal_->setVisible(!title.isEmpty());
 }
 
 void CandidatePanel::focusFilter() { field_->setFocus(Qt::ShortcutFocusReason); }

@@ -2,6 +2,7 @@
 
 #include <gcm_gui/connect/candidates_model.h>
 
+#include <QStringList>
 #include <QWidget>
 #include <optional>
 
@@ -26,6 +27,9 @@ class CandidatePanel : public QWidget {
 
  public Q_SLOTS:
   void focusFilter();
+  /// Below the candidates: why one that is pointed at elsewhere does not fit; nothing without a
+  /// title.
+  void showRefusal(const QString& title, const QStringList& reasons);
 
  Q_SIGNALS:
   /// The candidate that the list stands on or that the pointer is over; nothing when it does not
@@ -47,6 +51,7 @@ class CandidatePanel : public QWidget {
   QLabel* about_;
   QLineEdit* field_;
   CandidateList* list_;
+  QLabel* refusal_;
   std::optional<PortName> shown_;
 };
 

@@ -16,9 +16,7 @@ namespace {
 
 constexpr std::array kCardWidths{320.0, 260.0, 210.0};
 constexpr qsizetype kReasonsAsked = 2;
-// One that comes without being asked stays small, and away where it would hide more than edges.
-constexpr qsizetype kReasonsUnasked = 1;
-constexpr double kMostHiddenUnasked = 1;
+constexpr qsizetype kReasonsUnasked = 1;  // one that comes without being asked stays small
 
 QStringList FirstOf(const QStringList& reasons, qsizetype count) {
   QStringList first = reasons.mid(0, count);
@@ -38,6 +36,9 @@ void ForgetBut(Items& items, const Keys& kept) {
     }
   }
 }
+
+// After the required interface: of an edge that was refused, beside the one that stands.
+const QString kRefusedKey = QStringLiteral(" refused");
 
 QString CardTitle(const PortName& port) {
   return ToQString(port.name.component) + QStringLiteral(" / ") + ToQString(port.name.interface) +
@@ -87,7 +88,8 @@ std::vector<PortItem*> GraphScene::ports() const {
 }
 
 const EdgeItem* GraphScene::edge(const QString& required) const {
-  const auto it = edges_.find(required);
+  auto it = edges_.find(required);
+  if (it == edges_.end()) it = edges_.find(required + kRefusedKey);
   return it == edges_.end() ? nullptr : it->second;
 }
 
@@ -156,13 +158,13 @@ EdgeItem::Look GraphScene::lookOf(const ConnectionDescription& connection) const
 void GraphScene::showEdges() {
   std::set<QString> kept;
   const auto show = [&](const InterfaceName& required, const InterfaceName& provided,
-                        EdgeItem::Look look, const QString& reason) {
+                        EdgeItem::Look look, const QString& reason, const QString& suffix = {}) {
     const PortItem* to = port({Side::kRequired, required});
     const PortItem* from = port({Side::kProvided, provided});
     if (to == nullptr || from == nullptr) return;
     const QString key = ToQString(ToString(required));
-    kept.insert(key);
-    EdgeItem*& item = edges_[key];
+    kept.insert(key + suffix);
+    EdgeItem*& item = edges_[key + suffix];
     if (item == nullptr) addItem(item = new EdgeItem);
     item->setRequired(key);
     item->show(from->scenePos(), to->scenePos(), look, reason);
@@ -174,7 +176,16 @@ void GraphScene::showEdges() {
     if (requested_.contains(edge.required)) continue;  // to be replaced
     show(edge.required, edge.provided, lookOf(edge), ToQString(edge.reason));
   }
+  for (const auto& [required, refused] : refused_) {
+    if (requested_.contains(required)) continue;  // tried again
+    show(required, refused.provided, EdgeItem::Look::kFailed, refused.reason, kRefusedKey);
+  }
   ForgetBut(edges_, kept);
+}
+
+void GraphScene::showRefused(const Refusals::ByRequired& refused) {
+  refused_ = refused;
+  showEdges();
 }
 
 void GraphScene::showRequested(const InterfaceName& required, const InterfaceName& provided) {
@@ -192,7 +203,7 @@ void GraphScene::showSelection() {
   for (const auto& [path, item] : components_) item->setSelected(path == component);
   for (const auto& [name, item] : processes_) item->setSelected(name == current);
   const QString interface = current.section('.', 0, 0);
-  for (const auto& [required, item] : edges_) item->setSelected(required == interface);
+  for (const auto& [key, item] : edges_) item->setSelected(item->required() == interface);
 }
 
 void GraphScene::showMode() {
@@ -240,20 +251,21 @@ void GraphScene::showPreview() {
 void GraphScene::showCards() {
   for (CardItem* card : cards_) delete card;
   cards_.clear();
-  if (!mode_.active()) return;
-  const Candidate* look_alike = mode_.bestLookAlike();
-  const Candidate* pointed = pointed_ ? mode_.find(*pointed_) : nullptr;
-  if (pointed != nullptr && !pointed->compatibility.fits()) {
-    addCard(*pointed, kReasonsAsked, std::nullopt);
-  } else if (look_alike != nullptr) {
-    addCard(*look_alike, kReasonsUnasked, kMostHiddenUnasked);
+  const bool active = mode_.active();
+  const Candidate* look_alike = active ? mode_.bestLookAlike() : nullptr;
+  const Candidate* pointed = active && pointed_ ? mode_.find(*pointed_) : nullptr;
+  if (pointed == nullptr || pointed->fits()) {
+    if (look_alike != nullptr) addCard(*look_alike, kReasonsUnasked);
+  } else if (!addCard(*pointed, kReasonsAsked)) {
+    Q_EMIT refusalPointed(CardTitle(pointed->port), pointed->reasons());
+    return;
   }
+  Q_EMIT refusalPointed({}, {});
 }
 
-void GraphScene::addCard(const Candidate& candidate, qsizetype reasons,
-                         std::optional<double> most_hidden) {
+bool GraphScene::addCard(const Candidate& candidate, qsizetype reasons) {
   const PortItem* item = port(candidate.port);
-  if (item == nullptr) return;
+  if (item == nullptr) return false;
   auto* card = new CardItem;
   const QString title = CardTitle(candidate.port);
   const QStringList lines = FirstOf(candidate.reasons(), reasons);
@@ -268,14 +280,14 @@ void GraphScene::addCard(const Candidate& candidate, qsizetype reasons,
     best_width = width;
   }
   card->setTexts(title, lines, best_width);
-  const double area = card->size().width() * card->size().height();
-  if (most_hidden && best->hidden > *most_hidden * area) {
+  if (best->hidden > 0) {
     delete card;
-    return;
+    return false;
   }
   card->place(best->corner, item->scenePos());
   addItem(card);
   cards_.push_back(card);
+  return true;
 }
 
 CardPlace GraphScene::placeBeside(const PortItem& port) const {

@@ -6,10 +6,12 @@
 #include <gcm_gui/graph/layout/picture_updater.h>
 #include <gcm_gui/models/selection.h>
 #include <gcm_gui/session/catalogue_store.h>
+#include <gcm_gui/why/refusals.h>
 
 #include <QGraphicsScene>
 #include <QHash>
 #include <QString>
+#include <QStringList>
 #include <map>
 #include <optional>
 #include <set>
@@ -38,7 +40,7 @@ class GraphScene : public QGraphicsScene {
   [[nodiscard]] std::vector<PortItem*> ports() const;
   [[nodiscard]] const std::map<QString, ComponentItem*>& components() const { return components_; }
   [[nodiscard]] const std::map<QString, ProcessItem*>& processes() const { return processes_; }
-  /// Of the connection of a required interface, or null.
+  /// Of the connection of a required interface, or of one that was refused; null without either.
   [[nodiscard]] const EdgeItem* edge(const QString& required) const;
   [[nodiscard]] const std::vector<CardItem*>& cards() const { return cards_; }
   /// Around all nodes and boxes.
@@ -48,7 +50,9 @@ class GraphScene : public QGraphicsScene {
   /// A dashed edge until forgotten, while a request for it is under way.
   void showRequested(const tendon::InterfaceName& required, const tendon::InterfaceName& provided);
   void forgetRequested(const tendon::InterfaceName& required);
-  /// The pointer is on this port: if it does not fit, a card says why.
+  /// Stay as failed edges until they are over.
+  void showRefused(const tendon::gui::Refusals::ByRequired& refused);
+  /// The pointer is on this port: if it does not fit, a card says why, or refusalPointed().
   void point(const std::optional<tendon::gui::PortName>& port);
   /// Where cards can be seen.
   void setVisible(const QRectF& visible) { visible_ = visible; }
@@ -58,6 +62,9 @@ class GraphScene : public QGraphicsScene {
 
  Q_SIGNALS:
   void contentsMoved();
+  /// The pointer is on a port that does not fit, and a card would hide something; without a title:
+  /// no longer.
+  void refusalPointed(const QString& title, const QStringList& reasons);
 
  protected:
   void helpEvent(QGraphicsSceneHelpEvent* event) override;
@@ -72,8 +79,8 @@ class GraphScene : public QGraphicsScene {
   void showRoles();
   void showPreview();
   void showCards();
-  /// Not at all where it would hide more than that, for each unit of its own area.
-  void addCard(const Candidate& candidate, qsizetype reasons, std::optional<double> most_hidden);
+  /// False where each place would hide something: there is no card then.
+  bool addCard(const Candidate& candidate, qsizetype reasons);
   [[nodiscard]] CardPlace placeBeside(const PortItem& port) const;
   [[nodiscard]] EdgeItem::Look lookOf(const ConnectionDescription& connection) const;
 
@@ -85,8 +92,9 @@ class GraphScene : public QGraphicsScene {
   std::map<QString, ProcessItem*> processes_;
   std::map<QString, ComponentItem*> components_;
   std::map<PortName, PortItem*> ports_;
-  std::map<QString, EdgeItem*> edges_;  // by the required interface
+  std::map<QString, EdgeItem*> edges_;  // by edge key
   std::map<InterfaceName, InterfaceName> requested_;
+  Refusals::ByRequired refused_;
   EdgeItem* preview_;
   std::vector<CardItem*> cards_;
   std::optional<PortName> pointed_;

@@ -183,6 +183,7 @@ void GraphView::click(const QPoint& position) {
     selection_.select(component->path());
   } else if (const auto* edge = qgraphicsitem_cast<EdgeItem*>(item)) {
     selection_.select(edge->required());
+    if (edge->isBroken()) Q_EMIT whyRequested(edge->required());
   } else if (const auto* process = qgraphicsitem_cast<ProcessItem*>(item)) {
     selection_.select(process->name());
   } else {

@@ -36,6 +36,10 @@ class GraphView : public QGraphicsView {
   /// Moves the view, if it must, so that the component of `path` can be seen.
   void reveal(const QString& path);
 
+ Q_SIGNALS:
+  /// An edge that does not work was clicked.
+  void whyRequested(const QString& required);
+
  protected:
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;

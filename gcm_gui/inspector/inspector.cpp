@@ -222,9 +222,9 @@ RowView* Inspector::buildConnections() {
 void Inspector::addLinks(int first, int last) {
   QWidget* before = interface_list_;
   for (int row = first; row <= last; ++row) {
-    const InterfaceRow& peer = interfaces_.row(row);
-    if (peer.kind != InterfaceRow::Kind::kPeer) continue;
-    QWidget* links = makeLinks(peer);
+    const InterfaceRow::Kind kind = interfaces_.row(row).kind;
+    if (kind != InterfaceRow::Kind::kPeer && kind != InterfaceRow::Kind::kRequired) continue;
+    QWidget* links = makeLinks(interfaces_.row(row));
     interface_list_->setIndexWidget(interfaces_.index(row), links);
     for (auto* link : links->findChildren<QToolButton*>()) {
       setTabOrder(before, link);
@@ -233,17 +233,29 @@ void Inspector::addLinks(int first, int last) {
   }
 }
 
-QWidget* Inspector::makeLinks(const InterfaceRow& peer) {
+QWidget* Inspector::makeLinks(const InterfaceRow& row) {
   auto* cell = new QWidget;
   auto* line = new QHBoxLayout(cell);
   line->setContentsMargins(0, 0, kInset - 6, 0);
   line->setSpacing(0);
   line->addStretch();
+  if (row.kind == InterfaceRow::Kind::kPeer) {
+    addPeerLinks(*cell, row);
+    return cell;
+  }
+  QToolButton* why = MakeLink(QStringLiteral("Why?"), QStringLiteral("why"));
+  why->setAccessibleName(QStringLiteral("Why is ") + row.path + QStringLiteral(" ") + row.value);
+  line->addWidget(why);
+  connect(why, &QToolButton::clicked, this, [this, path = row.path] { Q_EMIT whyRequested(path); });
+  return cell;
+}
+
+void Inspector::addPeerLinks(QWidget& cell, const InterfaceRow& peer) {
   const QString required = ToQString(ToString(peer.required));
   const auto add = [&](const QString& word, const QString& name) {
     QToolButton* button = MakeLink(word, name);
     button->setAccessibleName(word + ' ' + required);
-    line->addWidget(button);
+    cell.layout()->addWidget(button);
     return button;
   };
   if (peer.path != required) {  // seen from the side that can choose
@@ -252,7 +264,6 @@ QWidget* Inspector::makeLinks(const InterfaceRow& peer) {
   }
   connect(add(QStringLiteral("Disconnect"), QStringLiteral("disconnect")), &QToolButton::clicked,
           this, [this, name = peer.required] { actions_.disconnectInterface(name); });
-  return cell;
 }
 
 void Inspector::refresh() {

@@ -47,6 +47,8 @@ class Inspector : public QWidget {
   void plotRequested(const QString& path, const QString& unit);
   /// To another provider, of a required interface that is connected.
   void connectRequested(const QString& path);
+  /// Of a required interface, connected or not.
+  void whyRequested(const QString& path);
 
  private:
   QWidget* buildHead();
@@ -64,7 +66,8 @@ class Inspector : public QWidget {
   void showFigures();
   void watchValues();
   void addLinks(int first, int last);
-  [[nodiscard]] QWidget* makeLinks(const InterfaceRow& peer);
+  [[nodiscard]] QWidget* makeLinks(const InterfaceRow& row);
+  void addPeerLinks(QWidget& cell, const InterfaceRow& peer);
 
   const CatalogueStore& store_;
   Selection& selection_;

@@ -205,4 +205,30 @@ void Session::callCommand(const std::string& path, const std::string& argument,
   });
 }
 
+void Session::diagnose(const message::Wire& wire, DiagnosisHandler handler) {
+  const Result<Diagnosis> diagnosis = Diagnose(store_.catalogue(), wire);
+  if (!diagnosis || diagnosis->failure) {
+    return courier_->post([handler, diagnosis] { handler(diagnosis); });
+  }
+  const auto start = std::chrono::steady_clock::now();
+  const auto heard = [courier = courier_, handler, diagnosis, start](const auto& answer) {
+    const auto end = std::chrono::steady_clock::now();
+    auto complete = *diagnosis;
+    const bool answers = answer.ok() || answer.error().code == ErrorCode::kNotFound;
+    AddRoundTrip(complete,
+                 answers ? Result<std::chrono::microseconds>(
+                               std::chrono::duration_cast<std::chrono::microseconds>(end - start))
+                         : Result<std::chrono::microseconds>(answer.error()));
+    courier->post([handler, complete] { handler(complete); });
+  };
+  // Answered by the process itself, without a thread of a component's.
+  client_->GetFill(wire.provided.process, wire.provided.component, heard);
+}
+
+void Session::findCounts(const InterfaceName& required, CountsHandler handler) {
+  client_->GetCounts(required, [courier = courier_, handler](const auto& counts) {
+    courier->post([handler, counts] { handler(counts); });
+  });
+}
+
 }  // namespace tendon::gui

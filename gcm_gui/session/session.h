@@ -3,6 +3,7 @@
 #include <gcm_gui/activity/activity_model.h>
 #include <gcm_gui/session/catalogue_store.h>
 #include <gcm_gui/session/command_calls.h>
+#include <gcm_gui/session/connection_checks.h>
 #include <gcm_gui/session/courier.h>
 #include <gcm_gui/session/gcm_link.h>
 #include <gcm_gui/session/live_signals.h>
@@ -21,7 +22,7 @@ namespace tendon::gui {
 
 /// The window's one connection to the system: the only class that hears network threads. All it
 /// hears arrives in the GUI thread, in order; nothing it is asked to do waits.
-class Session : public QObject, public SystemActions, public CommandCalls {
+class Session : public QObject, public SystemActions, public CommandCalls, public ConnectionChecks {
   Q_OBJECT
 
  public:
@@ -43,6 +44,9 @@ class Session : public QObject, public SystemActions, public CommandCalls {
   void findSchema(const std::string& process, Fingerprint type, SchemaHandler handler) override;
   void callCommand(const std::string& path, const std::string& argument,
                    AnswerHandler handler) override;
+
+  void diagnose(const message::Wire& wire, DiagnosisHandler handler) override;
+  void findCounts(const InterfaceName& required, CountsHandler handler) override;
 
  private:
   class Listener;

@@ -1,5 +1,6 @@
 #include <gcm_gui/activity/activity_strip.h>
 #include <gcm_gui/connect/candidate_panel.h>
+#include <gcm_gui/connect/match_card.h>
 #include <gcm_gui/graph/graph_scene.h>
 #include <gcm_gui/graph/graph_view.h>
 #include <gcm_gui/inspector/inspector.h>
@@ -15,6 +16,8 @@
 #include <gcm_gui/views/row_delegate.h>
 #include <gcm_gui/views/row_view.h>
 #include <gcm_gui/views/tab_panel.h>
+#include <gcm_gui/why/why_binding.h>
+#include <gcm_gui/why/why_card.h>
 #include <gcm_gui/window/bar/lost_banner.h>
 #include <gcm_gui/window/bar/notice_line.h>
 #include <gcm_gui/window/bar/top_bar.h>
@@ -212,6 +215,20 @@ void MainWindow::connectViews() {
   top_bar_->showProblemCount(problems_.rowCount());
   connect(&parts_.link, &GcmLink::changed, this, &MainWindow::showLink);
   connectModeToViews();
+  connectWhy();
+}
+
+void MainWindow::connectWhy() {
+  why_card_ = new WhyCard(*centralWidget());
+  why_ = new WhyBinding(*why_card_, parts_.store, parts_.checks, parts_.actions, this);
+  connect(&parts_.activity, &ActivityModel::finished, &why_->refusals(), &Refusals::hear);
+  connect(&why_->refusals(), &Refusals::changed, scene_,
+          [this] { scene_->showRefused(why_->refusals().all()); });
+  connect(graph_, &GraphView::whyRequested, why_, &WhyBinding::open);
+  connect(inspector_, &Inspector::whyRequested, why_, &WhyBinding::open);
+  connect(strip_, &ActivityStrip::problemChosen, why_, &WhyBinding::openProblem);
+  connect(why_, &WhyBinding::notice, notice_, &NoticeLine::tell);
+  match_ = new MatchCard(*centralWidget(), parts_.store, parts_.actions);
 }
 
 void MainWindow::connectModeToViews() {
@@ -220,6 +237,7 @@ void MainWindow::connectModeToViews() {
     right_->setCurrentWidget(mode_.active() ? static_cast<QWidget*>(candidates_) : inspector_);
   });
   connect(candidates_, &CandidatePanel::pointed, scene_, &GraphScene::point);
+  connect(scene_, &GraphScene::refusalPointed, candidates_, &CandidatePanel::showRefusal);
   connect(&mode_, &ConnectMode::picked, scene_, &GraphScene::showRequested);
   connect(&mode_, &ConnectMode::picked, this, [this](const InterfaceName& required) {
     selection_.select(ToQString(ToString(required)));
@@ -251,6 +269,7 @@ void MainWindow::addSystemCommands() {
   };
   add("&Connect…", Qt::Key_C, [this] { connectSelection(); });
   add("&Disconnect", Qt::Key_D, [this] { disconnectSelection(); });
+  add("&Why is it connected, or not?", Qt::Key_W, [this] { why_->open(selection_.current()); });
   add("C&all the command…", {}, [this] { callSelection(); });
   add("&Undo", QKeySequence::Undo, [this] { parts_.actions.undo(); });
   commands_->menu(Commands::Menu::kSystem).addSeparator();
@@ -307,7 +326,17 @@ void MainWindow::pickInConnectMode(const QString& path) {
   mode_.pick({to_provided ? Side::kProvided : Side::kRequired, *name});
 }
 
+std::vector<InterfaceName> MainWindow::selectedRequired() const {
+  std::vector<InterfaceName> all;
+  for (const QString& path : selection_.paths()) {
+    const auto name = ParseInterfaceName(path.toStdString());
+    if (name.ok() && parts_.store.catalogue().FindRequired(*name) != nullptr) all.push_back(*name);
+  }
+  return all;
+}
+
 void MainWindow::connectSelection() {
+  if (const auto required = selectedRequired(); required.size() > 1) return match_->open(required);
   const auto path = ParsePath(selection_.current().toStdString());
   if (!path.ok()) return notice_->tell(QStringLiteral("Select an interface to connect it"));
   if (!path->interface.empty()) return startConnecting(selection_.current());
@@ -350,6 +379,8 @@ void MainWindow::revealSelection() {
 
 void MainWindow::escape() {
   if (mode_.active()) return mode_.leave();
+  if (why_card_->isVisible()) return why_card_->close();
+  if (match_->isVisible()) return match_->close();
   notice_->tell({});
 }
 

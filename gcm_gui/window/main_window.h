@@ -11,6 +11,7 @@
 #include <QMainWindow>
 #include <QTimer>
 #include <cstdint>
+#include <vector>
 
 class QSplitter;
 class QStackedWidget;
@@ -26,11 +27,14 @@ class GraphScene;
 class GraphView;
 class Inspector;
 class LostBanner;
+class MatchCard;
 class NoticeLine;
 class PlotBinding;
 class PlotPanel;
 class TabPanel;
 class TopBar;
+class WhyBinding;
+class WhyCard;
 
 /// The window: a bar, three columns, a strip. It puts the views together and gives them their keys;
 /// what they show they know themselves.
@@ -56,7 +60,8 @@ class MainWindow : public QMainWindow {
 
  public Q_SLOTS:
   void plotSelection();
-  /// Begins with the selected interface, or with the next unconnected one of the component.
+  /// Begins with the selected interface, or with the next unconnected one of the component. Of
+  /// several required ones that are selected, all are matched.
   void connectSelection();
   void disconnectSelection();
   /// Where the selected command is called.
@@ -77,6 +82,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] QWidget* buildConnectionsPage();
   void connectViews();
   void connectModeToViews();
+  void connectWhy();
   void addCommands();
   void addSystemCommands();
   void addPlotCommands();
@@ -85,6 +91,7 @@ class MainWindow : public QMainWindow {
   void showLink();
   void showPerspective(Panels::Perspective perspective);
   void tick();
+  [[nodiscard]] std::vector<InterfaceName> selectedRequired() const;
   void startConnecting(const QString& path);
   void pickInConnectMode(const QString& path);
 
@@ -113,6 +120,9 @@ class MainWindow : public QMainWindow {
   CandidatePanel* candidates_ = nullptr;
   ActivityStrip* strip_ = nullptr;
   Panels* panels_ = nullptr;
+  WhyCard* why_card_ = nullptr;
+  WhyBinding* why_ = nullptr;
+  MatchCard* match_ = nullptr;
   QTimer second_;
   std::int64_t lost_since_ = 0;  // of the GCM, ns since 1970; 0 while it is there
 };

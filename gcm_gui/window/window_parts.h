@@ -5,6 +5,7 @@ namespace tendon::gui {
 class ActivityModel;
 class CatalogueStore;
 class CommandCalls;
+class ConnectionChecks;
 class GcmLink;
 class SignalSource;
 class SystemActions;
@@ -18,6 +19,7 @@ struct WindowParts {
   SystemActions& actions;
   SignalSource& source;
   CommandCalls& calls;
+  ConnectionChecks& checks;
 };
 
 }  // namespace tendon::gui

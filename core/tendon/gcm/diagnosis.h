@@ -20,6 +20,8 @@ struct DiagnosisStep {
   std::string text;                  ///< what was found, or what would be looked at
   std::string fix;                   ///< kBad: what to do
   std::vector<std::string> details;  ///< each member that does not match
+
+  bool operator==(const DiagnosisStep&) const = default;
 };
 
 /// Why a connection stands, or does not: the same seven steps in the console and in the window.

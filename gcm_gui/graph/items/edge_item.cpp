@@ -2,6 +2,7 @@
 #include <gcm_gui/theme/state_mark.h>
 #include <gcm_gui/theme/theme.h>
 
+#include <QCursor>
 #include <QFontMetricsF>
 #include <QPainter>
 #include <QPainterPathStroker>
@@ -56,6 +57,7 @@ void EdgeItem::show(const QPointF& from, const QPointF& to, Look look, const QSt
   reason_ = reason;
   raise();
   setToolTip(reason.isEmpty() ? required_ : required_ + '\n' + reason);
+  isBroken() ? setCursor(Qt::PointingHandCursor) : unsetCursor();
   update();
 }
 

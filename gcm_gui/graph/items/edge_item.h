@@ -24,6 +24,9 @@ class EdgeItem : public QGraphicsItem {
 
   [[nodiscard]] const QString& required() const { return required_; }
   [[nodiscard]] Look look() const { return look_; }
+  [[nodiscard]] const QPainterPath& path() const { return path_; }
+  /// It was tried, and does not work: there is a reason to be told.
+  [[nodiscard]] bool isBroken() const { return look_ == Look::kFailed || look_ == Look::kPending; }
 
   [[nodiscard]] int type() const override { return Type; }
   [[nodiscard]] QRectF boundingRect() const override;

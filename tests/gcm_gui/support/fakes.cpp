@@ -43,6 +43,16 @@ void ScriptedCalls::callCommand(const std::string& path, const std::string& argu
   answer = std::move(handler);
 }
 
+void ScriptedChecks::diagnose(const message::Wire& wire, DiagnosisHandler handler) {
+  diagnosed.push_back(wire);
+  diagnosis = std::move(handler);
+}
+
+void ScriptedChecks::findCounts(const InterfaceName& required, CountsHandler handler) {
+  counted.append(QString::fromStdString(ToString(required)));
+  counts = std::move(handler);
+}
+
 void ScriptedSignals::watch(const QObject* owner, const QSet<QString>& columns) {
   watched_[owner] = columns;
 }

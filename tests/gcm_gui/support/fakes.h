@@ -1,6 +1,7 @@
 #pragma once
 
 #include <gcm_gui/session/command_calls.h>
+#include <gcm_gui/session/connection_checks.h>
 #include <gcm_gui/session/signal_source.h>
 #include <gcm_gui/session/system_actions.h>
 
@@ -9,6 +10,7 @@
 #include <QString>
 #include <QStringList>
 #include <string>
+#include <vector>
 
 namespace tendon::gui {
 
@@ -36,6 +38,18 @@ class ScriptedCalls final : public CommandCalls {
   int asked_for_schema = 0;
   QStringList calls;
   AnswerHandler answer;  ///< of the newest call
+};
+
+/// Remembers what it was asked. The test answers.
+class ScriptedChecks final : public ConnectionChecks {
+ public:
+  void diagnose(const message::Wire& wire, DiagnosisHandler handler) override;
+  void findCounts(const InterfaceName& required, CountsHandler handler) override;
+
+  std::vector<message::Wire> diagnosed;
+  DiagnosisHandler diagnosis;  ///< of the newest question
+  QStringList counted;
+  CountsHandler counts;  ///< of the newest question
 };
 
 /// Remembers what is wanted of it; the test sends rows and values by its signals.

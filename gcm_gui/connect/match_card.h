@@ -1,0 +1,50 @@
+#pragma once
+
+#include <gcm_gui/session/catalogue_store.h>
+#include <gcm_gui/session/system_actions.h>
+#include <gcm_gui/views/overlay_card.h>
+
+#include <QCheckBox>
+#include <vector>
+
+class QGridLayout;
+class QLabel;
+class QPushButton;
+
+namespace tendon::gui {
+
+/// Many required interfaces, each with the provided one that is meant for it by name and type: what
+/// is checked is connected at one go. Where several are equally good nothing is checked; the first
+/// is offered.
+class MatchCard : public OverlayCard {
+  Q_OBJECT
+
+ public:
+  MatchCard(QWidget& place, const CatalogueStore& store, SystemActions& actions);
+
+  /// Those that are free are matched with all that is there.
+  void open(const std::vector<InterfaceName>& required);
+
+ protected:
+  void enter() override;
+
+ private:
+  struct Row {
+    InterfaceName required;
+    InterfaceName provided;
+    QCheckBox* box;
+  };
+  void addRow(const InterfaceName& required);
+  void count();
+  void connectChecked();
+
+  const CatalogueStore& store_;
+  SystemActions& actions_;
+  QLabel* about_;
+  QWidget* table_ = nullptr;
+  QGridLayout* grid_ = nullptr;
+  QPushButton* connect_;
+  std::vector<Row> rows_;  // those with something to connect to
+};
+
+}  // namespace tendon::gui

@@ -1,0 +1,98 @@
+#include <gcm_gui/models/text.h>
+#include <gcm_gui/session/connection_checks.h>
+#include <gcm_gui/session/system_actions.h>
+#include <gcm_gui/why/why_binding.h>
+#include <gcm_gui/why/why_card.h>
+#include <gcm_gui/why/why_report.h>
+#include <tendon/base/path.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace tendon::gui {
+namespace {
+
+std::optional<InterfaceName> RequiredOf(const Catalog& catalogue, const QString& path) {
+  const auto name = ParseInterfaceName(path.section('.', 0, 0).toStdString());
+  if (!name.ok() || catalogue.FindRequired(*name) == nullptr) return std::nullopt;
+  return *name;
+}
+
+}  // namespace
+
+WhyBinding::WhyBinding(WhyCard& card, const CatalogueStore& store, ConnectionChecks& checks,
+                       SystemActions& actions, QObject* parent)
+    : QObject(parent), card_(card), store_(store), checks_(checks), actions_(actions) {
+  connect(&store, &CatalogueStore::changed, this, &WhyBinding::follow);
+  connect(&store, &CatalogueStore::typesLearned, this, &WhyBinding::check);
+  connect(&refusals_, &Refusals::changed, this, &WhyBinding::check);
+  connect(&card, &WhyCard::closed, this, [this] { wire_.reset(); });
+  connect(&card, &WhyCard::retryRequested, this, &WhyBinding::retry);
+  connect(&card, &WhyCard::notice, this, &WhyBinding::notice);
+}
+
+void WhyBinding::open(const QString& path) {
+  const Catalog& catalogue = store_.catalogue();
+  const auto required = RequiredOf(catalogue, path);
+  if (!required) {
+    Q_EMIT notice(QStringLiteral("Select a required interface to see why it is connected or not"));
+    return;
+  }
+  const auto provided = LikelyProvider(catalogue, refusals_, *required);
+  if (!provided) {
+    Q_EMIT notice(ToQString(ToString(*required)) +
+                  QStringLiteral(" is not connected, and nothing that is there resembles it"));
+    return;
+  }
+  wire_ = message::Wire{*required, *provided};
+  card_.begin(*wire_);
+  check();
+}
+
+bool WhyBinding::openProblem(const QString& path) {
+  const auto required = RequiredOf(store_.catalogue(), path);
+  if (!required) return false;
+  const auto* connection = store_.catalogue().FindConnection(*required);
+  const bool stands = connection != nullptr && connection->state != ConnectionState::kActive;
+  if (!stands && refusals_.find(*required) == nullptr) return false;
+  open(path);
+  return true;
+}
+
+void WhyBinding::check() {
+  if (!wire_) return;
+  ask_again_ = std::exchange(is_asking_, true);
+  if (ask_again_) return;
+  checks_.diagnose(*wire_, [this, wire = *wire_](const auto& diagnosis) { hear(wire, diagnosis); });
+}
+
+void WhyBinding::hear(const message::Wire& wire, const Result<Diagnosis>& diagnosis) {
+  is_asking_ = false;
+  if (wire_ != wire || std::exchange(ask_again_, false)) {
+    ask_again_ = false;
+    return check();
+  }
+  if (!diagnosis) return card_.tell(ToQString(diagnosis.error().message));
+  WhyReport report{*diagnosis, std::nullopt, {}};
+  const auto* refused = refusals_.find(wire.required);
+  if (refused != nullptr && refused->provided == wire.provided) report.refusal = *refused;
+  const Catalog& catalogue = store_.catalogue();
+  const bool is_tried = report.refusal || diagnosis->is_connected;
+  if (is_tried && diagnosis->failure) report.leftovers = LeftoversOf(catalogue, wire);
+  card_.show(report, catalogue.FindRequired(wire.required), catalogue.FindProvided(wire.provided));
+}
+
+void WhyBinding::retry() {
+  if (wire_) actions_.replaceConnection(wire_->required, wire_->provided);
+}
+
+void WhyBinding::follow(const Catalog& catalogue, const Touched& touched) {
+  refusals_.update(catalogue);
+  if (!wire_) return;
+  const auto is_about_it = [this](const TouchedPart& part) {
+    return part.process == wire_->required.process || part.process == wire_->provided.process;
+  };
+  if (std::ranges::any_of(touched, is_about_it)) check();
+}
+
+}  // namespace tendon::gui

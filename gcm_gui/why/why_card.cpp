@@ -1,0 +1,126 @@
+#include <gcm_gui/models/text.h>
+#include <gcm_gui/theme/head_row.h>
+#include <gcm_gui/theme/metrics.h>
+#include <gcm_gui/theme/theme.h>
+#include <gcm_gui/why/step_list.h>
+#include <gcm_gui/why/why_card.h>
+
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QPushButton>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace tendon::gui {
+namespace {
+
+QLabel* MakeLine(const QString& name, const QString& role) {
+  auto* label = new QLabel;
+  label->setObjectName(name);
+  label->setTextFormat(Qt::PlainText);
+  label->setWordWrap(true);
+  SetRole(*label, role);
+  return label;
+}
+
+QString ShortName(const InterfaceName& name) {
+  return ToQString(name.component + '/' + name.interface);
+}
+
+}  // namespace
+
+WhyCard::WhyCard(QWidget& place)
+    : OverlayCard(place, new QWidget),
+      title_(new QLabel),
+      verdict_(MakeLine(QStringLiteral("why.verdict"), QStringLiteral("strong"))),
+      history_(MakeLine(QStringLiteral("why.history"), QStringLiteral("dim"))),
+      steps_(new StepList(signatures_)),
+      leftovers_(MakeLine(QStringLiteral("why.leftovers"), {})),
+      retry_(new QPushButton(QStringLiteral("Retry"))),
+      copy_(new QPushButton(QStringLiteral("Copy report"))) {
+  setObjectName(QStringLiteral("whyCard"));
+  setAccessibleName(QStringLiteral("Why?"));
+  buildBody(body());
+  buildHead();
+  connect(steps_, &StepList::copied, this, &WhyCard::notice);
+}
+
+void WhyCard::buildBody(QWidget& body) {
+  auto* lines = new QVBoxLayout(&body);
+  lines->setContentsMargins(kInset, 2 * kGrid, kInset, 2 * kGrid);
+  lines->setSpacing(2 * kGrid);
+  lines->addWidget(verdict_);
+  lines->addWidget(history_);
+  lines->addWidget(steps_);
+  lines->addWidget(leftovers_);
+  lines->addStretch();
+}
+
+void WhyCard::buildHead() {
+  title_->setObjectName(QStringLiteral("why.title"));
+  SetRole(*title_, QStringLiteral("strong"));
+  retry_->setObjectName(QStringLiteral("why.retry"));
+  copy_->setObjectName(QStringLiteral("why.copyReport"));
+  copy_->setAccessibleName(QStringLiteral("Copy the report"));
+  connect(retry_, &QPushButton::clicked, this, &WhyCard::retryRequested);
+  connect(copy_, &QPushButton::clicked, this, &WhyCard::copyReport);
+  head().addLeft(title_);
+  addToHead(retry_);
+  addToHead(copy_);
+}
+
+void WhyCard::begin(const message::Wire& wire) {
+  const bool other = wire != report_.diagnosis.wire;
+  report_.diagnosis.wire = wire;
+  title_->setText(ShortName(wire.required) + QStringLiteral(" → ") + ShortName(wire.provided));
+  title_->setToolTip(ToQString(ToString(wire.required) + " → " + ToString(wire.provided)));
+  setAccessibleName(QStringLiteral("Why? ") + title_->toolTip());
+  if (other || isHidden()) {
+    tell(QStringLiteral("checking …"));
+    steps_->setComparable(false);
+    steps_->show({});
+  }
+  open();
+}
+
+void WhyCard::show(const WhyReport& report, const RequiredDescription* required,
+                   const ProvidedDescription* provided) {
+  report_ = report;
+  verdict_->setText(report.verdict());
+  history_->setText(report.history());
+  history_->setVisible(report.refusal.has_value());
+  const bool comparable = required != nullptr && provided != nullptr;
+  if (comparable) signatures_.show(*required, *provided);
+  steps_->setComparable(comparable);
+  steps_->show(report.diagnosis);
+  steps_->orderTabs(leave());
+  leftovers_->setText(report.leftovers.join('\n'));
+  leftovers_->setVisible(!report.leftovers.isEmpty());
+  const auto& failure = report.diagnosis.failure;
+  const bool was_tried = report.refusal || report.diagnosis.is_connected;
+  retry_->setText(was_tried ? QStringLiteral("Retry") : QStringLiteral("Connect"));
+  retry_->setAccessibleName(was_tried ? QStringLiteral("Try the connection again")
+                                      : QStringLiteral("Connect them"));
+  const bool works = report.diagnosis.is_connected && !failure;
+  retry_->setVisible(!works && (!failure || failure->code != ErrorCode::kIncompatible));
+  copy_->setEnabled(true);
+  setAccessibleDescription(report.text());
+  fit();
+}
+
+void WhyCard::tell(const QString& sentence) {
+  verdict_->setText(sentence);
+  history_->hide();
+  leftovers_->hide();
+  retry_->hide();
+  copy_->setEnabled(false);
+  fit();
+}
+
+void WhyCard::copyReport() {
+  QGuiApplication::clipboard()->setText(report_.text());
+  Q_EMIT notice(QStringLiteral("The report is in the clipboard"));
+}
+
+}  // namespace tendon::gui

@@ -1,0 +1,101 @@
+#include <gcm_gui/models/text.h>
+#include <gcm_gui/why/why_report.h>
+#include <tendon/gcm/lookup.h>
+
+#include <algorithm>
+
+namespace tendon::gui {
+namespace {
+
+using Verdict = DiagnosisStep::Verdict;
+
+QString Name(const InterfaceName& name) { return ToQString(ToString(name)); }
+
+QString WordOf(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kGood:
+      return QStringLiteral("ok  ");
+    case Verdict::kBad:
+      return QStringLiteral("BAD ");
+    case Verdict::kNotReached:
+      break;
+  }
+  return QStringLiteral("-   ");
+}
+
+}  // namespace
+
+QString WhyReport::verdict() const {
+  const auto& steps = diagnosis.steps;
+  const auto bad = std::ranges::find(steps, Verdict::kBad, &DiagnosisStep::verdict);
+  if (bad != steps.end()) {
+    return QStringLiteral("fails at step %1 of %2").arg(bad - steps.begin() + 1).arg(steps.size());
+  }
+  return diagnosis.is_connected ? QStringLiteral("connected and working")
+                                : QStringLiteral("nothing keeps it from being connected");
+}
+
+QString WhyReport::history() const {
+  if (!refusal) return {};
+  const QString time = ClockText(refusal->when).section('.', 0, 0);
+  return QStringLiteral("refused at %1: %2").arg(time, refusal->reason);
+}
+
+QString WhyReport::command() const {
+  return QStringLiteral("gcm explain %1 %2")
+      .arg(Name(diagnosis.wire.required), Name(diagnosis.wire.provided));
+}
+
+QString WhyReport::text() const {
+  const message::Wire& wire = diagnosis.wire;
+  QStringList lines{Name(wire.required) + QStringLiteral(" -> ") + Name(wire.provided) +
+                    QStringLiteral(": ") + verdict()};
+  if (refusal) lines.append(QStringLiteral("  ") + history());
+  int number = 0;
+  for (const DiagnosisStep& step : diagnosis.steps) {
+    lines.append(QStringLiteral("  %1 ").arg(++number) + WordOf(step.verdict) +
+                 ToQString(step.text));
+    for (const auto& detail : step.details) {
+      lines.append(QStringLiteral("         ") + ToQString(detail));
+    }
+    if (!step.fix.empty()) {
+      lines.append(QStringLiteral("         fix: ") + ToQString(step.fix));
+    }
+  }
+  for (const QString& line : leftovers) lines.append(QStringLiteral("  ") + line);
+  lines.append(QStringLiteral("  the same in a terminal: ") + command());
+  return lines.join('\n') + '\n';
+}
+
+QStringList LeftoversOf(const Catalog& catalogue, const message::Wire& wire) {
+  const ProcessEntry* owner = catalogue.FindProcess(wire.required.process);
+  const QString process = ToQString(wire.required.process);
+  if (owner == nullptr || !IsPresent(owner->process)) {
+    return {QStringLiteral("Rolled back: not known while %1 is not there").arg(process)};
+  }
+  const auto* connection = catalogue.FindConnection(wire.required);
+  if (connection == nullptr) {
+    return {QStringLiteral("Rolled back: nothing of it is left in %1").arg(process)};
+  }
+  if (connection->provided != wire.provided) {
+    return {QStringLiteral("Rolled back: %1 is connected to %2 as before")
+                .arg(Name(wire.required), Name(connection->provided))};
+  }
+  return {QStringLiteral("Kept: %1 makes it as soon as it can").arg(process)};
+}
+
+std::optional<InterfaceName> LikelyProvider(const Catalog& catalogue, const Refusals& refusals,
+                                            const InterfaceName& required) {
+  if (const auto* refused = refusals.find(required)) return refused->provided;
+  if (const auto* connection = catalogue.FindConnection(required)) return connection->provided;
+  const auto candidates = RankCandidates(catalogue, required);
+  if (!candidates || candidates->empty()) return std::nullopt;
+  return candidates->front().provided;
+}
+
+QString CommandOfFix(const std::string& fix) {
+  const auto begin = fix.find("gcm ");
+  return ToQString(begin == std::string::npos ? fix : fix.substr(begin));
+}
+
+}  // namespace tendon::gui

@@ -1,0 +1,75 @@
+#include <gcm_gui/why/why_report.h>
+#include <gtest/gtest.h>
+
+#include "support/sample_system.h"
+
+namespace tendon::gui {
+namespace {
+
+const InterfaceName kTeleoperation{"desk", "teleoperation", "Robot"};
+const InterfaceName kController{"robot", "controller", "Control"};
+
+class WhyReportTest : public ::testing::Test {
+ protected:
+  WhyReport Report(const InterfaceName& required, const InterfaceName& provided) {
+    return {*Diagnose(system_.catalog(), {required, provided}), std::nullopt, {}};
+  }
+
+  SystemBuilder system_ = LookSystem(0);
+  Refusals refusals_;
+};
+
+TEST_F(WhyReportTest, TheVerdictNamesTheStepThatIsBad) {
+  EXPECT_EQ(Report(kTeleoperation, kController).verdict(), "nothing keeps it from being connected");
+  EXPECT_EQ(Report(kTeleoperation, {"robot", "arm", "Drives"}).verdict(), "fails at step 4 of 7");
+  EXPECT_EQ(Report(kTeleoperation, {"vision", "camera", "Video"}).verdict(),
+            "fails at step 1 of 7");
+}
+
+TEST_F(WhyReportTest, TheTextIsThatOfTheConsole) {
+  const QString text = Report(kTeleoperation, {"robot", "arm", "Drives"}).text();
+
+  EXPECT_TRUE(text.contains("  1 ok  processes desk and robot are there\n")) << text.toStdString();
+  EXPECT_TRUE(text.contains("  5 -   the processes reach each other\n")) << text.toStdString();
+  EXPECT_TRUE(text.contains("gcm explain desk/teleoperation/Robot robot/arm/Drives\n"));
+}
+
+TEST_F(WhyReportTest, OfAFixItsCommandIsCopied) {
+  EXPECT_EQ(CommandOfFix("see what does fit: gcm candidates a/b/C"), "gcm candidates a/b/C");
+  EXPECT_EQ(CommandOfFix("start it again"), "start it again");
+}
+
+TEST_F(WhyReportTest, AUserWhoAsksMeansWhatWasRefusedThenWhatIsConnectedThenTheBest) {
+  EXPECT_EQ(LikelyProvider(system_.catalog(), refusals_, kTeleoperation), kController);
+
+  system_.Connect(kTeleoperation, {"robot", "arm", "Drives"}, ConnectionState::kFailed);
+  EXPECT_EQ(LikelyProvider(system_.catalog(), refusals_, kTeleoperation),
+            (InterfaceName{"robot", "arm", "Drives"}));
+
+  Action refused;
+  refused.required = kTeleoperation;
+  refused.provided = kController;
+  refused.outcome = Action::Outcome::kRefused;
+  refusals_.hear(refused);
+  EXPECT_EQ(LikelyProvider(system_.catalog(), refusals_, kTeleoperation), kController);
+}
+
+TEST_F(WhyReportTest, ItSaysWhatARefusedRequestHasLeft) {
+  const auto left = [&] {
+    return LeftoversOf(system_.catalog(), {kTeleoperation, kController}).join(' ');
+  };
+  EXPECT_EQ(left(), "Rolled back: nothing of it is left in desk");
+
+  system_.Connect(kTeleoperation, {"robot", "arm", "Drives"});
+  EXPECT_EQ(left(),
+            "Rolled back: desk/teleoperation/Robot is connected to robot/arm/Drives as before");
+
+  system_.Connect(kTeleoperation, kController, ConnectionState::kPending);
+  EXPECT_EQ(left(), "Kept: desk makes it as soon as it can");
+
+  system_.Process("desk", ProcessState::kLost);
+  EXPECT_EQ(left(), "Rolled back: not known while desk is not there");
+}
+
+}  // namespace
+}  // namespace tendon::gui
