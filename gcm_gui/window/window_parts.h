@@ -1,5 +1,9 @@
 #pragma once
 
+#include <gcm_console/line/settings.h>
+
+#include <QString>
+
 namespace tendon::gui {
 
 class ActivityModel;
@@ -8,6 +12,7 @@ class CommandCalls;
 class GcmLink;
 class SignalSource;
 class SystemActions;
+class SystemReports;
 
 /// What a window shows and steers; all of it outlives the window. Session has it all, a test puts
 /// it together by hand.
@@ -18,6 +23,9 @@ struct WindowParts {
   SystemActions& actions;
   SignalSource& source;
   CommandCalls& calls;
+  SystemReports& reports;
+  console::Settings console = {};  ///< of the console in the window
+  QString kept = {};               ///< the folder of what is kept for the next time; empty: none
 };
 
 }  // namespace tendon::gui

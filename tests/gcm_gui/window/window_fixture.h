@@ -29,7 +29,8 @@ class WindowFixture : public ::testing::Test {
   RecordingActions actions_;
   ScriptedSignals source_;
   ScriptedCalls calls_;
-  MainWindow window_{{store_, link_, activity_, actions_, source_, calls_}};
+  ScriptedReports reports_;
+  MainWindow window_{{store_, link_, activity_, actions_, source_, calls_, reports_}};
 };
 
 }  // namespace tendon::gui
