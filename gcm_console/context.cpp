@@ -21,6 +21,11 @@ bool WantsNoColor() {
 
 }  // namespace
 
+tendon::Error NoInput(const std::string& verb) {
+  return {tendon::ErrorCode::kInvalid,
+          "nothing can be piped into this console; in a terminal: gcm " + verb + " -"};
+}
+
 Context::Context(Settings settings, std::string verb, const Streams& streams, Session* session)
     : settings_(std::move(settings)),
       verb_(std::move(verb)),

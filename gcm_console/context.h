@@ -22,7 +22,11 @@ struct Streams {
   std::ostream& err;
   int columns = 0;                            ///< of the terminal that `out` is, 0 where it is none
   MakeLineReader make_line_reader = nullptr;  ///< where a person sits at a terminal
+  bool has_input = true;                      ///< false in a window, where nothing can be piped in
 };
+
+/// Why a verb that reads its input cannot do so in a window.
+[[nodiscard]] tendon::Error NoInput(const std::string& verb);
 
 /// Where a verb's output goes, and what it asks the GCM through.
 class Context {

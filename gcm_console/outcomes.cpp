@@ -42,6 +42,10 @@ program::ExitCode ExitCodeOf(const std::vector<Outcome>& outcomes) {
 bool Confirm(const Context& context, const std::string& question) {
   using tendon::os::Stream;
   using tendon::os::TerminalColumns;
+  if (!context.streams().has_input) {
+    context.streams().err << "gcm: " << Plain(question) << "? If so, add --yes\n";
+    return false;
+  }
   if (context.columns() == 0 || TerminalColumns(Stream::kInput) == 0) return true;
   context.streams().err << Plain(question) << "? [y/N] " << std::flush;
   std::string answer;

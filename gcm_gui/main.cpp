@@ -7,6 +7,7 @@
 #include <program/exit_code.h>
 #include <program/lcm_launch.h>
 #include <program/network_options.h>
+#include <tendon/base/os/process.h>
 
 #include <CLI/CLI.hpp>
 #include <QSettings>
@@ -85,8 +86,14 @@ int Run(const Options& options) {
   }
 
   tendon::gui::Session session(*middleware, address, hosted != nullptr);
+  console::Settings console;
+  console.gcm = address;
+  console.network = options.network;
+  console.color = console::ColorChoice::kNever;
+  const auto kept = tendon::os::StateFolder().parent_path() / "gcm-gui";
   tendon::gui::MainWindow window({session.store(), session.link(), session.activity(), session,
-                                  session.liveSignals(), session, session});
+                                  session.liveSignals(), session, session, session.reports(),
+                                  console, QString::fromStdString(kept.string())});
   if (!options.describe_ui.empty()) {
     new tendon::gui::UiDescription(window, QString::fromStdString(options.describe_ui));
   }

@@ -1,3 +1,4 @@
+#include <gcm_console/completion/files.h>
 #include <gcm_console/report.h>
 #include <gcm_console/shell/line_editor.h>
 #include <histedit.h>
@@ -46,32 +47,6 @@ struct EndEditLine {
 struct EndHistory {
   void operator()(History* history) const { history_end(history); }
 };
-
-/// What all candidates begin with.
-std::string CommonBegin(const std::vector<Completion::Candidate>& candidates) {
-  std::string common = candidates.front().text;
-  for (const auto& [text, help] : candidates) {
-    const auto end = std::mismatch(common.begin(), common.end(), text.begin(), text.end());
-    common.erase(end.first, common.end());
-  }
-  return common;
-}
-
-/// The names in a folder that begin as a word does.
-std::vector<Completion::Candidate> Files(const std::string& word) {
-  const auto slash = word.rfind('/');
-  const std::string folder = slash == std::string::npos ? "" : word.substr(0, slash + 1);
-  std::vector<Completion::Candidate> files;
-  std::error_code none;
-  for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, none)) {
-    const std::string path = folder + entry.path().filename().string();
-    if (!path.starts_with(word)) continue;
-    files.push_back({path + (entry.is_directory(none) ? "/" : " "), ""});
-  }
-  std::sort(files.begin(), files.end(),
-            [](const auto& a, const auto& b) { return a.text < b.text; });
-  return files;
-}
 
 class LineEditor final : public LineReader {
  public:
@@ -155,12 +130,7 @@ class LineEditor final : public LineReader {
         UnfinishedOf({info->buffer, static_cast<std::size_t>(info->cursor - info->buffer)});
     const std::string& word = line.words.back();
     Completion found = completion_(line);
-    if (found.is_file) {
-      const bool is_option = word.starts_with("--") && word.find('=') != word.npos;
-      const std::string begin = is_option ? word.substr(0, word.find('=') + 1) : "";
-      found.candidates = Files(word.substr(begin.size()));
-      for (auto& one : found.candidates) one.text.insert(0, begin);
-    }
+    AddFiles(found, word);
     if (found.candidates.empty()) return CC_REFRESH_BEEP;
     const std::string common = CommonBegin(found.candidates);
     if (common.size() > word.size()) {

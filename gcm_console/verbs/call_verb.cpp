@@ -17,6 +17,7 @@ struct Arguments {
 
 tendon::Result<program::ExitCode> Call(Context& context, const Arguments& arguments) {
   std::string argument = arguments.argument;
+  if (argument == "-" && !context.streams().has_input) return NoInput("call " + arguments.path);
   if (argument == "-") argument = {std::istreambuf_iterator<char>(std::cin), {}};
   const auto answer = context.Ask<std::string>([&](tendon::GcmClient& client, auto handler) {
     client.Call(arguments.path, argument, handler);

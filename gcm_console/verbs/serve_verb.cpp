@@ -24,6 +24,10 @@ tendon::Error WithHint(tendon::Error error) {
 }
 
 tendon::Result<program::ExitCode> Serve(Context& context, const std::string& fan_out) {
+  if (!context.streams().has_input) {
+    return tendon::Error{tendon::ErrorCode::kInvalid,
+                         "serve runs until told to stop: start it in a terminal"};
+  }
   tendon::os::HoldTerminationSignals();
   const Settings& settings = context.settings();
   if (auto address = program::CheckGcmAddress(settings.gcm, settings.network); !address) {
@@ -72,7 +76,7 @@ tendon::Result<std::filesystem::path> WriteSettings(const std::string& address,
 }
 
 tendon::Result<program::ExitCode> RunFanOut(Context& context, const std::string& address) {
-  if (context.session() != nullptr) {
+  if (context.session() != nullptr || !context.streams().has_input) {
     return tendon::Error{tendon::ErrorCode::kInvalid,
                          "fan-out runs until told to stop: start it outside of gcm shell"};
   }

@@ -90,6 +90,7 @@ Result<ExitCode> RunLines(Context& context, const ScriptOptions& options, std::i
 }
 
 Result<ExitCode> RunScript(Context& context, const ScriptOptions& options) {
+  if (options.file == "-" && !context.streams().has_input) return NoInput("run");
   if (options.file == "-") return RunLines(context, options, std::cin);
   std::error_code none;
   if (fs::is_directory(options.file, none)) {

@@ -27,6 +27,8 @@ QString VerbText(Action::Verb verb) {
       return QStringLiteral("forget");
     case Action::Verb::kCall:
       return QStringLiteral("call");
+    case Action::Verb::kLogLevel:
+      return QStringLiteral("log level");
   }
   return {};
 }
@@ -65,7 +67,9 @@ const Action& ActivityModel::action(int row) const {
 }
 
 QString ActivityModel::object(const Action& action) const {
-  if (!action.process.empty()) return ToQString(action.process);
+  if (!action.process.empty()) {
+    return QString(ToQString(action.process) + ' ' + action.argument).trimmed();
+  }
   if (!action.command.isEmpty()) return (action.command + ' ' + action.argument).trimmed();
   if (action.required.interface.empty()) return {};
   if (action.provided.interface.empty()) return Name(action.required);
@@ -81,7 +85,8 @@ QString ActivityModel::outcome(const Action& action) const {
     case Action::Outcome::kDone:
       break;
   }
-  const QString time = DurationText(action.seconds);
+  QString time = DurationText(action.seconds);
+  if (action.times > 1) time += QStringLiteral(" · %1 times").arg(action.times);
   return action.undone ? time + QStringLiteral(" · undone") : time;
 }
 
@@ -124,6 +129,8 @@ QString ActivityModel::command(int row) const {
       return QStringLiteral("gcm undo");
     case Action::Verb::kCall:
       return CallLine(action.command, action.argument);
+    case Action::Verb::kLogLevel:
+      return QStringLiteral("gcm log-level %1 %2").arg(ToQString(action.process), action.argument);
     case Action::Verb::kForget:
       break;
   }
@@ -139,7 +146,22 @@ const Action* ActivityModel::lastStep() const {
   return nullptr;
 }
 
+bool ActivityModel::isOnceMore(const Action& action) const {
+  if (action.verb != Action::Verb::kCall || entries_.empty()) return false;
+  const Action& last = entries_.back().action;
+  return last.verb == action.verb && last.command == action.command &&
+         last.argument == action.argument && last.outcome == Action::Outcome::kDone;
+}
+
 ActivityModel::Id ActivityModel::begin(Action action) {
+  if (isOnceMore(action)) {
+    Action& last = entries_.back().action;
+    ++last.times;
+    last.when = WallClock();
+    last.outcome = Action::Outcome::kRunning;
+    changed(0);
+    return entries_.back().id;
+  }
   if (entries_.size() == kKept) {
     const auto last = static_cast<int>(kKept) - 1;
     beginRemoveRows({}, last, last);

@@ -13,21 +13,22 @@ namespace tendon::gui {
 
 /// One thing the user did to the system, and what came of it.
 struct Action {
-  enum class Verb { kConnect, kDisconnect, kReplace, kUndo, kForget, kCall };
+  enum class Verb { kConnect, kDisconnect, kReplace, kUndo, kForget, kCall, kLogLevel };
   enum class Outcome { kRunning, kDone, kRefused };
 
   Verb verb = Verb::kConnect;
   InterfaceName required;  ///< of connect, disconnect and replace; of undo once it is known
   InterfaceName provided;
-  std::string process;  ///< of forget
+  std::string process;  ///< of forget and of a log level
   QString command;      ///< of call: its path
-  QString argument;     ///< of call: JSON
+  QString argument;     ///< of call: JSON; of a log level: its name
 
   Outcome outcome = Outcome::kRunning;
   QString refusal;        ///< why it was refused
   std::int64_t when = 0;  ///< it was asked for, ns since 1970
   double seconds = 0;     ///< until the answer
   bool undone = false;
+  int times = 1;  ///< of calls with the same argument, one after another
 };
 
 /// What was done through this window, newest first.
@@ -50,6 +51,7 @@ class ActivityModel : public QAbstractTableModel {
   /// Whether Undo would take back this one: the newest that stands.
   [[nodiscard]] bool canUndo(int row) const;
 
+  /// The same call once more stays in its row, and is counted.
   Id begin(Action action);
   /// The ends are those an undo turned out to have changed.
   void finish(Id id, double seconds, const QString& refusal);
@@ -66,6 +68,7 @@ class ActivityModel : public QAbstractTableModel {
     Action action;
   };
   [[nodiscard]] int rowOf(Id id) const;
+  [[nodiscard]] bool isOnceMore(const Action& action) const;
   [[nodiscard]] const Action* lastStep() const;
   [[nodiscard]] QString object(const Action& action) const;
   [[nodiscard]] QString outcome(const Action& action) const;

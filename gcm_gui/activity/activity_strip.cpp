@@ -1,4 +1,7 @@
 #include <gcm_gui/activity/activity_strip.h>
+#include <gcm_gui/console/console_page.h>
+#include <gcm_gui/events/events_page.h>
+#include <gcm_gui/log/log_page.h>
 #include <gcm_gui/models/row_roles.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/theme/metrics.h>
@@ -22,9 +25,12 @@ constexpr int kLinksWidth = 200;
 
 }  // namespace
 
-ActivityStrip::ActivityStrip(ActivityModel& activity, ProblemsModel& problems,
-                             SystemActions& actions, Selection& selection, QWidget* parent)
-    : TabPanel(QStringLiteral("strip"), parent), activity_(activity), actions_(actions) {
+ActivityStrip::ActivityStrip(const WindowParts& parts, ProblemsModel& problems,
+                             Selection& selection, QWidget* parent)
+    : TabPanel(QStringLiteral("strip"), parent),
+      activity_(parts.activity),
+      actions_(parts.actions) {
+  ActivityModel& activity = activity_;
   list_ = MakeRowList(activity, QStringLiteral("activity"),
                       QStringLiteral("What you do to the system is listed here."));
   list_->rows().setAllLeft(true);
@@ -36,6 +42,7 @@ ActivityStrip::ActivityStrip(ActivityModel& activity, ProblemsModel& problems,
   problem_list->rows().setAllLeft(true);
   addPage(list_, QStringLiteral("Activity"));
   problems_page_ = addPage(problem_list, QStringLiteral("Problems"));
+  addReports(parts, selection);
 
   connect(&activity, &QAbstractItemModel::rowsInserted, this,
           [this](const QModelIndex&, int first, int last) { linkRows(first, last); });
@@ -48,7 +55,6 @@ ActivityStrip::ActivityStrip(ActivityModel& activity, ProblemsModel& problems,
     selection.select(index.siblingAtColumn(0).data(kPathRole).toString());
   };
   connect(list_, &QTreeView::clicked, this, select);
-  connect(problem_list, &QTreeView::clicked, this, select);
   const auto choose = [this](const QModelIndex& index) {
     Q_EMIT problemChosen(index.data(kPathRole).toString());
   };
@@ -56,6 +62,27 @@ ActivityStrip::ActivityStrip(ActivityModel& activity, ProblemsModel& problems,
   connect(problem_list, &QTreeView::activated, this, choose);
   linkRows(0, activity.rowCount() - 1);
   showProblemCount(problems.rowCount());
+}
+
+void ActivityStrip::addReports(const WindowParts& parts, Selection& selection) {
+  auto* log = new LogPage(parts.reports, parts.store, parts.actions);
+  auto* events = new EventsPage(parts.reports, selection);
+  const QString history =
+      parts.kept.isEmpty() ? QString() : parts.kept + QStringLiteral("/console");
+  console_ = new ConsolePage(parts.console, history);
+  addPage(log, QStringLiteral("Log"));
+  addPage(events, QStringLiteral("Events"));
+  console_page_ = addPage(console_, QStringLiteral("Console"));
+  connect(log, &LogPage::pathChosen, &selection, &Selection::select);
+  connect(events, &EventsPage::pathChosen, this, &ActivityStrip::jumpRequested);
+  connect(&tabs(), &QTabBar::tabBarClicked, this, [this](int page) {
+    if (page == console_page_) showConsole();
+  });
+}
+
+void ActivityStrip::showConsole() {
+  setCurrent(console_page_);
+  console_->focusLine();
 }
 
 void ActivityStrip::linkRows(int first, int last) {

@@ -5,24 +5,35 @@
 #include <gcm_gui/models/selection.h>
 #include <gcm_gui/session/system_actions.h>
 #include <gcm_gui/views/tab_panel.h>
+#include <gcm_gui/window/window_parts.h>
 
 namespace tendon::gui {
 
 class RowView;
 
+class ConsolePage;
+class EventsPage;
+class LogPage;
+
 /// The bottom of the window: what was done, with a way back and the line that does the same in a
-/// terminal; and what is wrong now.
+/// terminal; what is wrong now; log, events, and a console.
 class ActivityStrip : public TabPanel {
   Q_OBJECT
 
  public:
-  ActivityStrip(ActivityModel& activity, ProblemsModel& problems, SystemActions& actions,
-                Selection& selection, QWidget* parent = nullptr);
+  ActivityStrip(const WindowParts& parts, ProblemsModel& problems, Selection& selection,
+                QWidget* parent = nullptr);
+
+  [[nodiscard]] ConsolePage& console() const { return *console_; }
 
  public Q_SLOTS:
   void showProblems() { setCurrent(problems_page_); }
+  /// With the cursor in its line.
+  void showConsole();
 
  Q_SIGNALS:
+  /// Somebody wants to see it in the other views.
+  void jumpRequested(const QString& path);
   /// A row of the problems was clicked, or chosen with Enter: of what is wrong there.
   void problemChosen(const QString& path);
 
@@ -30,11 +41,14 @@ class ActivityStrip : public TabPanel {
   void linkRows(int first, int last);
   void linkRow(int row);
   void showProblemCount(int count);
+  void addReports(const WindowParts& parts, Selection& selection);
 
   ActivityModel& activity_;
   SystemActions& actions_;
   RowView* list_;
+  ConsolePage* console_;
   int problems_page_ = 0;
+  int console_page_ = 0;
 };
 
 }  // namespace tendon::gui

@@ -1,4 +1,6 @@
 #include <gcm_gui/call/call_panel.h>
+#include <gcm_gui/call/hold_button.h>
+#include <gcm_gui/call/repeat/repeat_row.h>
 #include <gcm_gui/call/value_form.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/theme/head_row.h>
@@ -15,7 +17,6 @@
 #include <QPainter>
 #include <QPlainTextEdit>
 #include <QPointer>
-#include <QPushButton>
 #include <QScrollArea>
 #include <QShortcut>
 #include <QStackedWidget>
@@ -35,7 +36,6 @@ constexpr int kMostFormHeight = 232;
 constexpr int kJsonHeight = 120;
 constexpr qsizetype kLongestAnswer = 1500;
 constexpr std::size_t kMostRead = 65536;  // more takes longer than the window may stand still
-constexpr std::chrono::milliseconds kHold{400};
 constexpr std::chrono::seconds kSecondKey{2};
 enum ArgumentPage { kFormPage, kJsonPage };
 
@@ -90,13 +90,8 @@ CallPanel::CallPanel(CommandCalls& calls, QWidget* parent) : QWidget(parent), ca
                                    &CallPanel::callByKey, Qt::WidgetWithChildrenShortcut);
     calls_it->setAutoRepeat(false);
   }
-  for (QTimer* const timer : {&hold_, &second_key_}) timer->setSingleShot(true);
-  hold_.setInterval(kHold);
+  second_key_.setSingleShot(true);
   second_key_.setInterval(kSecondKey);
-  connect(&hold_, &QTimer::timeout, this, [this] {
-    has_held_ = true;
-    call();
-  });
   setVisible(false);
 }
 
@@ -115,6 +110,7 @@ void CallPanel::build() {
   column->addWidget(head_);
   column->addWidget(buildArgument());
   column->addWidget(buildButtons());
+  column->addWidget(repeat_);
   column->addWidget(status_);
   column->addWidget(answer_);
 }
@@ -137,21 +133,35 @@ QWidget* CallPanel::buildArgument() {
 }
 
 QWidget* CallPanel::buildButtons() {
-  call_ = new QPushButton(QStringLiteral("Call"));
+  call_ = new HoldButton(QStringLiteral("Call"));
   call_->setObjectName(QStringLiteral("call.call"));
   SetRole(*call_, QStringLiteral("primary"));
-  call_->installEventFilter(this);
-  connect(call_, &QPushButton::clicked, this, &CallPanel::click);
-  connect(call_, &QPushButton::pressed, this, &CallPanel::press);
-  connect(call_, &QPushButton::released, this, &CallPanel::release);
+  connect(call_, &HoldButton::called, this, &CallPanel::call);
+  connect(call_, &HoldButton::letGoEarly, this, [this] {
+    tell(QStringLiteral(
+             "Not called: hold the button for 0.4 s, for this can set something in motion"),
+         QStringLiteral("warning"));
+  });
   retry_ = MakeLink(QStringLiteral("Ask again"), QStringLiteral("call.retry"));
   connect(retry_, &QToolButton::clicked, this, &CallPanel::askForSchema);
   as_json_ = MakeLink(QStringLiteral("JSON"), QStringLiteral("call.asJson"));
   as_json_->setToolTip(QStringLiteral("The argument as text, instead of a form"));
   as_json_->setCheckable(true);
   connect(as_json_, &QToolButton::toggled, this, &CallPanel::showAsJson);
-  QToolButton* copy = MakeLink(QStringLiteral("Copy as command"), QStringLiteral("call.copy"));
+  QToolButton* copy = MakeLink(QStringLiteral("Copy"), QStringLiteral("call.copy"));
+  copy->setAccessibleName(QStringLiteral("Copy as command"));
+  copy->setToolTip(QStringLiteral("Copies the line that does the same in a terminal"));
   connect(copy, &QToolButton::clicked, this, &CallPanel::copyCommand);
+  QToolButton* favourite = MakeLink(QStringLiteral("★"), QStringLiteral("call.favourite"));
+  favourite->setAccessibleName(QStringLiteral("Add to the favourites"));
+  favourite->setToolTip(QStringLiteral("Adds a button for this command and argument"));
+  connect(favourite, &QToolButton::clicked, this,
+          [this] { Q_EMIT favouriteRequested(path_, ToQString(argument())); });
+  buildRepeat();
+  QToolButton* repeat = MakeLink(QStringLiteral("Repeat"), QStringLiteral("call.showRepeat"));
+  repeat->setToolTip(QStringLiteral("Calls it again and again"));
+  repeat->setCheckable(true);
+  connect(repeat, &QToolButton::toggled, repeat_, &QWidget::setVisible);
   auto* widget = new QWidget;
   auto* row = new QHBoxLayout(widget);
   row->setContentsMargins(kInset, 2 * kGrid, kInset - 6, 2 * kGrid);
@@ -159,9 +169,19 @@ QWidget* CallPanel::buildButtons() {
   row->addWidget(call_);
   row->addWidget(retry_);
   row->addStretch();
+  row->addWidget(favourite);
+  row->addWidget(repeat);
   row->addWidget(as_json_);
   row->addWidget(copy);
   return widget;
+}
+
+void CallPanel::buildRepeat() {
+  repeat_ = new RepeatRow(calls_, [this] { return argument(); });
+  repeat_->setVisible(false);
+  connect(repeat_, &RepeatRow::told, this, [this](const QString& text, bool is_bad) {
+    tell(text, is_bad ? QStringLiteral("bad") : QStringLiteral("dim"));
+  });
 }
 
 void CallPanel::showCommand(const QString& path, const MemberDescription& command) {
@@ -169,6 +189,7 @@ void CallPanel::showCommand(const QString& path, const MemberDescription& comman
   showNothing();
   path_ = path;
   command_ = command;
+  repeat_->setCommand(path);
   takes_argument_ = TakesArgument(command.signature);
   head_->setTitle(QStringLiteral("Call ") + ToQString(command.name));
   head_->setToolTip(path);
@@ -185,7 +206,7 @@ void CallPanel::showNothing() {
   command_ = {};
   ++shown_;
   under_way_ = false;
-  hold_.stop();
+  repeat_->setCommand({});
   second_key_.stop();
   setVisible(false);
 }
@@ -197,6 +218,7 @@ void CallPanel::askForSchema() {
   argument_->setVisible(false);
   as_json_->setVisible(false);
   call_->setEnabled(!takes_argument_);
+  repeat_->setCallable(!takes_argument_);
   if (!takes_argument_) return check();
   tell(QStringLiteral("Asking what it takes…"), QStringLiteral("dim"));
   calls_.findSchema(path_.section('/', 0, 0).toStdString(), command_.signature.in,
@@ -257,7 +279,8 @@ void CallPanel::check() {
     if (!body) problem = ToQString(body.error().message);
   }
   call_->setEnabled(problem.isEmpty());
-  if (!under_way_) tell(problem, QStringLiteral("warning"));
+  repeat_->setCallable(problem.isEmpty());
+  if (!under_way_ && !repeat_->repeater().isRunning()) tell(problem, QStringLiteral("warning"));
 }
 
 void CallPanel::setUnavailable(const QString& reason) {
@@ -267,19 +290,12 @@ void CallPanel::setUnavailable(const QString& reason) {
 }
 
 void CallPanel::setCareful(bool careful) {
-  careful_ = careful;
+  call_->setCareful(careful);
+  repeat_->setCareful(careful);
   call_->setText(careful ? QStringLiteral("Hold to call") : QStringLiteral("Call"));
   call_->setToolTip(careful ? QStringLiteral("It can set something in motion: hold the button for "
                                              "0.4 s, or press Ctrl+Enter twice")
                             : QStringLiteral("Ctrl+Enter"));
-}
-
-bool CallPanel::eventFilter(QObject* watched, QEvent* event) {
-  const auto type = event->type();
-  const bool goes_down = type == QEvent::MouseButtonPress || type == QEvent::MouseButtonDblClick ||
-                         type == QEvent::KeyPress;
-  if (watched == call_ && goes_down) has_held_ = false;
-  return QWidget::eventFilter(watched, event);
 }
 
 void CallPanel::paintEvent(QPaintEvent*) {
@@ -287,25 +303,8 @@ void CallPanel::paintEvent(QPaintEvent*) {
   painter.fillRect(0, 0, width(), kGap, Theme::instance().color(Token::kLine));
 }
 
-void CallPanel::click() {
-  if (!careful_ && !has_held_) call();
-}
-
-/// Also when the pointer comes back to a button that is down.
-void CallPanel::press() {
-  if (careful_ && !has_held_) hold_.start();
-}
-
-void CallPanel::release() {
-  if (!hold_.isActive()) return;
-  hold_.stop();
-  tell(
-      QStringLiteral("Not called: hold the button for 0.4 s, for this can set something in motion"),
-      QStringLiteral("warning"));
-}
-
 void CallPanel::callByKey() {
-  if (careful_ && call_->isEnabled() && !second_key_.isActive()) {
+  if (call_->isCareful() && call_->isEnabled() && !second_key_.isActive()) {
     second_key_.start();
     return tell(QStringLiteral("Ctrl+Enter again calls it: this can set something in motion"),
                 QStringLiteral("warning"));

@@ -13,7 +13,6 @@
 
 class QLabel;
 class QPlainTextEdit;
-class QPushButton;
 class QScrollArea;
 class QStackedWidget;
 class QToolButton;
@@ -21,6 +20,8 @@ class QToolButton;
 namespace tendon::gui {
 
 class HeadRow;
+class HoldButton;
+class RepeatRow;
 class ValueForm;
 
 /// Calls one command: a form for its argument, or JSON, and below it what came of the call. What
@@ -42,20 +43,20 @@ class CallPanel : public QWidget {
   /// A call can set something in motion: the button is held for a while, the key pressed twice.
   void setCareful(bool careful);
 
+ Q_SIGNALS:
+  /// Somebody wants it at hand: a command and its argument, JSON.
+  void favouriteRequested(const QString& path, const QString& argument);
+
  protected:
-  /// The button goes down.
-  bool eventFilter(QObject* watched, QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
 
  private:
   void call();
   void callByKey();
-  void click();
-  void press();
-  void release();
   void build();
   [[nodiscard]] QWidget* buildArgument();
   [[nodiscard]] QWidget* buildButtons();
+  void buildRepeat();
   void askForSchema();
   void hearSchema(const Result<Schema>& schema);
   void hearAnswer(const Result<std::string>& answer, double seconds);
@@ -76,9 +77,6 @@ class CallPanel : public QWidget {
   /// Of another command, or of an earlier time, what is answered late tells nothing.
   std::uint64_t shown_ = 0;
   bool under_way_ = false;
-  bool careful_ = false;
-  bool has_held_ = false;  // the button that is down has called
-  QTimer hold_;
   QTimer second_key_;
   QString unavailable_;
   QHash<QString, std::string> last_arguments_;  // by path
@@ -89,7 +87,8 @@ class CallPanel : public QWidget {
   QScrollArea* form_area_ = nullptr;
   ValueForm* form_ = nullptr;
   QPlainTextEdit* json_ = nullptr;
-  QPushButton* call_ = nullptr;
+  HoldButton* call_ = nullptr;
+  RepeatRow* repeat_ = nullptr;
   QToolButton* as_json_ = nullptr;
   QToolButton* retry_ = nullptr;
   QLabel* status_ = nullptr;

@@ -1,5 +1,5 @@
 #include <gcm_gui/call/call_panel.h>
-#include <gcm_gui/inspector/component_connections.h>
+#include <gcm_gui/inspector/event_list.h>
 #include <gcm_gui/inspector/inspector.h>
 #include <gcm_gui/models/row_roles.h>
 #include <gcm_gui/models/state_of.h>
@@ -79,17 +79,18 @@ QList<Fact> TimingFacts(double period, const CycleFigures& figures) {
 
 }  // namespace
 
-Inspector::Inspector(const CatalogueStore& store, ConnectionsModel& connections,
-                     Selection& selection, SignalSource& source, SystemActions& actions,
-                     CommandCalls& calls, QWidget* parent)
+Inspector::Inspector(const CatalogueStore& store, Selection& selection, SignalSource& source,
+                     SystemActions& actions, CommandCalls& calls, SystemReports& reports,
+                     QWidget* parent)
     : QWidget(parent),
       store_(store),
       selection_(selection),
       source_(source),
       actions_(actions),
       figures_(source),
-      connections_(new ComponentConnections(connections, this)),
-      call_(new CallPanel(calls)) {
+      health_(reports, store),
+      call_(new CallPanel(calls)),
+      events_(new EventList(reports)) {
   setObjectName(QStringLiteral("inspector"));
   setAccessibleName(QStringLiteral("Inspector"));
   setAutoFillBackground(true);
@@ -112,6 +113,8 @@ Inspector::Inspector(const CatalogueStore& store, ConnectionsModel& connections,
   connect(&selection, &Selection::changed, this, &Inspector::refresh);
   connect(&source, &SignalSource::valuesArrived, &values_, &ValuesModel::showValues);
   connect(&figures_timer_, &QTimer::timeout, this, &Inspector::showFigures);
+  connect(call_, &CallPanel::favouriteRequested, this, &Inspector::favouriteRequested);
+  connect(&health_, &HealthFigures::changed, this, &Inspector::showHealth);
   figures_timer_.start(kFiguresPeriod);
   refresh();
 }
@@ -159,7 +162,8 @@ QWidget* Inspector::buildComponentPage() {
   tabs_ = new TabPanel(QStringLiteral("inspectorTabs"));
   interfaces_page_ = tabs_->addPage(buildInterfaces(), QStringLiteral("Interfaces"));
   values_page_ = tabs_->addPage(buildValues(), QStringLiteral("Values"));
-  tabs_->addPage(buildConnections(), QStringLiteral("Connections"));
+  tabs_->addPage(events_, QStringLiteral("Events"));
+  tabs_->addPage(buildConfiguration(), QStringLiteral("Config"));
   connect(tabs_, &TabPanel::currentChanged, this, &Inspector::watchValues);
   column->addWidget(component_facts_);
   column->addWidget(tabs_, 1);
@@ -210,12 +214,9 @@ RowView* Inspector::buildValues() {
   return list;
 }
 
-RowView* Inspector::buildConnections() {
-  RowView* list = MakeRowList(*connections_, QStringLiteral("inspector.connections"),
-                              QStringLiteral("This component is not connected."));
-  connect(list, &QTreeView::doubleClicked, this, [this](const QModelIndex& index) {
-    selection_.select(index.data(kPathRole).toString());
-  });
+RowView* Inspector::buildConfiguration() {
+  RowView* list = MakeRowList(configuration_, QStringLiteral("inspector.configuration"), {});
+  list->rows().setAllLeft(true);
   return list;
 }
 
@@ -291,8 +292,29 @@ void Inspector::showNothing(const QString& text) {
   nothing_->setText(text);
   pages_->setCurrentIndex(kNothingPage);
   figures_.show({});
+  health_.show({}, {});
+  events_->show({});
   shown_component_.clear();
   watchValues();
+}
+
+void Inspector::showProcessFacts() {
+  const ProcessEntry* entry =
+      store_.catalogue().FindProcess(selection_.current().section('/', 0, 0).toStdString());
+  if (entry == nullptr) return;
+  const ProcessDescription& process = entry->process;
+  QString since = ProcessWord(process.state) + QStringLiteral(" since");
+  since[0] = since[0].toUpper();
+  QList<Fact> facts{{QStringLiteral("Host"), ToQString(process.host)},
+                    {QStringLiteral("Process id"), QString::number(process.pid)},
+                    {QStringLiteral("Address"), ToQString(process.address)},
+                    {QStringLiteral("Components"), QString::number(entry->components.size())},
+                    {since, ClockText(process.since).section('.', 0, 0)}};
+  facts += health_.processFacts();
+  if (!process.reason.empty()) {
+    facts.append({QStringLiteral("Reason"), ToQString(process.reason), {}, Fact::Kind::kSentence});
+  }
+  process_facts_->show(facts);
 }
 
 void Inspector::showProcess(const ProcessEntry& entry) {
@@ -301,17 +323,9 @@ void Inspector::showProcess(const ProcessEntry& entry) {
   state_->setVisible(true);
   state_->show(MarkOf(process.state), ProcessWord(process.state));
   process_->clear();
-  QString since = ProcessWord(process.state) + QStringLiteral(" since");
-  since[0] = since[0].toUpper();
-  QList<Fact> facts{{QStringLiteral("Host"), ToQString(process.host)},
-                    {QStringLiteral("Process id"), QString::number(process.pid)},
-                    {QStringLiteral("Address"), ToQString(process.address)},
-                    {QStringLiteral("Components"), QString::number(entry.components.size())},
-                    {since, ClockText(process.since).section('.', 0, 0)}};
-  if (!process.reason.empty()) {
-    facts.append({QStringLiteral("Reason"), ToQString(process.reason), {}, Fact::Kind::kSentence});
-  }
-  process_facts_->show(facts);
+  health_.show(process.name, {});
+  events_->show({});
+  showProcessFacts();
   forget_->setVisible(IsGone(process.state));
   pages_->setCurrentIndex(kProcessPage);
   figures_.show({});
@@ -330,8 +344,10 @@ void Inspector::showComponent(const ProcessEntry& entry, const ComponentDescript
   shown_component_ = path;
   interfaces_.show(store_.catalogue(), entry.process.name, component.name);
   values_.show(path, &component, gone);
-  connections_->setComponent(entry.process.name, component.name);
+  configuration_.show(component);
+  events_->show(path);
   figures_.show(HasCycle(component) && !gone ? path : QString());
+  health_.show(entry.process.name, component.name);
   pages_->setCurrentIndex(kComponentPage);
   showCall(entry, component);
   showFigures();
@@ -370,7 +386,18 @@ void Inspector::showFigures() {
     facts.append({QStringLiteral("Fault"), ToQString(component->fault), {}, Fact::Kind::kSentence});
   }
   if (wanted_period_ > 0) facts += TimingFacts(wanted_period_, figures_);
+  if (const auto process = health_.processFacts(); !process.isEmpty()) {
+    facts.append({QStringLiteral("Process"),
+                  process[0].value + QStringLiteral(" · ") + process[1].value,
+                  process[0].name + ' ' + process[0].value + '\n' + process[1].name + ' ' +
+                      process[1].value + '\n' + process[2].name + ' ' + process[2].value});
+  }
   component_facts_->show(facts);
+}
+
+void Inspector::showHealth() {
+  interfaces_.showHealth(health_.interfaces());
+  if (pages_->currentIndex() == kProcessPage) showProcessFacts();
 }
 
 void Inspector::watchValues() {

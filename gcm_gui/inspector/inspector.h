@@ -1,9 +1,10 @@
 #pragma once
 
+#include <gcm_gui/inspector/configuration_model.h>
 #include <gcm_gui/inspector/cycle_figures.h>
+#include <gcm_gui/inspector/health_figures.h>
 #include <gcm_gui/inspector/interfaces_model.h>
 #include <gcm_gui/inspector/values_model.h>
-#include <gcm_gui/models/connections_model.h>
 #include <gcm_gui/models/selection.h>
 #include <gcm_gui/session/catalogue_store.h>
 #include <gcm_gui/session/command_calls.h>
@@ -20,7 +21,7 @@ class QStackedWidget;
 namespace tendon::gui {
 
 class CallPanel;
-class ComponentConnections;
+class EventList;
 class FactGrid;
 class RowView;
 class StateLabel;
@@ -32,8 +33,8 @@ class Inspector : public QWidget {
   Q_OBJECT
 
  public:
-  Inspector(const CatalogueStore& store, ConnectionsModel& connections, Selection& selection,
-            SignalSource& source, SystemActions& actions, CommandCalls& calls,
+  Inspector(const CatalogueStore& store, Selection& selection, SignalSource& source,
+            SystemActions& actions, CommandCalls& calls, SystemReports& reports,
             QWidget* parent = nullptr);
 
   /// Where the argument of the selected command is entered; false where none is selected.
@@ -49,6 +50,7 @@ class Inspector : public QWidget {
   void connectRequested(const QString& path);
   /// Of a required interface, connected or not.
   void whyRequested(const QString& path);
+  void favouriteRequested(const QString& path, const QString& argument);
 
  private:
   QWidget* buildHead();
@@ -56,7 +58,9 @@ class Inspector : public QWidget {
   QWidget* buildProcessPage();
   QWidget* buildInterfaces();
   RowView* buildValues();
-  RowView* buildConnections();
+  RowView* buildConfiguration();
+  void showHealth();
+  void showProcessFacts();
   void refresh();
   void showComponent(const ProcessEntry& process, const ComponentDescription& component);
   void showProcess(const ProcessEntry& process);
@@ -75,8 +79,9 @@ class Inspector : public QWidget {
   SystemActions& actions_;
   InterfacesModel interfaces_;
   ValuesModel values_;
+  ConfigurationModel configuration_;
   CycleFigures figures_;
-  ComponentConnections* connections_;
+  HealthFigures health_;
   QTimer figures_timer_;
 
   QLabel* name_;
@@ -88,6 +93,7 @@ class Inspector : public QWidget {
   QLabel* nothing_;
   RowView* interface_list_;
   CallPanel* call_;
+  EventList* events_;
   TabPanel* tabs_;
   QStackedWidget* pages_;
   int interfaces_page_ = 0;

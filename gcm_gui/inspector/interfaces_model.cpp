@@ -141,15 +141,20 @@ QVariant NameData(const InterfaceRow& row, int role) {
 QVariant InterfacesModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
   const InterfaceRow& row = this->row(index.row());
+  const bool is_interface = row.kind == Kind::kRequired || row.kind == Kind::kProvided;
+  const InterfaceHealth health = is_interface ? health_.value(row.path) : InterfaceHealth();
   switch (role) {
     case kPathRole:
       return row.path;
-    case Qt::ToolTipRole:
-      return row.types.isEmpty() ? row.path : row.path + '\n' + row.types;
+    case Qt::ToolTipRole: {
+      QStringList lines{row.path, row.types, health.whole};
+      lines.removeAll({});
+      return lines.join('\n');
+    }
     case Qt::AccessibleTextRole:
       return QStringList{row.name, row.types, row.value}.join(' ').simplified();
     case kTrailRole:
-      return row.value;
+      return health.brief.isEmpty() ? row.value : row.value + QStringLiteral(" · ") + health.brief;
     default:
       return NameData(row, role);
   }
@@ -162,6 +167,12 @@ void InterfacesModel::show(const Catalog& catalogue, const std::string& process,
     fresh = RowBuilder(catalogue, process, *description).Build();
   }
   showRows(std::move(fresh));
+}
+
+void InterfacesModel::showHealth(const QHash<QString, InterfaceHealth>& health) {
+  if (health == health_) return;
+  health_ = health;
+  if (rowCount() > 0) Q_EMIT dataChanged(index(0), index(rowCount() - 1));
 }
 
 }  // namespace tendon::gui

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <gcm_gui/inspector/health_figures.h>
 #include <gcm_gui/models/row_list_model.h>
 #include <gcm_gui/theme/state_mark.h>
 #include <tendon/gcm/catalog.h>
 
+#include <QHash>
 #include <QString>
 
 namespace tendon::gui {
@@ -35,6 +37,11 @@ class InterfacesModel : public RowListModel<InterfaceRow> {
 
   /// Shows a component; nothing when there is none of these names.
   void show(const Catalog& catalogue, const std::string& process, const std::string& component);
+  /// How the connections of its interfaces do, by path of the interface.
+  void showHealth(const QHash<QString, InterfaceHealth>& health);
+
+ private:
+  QHash<QString, InterfaceHealth> health_;
 };
 
 }  // namespace tendon::gui

@@ -57,6 +57,9 @@ QVariant ValuesModel::data(const QModelIndex& index, int role) const {
       return static_cast<int>(Face::kMono);
     case kUnitRole:
       return value.unit;
+    case kTrendRole:
+      if (channel >= block->trends.size()) return {};
+      return QVariant::fromValue(block->trends[channel]);
     case kStaleRole:
       return stale_;
     case Qt::AccessibleTextRole:
@@ -95,14 +98,25 @@ QSet<QString> ValuesModel::columns() const {
   return columns;
 }
 
+void ValuesModel::addToTrends(Block& block) {
+  block.trends.resize(block.values.values.size());
+  for (std::size_t channel = 0; channel < block.trends.size(); ++channel) {
+    QList<double>& trend = block.trends[channel];
+    trend.append(block.values.values[channel]);
+    if (trend.size() > kTrend) trend.removeFirst();
+  }
+}
+
 void ValuesModel::replaceRows(Block& block, int first, const ColumnValues& values) {
   if (block.rows() > 0) {
     beginRemoveRows({}, first, first + block.rows() - 1);
     block.values = {};
+    block.trends.clear();
     endRemoveRows();
   }
   Block changed = block;
   changed.values = values;
+  changed.trends.clear();
   beginInsertRows({}, first, first + changed.rows() - 1);
   block = std::move(changed);
   endInsertRows();
@@ -120,6 +134,7 @@ void ValuesModel::showValues(const QString& column, const ColumnValues& values) 
     } else {
       replaceRows(block, first, values);
     }
+    addToTrends(block);
     const int last = first + block.rows() - 1;
     Q_EMIT dataChanged(index(first, 0), index(last, kColumnCount - 1));
     return;

@@ -4,18 +4,23 @@
 #include <tendon/manager/description.h>
 
 #include <QAbstractTableModel>
+#include <QList>
 #include <QSet>
 #include <QString>
 #include <vector>
 
 namespace tendon::gui {
 
-/// Every number in the state tables of one component, with its newest value and its unit.
+/// Every number in the state tables of one component, with its newest value, its unit and how it
+/// went in the last seconds.
 class ValuesModel : public QAbstractTableModel {
   Q_OBJECT
 
  public:
   enum Column { kName, kValue, kColumnCount };
+
+  /// Values a trend has; they come 10 times a second.
+  static constexpr qsizetype kTrend = 100;
 
   using QAbstractTableModel::QAbstractTableModel;
 
@@ -38,6 +43,7 @@ class ValuesModel : public QAbstractTableModel {
     QString column;
     QString name;
     ColumnValues values;
+    std::vector<QList<double>> trends = {};  // of each channel
     [[nodiscard]] int rows() const;
     bool operator==(const Block& other) const { return column == other.column; }
   };
@@ -46,6 +52,7 @@ class ValuesModel : public QAbstractTableModel {
     std::size_t channel;
   };
   [[nodiscard]] Place placeOf(int row) const;
+  static void addToTrends(Block& block);
   void replaceRows(Block& block, int first, const ColumnValues& values);
 
   std::vector<Block> blocks_;

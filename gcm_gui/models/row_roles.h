@@ -26,6 +26,7 @@ enum RowRole : int {
   kObjectRole,                   ///< QString: what the name is about, a path; after the name
   kQuietRole,                    ///< bool: a value that is set dim
   kProseRole,                    ///< bool: a value that is words, not a number
+  kTrendRole,                    ///< QList<double>: the last values, oldest first
 };
 
 }  // namespace tendon::gui

@@ -48,6 +48,9 @@ class Session::Listener final : public GcmListener {
   void OnGcmLost(const Error& reason) override {
     courier_->post([this, reason] { session_.hearLost(reason); });
   }
+  void OnLog(const LogBatch& batch) override {
+    courier_->post([this, batch] { Q_EMIT session_.reports_->logArrived(batch); });
+  }
 
  private:
   Session& session_;  // used in its own thread only, while it lives
@@ -63,11 +66,13 @@ Session::Session(std::shared_ptr<Middleware> middleware, const std::string& addr
   client_ = std::make_unique<GcmClient>(std::move(middleware), options,
                                         std::make_shared<Listener>(*this, courier_));
   live_signals_ = std::make_unique<LiveSignals>(client_->telemetry());
+  reports_ = std::make_unique<NetworkReports>(*client_, store_, courier_);
 }
 
 Session::~Session() {
   courier_->detach();
   live_signals_.reset();
+  reports_.reset();
   client_.reset();
 }
 
@@ -178,6 +183,16 @@ void Session::forget(const std::string& process) {
   action.verb = Action::Verb::kForget;
   action.process = process;
   client_->Forget(process, [finish = begin(std::move(action))](const auto& result) {
+    finish(RefusalOf(result));
+  });
+}
+
+void Session::setLogLevel(const std::string& process, LogLevel level) {
+  Action action;
+  action.verb = Action::Verb::kLogLevel;
+  action.process = process;
+  action.argument = ToQString(tendon::ToString(level));
+  client_->SetLogLevel(process, level, [finish = begin(std::move(action))](const auto& result) {
     finish(RefusalOf(result));
   });
 }

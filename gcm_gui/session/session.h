@@ -1,6 +1,7 @@
 #pragma once
 
 #include <gcm_gui/activity/activity_model.h>
+#include <gcm_gui/reports/network_reports.h>
 #include <gcm_gui/session/catalogue_store.h>
 #include <gcm_gui/session/command_calls.h>
 #include <gcm_gui/session/connection_checks.h>
@@ -34,12 +35,14 @@ class Session : public QObject, public SystemActions, public CommandCalls, publi
   [[nodiscard]] GcmLink& link() { return link_; }
   [[nodiscard]] ActivityModel& activity() { return activity_; }
   [[nodiscard]] LiveSignals& liveSignals() { return *live_signals_; }
+  [[nodiscard]] SystemReports& reports() { return *reports_; }
 
   void connectInterfaces(const InterfaceName& required, const InterfaceName& provided) override;
   void disconnectInterface(const InterfaceName& required) override;
   void replaceConnection(const InterfaceName& required, const InterfaceName& provided) override;
   void undo() override;
   void forget(const std::string& process) override;
+  void setLogLevel(const std::string& process, LogLevel level) override;
 
   void findSchema(const std::string& process, Fingerprint type, SchemaHandler handler) override;
   void callCommand(const std::string& path, const std::string& argument,
@@ -68,6 +71,7 @@ class Session : public QObject, public SystemActions, public CommandCalls, publi
   std::shared_ptr<Courier> courier_;
   std::unique_ptr<GcmClient> client_;
   std::unique_ptr<LiveSignals> live_signals_;
+  std::unique_ptr<NetworkReports> reports_;
 };
 
 }  // namespace tendon::gui

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <tendon/base/log.h>
 #include <tendon/base/name.h>
 
 #include <string>
@@ -24,6 +25,8 @@ class SystemActions {
   virtual void undo() = 0;
   /// Removes what is left of a lost process.
   virtual void forget(const std::string& process) = 0;
+  /// What is below `level` the process drops from now on.
+  virtual void setLogLevel(const std::string& process, LogLevel level) = 0;
 };
 
 }  // namespace tendon::gui

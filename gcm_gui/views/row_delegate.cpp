@@ -7,13 +7,17 @@
 #include <QAbstractItemView>
 #include <QFontMetrics>
 #include <QPainter>
+#include <QPolygonF>
 #include <algorithm>
+#include <cmath>
 
 namespace tendon::gui {
 namespace {
 
 constexpr int kGlyphWidth = 16;
 constexpr int kSpace = 6;
+constexpr int kTrendWidth = 48;
+constexpr int kTrendRight = 108;        // of a trend from the row's right edge
 constexpr double kStaleOpacity = 0.45;  // of marks
 constexpr int kHeaderPadding = 8;       // under the words of a header
 
@@ -67,8 +71,10 @@ void RowDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
   }
   const bool is_value = index.column() > 0 && !all_left_;
   if (index.column() == 0 && value_column_ >= 0) {
+    const QRect row = rect;
     rect = paintValue(*painter, rect, index.siblingAtColumn(value_column_));
     rect.setRight(rect.right() - kSpace);
+    paintTrend(*painter, row, rect.right(), index);
   }
   if (const QString trail = index.data(kTrailRole).toString(); !trail.isEmpty()) {
     rect.setRight(rect.right() - kInset);
@@ -117,6 +123,32 @@ QRect RowDelegate::paintValue(QPainter& painter, QRect rect, const QModelIndex& 
     used += kGlyphWidth + 2;
   }
   return rect.adjusted(0, 0, -used, 0);
+}
+
+void RowDelegate::paintTrend(QPainter& painter, const QRect& row, int right,
+                             const QModelIndex& index) const {
+  const auto values = index.data(kTrendRole).value<QList<double>>();
+  const int name =
+      left_inset_ + kSpace + QFontMetrics(FontOf(index)).horizontalAdvance(index.data().toString());
+  const QRect place(row.right() - kTrendRight - kTrendWidth, row.top() + 5, kTrendWidth,
+                    row.height() - 10);
+  if (values.size() < 2 || place.right() > right || place.left() < row.left() + name) return;
+  QPolygonF line;
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  const double range = *high - *low;
+  if (!std::isfinite(range)) return;
+  // The newest stands at the right edge from the first value on.
+  const double step = place.width() / 99.0;
+  for (qsizetype i = 0; i < values.size(); ++i) {
+    const double x = place.right() - step * static_cast<double>(values.size() - 1 - i);
+    const double part = range > 0 ? (values[i] - *low) / range : 0.5;
+    line << QPointF(x, place.bottom() - part * place.height());
+  }
+  const bool stale = index.data(kStaleRole).toBool();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(Theme::instance().color(stale ? Token::kStale : Token::kAccent), 1.2));
+  painter.drawPolyline(line);
+  painter.setRenderHint(QPainter::Antialiasing, false);
 }
 
 QRect RowDelegate::paintName(QPainter& painter, QRect rect, const QModelIndex& index) const {

@@ -1,4 +1,5 @@
 #include <gcm_gui/activity/activity_strip.h>
+#include <gcm_gui/call/favourites/favourite_bar.h>
 #include <gcm_gui/connect/candidate_panel.h>
 #include <gcm_gui/connect/match_card.h>
 #include <gcm_gui/graph/graph_scene.h>
@@ -60,7 +61,11 @@ constexpr std::chrono::seconds kSecond{1};
 }  // namespace
 
 MainWindow::MainWindow(WindowParts parts)
-    : parts_(parts), filter_(catalogue_model_), mode_(parts.store, parts.actions) {
+    : parts_(parts),
+      filter_(catalogue_model_),
+      mode_(parts.store, parts.actions),
+      favourites_(parts.kept.isEmpty() ? QString()
+                                       : parts.kept + QStringLiteral("/favourites.json")) {
   setObjectName(QStringLiteral("window"));
   setWindowIcon(ThemeIcon(QStringLiteral("logo"), Token::kAccent));
   resize(kWindow);
@@ -96,11 +101,12 @@ void MainWindow::connectModels() {
 
 void MainWindow::buildViews() {
   catalogue_ = new CataloguePanel(filter_, selection_, parts_.source);
-  strip_ = new ActivityStrip(parts_.activity, problems_, parts_.actions, selection_);
+  strip_ = new ActivityStrip(parts_, problems_, selection_);
   setMenuWidget(buildTop());
   QSplitter* centre = buildCentre();
   setCentralWidget(centre);
   buildPanels(*centre);
+  addFavourites();
   // From left to right: the catalogue before the middle, not behind it.
   setTabOrder(&top_bar_->lastButton(), &catalogue_->filterField());
   setTabOrder(&catalogue_->filterField(), &catalogue_->tree());
@@ -126,8 +132,8 @@ QWidget* MainWindow::buildTop() {
 }
 
 QWidget* MainWindow::buildRight() {
-  inspector_ = new Inspector(parts_.store, connections_, selection_, parts_.source, parts_.actions,
-                             parts_.calls);
+  inspector_ = new Inspector(parts_.store, selection_, parts_.source, parts_.actions, parts_.calls,
+                             parts_.reports);
   candidates_ = new CandidatePanel(mode_);
   right_ = new QStackedWidget;
   right_->addWidget(inspector_);
@@ -192,6 +198,17 @@ QWidget* MainWindow::buildConnectionsPage() {
   return list;
 }
 
+void MainWindow::addFavourites() {
+  auto* bar = new FavouriteBar(favourites_, parts_.store, parts_.calls);
+  addToolBar(Qt::TopToolBarArea, bar);
+  connect(bar, &FavouriteBar::notice, notice_, &NoticeLine::tell);
+  connect(bar, &FavouriteBar::pathChosen, this, &MainWindow::goTo);
+  connect(inspector_, &Inspector::favouriteRequested, &favourites_,
+          [this](const QString& path, const QString& argument) {
+            favourites_.add({path, argument});
+          });
+}
+
 void MainWindow::connectViews() {
   connect(&catalogue_->tree(), &CatalogueTree::plotRequested, binding_, &PlotBinding::plot);
   connect(&catalogue_->tree(), &CatalogueTree::connectRequested, this,
@@ -208,6 +225,8 @@ void MainWindow::connectViews() {
     panels_->reveal(*strip_);
     strip_->showProblems();
   });
+  connect(strip_, &ActivityStrip::jumpRequested, this, &MainWindow::goTo);
+  connect(strip_, &ActivityStrip::problemChosen, this, &MainWindow::goTo);
   connect(plots_, &PlotPanel::notice, notice_, &NoticeLine::tell);
   connect(top_bar_, &TopBar::pauseRequested, plots_, &PlotPanel::setPaused);
   connect(plots_, &PlotPanel::pausedChanged, top_bar_, &TopBar::showPaused);
@@ -276,6 +295,10 @@ void MainWindow::addSystemCommands() {
   add("&Filter the catalogue", QKeySequence::Find, [this] { catalogue_->focusFilter(); });
   add("&Show in graph and catalogue", Qt::Key_F4, [this] { revealSelection(); });
   add("Search or &run…", QKeySequence(Qt::CTRL | Qt::Key_K), [this] { palette_->open(); });
+  add("C&onsole", QKeySequence(Qt::CTRL | Qt::Key_J), [this] {
+    panels_->reveal(*strip_);
+    strip_->showConsole();
+  });
   commands_->menu(Commands::Menu::kSystem).addSeparator();
   add("&Quit", QKeySequence(Qt::CTRL | Qt::Key_Q), [this] { close(); });
 }

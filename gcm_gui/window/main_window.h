@@ -1,6 +1,7 @@
 #pragma once
 
 #include <gcm_gui/activity/problems_model.h>
+#include <gcm_gui/call/favourites/favourites.h>
 #include <gcm_gui/connect/connect_mode.h>
 #include <gcm_gui/models/connections_model.h>
 #include <gcm_gui/models/filter/catalogue_filter.h>
@@ -56,6 +57,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] TopBar& topBar() const { return *top_bar_; }
   [[nodiscard]] CandidatePanel& candidates() const { return *candidates_; }
   [[nodiscard]] Panels& panels() const { return *panels_; }
+  [[nodiscard]] Favourites& favourites() { return favourites_; }
   [[nodiscard]] CatalogueModel& catalogueModel() { return catalogue_model_; }
 
  public Q_SLOTS:
@@ -83,6 +85,7 @@ class MainWindow : public QMainWindow {
   void connectViews();
   void connectModeToViews();
   void connectWhy();
+  void addFavourites();
   void addCommands();
   void addSystemCommands();
   void addPlotCommands();
@@ -102,6 +105,7 @@ class MainWindow : public QMainWindow {
   ConnectionsModel connections_;
   ProblemsModel problems_;
   ConnectMode mode_;
+  Favourites favourites_;
 
   Commands* commands_ = nullptr;
   CommandPalette* palette_ = nullptr;

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <gcm_console/line/settings.h>
+
+#include <QString>
+
 namespace tendon::gui {
 
 class ActivityModel;
@@ -9,6 +13,7 @@ class ConnectionChecks;
 class GcmLink;
 class SignalSource;
 class SystemActions;
+class SystemReports;
 
 /// What a window shows and steers; all of it outlives the window. Session has it all, a test puts
 /// it together by hand.
@@ -20,6 +25,9 @@ struct WindowParts {
   SignalSource& source;
   CommandCalls& calls;
   ConnectionChecks& checks;
+  SystemReports& reports;
+  console::Settings console = {};  ///< of the console in the window
+  QString kept = {};               ///< the folder of what is kept for the next time; empty: none
 };
 
 }  // namespace tendon::gui

@@ -53,6 +53,9 @@ void NoticeLine::hear(const Action& finished) {
       return tell(QStringLiteral("Forgotten"));
     case Action::Verb::kCall:
       return tell(QStringLiteral("Called in %1").arg(time));
+    case Action::Verb::kLogLevel:
+      return tell(QStringLiteral("%1 logs %2 and above")
+                      .arg(ToQString(finished.process), finished.argument));
   }
 }
 

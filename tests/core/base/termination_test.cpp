@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <thread>
 
 namespace tendon::os {
 namespace {
@@ -76,6 +77,25 @@ TEST(Termination, AfterTheWaitSignalsAreHeldAgain) {
         { const TerminationLetThrough impatient; }
         SignalMyself();
         _exit(TerminationAsked(60s) ? kWasAsked : 0);
+      },
+      testing::ExitedWithCode(kWasAsked), "");
+}
+
+TEST(Termination, AThreadWithAnInterruptionHearsThatAlone) {
+  EXPECT_EXIT(
+      {
+        const std::jthread window([] {
+          HoldTerminationSignals();
+          Interruption interruption;
+          if (TerminationAsked(1ms)) _exit(0);
+          const std::jthread user([&] { interruption.Ask(); });
+          if (!TerminationAsked(60s)) _exit(0);
+          interruption.Ask();  // does not kill
+          if (WaitForTermination() != SIGINT || TerminationAsked(1ms)) _exit(0);
+          { const TerminationLetThrough impatient; }
+          pthread_kill(pthread_self(), SIGTERM);  // held as before
+          _exit(kWasAsked);
+        });
       },
       testing::ExitedWithCode(kWasAsked), "");
 }

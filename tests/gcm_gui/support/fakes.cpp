@@ -1,5 +1,6 @@
 #include "support/fakes.h"
 
+#include <gcm_gui/models/text.h>
 #include <tendon/base/name.h>
 #include <tendon/payload/schema.h>
 #include <tendon/task/cycle_statistics.h>
@@ -29,6 +30,38 @@ void RecordingActions::replaceConnection(const InterfaceName& required,
 
 void RecordingActions::forget(const std::string& process) {
   asked.append(QStringLiteral("forget ") + QString::fromStdString(process));
+}
+
+void RecordingActions::setLogLevel(const std::string& process, LogLevel level) {
+  asked.append(QStringLiteral("log-level ") + QString::fromStdString(process) + ' ' +
+               QString::fromStdString(std::string(ToString(level))));
+}
+
+void ScriptedReports::listen(const QObject* owner, const QStringList& patterns) {
+  wanted_[owner] = patterns;
+}
+
+void ScriptedReports::askCounts(const InterfaceName& /*required*/,
+                                Handler<ConnectionCounts> handler) {
+  handler(counts);
+}
+
+void ScriptedReports::askFill(const std::string& /*process*/, const std::string& /*component*/,
+                              Handler<MailboxFill> handler) {
+  handler(fill);
+}
+
+QStringList ScriptedReports::listened() const {
+  QStringList all;
+  for (const QStringList& patterns : wanted_) all += patterns;
+  return all;
+}
+
+void ScriptedReports::sendLog(LogLevel level, const std::string& source, const std::string& text) {
+  LogBatch batch;
+  batch.records.push_back(
+      {.time = WallClock(), .level = level, .process = "robot", .source = source, .text = text});
+  Q_EMIT logArrived(batch);
 }
 
 void ScriptedCalls::findSchema(const std::string& /*process*/, Fingerprint /*type*/,

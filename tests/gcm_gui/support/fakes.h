@@ -1,5 +1,6 @@
 #pragma once
 
+#include <gcm_gui/reports/system_reports.h>
 #include <gcm_gui/session/command_calls.h>
 #include <gcm_gui/session/connection_checks.h>
 #include <gcm_gui/session/signal_source.h>
@@ -23,6 +24,7 @@ class RecordingActions final : public SystemActions {
   void replaceConnection(const InterfaceName& required, const InterfaceName& provided) override;
   void undo() override { asked.append(QStringLiteral("undo")); }
   void forget(const std::string& process) override;
+  void setLogLevel(const std::string& process, LogLevel level) override;
 
   QStringList asked;
 };
@@ -75,6 +77,33 @@ class ScriptedSignals final : public SignalSource {
  private:
   QMap<const QObject*, QSet<QString>> watched_;
   QMap<QString, ChannelList> shapes_;
+};
+
+/// Remembers what it was asked; the test sends log and events by its signals, and answers.
+class ScriptedReports final : public SystemReports {
+  Q_OBJECT
+
+ public:
+  using SystemReports::SystemReports;
+
+  void watchLog() override { watches_log = true; }
+  void listen(const QObject* owner, const QStringList& patterns) override;
+  void askHealth(Handler<message::SystemHealth> handler) override { handler(health); }
+  void askCounts(const InterfaceName& required, Handler<ConnectionCounts> handler) override;
+  void askFill(const std::string& process, const std::string& component,
+               Handler<MailboxFill> handler) override;
+
+  [[nodiscard]] QStringList listened() const;
+  /// One record of robot/arm's log, now.
+  void sendLog(LogLevel level, const std::string& source, const std::string& text);
+
+  bool watches_log = false;
+  Result<message::SystemHealth> health = message::SystemHealth();
+  Result<ConnectionCounts> counts = Error{ErrorCode::kNotFound, "nothing is known"};
+  Result<MailboxFill> fill = MailboxFill();
+
+ private:
+  QMap<const QObject*, QStringList> wanted_;
 };
 
 /// position and velocity of so many joints, in rad and rad/s.

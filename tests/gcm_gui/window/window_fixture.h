@@ -30,7 +30,8 @@ class WindowFixture : public ::testing::Test {
   ScriptedSignals source_;
   ScriptedCalls calls_;
   ScriptedChecks checks_;
-  MainWindow window_{{store_, link_, activity_, actions_, source_, calls_, checks_}};
+  ScriptedReports reports_;
+  MainWindow window_{{store_, link_, activity_, actions_, source_, calls_, checks_, reports_}};
 };
 
 }  // namespace tendon::gui

@@ -4,9 +4,12 @@
 
 #include <csignal>
 #include <ctime>
+#include <utility>
 
 namespace tendon::os {
 namespace {
+
+thread_local Interruption* interruption = nullptr;  // of this thread, where it has one
 
 sigset_t TerminationSignals() {
   sigset_t signals;
@@ -34,6 +37,12 @@ void HoldTerminationSignals() noexcept {
 }
 
 int WaitForTermination() noexcept {
+  constexpr std::chrono::hours kLong(1);
+  if (interruption != nullptr) {
+    while (!interruption->Take(kLong)) {
+    }
+    return SIGINT;
+  }
   const sigset_t signals = TerminationSignals();
   int signal = 0;
   while (sigwait(&signals, &signal) != 0) {
@@ -43,6 +52,7 @@ int WaitForTermination() noexcept {
 }
 
 bool TerminationAsked(std::chrono::milliseconds patience) noexcept {
+  if (interruption != nullptr) return interruption->Take(patience);
   const sigset_t signals = TerminationSignals();
   const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(patience);
   const timespec limit{seconds.count(), std::chrono::nanoseconds(patience - seconds).count()};
@@ -52,6 +62,7 @@ bool TerminationAsked(std::chrono::milliseconds patience) noexcept {
 }
 
 void ForgetInterrupt() noexcept {
+  if (interruption != nullptr) return interruption->Forget();
   sigset_t interrupt;
   sigemptyset(&interrupt);
   sigaddset(&interrupt, SIGINT);
@@ -60,10 +71,32 @@ void ForgetInterrupt() noexcept {
   }
 }
 
-TerminationLetThrough::TerminationLetThrough() noexcept : was_held_(LetThrough()) {}
+TerminationLetThrough::TerminationLetThrough() noexcept
+    : was_held_(interruption == nullptr && LetThrough()) {}
 
 TerminationLetThrough::~TerminationLetThrough() {
   if (was_held_) HoldTerminationSignals();
+}
+
+Interruption::Interruption() noexcept { interruption = this; }
+
+Interruption::~Interruption() { interruption = nullptr; }
+
+void Interruption::Ask() noexcept {
+  const std::scoped_lock lock(mutex_);
+  is_asked_ = true;
+  change_.notify_all();
+}
+
+bool Interruption::Take(std::chrono::milliseconds patience) noexcept {
+  std::unique_lock lock(mutex_);
+  change_.wait_for(lock, patience, [this] { return is_asked_; });
+  return std::exchange(is_asked_, false);
+}
+
+void Interruption::Forget() noexcept {
+  const std::scoped_lock lock(mutex_);
+  is_asked_ = false;
 }
 
 }  // namespace tendon::os

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <chrono>
+#include <condition_variable>
+#include <mutex>
 
 namespace tendon::os {
 
@@ -30,6 +32,29 @@ class TerminationLetThrough {
 
  private:
   const bool was_held_;
+};
+
+/// Stands for the signals in one thread of a program that has a window: who sits at it ends what
+/// that thread does, not the program. As long as it lives, WaitForTermination() and
+/// TerminationAsked() in the thread that made it ask it, and nothing there lets signals through.
+class Interruption {
+ public:
+  Interruption() noexcept;
+  Interruption(const Interruption&) = delete;
+  Interruption& operator=(const Interruption&) = delete;
+  ~Interruption();
+
+  /// From any thread: asks for the end once.
+  void Ask() noexcept;
+  /// Whether it was asked for since the last time; waits for at most `patience`.
+  bool Take(std::chrono::milliseconds patience) noexcept;
+  /// What nobody has asked about does not count any more.
+  void Forget() noexcept;
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable change_;
+  bool is_asked_ = false;
 };
 
 }  // namespace tendon::os

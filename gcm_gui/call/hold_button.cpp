@@ -1,0 +1,41 @@
+#include <gcm_gui/call/hold_button.h>
+
+#include <QEvent>
+
+namespace tendon::gui {
+
+HoldButton::HoldButton(const QString& text, QWidget* parent) : QPushButton(text, parent) {
+  hold_.setSingleShot(true);
+  hold_.setInterval(kHold);
+  connect(&hold_, &QTimer::timeout, this, [this] {
+    has_held_ = true;
+    Q_EMIT called();
+  });
+  connect(this, &QPushButton::clicked, this, [this] {
+    if (!careful_ && !has_held_) Q_EMIT called();
+  });
+  connect(this, &QPushButton::pressed, this, &HoldButton::press);
+  connect(this, &QPushButton::released, this, &HoldButton::release);
+}
+
+bool HoldButton::event(QEvent* event) {
+  const auto type = event->type();
+  const bool goes_down = type == QEvent::MouseButtonPress || type == QEvent::MouseButtonDblClick ||
+                         type == QEvent::KeyPress;
+  if (goes_down) has_held_ = false;
+  if (type == QEvent::Hide || type == QEvent::FocusOut) hold_.stop();
+  return QPushButton::event(event);
+}
+
+/// Also when the pointer comes back to a button that is down.
+void HoldButton::press() {
+  if (careful_ && !has_held_) hold_.start();
+}
+
+void HoldButton::release() {
+  if (!hold_.isActive()) return;
+  hold_.stop();
+  Q_EMIT letGoEarly();
+}
+
+}  // namespace tendon::gui

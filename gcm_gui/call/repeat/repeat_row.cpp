@@ -1,0 +1,114 @@
+#include <gcm_gui/call/repeat/repeat_row.h>
+#include <gcm_gui/models/text.h>
+#include <gcm_gui/theme/metrics.h>
+
+#include <QDoubleSpinBox>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QPushButton>
+#include <QSpinBox>
+#include <utility>
+
+namespace tendon::gui {
+namespace {
+
+constexpr double kHighestRate = 50;  // Hz; what is faster belongs into a component
+constexpr int kMostTimes = 100000;
+
+}  // namespace
+
+RepeatRow::RepeatRow(CommandCalls& calls, std::function<std::string()> argument, QWidget* parent)
+    : QWidget(parent),
+      repeater_(calls),
+      argument_(std::move(argument)),
+      rate_(new QDoubleSpinBox),
+      times_(new QSpinBox),
+      button_(new QPushButton) {
+  setObjectName(QStringLiteral("call.repeatRow"));
+  rate_->setObjectName(QStringLiteral("call.rate"));
+  rate_->setAccessibleName(QStringLiteral("Calls a second"));
+  rate_->setRange(0.1, kHighestRate);
+  rate_->setDecimals(1);
+  rate_->setValue(1);
+  rate_->setSuffix(QStringLiteral(" Hz"));
+  times_->setObjectName(QStringLiteral("call.times"));
+  times_->setAccessibleName(QStringLiteral("How many calls"));
+  times_->setRange(0, kMostTimes);
+  times_->setSpecialValueText(QStringLiteral("until stopped"));
+  times_->setSuffix(QStringLiteral(" times"));
+  button_->setObjectName(QStringLiteral("call.repeat"));
+  button_->installEventFilter(this);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(kInset, 0, kInset, 2 * kGrid);
+  row->setSpacing(2 * kGrid);
+  row->addWidget(rate_);
+  row->addWidget(times_, 1);
+  row->addWidget(button_);
+  connect(button_, &QPushButton::pressed, this, [this] {
+    if (careful_) begin();
+  });
+  connect(button_, &QPushButton::released, this, [this] {
+    if (careful_) repeater_.stop();
+  });
+  connect(button_, &QPushButton::clicked, this, [this] {
+    if (careful_) return;
+    repeater_.isRunning() ? repeater_.stop() : begin();
+  });
+  connect(&repeater_, &Repeater::progressed, this, [this] { Q_EMIT told(counts(), false); });
+  connect(&repeater_, &Repeater::stopped, this, [this](const QString& refusal) {
+    showButton();
+    const QString ended = counts() + (refusal.isEmpty() ? QString() : QStringLiteral("\n"));
+    Q_EMIT told(ended + refusal, !refusal.isEmpty());
+  });
+  showButton();
+}
+
+QString RepeatRow::counts() const {
+  QString text = CountText(repeater_.called(), QStringLiteral("call"));
+  if (repeater_.leftOut() > 0) {
+    text += QStringLiteral(", %1 left out: the one before took too long").arg(repeater_.leftOut());
+  }
+  return text;
+}
+
+void RepeatRow::begin() {
+  repeater_.start(path_, argument_(), rate_->value(), times_->value());
+  showButton();
+}
+
+void RepeatRow::showButton() {
+  const QString start = careful_ ? QStringLiteral("Hold to repeat") : QStringLiteral("Repeat");
+  button_->setText(repeater_.isRunning() && !careful_ ? QStringLiteral("Stop") : start);
+  button_->setToolTip(careful_ ? QStringLiteral("It can set something in motion: it is called as "
+                                                "long as the button is held down")
+                               : QString());
+}
+
+void RepeatRow::setCommand(const QString& path) {
+  repeater_.stop();
+  path_ = path;
+}
+
+void RepeatRow::setCareful(bool careful) {
+  if (careful != careful_) repeater_.stop();
+  careful_ = careful;
+  showButton();
+}
+
+void RepeatRow::setCallable(bool callable) {
+  if (!callable) repeater_.stop();
+  button_->setEnabled(callable);
+}
+
+bool RepeatRow::eventFilter(QObject* watched, QEvent* event) {
+  const bool is_left = event->type() == QEvent::FocusOut || event->type() == QEvent::Hide;
+  if (careful_ && is_left) repeater_.stop();
+  return QWidget::eventFilter(watched, event);
+}
+
+void RepeatRow::hideEvent(QHideEvent* event) {
+  QWidget::hideEvent(event);
+  repeater_.stop();
+}
+
+}  // namespace tendon::gui

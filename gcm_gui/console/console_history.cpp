@@ -1,0 +1,59 @@
+#include <gcm_gui/console/console_history.h>
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QSaveFile>
+#include <algorithm>
+
+namespace tendon::gui {
+
+ConsoleHistory::ConsoleHistory(const QString& file) : file_(file) {
+  QFile kept(file_);
+  if (!file_.isEmpty() && kept.open(QIODevice::ReadOnly)) {
+    lines_ = QString::fromUtf8(kept.readAll()).split('\n', Qt::SkipEmptyParts);
+  }
+  place_ = lines_.size();
+}
+
+void ConsoleHistory::add(const QString& line) {
+  if (!line.trimmed().isEmpty() && (lines_.isEmpty() || lines_.last() != line)) {
+    lines_.append(line);
+    if (lines_.size() > kKept) lines_.removeFirst();
+    keep();
+  }
+  place_ = lines_.size();
+  typed_.clear();
+}
+
+QString ConsoleHistory::older(const QString& typed) {
+  if (lines_.isEmpty()) return typed;
+  if (place_ == lines_.size()) typed_ = typed;
+  place_ = std::max<qsizetype>(place_ - 1, 0);
+  return lines_[place_];
+}
+
+QString ConsoleHistory::newer() {
+  place_ = std::min(place_ + 1, lines_.size());
+  return place_ == lines_.size() ? typed_ : lines_[place_];
+}
+
+qsizetype ConsoleHistory::find(const QString& part, qsizetype before) const {
+  for (qsizetype place = std::min(before, lines_.size() - 1); place >= 0; --place) {
+    if (lines_[place].contains(part, Qt::CaseInsensitive)) return place;
+  }
+  return -1;
+}
+
+/// A history that cannot be kept is no reason to stop anybody.
+void ConsoleHistory::keep() const {
+  if (file_.isEmpty()) return;
+  QDir().mkpath(QFileInfo(file_).path());
+  QSaveFile file(file_);
+  if (!file.open(QIODevice::WriteOnly)) return;
+  file.setPermissions(QFile::ReadOwner | QFile::WriteOwner);
+  file.write(lines_.join('\n').toUtf8() + '\n');
+  file.commit();
+}
+
+}  // namespace tendon::gui

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <QString>
+#include <QStringList>
+
+namespace tendon::gui {
+
+/// The lines that were typed, and a place among them: behind the newest, until one is gone back to.
+/// Kept in a file, where there is one.
+class ConsoleHistory {
+ public:
+  static constexpr int kKept = 1000;
+
+  /// An empty file name keeps nothing.
+  explicit ConsoleHistory(const QString& file = {});
+
+  /// Empty lines, and the newest once more, are not added.
+  void add(const QString& line);
+  /// The one before, `typed` is what stands there now; the oldest again where there is none before.
+  [[nodiscard]] QString older(const QString& typed);
+  /// The one after; at last what was typed.
+  [[nodiscard]] QString newer();
+  /// The newest line with `part` in it, from place `before` down; -1 for none.
+  [[nodiscard]] qsizetype find(const QString& part, qsizetype before) const;
+  [[nodiscard]] const QStringList& lines() const { return lines_; }
+
+ private:
+  void keep() const;
+
+  QString file_;
+  QStringList lines_;
+  qsizetype place_ = 0;
+  QString typed_;
+};
+
+}  // namespace tendon::gui

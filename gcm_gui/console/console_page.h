@@ -1,0 +1,69 @@
+#pragma once
+
+#include <gcm_gui/console/console_history.h>
+#include <gcm_gui/console/console_runner.h>
+
+#include <QString>
+#include <QWidget>
+#include <optional>
+
+class QKeyEvent;
+class QLabel;
+class QLineEdit;
+class QPlainTextEdit;
+
+namespace tendon::gui {
+
+/// The console in the window: above what was written, below the line that is typed. Keys as in a
+/// shell: Up and Down, Ctrl-R searches, Tab completes, Ctrl-C interrupts or copies, Ctrl-L clears.
+class ConsolePage : public QWidget {
+  Q_OBJECT
+
+ public:
+  static constexpr int kKeptLines = 5000;
+
+  /// `history` is the file in which lines are kept; empty for none.
+  explicit ConsolePage(console::Settings settings, const QString& history = {},
+                       QWidget* parent = nullptr);
+
+  void focusLine();
+  [[nodiscard]] QString text() const;
+  [[nodiscard]] bool isRunning() const { return runner_.isRunning(); }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  struct Search {
+    QString part;
+    QString typed;  // before it began
+    qsizetype place = -1;
+  };
+
+  void build();
+  void dress();
+  bool pressKey(const QKeyEvent& event);
+  bool pressControl(int key);
+  bool pressInSearch(const QKeyEvent& event);
+  void submit();
+  void copyOrInterrupt();
+  void complete();
+  void showCompletion(const QString& line, const console::Completion& completion);
+  void searchFrom(qsizetype before);
+  void leaveSearch();
+  void showPrompt();
+  /// How many letters fit into a line.
+  [[nodiscard]] int columns() const;
+  void write(const QString& text, bool is_message);
+
+  ConsoleRunner runner_;
+  ConsoleHistory history_;
+  QString prompt_ = QStringLiteral("gcm> ");
+  std::optional<Search> search_;
+
+  QPlainTextEdit* output_ = nullptr;
+  QLabel* prompt_label_ = nullptr;
+  QLineEdit* line_ = nullptr;
+};
+
+}  // namespace tendon::gui

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <gcm_gui/reports/system_reports.h>
+
+#include <QAbstractListModel>
+#include <QString>
+#include <QStringList>
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+namespace tendon::gui {
+
+/// The newest events of some part of the system, newest first. While it is paused the rows stay,
+/// and what comes is counted and kept for later.
+class EventsModel : public QAbstractListModel {
+  Q_OBJECT
+
+ public:
+  explicit EventsModel(std::size_t kept, QObject* parent = nullptr)
+      : QAbstractListModel(parent), kept_(kept) {}
+
+  [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+  [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+
+  [[nodiscard]] const HeardEvent& event(int row) const {
+    return events_.at(static_cast<std::size_t>(row));
+  }
+  /// Only events below this path, "robot/arm", without what is known of others; all of an empty
+  /// one.
+  void setPart(const QString& path);
+  /// Only events of which path or value have all these words; those with a `-` are in neither.
+  void setWords(const QStringList& words);
+  void setPaused(bool paused);
+  [[nodiscard]] bool isPaused() const { return is_paused_; }
+  void clear();
+
+  /// Events a second, in the last two seconds before `now`, ns since 1970.
+  [[nodiscard]] double rate(std::int64_t now) const;
+  [[nodiscard]] std::uint64_t lost() const { return lost_; }
+  /// That came since it was paused.
+  [[nodiscard]] std::size_t waiting() const { return waiting_.size(); }
+
+ public Q_SLOTS:
+  void hear(const std::vector<tendon::gui::HeardEvent>& events);
+  void hearLost(const QString& path, std::uint64_t count);
+
+ private:
+  [[nodiscard]] bool isOfPart(const QString& path) const;
+  [[nodiscard]] bool isShown(const HeardEvent& event) const;
+  void show(const std::vector<HeardEvent>& fresh);
+
+  const std::size_t kept_;
+  QString part_;
+  QStringList words_;
+  bool is_paused_ = false;
+  std::deque<HeardEvent> all_;     // of the part, oldest first, whether they are shown or not
+  std::deque<HeardEvent> events_;  // that are shown, newest first
+  std::vector<HeardEvent> waiting_;
+  std::deque<std::int64_t> times_;
+  std::uint64_t lost_ = 0;
+};
+
+}  // namespace tendon::gui

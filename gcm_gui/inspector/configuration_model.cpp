@@ -1,0 +1,70 @@
+#include <gcm_gui/inspector/configuration_model.h>
+#include <gcm_gui/models/row_roles.h>
+#include <gcm_gui/models/text.h>
+
+#include <nlohmann/json.hpp>
+#include <utility>
+
+namespace tendon::gui {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kMostRows = 500;
+
+/// Lists of values stay in one row; what has names is taken apart.
+void AddRows(const QString& name, const Json& value, std::vector<ConfigurationRow>& rows) {
+  const bool is_list_of_objects = value.is_array() && !value.empty() && value.front().is_object();
+  if (rows.size() == kMostRows) return;
+  if (value.is_object() && !value.empty()) {
+    for (const auto& [key, field] : value.items()) {
+      AddRows(name.isEmpty() ? ToQString(key) : name + '.' + ToQString(key), field, rows);
+    }
+  } else if (is_list_of_objects) {
+    for (std::size_t i = 0; i < value.size(); ++i) {
+      AddRows(name + QStringLiteral("[%1]").arg(i), value[i], rows);
+    }
+  } else {
+    const bool is_text = value.is_string();
+    rows.push_back({name, ToQString(is_text ? value.get<std::string>() : value.dump())});
+  }
+}
+
+}  // namespace
+
+QVariant ConfigurationModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid()) return {};
+  const ConfigurationRow& row = this->row(index.row());
+  switch (role) {
+    case Qt::DisplayRole:
+      return row.name;
+    case kFaceRole:
+      return static_cast<int>(Face::kMono);
+    case kTrailRole:
+      return row.value;
+    case Qt::ToolTipRole:
+    case Qt::AccessibleTextRole:
+      return QString(row.name + QStringLiteral(": ") + row.value);
+    default:
+      return {};
+  }
+}
+
+void ConfigurationModel::show(const ComponentDescription& component) {
+  std::vector<ConfigurationRow> fresh;
+  fresh.push_back({QStringLiteral("class"), ToQString(component.class_name)});
+  if (!component.library.empty()) {
+    fresh.push_back({QStringLiteral("library"), ToQString(component.library)});
+  }
+  if (!component.configuration.empty()) {
+    const Json json = Json::parse(component.configuration, nullptr, false);
+    if (json.is_discarded()) {
+      fresh.push_back({QStringLiteral("configuration"), ToQString(component.configuration)});
+    } else {
+      AddRows({}, json, fresh);
+    }
+  }
+  showRows(std::move(fresh));
+}
+
+}  // namespace tendon::gui

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <gcm_gui/models/row_list_model.h>
+#include <tendon/manager/description.h>
+
+#include <QString>
+
+namespace tendon::gui {
+
+/// One parameter of a component, by its place in the configuration: "gains.joint[0]".
+struct ConfigurationRow {
+  QString name;
+  QString value;
+
+  bool operator==(const ConfigurationRow&) const = default;
+};
+
+/// What a component was told when it was made: class, library, and its parameters one by one.
+class ConfigurationModel : public RowListModel<ConfigurationRow> {
+  Q_OBJECT
+
+ public:
+  using RowListModel::RowListModel;
+
+  [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+
+  void show(const ComponentDescription& component);
+};
+
+}  // namespace tendon::gui

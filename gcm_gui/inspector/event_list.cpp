@@ -1,0 +1,65 @@
+#include <gcm_gui/events/events_page.h>
+#include <gcm_gui/inspector/event_list.h>
+#include <gcm_gui/views/link.h>
+#include <gcm_gui/views/row_delegate.h>
+#include <gcm_gui/views/row_view.h>
+#include <gcm_gui/views/tools/tool_row.h>
+
+#include <QLabel>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <chrono>
+
+namespace tendon::gui {
+namespace {
+
+constexpr std::chrono::milliseconds kRatePeriod{500};
+
+}  // namespace
+
+EventList::EventList(SystemReports& reports, QWidget* parent)
+    : QWidget(parent), reports_(reports), rate_(MakeNote(QStringLiteral("inspector.eventRate"))) {
+  RowView* list = MakeRowList(events_, QStringLiteral("inspector.events"),
+                              QStringLiteral("No event has been raised since this was opened."));
+  list->rows().setAllLeft(true);
+  QToolButton* clear = MakeLink(QStringLiteral("Clear"), QStringLiteral("inspector.clearEvents"));
+  connect(clear, &QToolButton::clicked, &events_, &EventsModel::clear);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(MakeToolRow({rate_}, {clear}));
+  column->addWidget(list, 1);
+  connect(&reports, &SystemReports::eventsArrived, &events_, &EventsModel::hear);
+  connect(&reports, &SystemReports::eventsLost, &events_, &EventsModel::hearLost);
+  connect(&rate_timer_, &QTimer::timeout, this, &EventList::showRate);
+  rate_timer_.setInterval(kRatePeriod);
+}
+
+void EventList::show(const QString& component) {
+  component_ = component;
+  events_.setPart(component.isEmpty() ? QStringLiteral("/") : component);
+  listen();
+}
+
+void EventList::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  rate_timer_.start();
+  listen();
+  showRate();
+}
+
+void EventList::hideEvent(QHideEvent* event) {
+  QWidget::hideEvent(event);
+  rate_timer_.stop();
+  reports_.listen(this, {});
+}
+
+void EventList::listen() {
+  const bool is_wanted = isVisible() && !component_.isEmpty();
+  reports_.listen(this,
+                  is_wanted ? QStringList{component_ + QStringLiteral("/**")} : QStringList());
+}
+
+void EventList::showRate() { rate_->setText(CountsText(events_)); }
+
+}  // namespace tendon::gui

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <gcm_gui/events/events_model.h>
+#include <gcm_gui/reports/system_reports.h>
+
+#include <QTimer>
+#include <QWidget>
+
+class QLabel;
+
+namespace tendon::gui {
+
+/// The last events of one component, and their rate; listens while it is seen.
+class EventList : public QWidget {
+  Q_OBJECT
+
+ public:
+  static constexpr std::size_t kKept = 100;
+
+  explicit EventList(SystemReports& reports, QWidget* parent = nullptr);
+
+  /// "robot/arm"; empty for none.
+  void show(const QString& component);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+
+ private:
+  void listen();
+  void showRate();
+
+  SystemReports& reports_;
+  EventsModel events_{kKept};
+  QString component_;
+  QTimer rate_timer_;
+  QLabel* rate_;
+};
+
+}  // namespace tendon::gui

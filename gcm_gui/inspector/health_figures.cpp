@@ -1,0 +1,131 @@
+#include <gcm_gui/inspector/health_figures.h>
+#include <gcm_gui/models/state_of.h>
+#include <gcm_gui/models/text.h>
+#include <tendon/gcm/text/health_text.h>
+
+#include <QPointer>
+#include <chrono>
+
+namespace tendon::gui {
+namespace {
+
+constexpr std::chrono::seconds kAskPeriod{1};
+
+double InSeconds(std::chrono::nanoseconds time) {
+  return std::chrono::duration<double>(time).count();
+}
+
+InterfaceHealth TextOf(const ConnectionCounts& counts) {
+  InterfaceHealth health;
+  if (counts.round_trip.count() >= 0) health.brief = DurationText(InSeconds(counts.round_trip));
+  const std::uint64_t lost = counts.refused + counts.lost_events;
+  if (lost > 0) health.brief = QStringLiteral("%1 lost").arg(lost);
+  QStringList whole{QStringLiteral("stands for ") + AgeText(counts.age.count())};
+  if (counts.round_trip.count() >= 0) {
+    whole << QStringLiteral("round trip ") + DurationText(InSeconds(counts.round_trip));
+  }
+  whole << QStringLiteral("%1 calls and events").arg(counts.taken);
+  if (counts.capacity > 0) {
+    whole << QStringLiteral("%1 of %2 wait").arg(counts.waiting).arg(counts.capacity);
+  }
+  whole << QStringLiteral("%1 refused, %2 replaced, %3 events lost")
+               .arg(counts.refused)
+               .arg(counts.replaced)
+               .arg(counts.lost_events);
+  health.whole = whole.join(QStringLiteral("\n"));
+  return health;
+}
+
+}  // namespace
+
+HealthFigures::HealthFigures(SystemReports& reports, const CatalogueStore& store, QObject* parent)
+    : QObject(parent), reports_(reports), store_(store) {
+  timer_.setInterval(kAskPeriod);
+  connect(&timer_, &QTimer::timeout, this, &HealthFigures::ask);
+}
+
+void HealthFigures::show(const std::string& process, const std::string& component) {
+  if (process == process_ && component == component_) return;
+  process_ = process;
+  component_ = component;
+  ++shown_;
+  interfaces_.clear();
+  if (process_.empty()) return timer_.stop();
+  timer_.start();
+  ask();
+}
+
+QList<Fact> HealthFigures::processFacts() const {
+  const ProcessEntry* entry = store_.catalogue().FindProcess(process_);
+  const auto* health = entry == nullptr ? nullptr : FindHealth(health_, entry->process);
+  if (health == nullptr) return {};
+  return {{QStringLiteral("Processor"), ToQString(CpuText(health)),
+           QStringLiteral("Of one core, in the last second")},
+          {QStringLiteral("Memory"), ToQString(MemoryText(health)), QStringLiteral("Resident")},
+          {QStringLiteral("Clock"), ToQString(tendon::ClockText(health)),
+           QStringLiteral("How far its clock is ahead of the GCM's, and how sure that is")}};
+}
+
+void HealthFigures::ask() {
+  const ProcessEntry* entry = store_.catalogue().FindProcess(process_);
+  if (entry == nullptr || IsGone(entry->process.state)) return;
+  reports_.askHealth([self = QPointer(this)](const Result<message::SystemHealth>& health) {
+    if (self == nullptr || !health) return;
+    self->health_ = *health;
+    Q_EMIT self->changed();
+  });
+  const auto component = entry->components.find(component_);
+  if (component != entry->components.end()) askConnections(component->second);
+}
+
+void HealthFigures::askConnections(const ComponentDescription& component) {
+  for (const auto& one : component.required) {
+    const InterfaceName required{process_, component_, one.name};
+    const auto* connection = store_.catalogue().FindConnection(required);
+    if (connection == nullptr || connection->state != ConnectionState::kActive) {
+      interfaces_.remove(ToQString(ToString(required)));
+      continue;
+    }
+    reports_.askCounts(required, [self = QPointer(this), shown = shown_,
+                                  required](const Result<ConnectionCounts>& counts) {
+      if (self != nullptr && self->shown_ == shown) self->hearCounts(required, counts);
+    });
+  }
+  if (component.provided.empty()) return;
+  reports_.askFill(process_, component_,
+                   [self = QPointer(this), shown = shown_](const Result<MailboxFill>& fill) {
+                     if (self != nullptr && self->shown_ == shown) self->hearFill(fill);
+                   });
+}
+
+void HealthFigures::hearCounts(const InterfaceName& required,
+                               const Result<ConnectionCounts>& counts) {
+  const QString path = ToQString(ToString(required));
+  if (counts) {
+    interfaces_[path] = TextOf(*counts);
+  } else {
+    interfaces_.remove(path);
+  }
+  Q_EMIT changed();
+}
+
+void HealthFigures::hearFill(const Result<MailboxFill>& fill) {
+  const auto* component = store_.catalogue().FindComponent(process_, component_);
+  if (component == nullptr) return;
+  for (const auto& one : component->provided) {
+    const QString path = ToQString(ToString(InterfaceName{process_, component_, one.name}));
+    if (!fill || fill->capacity == 0) {
+      interfaces_.remove(path);
+      continue;
+    }
+    const bool is_filling = 2 * fill->waiting >= fill->capacity;
+    interfaces_[path] = {
+        is_filling ? QStringLiteral("%1 of %2").arg(fill->waiting).arg(fill->capacity) : QString(),
+        QStringLiteral("%1 of %2 wait in the fullest mailbox of the component")
+            .arg(fill->waiting)
+            .arg(fill->capacity)};
+  }
+  Q_EMIT changed();
+}
+
+}  // namespace tendon::gui

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <tendon/gcm/client.h>
+
+#include <QAbstractListModel>
+#include <QString>
+#include <cstdint>
+#include <deque>
+
+namespace tendon::gui {
+
+/// The newest records of the log of all processes, in the order of their coming.
+class LogModel : public QAbstractListModel {
+  Q_OBJECT
+
+ public:
+  static constexpr std::size_t kKept = 10000;
+
+  enum Role : int { kLevelRole = Qt::UserRole + 100 };  ///< int: LogLevel
+
+  using QAbstractListModel::QAbstractListModel;
+
+  [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+  [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+
+  [[nodiscard]] const message::LogRecord& record(int row) const {
+    return records_.at(static_cast<std::size_t>(row));
+  }
+  /// Records that could not be kept until they were read.
+  [[nodiscard]] std::uint64_t lost() const { return lost_; }
+
+ public Q_SLOTS:
+  void hear(const tendon::LogBatch& batch);
+  void clear();
+
+ private:
+  std::deque<message::LogRecord> records_;
+  std::uint64_t lost_ = 0;
+};
+
+/// "robot/arm", or "robot" of what the process itself says.
+[[nodiscard]] QString SourceOf(const message::LogRecord& record);
+
+}  // namespace tendon::gui

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <gcm_gui/log/log_filter.h>
+#include <gcm_gui/log/log_model.h>
+#include <gcm_gui/reports/system_reports.h>
+#include <gcm_gui/session/catalogue_store.h>
+#include <gcm_gui/session/system_actions.h>
+
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QMenu;
+
+namespace tendon::gui {
+
+class RowView;
+
+/// The log of all processes, filtered by level and by words; and from which level on each process
+/// logs, which is set there.
+class LogPage : public QWidget {
+  Q_OBJECT
+
+ public:
+  LogPage(SystemReports& reports, const CatalogueStore& store, SystemActions& actions,
+          QWidget* parent = nullptr);
+
+  [[nodiscard]] const LogModel& log() const { return log_; }
+  void focusFilter();
+
+ Q_SIGNALS:
+  /// Where a record comes from.
+  void pathChosen(const QString& path);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  QWidget* buildBar();
+  void fillLevels(QMenu& menu);
+  void showCount();
+
+  SystemReports& reports_;
+  const CatalogueStore& store_;
+  SystemActions& actions_;
+  LogModel log_;
+  LogFilter filter_;
+  bool is_watching_ = false;
+
+  QComboBox* level_;
+  QLineEdit* words_;
+  QLabel* count_;
+  RowView* list_;
+};
+
+}  // namespace tendon::gui

@@ -1,0 +1,171 @@
+#include <gcm_console/events/event_choice.h>
+#include <gcm_gui/models/text.h>
+#include <gcm_gui/reports/network_reports.h>
+#include <tendon/gcm/lookup.h>
+#include <tendon/payload/json.h>
+
+#include <chrono>
+#include <utility>
+
+namespace tendon::gui {
+namespace {
+
+constexpr std::chrono::milliseconds kDrainPeriod{100};
+constexpr std::chrono::milliseconds kFollowPause{200};
+
+}  // namespace
+
+NetworkReports::NetworkReports(GcmClient& client, const CatalogueStore& store,
+                               std::shared_ptr<Courier> courier, QObject* parent)
+    : SystemReports(parent),
+      client_(client),
+      store_(store),
+      courier_(std::move(courier)),
+      inbox_(std::make_shared<console::EventInbox>()) {
+  connect(&drain_timer_, &QTimer::timeout, this, &NetworkReports::drain);
+  follow_soon_.setSingleShot(true);
+  follow_soon_.setInterval(kFollowPause);
+  connect(&follow_soon_, &QTimer::timeout, this, &NetworkReports::follow);
+  connect(&store, &CatalogueStore::changed, this, [this] {
+    const bool is_planned = wanted_.empty() || follow_soon_.isActive();
+    if (!is_planned) follow_soon_.start();
+  });
+}
+
+NetworkReports::~NetworkReports() {
+  for (const auto& [provided, listener] : listeners_) client_.StopListening(listener.id);
+}
+
+void NetworkReports::watchLog() { client_.WatchLog(); }
+
+void NetworkReports::listen(const QObject* owner, const QStringList& patterns) {
+  if (!known_owners_.contains(owner)) {
+    known_owners_.insert(owner);
+    connect(owner, &QObject::destroyed, this, [this, owner] {
+      known_owners_.remove(owner);
+      listen(owner, {});
+    });
+  }
+  const auto known = wanted_.find(owner);
+  if (known == wanted_.end() ? patterns.isEmpty() : known->second == patterns) return;
+  if (patterns.isEmpty()) {
+    wanted_.erase(owner);
+  } else {
+    wanted_[owner] = patterns;
+  }
+  follow();
+}
+
+void NetworkReports::follow() {
+  std::vector<std::string> patterns;
+  for (const auto& [owner, list] : wanted_) {
+    for (const QString& pattern : list) patterns.push_back(pattern.toStdString());
+  }
+  std::map<InterfaceName, EventSubscription> fit;
+  if (!patterns.empty()) {
+    for (auto& one : console::EventsThatFit(store_.catalogue(), patterns)) {
+      fit.emplace(one.provided, std::move(one));
+    }
+  }
+  for (auto it = listeners_.begin(); it != listeners_.end();) {
+    const auto wanted = fit.find(it->first);
+    // What is not there now may come back: the client heals by itself.
+    const bool is_gone =
+        wanted == fit.end() && store_.catalogue().FindProvided(it->first) == nullptr;
+    if ((is_gone && !patterns.empty()) ||
+        (wanted != fit.end() && wanted->second.events == it->second.events)) {
+      if (wanted != fit.end()) fit.erase(wanted);
+      ++it;
+    } else {
+      client_.StopListening(it->second.id);
+      it = listeners_.erase(it);
+    }
+  }
+  for (const auto& [provided, wanted] : fit) {
+    listeners_[provided] = {wanted.events, client_.Listen(wanted, inbox_->SinkOf(wanted))};
+  }
+  if (listeners_.empty()) {
+    drain();
+    drain_timer_.stop();
+  } else if (!drain_timer_.isActive()) {
+    drain_timer_.start(kDrainPeriod);
+  }
+}
+
+void NetworkReports::learn(const console::EventInbox::Content& content) {
+  std::size_t next = 0;
+  for (const EventSubscription& one : content.begun) {
+    for (std::size_t i = 0; i < one.events.size(); ++i, ++next) {
+      const MemberDescription& event = content.descriptions.at(next);
+      const Fingerprint type = event.signature.in;
+      const auto known = types_.find(type);
+      const bool is_known = known != types_.end() && known->second.ok();
+      if (!TakesArgument(event.signature) || is_known) continue;
+      if (!asked_types_.insert(type).second) continue;
+      client_.GetSchema(one.provided.process, type,
+                        [this, courier = courier_, type](const Result<Schema>& schema) {
+                          courier->post([this, type, schema] {
+                            asked_types_.erase(type);
+                            types_.insert_or_assign(type, schema);
+                          });
+                        });
+    }
+  }
+}
+
+std::optional<QString> NetworkReports::valueOf(const console::HeardEvent& event) const {
+  const Signature& signature = event.description.signature;
+  if (!TakesArgument(signature)) return QString();
+  const auto type = types_.find(signature.in);
+  if (type == types_.end()) return std::nullopt;
+  if (!type->second)
+    return QStringLiteral("%1 bytes: ").arg(event.value.size()) +
+           ToQString(type->second.error().message);
+  const auto json = ToJson(*type->second, event.value);
+  return ToQString(json ? *json : json.error().message);
+}
+
+void NetworkReports::drain() {
+  console::EventInbox::Content content = inbox_->Take();
+  learn(content);
+  for (const auto& [path, count] : content.lost) Q_EMIT eventsLost(ToQString(path), count);
+  for (console::HeardEvent& event : content.events) waiting_.push_back(std::move(event));
+  std::map<std::string, std::uint64_t> too_many;
+  while (waiting_.size() > kMostAtOnce) {
+    ++too_many[waiting_.front().path];
+    waiting_.pop_front();
+  }
+  for (const auto& [path, count] : too_many) Q_EMIT eventsLost(ToQString(path), count);
+  std::vector<HeardEvent> heard;
+  std::deque<console::HeardEvent> unread;
+  for (console::HeardEvent& event : waiting_) {
+    if (const auto value = valueOf(event)) {
+      heard.push_back({event.time_ns, ToQString(event.path), *value});
+    } else {
+      unread.push_back(std::move(event));
+    }
+  }
+  waiting_ = std::move(unread);
+  if (!heard.empty()) Q_EMIT eventsArrived(heard);
+}
+
+void NetworkReports::askHealth(Handler<message::SystemHealth> handler) {
+  client_.GetHealth([courier = courier_, handler](const auto& health) {
+    courier->post([handler, health] { handler(health); });
+  });
+}
+
+void NetworkReports::askCounts(const InterfaceName& required, Handler<ConnectionCounts> handler) {
+  client_.GetCounts(required, [courier = courier_, handler](const auto& counts) {
+    courier->post([handler, counts] { handler(counts); });
+  });
+}
+
+void NetworkReports::askFill(const std::string& process, const std::string& component,
+                             Handler<MailboxFill> handler) {
+  client_.GetFill(process, component, [courier = courier_, handler](const auto& fill) {
+    courier->post([handler, fill] { handler(fill); });
+  });
+}
+
+}  // namespace tendon::gui

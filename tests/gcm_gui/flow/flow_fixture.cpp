@@ -1,0 +1,99 @@
+#include "flow/flow_fixture.h"
+
+#include <gcm_gui/theme/theme.h>
+#include <program/network_options.h>
+
+#include <QDir>
+#include <QImage>
+#include <QPainter>
+#include <QTabBar>
+#include <utility>
+
+#include "support/wait.h"
+
+namespace tendon::gui {
+namespace {
+
+constexpr const char* kTimeout = "20000";  // ms
+
+}  // namespace
+
+std::unique_ptr<Program> FlowFixture::StartLcm(const std::string& name) const {
+  return std::make_unique<Program>(Program::Words{std::string(TENDON_BIN) + "/lcm", "--name", name,
+                                                  "--gcm", address_, "--timeout", kTimeout,
+                                                  "--system", TENDON_DEMO_SYSTEM});
+}
+
+void FlowFixture::SetUp() {
+  gcm_ = std::make_unique<Program>(
+      Program::Words{std::string(TENDON_BIN) + "/gcm", "--gcm", address_, "serve"},
+      std::map<std::string, std::string>{{"XDG_STATE_HOME", home_.path().string()}});
+  ASSERT_TRUE(EventuallyTrue([this] { return gcm_->out().starts_with("GCM at "); })) << gcm_->err();
+  robot_ = StartLcm("robot");
+  desk_ = StartLcm("desk");
+  const program::NetworkOptions network;
+  session_ = std::make_unique<Session>(*program::MakeMiddleware(network), address_, false);
+  console::Settings console;
+  console.gcm = address_;
+  console.network = network;
+  console.timeout = std::chrono::seconds(20);
+  console.color = console::ColorChoice::kNever;
+  window_ = std::make_unique<MainWindow>(WindowParts{session_->store(),
+                                                     session_->link(),
+                                                     session_->activity(),
+                                                     *session_,
+                                                     session_->liveSignals(),
+                                                     *session_,
+                                                     session_->reports(),
+                                                     console,
+                                                     {}});
+  window_->show();
+  window_->activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(window_.get(), kFlowPatience));
+  const auto is_active = [this](const char* process, const char* component) {
+    const auto* found = session_->store().catalogue().FindComponent(process, component);
+    return found != nullptr && found->state == ComponentState::kActive;
+  };
+  ASSERT_TRUE(Eventually([&] {
+    return is_active("robot", "arm") && is_active("desk", "teleoperation") &&
+           session_->store().catalogue().FindConnection({"desk", "supervisor", "Robot"}) != nullptr;
+  })) << robot_->err()
+      << desk_->err();
+}
+
+void FlowFixture::TearDown() {
+  Theme::instance().choose(Theme::Choice::kSystem);
+  window_.reset();
+  session_.reset();
+}
+
+void FlowFixture::ClickTab(const char* bar, const char* title) {
+  auto& tabs = Find<QTabBar>(bar);
+  for (int tab = 0; tab < tabs.count(); ++tab) {
+    if (!tabs.tabText(tab).startsWith(QString::fromLatin1(title))) continue;
+    return QTest::mouseClick(&tabs, Qt::LeftButton, {}, tabs.tabRect(tab).center());
+  }
+  ADD_FAILURE() << "no tab " << title;
+}
+
+void FlowFixture::Click(QWidget& widget) { QTest::mouseClick(&widget, Qt::LeftButton); }
+
+void FlowFixture::Grab(const QString& name) {
+  QDir().mkpath(QStringLiteral(PICTURE_FOLDER));
+  for (const auto& [choice, look] :
+       {std::pair{Theme::Choice::kDark, "dark"}, std::pair{Theme::Choice::kLight, "light"}}) {
+    Theme::instance().choose(choice);
+    QTest::qWait(100);  // timers that lay out and draw have their turn
+    for (const int dots : {1, 2}) {
+      QImage image(window_->size() * dots, QImage::Format_ARGB32_Premultiplied);
+      image.setDevicePixelRatio(dots);
+      window_->render(&image);
+      const QString file = QStringLiteral(PICTURE_FOLDER "/flow-%1-%2-%3x.png")
+                               .arg(name, QString::fromLatin1(look))
+                               .arg(dots);
+      EXPECT_TRUE(image.save(file));
+    }
+  }
+}
+
+}  // namespace tendon::gui

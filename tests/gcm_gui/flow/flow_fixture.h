@@ -1,0 +1,52 @@
+#pragma once
+
+#include <gcm_gui/session/session.h>
+#include <gcm_gui/window/main_window.h>
+#include <gtest/gtest.h>
+
+#include <QTest>
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "support/folder.h"
+#include "support/program.h"
+
+namespace tendon::gui {
+
+inline constexpr int kFlowPatience = 60000;  // ms; bounds a test that fails
+
+/// The demo system in processes of its own, and the real window with its session in this one.
+class FlowFixture : public ::testing::Test {
+ protected:
+  void SetUp() override;
+  void TearDown() override;
+
+  [[nodiscard]] bool Eventually(const std::function<bool()>& holds) {
+    return QTest::qWaitFor(holds, kFlowPatience);
+  }
+  template <typename T>
+  T& Find(const char* name) {
+    T* found = window_->findChild<T*>(QString::fromLatin1(name));
+    if (found == nullptr) throw std::runtime_error(std::string("there is no ") + name);
+    return *found;
+  }
+  /// With the mouse.
+  void ClickTab(const char* bar, const char* title);
+  void Click(QWidget& widget);
+  /// Pictures of the window for people: dark and light, with one and two dots a pixel.
+  void Grab(const QString& name);
+
+  std::unique_ptr<Program> StartLcm(const std::string& name) const;
+
+  const std::string address_ = "127.0.0.1:" + std::to_string(FreePort());
+  const test::Folder home_;
+  std::unique_ptr<Program> gcm_;
+  std::unique_ptr<Program> robot_;
+  std::unique_ptr<Program> desk_;
+  std::unique_ptr<Session> session_;
+  std::unique_ptr<MainWindow> window_;
+};
+
+}  // namespace tendon::gui

@@ -1,0 +1,137 @@
+#include <gcm_gui/inspector/inspector.h>
+#include <gcm_gui/models/row_roles.h>
+#include <gtest/gtest.h>
+
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QToolButton>
+#include <QTreeView>
+#include <algorithm>
+#include <string>
+
+#include "flow/flow_fixture.h"
+
+namespace tendon::gui {
+namespace {
+
+class InspectorFlow : public FlowFixture {
+ protected:
+  void Select(const QString& path) { window_->selection().select(path); }
+  const Action& LastAction() { return session_->activity().action(0); }
+  bool Called(int times) {
+    return Eventually([&] {
+      return session_->activity().rowCount() > 0 && LastAction().times >= times &&
+             LastAction().outcome == Action::Outcome::kDone;
+    });
+  }
+};
+
+TEST_F(InspectorFlow, ValuesHaveTrendsAndEventsAndParametersTheirTabs) {
+  Select("robot/arm");
+  ClickTab("inspectorTabs.tabs", "Values");
+  auto& values = Find<QTreeView>("inspector.values");
+  EXPECT_TRUE(Eventually([&] {
+    return values.model()->rowCount() > 0 &&
+           values.model()->index(0, 0).data(kTrendRole).value<QList<double>>().size() > 20;
+  }));
+  Grab("values");
+
+  ClickTab("inspectorTabs.tabs", "Events");
+  auto& events = Find<QTreeView>("inspector.events");
+  double goal = 0.1;
+  EXPECT_TRUE(Eventually([&] {
+    goal = -goal;
+    session_->callCommand(
+        "robot/arm/Control.MoveTo",
+        "{\"position\": [" + std::to_string(goal) + ", 0, 0, 0, 0, 0, 0], \"duration\": 0.05}",
+        [](const auto&, double) {});
+    QTest::qWait(200);
+    return events.model()->rowCount() > 0;
+  }));
+  EXPECT_EQ(events.model()->index(0, 0).data(kTrailRole).toString(), "Control");
+  Grab("inspector-events");
+
+  ClickTab("inspectorTabs.tabs", "Config");
+  auto& parameters = Find<QTreeView>("inspector.configuration");
+  EXPECT_EQ(parameters.model()->index(0, 0).data(kTrailRole).toString(), "SimulatedArm");
+}
+
+TEST_F(InspectorFlow, TheHealthOfProcessesAndConnectionsIsShown) {
+  Select("desk/supervisor");
+  auto& interfaces = Find<QTreeView>("inspector.interfaces");
+  EXPECT_TRUE(Eventually([&] {
+    return interfaces.model()->index(0, 0).data(Qt::ToolTipRole).toString().contains("stands for");
+  }));
+  Grab("health");
+
+  Select("robot");
+  EXPECT_TRUE(Eventually([&] {
+    const auto labels = window_->inspector().findChildren<QLabel*>();
+    return std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+      return label->isVisible() && label->text().contains("MiB");
+    });
+  }));
+  Grab("process");
+}
+
+TEST_F(InspectorFlow, ACommandIsRepeatedUntilItIsStopped) {
+  Select("robot/arm/Control.GetJoints");
+  Click(Find<QToolButton>("call.showRepeat"));
+  auto& rate = Find<QDoubleSpinBox>("call.rate");
+  rate.setFocus();
+  rate.selectAll();
+  QTest::keyClicks(&rate, "20");
+  auto& button = Find<QPushButton>("call.repeat");
+  Click(button);
+  ASSERT_TRUE(Called(5));
+  EXPECT_EQ(button.text(), "Stop");
+  Grab("repeat");
+
+  Click(button);
+  EXPECT_EQ(button.text(), "Repeat");
+  EXPECT_TRUE(Eventually([&] { return LastAction().outcome == Action::Outcome::kDone; }));
+  EXPECT_EQ(session_->activity().rowCount(), 1);
+}
+
+TEST_F(InspectorFlow, WhatCanMoveIsRepeatedOnlyWhileTheButtonIsHeld) {
+  Select("robot/arm/Control.MoveTo");
+  auto& button = Find<QPushButton>("call.repeat");
+  ASSERT_TRUE(Eventually([&] { return button.isEnabled(); }));
+  Click(Find<QToolButton>("call.showRepeat"));
+  EXPECT_EQ(button.text(), "Hold to repeat");
+  auto& rate = Find<QDoubleSpinBox>("call.rate");
+  rate.setFocus();
+  rate.selectAll();
+  QTest::keyClicks(&rate, "10");
+
+  QTest::mousePress(&button, Qt::LeftButton);
+  ASSERT_TRUE(Called(3));
+  QTest::mouseRelease(&button, Qt::LeftButton);
+  ASSERT_TRUE(Eventually([&] { return LastAction().outcome == Action::Outcome::kDone; }));
+  const int called = LastAction().times;
+
+  QTest::qWait(400);  // four more would have been due
+  EXPECT_EQ(LastAction().times, called);
+}
+
+TEST_F(InspectorFlow, AFavouriteWaitsForItsComponentAndHealsWhenItReturns) {
+  Select("robot/arm/Control.GetJoints");
+  Click(Find<QToolButton>("call.favourite"));
+  auto& favourite = Find<QPushButton>("favourite.robot/arm/Control.GetJoints");
+  ASSERT_TRUE(favourite.isVisible());
+  Click(favourite);
+  ASSERT_TRUE(Called(1));
+  Grab("favourites");
+
+  robot_.reset();  // killed
+  EXPECT_TRUE(Eventually([&] { return !favourite.isEnabled(); }));
+  robot_ = StartLcm("robot");
+  EXPECT_TRUE(Eventually([&] { return favourite.isEnabled(); }));
+  Click(favourite);
+  EXPECT_TRUE(Called(2));
+}
+
+}  // namespace
+}  // namespace tendon::gui
