@@ -139,6 +139,7 @@ QWidget* CallPanel::buildArgument() {
 QWidget* CallPanel::buildButtons() {
   call_ = new QPushButton(QStringLiteral("Call"));
   call_->setObjectName(QStringLiteral("call.call"));
+  call_->setProperty("changesSystem", true);
   SetRole(*call_, QStringLiteral("primary"));
   call_->installEventFilter(this);
   connect(call_, &QPushButton::clicked, this, &CallPanel::click);

@@ -29,6 +29,7 @@ class LostBanner;
 class NoticeLine;
 class PlotBinding;
 class PlotPanel;
+class SystemFiles;
 class TabPanel;
 class TopBar;
 
@@ -51,6 +52,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] Inspector& inspector() const { return *inspector_; }
   [[nodiscard]] TopBar& topBar() const { return *top_bar_; }
   [[nodiscard]] CandidatePanel& candidates() const { return *candidates_; }
+  [[nodiscard]] SystemFiles& files() const { return *files_; }
   [[nodiscard]] Panels& panels() const { return *panels_; }
   [[nodiscard]] CatalogueModel& catalogueModel() { return catalogue_model_; }
 
@@ -81,6 +83,7 @@ class MainWindow : public QMainWindow {
   void addSystemCommands();
   void addPlotCommands();
   void addPalette();
+  void forbidChanges();
   void showPage();
   void showLink();
   void showPerspective(Panels::Perspective perspective);
@@ -105,6 +108,7 @@ class MainWindow : public QMainWindow {
   GraphView* graph_ = nullptr;
   QStackedWidget* graph_page_ = nullptr;
   TabPanel* centre_ = nullptr;
+  SystemFiles* files_ = nullptr;
   NoticeLine* notice_ = nullptr;
   PlotPanel* plots_ = nullptr;
   PlotBinding* binding_ = nullptr;

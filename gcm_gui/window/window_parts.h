@@ -1,11 +1,14 @@
 #pragma once
 
+#include <QString>
+
 namespace tendon::gui {
 
 class ActivityModel;
 class CatalogueStore;
 class CommandCalls;
 class GcmLink;
+class PlanRunner;
 class SignalSource;
 class SystemActions;
 
@@ -18,6 +21,8 @@ struct WindowParts {
   SystemActions& actions;
   SignalSource& source;
   CommandCalls& calls;
+  PlanRunner& plans;
+  QString read_only{};  ///< why nothing can be changed from this window; empty where it can
 };
 
 }  // namespace tendon::gui

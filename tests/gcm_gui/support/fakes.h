@@ -1,6 +1,7 @@
 #pragma once
 
 #include <gcm_gui/session/command_calls.h>
+#include <gcm_gui/session/plan_runner.h>
 #include <gcm_gui/session/signal_source.h>
 #include <gcm_gui/session/system_actions.h>
 
@@ -9,6 +10,7 @@
 #include <QString>
 #include <QStringList>
 #include <string>
+#include <utility>
 
 namespace tendon::gui {
 
@@ -36,6 +38,26 @@ class ScriptedCalls final : public CommandCalls {
   int asked_for_schema = 0;
   QStringList calls;
   AnswerHandler answer;  ///< of the newest call
+};
+
+/// Remembers the plan; the test says how its steps went.
+class ScriptedPlans final : public PlanRunner {
+ public:
+  void carryOut(Plan wanted, AfterError after, Progress on_step, Done on_end) override {
+    plan = std::move(wanted);
+    after_error = after;
+    progress = std::move(on_step);
+    done = std::move(on_end);
+    ++started;
+  }
+  void stop() override { ++stopped; }
+
+  Plan plan;
+  AfterError after_error = AfterError::kStop;
+  Progress progress;
+  Done done;
+  int started = 0;
+  int stopped = 0;
 };
 
 /// Remembers what is wanted of it; the test sends rows and values by its signals.

@@ -29,7 +29,8 @@ class WindowFixture : public ::testing::Test {
   RecordingActions actions_;
   ScriptedSignals source_;
   ScriptedCalls calls_;
-  MainWindow window_{{store_, link_, activity_, actions_, source_, calls_}};
+  ScriptedPlans plans_;
+  MainWindow window_{{store_, link_, activity_, actions_, source_, calls_, plans_}};
 };
 
 }  // namespace tendon::gui
