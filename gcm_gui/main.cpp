@@ -1,6 +1,7 @@
 #include <gcm_gui/session/hosted_gcm.h>
 #include <gcm_gui/session/session.h>
 #include <gcm_gui/theme/theme.h>
+#include <gcm_gui/window/file/system_files.h>
 #include <gcm_gui/window/main_window.h>
 #include <gcm_gui/window/ui_description.h>
 #include <gcm_gui/window/watched_application.h>
@@ -17,9 +18,13 @@
 
 namespace {
 
+constexpr auto kReadOnly = "this window only looks: it was started with --read-only";
+
 struct Options {
   std::string gcm;
   std::string listen;
+  std::string file;
+  bool read_only = false;
   std::string theme = "system";
   program::NetworkOptions network;
   std::string describe_ui;
@@ -30,6 +35,8 @@ void AddOptions(CLI::App& app, Options& options) {
                              "address of the GCM (default: $TENDON_GCM, 127.0.0.1:10705); never "
                              "hosts one when given");
   app.add_option("--listen", options.listen, "host a GCM at this address")->excludes(gcm);
+  app.add_option("file", options.file, "system file to bring up, after a look at its plan");
+  app.add_flag("--read-only", options.read_only, "ask as a viewer, to whom changes are denied");
   app.add_option("--theme", options.theme, "dark, light or system")
       ->check(CLI::IsMember({"dark", "light", "system"}))
       ->capture_default_str();
@@ -85,20 +92,24 @@ int Run(const Options& options) {
     }
   }
 
-  tendon::gui::Session session(*middleware, address, hosted != nullptr);
+  tendon::gui::Session session(*middleware, address, hosted != nullptr,
+                               options.read_only ? tendon::Role::kViewer : tendon::Role::kOperator);
   console::Settings console;
   console.gcm = address;
   console.network = options.network;
+  console.read_only = options.read_only;
   console.color = console::ColorChoice::kNever;
   const auto kept = tendon::os::StateFolder().parent_path() / "gcm-gui";
   tendon::gui::MainWindow window({session.store(), session.link(), session.activity(), session,
-                                  session.liveSignals(), session, session, session.reports(),
-                                  console, QString::fromStdString(kept.string())});
+                                  session.liveSignals(), session, session, session.plans(),
+                                  session.reports(), console, QString::fromStdString(kept.string()),
+                                  options.read_only ? QString::fromLatin1(kReadOnly) : QString()});
   if (!options.describe_ui.empty()) {
     new tendon::gui::UiDescription(window, QString::fromStdString(options.describe_ui));
   }
   KeepLayout(window);
   window.show();
+  if (!options.file.empty()) window.files().bringUp(QString::fromStdString(options.file));
   return QApplication::exec();
 }
 

@@ -98,6 +98,7 @@ void ActivityStrip::linkRow(int row) {
   line->addStretch();
   if (activity_.canUndo(row)) {
     QToolButton* undo = MakeLink(QStringLiteral("Undo"), QStringLiteral("undo"));
+    undo->setProperty("changesSystem", true);
     connect(undo, &QToolButton::clicked, this, [this] { actions_.undo(); });
     line->addWidget(undo);
   }

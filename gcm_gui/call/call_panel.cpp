@@ -135,6 +135,7 @@ QWidget* CallPanel::buildArgument() {
 QWidget* CallPanel::buildButtons() {
   call_ = new HoldButton(QStringLiteral("Call"));
   call_->setObjectName(QStringLiteral("call.call"));
+  call_->setProperty("changesSystem", true);
   SetRole(*call_, QStringLiteral("primary"));
   connect(call_, &HoldButton::called, this, &CallPanel::call);
   connect(call_, &HoldButton::letGoEarly, this, [this] {

@@ -140,6 +140,7 @@ QWidget* Inspector::buildProcessPage() {
   process_facts_ = new FactGrid;
   forget_ = new QPushButton(QStringLiteral("Forget this process"));
   forget_->setObjectName(QStringLiteral("forget"));
+  forget_->setProperty("changesSystem", true);
   forget_->setToolTip(QStringLiteral("Removes what is left of it from the catalogue"));
   connect(forget_, &QPushButton::clicked, this,
           [this] { actions_.forget(selection_.current().toStdString()); });
@@ -256,6 +257,7 @@ void Inspector::addPeerLinks(QWidget& cell, const InterfaceRow& peer) {
   const auto add = [&](const QString& word, const QString& name) {
     QToolButton* button = MakeLink(word, name);
     button->setAccessibleName(word + ' ' + required);
+    button->setProperty("changesSystem", true);
     cell.layout()->addWidget(button);
     return button;
   };

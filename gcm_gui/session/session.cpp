@@ -57,20 +57,24 @@ class Session::Listener final : public GcmListener {
   std::shared_ptr<Courier> courier_;
 };
 
-Session::Session(std::shared_ptr<Middleware> middleware, const std::string& address, bool hosted)
+Session::Session(std::shared_ptr<Middleware> middleware, const std::string& address, bool hosted,
+                 Role role)
     : courier_(std::make_shared<Courier>(this)) {
   link_.setAddress(ToQString(address), hosted);
   GcmClient::Options options;
   options.name = "gcm-gui";
   options.address = address;
+  options.role = role;
   client_ = std::make_unique<GcmClient>(std::move(middleware), options,
                                         std::make_shared<Listener>(*this, courier_));
   live_signals_ = std::make_unique<LiveSignals>(client_->telemetry());
   reports_ = std::make_unique<NetworkReports>(*client_, store_, courier_);
+  plans_ = std::make_unique<PlanWorker>(*client_, options.timeout);
 }
 
 Session::~Session() {
   courier_->detach();
+  plans_.reset();
   live_signals_.reset();
   reports_.reset();
   client_.reset();

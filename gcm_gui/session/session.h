@@ -8,6 +8,7 @@
 #include <gcm_gui/session/courier.h>
 #include <gcm_gui/session/gcm_link.h>
 #include <gcm_gui/session/live_signals.h>
+#include <gcm_gui/session/plan_worker.h>
 #include <gcm_gui/session/system_actions.h>
 #include <tendon/gcm/client.h>
 
@@ -27,8 +28,10 @@ class Session : public QObject, public SystemActions, public CommandCalls, publi
   Q_OBJECT
 
  public:
-  /// Looks for the GCM at `address`, for as long as it takes.
-  Session(std::shared_ptr<Middleware> middleware, const std::string& address, bool hosted);
+  /// Looks for the GCM at `address`, for as long as it takes. To a viewer whatever would change
+  /// something is denied.
+  Session(std::shared_ptr<Middleware> middleware, const std::string& address, bool hosted,
+          Role role = Role::kOperator);
   ~Session() override;
 
   [[nodiscard]] CatalogueStore& store() { return store_; }
@@ -36,6 +39,7 @@ class Session : public QObject, public SystemActions, public CommandCalls, publi
   [[nodiscard]] ActivityModel& activity() { return activity_; }
   [[nodiscard]] LiveSignals& liveSignals() { return *live_signals_; }
   [[nodiscard]] SystemReports& reports() { return *reports_; }
+  [[nodiscard]] PlanRunner& plans() { return *plans_; }
 
   void connectInterfaces(const InterfaceName& required, const InterfaceName& provided) override;
   void disconnectInterface(const InterfaceName& required) override;
@@ -72,6 +76,7 @@ class Session : public QObject, public SystemActions, public CommandCalls, publi
   std::unique_ptr<GcmClient> client_;
   std::unique_ptr<LiveSignals> live_signals_;
   std::unique_ptr<NetworkReports> reports_;
+  std::unique_ptr<PlanWorker> plans_;
 };
 
 }  // namespace tendon::gui

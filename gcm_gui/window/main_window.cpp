@@ -25,6 +25,9 @@
 #include <gcm_gui/window/commands/command_palette.h>
 #include <gcm_gui/window/commands/commands.h>
 #include <gcm_gui/window/empty_state.h>
+#include <gcm_gui/window/file/about.h>
+#include <gcm_gui/window/file/read_only.h>
+#include <gcm_gui/window/file/system_files.h>
 #include <gcm_gui/window/main_window.h>
 #include <gcm_gui/window/plot_binding.h>
 #include <gcm_gui/window/plots/mark_binding.h>
@@ -156,6 +159,7 @@ QSplitter* MainWindow::buildCentre() {
   centre_ = new TabPanel(QStringLiteral("centre"));
   centre_->addPage(buildGraphPage(), QStringLiteral("Graph"));
   centre_->addPage(buildConnectionsPage(), QStringLiteral("Connections"));
+  files_ = new SystemFiles(parts_, *centre_, *this);
   notice_ = new NoticeLine(mode_, parts_.activity);
   centre_->addRight(notice_);
   plots_ = new PlotPanel;
@@ -227,6 +231,8 @@ void MainWindow::connectViews() {
   });
   connect(strip_, &ActivityStrip::jumpRequested, this, &MainWindow::goTo);
   connect(strip_, &ActivityStrip::problemChosen, this, &MainWindow::goTo);
+  connect(files_, &SystemFiles::notice, notice_, &NoticeLine::tell);
+  connect(files_, &SystemFiles::titleChanged, this, &MainWindow::showLink);
   connect(plots_, &PlotPanel::notice, notice_, &NoticeLine::tell);
   connect(top_bar_, &TopBar::pauseRequested, plots_, &PlotPanel::setPaused);
   connect(plots_, &PlotPanel::pausedChanged, top_bar_, &TopBar::showPaused);
@@ -275,14 +281,18 @@ void MainWindow::addCommands() {
   commands_->menu(Commands::Menu::kView).addSeparator();
   commands_->add(Commands::Menu::kView, QStringLiteral("Dark or light"), {},
                  [] { Theme::instance().toggle(); });
+  commands_->add(Commands::Menu::kView, QStringLiteral("About gcm-gui"), {},
+                 [this] { ShowAbout(*this); });
   auto* leave = new QAction(this);
   leave->setShortcut(Qt::Key_Escape);
   connect(leave, &QAction::triggered, this, &MainWindow::escape);
   addAction(leave);
   addPalette();
+  if (!parts_.read_only.isEmpty()) forbidChanges();
 }
 
 void MainWindow::addSystemCommands() {
+  files_->addCommands(*commands_);
   const auto add = [this](const char* text, const QKeySequence& key, auto what) {
     commands_->add(Commands::Menu::kSystem, QString::fromUtf8(text), key, what);
   };
@@ -301,6 +311,17 @@ void MainWindow::addSystemCommands() {
   });
   commands_->menu(Commands::Menu::kSystem).addSeparator();
   add("&Quit", QKeySequence(Qt::CTRL | Qt::Key_Q), [this] { close(); });
+}
+
+void MainWindow::forbidChanges() {
+  new ReadOnly(parts_.read_only, this);
+  QMenu& menu = commands_->menu(Commands::Menu::kSystem);
+  menu.setToolTipsVisible(true);
+  for (const char* name : {"Connect", "Disconnect", "Call the command", "Undo"}) {
+    auto* action = menu.findChild<QAction*>(QString::fromLatin1(name));
+    action->setEnabled(false);
+    action->setToolTip(parts_.read_only);
+  }
 }
 
 void MainWindow::addPlotCommands() {
@@ -418,7 +439,9 @@ void MainWindow::showPage() {
 void MainWindow::showLink() {
   // Which system it is, where several windows are open.
   const GcmLink& link = parts_.link;
-  setWindowTitle((link.isHosted() ? QStringLiteral("Hosting the GCM at %1 – gcm-gui")
+  const QString file = files_->document().title();
+  setWindowTitle((file.isEmpty() ? file : file + QStringLiteral(" – ")) +
+                 (link.isHosted() ? QStringLiteral("Hosting the GCM at %1 – gcm-gui")
                                   : QStringLiteral("GCM at %1 – gcm-gui"))
                      .arg(link.address()));
   const bool outdated = parts_.link.state() == GcmLink::State::kLost;

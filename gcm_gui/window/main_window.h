@@ -32,6 +32,7 @@ class MatchCard;
 class NoticeLine;
 class PlotBinding;
 class PlotPanel;
+class SystemFiles;
 class TabPanel;
 class TopBar;
 class WhyBinding;
@@ -56,6 +57,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] Inspector& inspector() const { return *inspector_; }
   [[nodiscard]] TopBar& topBar() const { return *top_bar_; }
   [[nodiscard]] CandidatePanel& candidates() const { return *candidates_; }
+  [[nodiscard]] SystemFiles& files() const { return *files_; }
   [[nodiscard]] Panels& panels() const { return *panels_; }
   [[nodiscard]] Favourites& favourites() { return favourites_; }
   [[nodiscard]] CatalogueModel& catalogueModel() { return catalogue_model_; }
@@ -90,6 +92,7 @@ class MainWindow : public QMainWindow {
   void addSystemCommands();
   void addPlotCommands();
   void addPalette();
+  void forbidChanges();
   void showPage();
   void showLink();
   void showPerspective(Panels::Perspective perspective);
@@ -116,6 +119,7 @@ class MainWindow : public QMainWindow {
   GraphView* graph_ = nullptr;
   QStackedWidget* graph_page_ = nullptr;
   TabPanel* centre_ = nullptr;
+  SystemFiles* files_ = nullptr;
   NoticeLine* notice_ = nullptr;
   PlotPanel* plots_ = nullptr;
   PlotBinding* binding_ = nullptr;

@@ -11,6 +11,7 @@ class CatalogueStore;
 class CommandCalls;
 class ConnectionChecks;
 class GcmLink;
+class PlanRunner;
 class SignalSource;
 class SystemActions;
 class SystemReports;
@@ -25,9 +26,11 @@ struct WindowParts {
   SignalSource& source;
   CommandCalls& calls;
   ConnectionChecks& checks;
+  PlanRunner& plans;
   SystemReports& reports;
   console::Settings console = {};  ///< of the console in the window
   QString kept = {};               ///< the folder of what is kept for the next time; empty: none
+  QString read_only{};  ///< why nothing can be changed from this window; empty where it can
 };
 
 }  // namespace tendon::gui

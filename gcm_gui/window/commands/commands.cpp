@@ -30,7 +30,7 @@ QList<QAction*> Commands::actions() const {
   QList<QAction*> actions;
   for (const QMenu* menu : menus_) {
     for (QAction* action : menu->actions()) {
-      if (!action->isSeparator()) actions.append(action);
+      if (!action->isSeparator() && action->menu() == nullptr) actions.append(action);
     }
   }
   return actions;

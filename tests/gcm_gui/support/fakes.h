@@ -3,6 +3,7 @@
 #include <gcm_gui/reports/system_reports.h>
 #include <gcm_gui/session/command_calls.h>
 #include <gcm_gui/session/connection_checks.h>
+#include <gcm_gui/session/plan_runner.h>
 #include <gcm_gui/session/signal_source.h>
 #include <gcm_gui/session/system_actions.h>
 
@@ -11,6 +12,7 @@
 #include <QString>
 #include <QStringList>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tendon::gui {
@@ -52,6 +54,26 @@ class ScriptedChecks final : public ConnectionChecks {
   DiagnosisHandler diagnosis;  ///< of the newest question
   QStringList counted;
   CountsHandler counts;  ///< of the newest question
+};
+
+/// Remembers the plan; the test says how its steps went.
+class ScriptedPlans final : public PlanRunner {
+ public:
+  void carryOut(Plan wanted, AfterError after, Progress on_step, Done on_end) override {
+    plan = std::move(wanted);
+    after_error = after;
+    progress = std::move(on_step);
+    done = std::move(on_end);
+    ++started;
+  }
+  void stop() override { ++stopped; }
+
+  Plan plan;
+  AfterError after_error = AfterError::kStop;
+  Progress progress;
+  Done done;
+  int started = 0;
+  int stopped = 0;
 };
 
 /// Remembers what is wanted of it; the test sends rows and values by its signals.

@@ -30,8 +30,10 @@ class WindowFixture : public ::testing::Test {
   ScriptedSignals source_;
   ScriptedCalls calls_;
   ScriptedChecks checks_;
+  ScriptedPlans plans_;
   ScriptedReports reports_;
-  MainWindow window_{{store_, link_, activity_, actions_, source_, calls_, checks_, reports_}};
+  MainWindow window_{
+      {store_, link_, activity_, actions_, source_, calls_, checks_, plans_, reports_}};
 };
 
 }  // namespace tendon::gui

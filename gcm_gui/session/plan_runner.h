@@ -1,0 +1,28 @@
+#pragma once
+
+#include <tendon/gcm/system/plan_execution.h>
+
+#include <cstddef>
+#include <functional>
+
+namespace tendon::gui {
+
+/// Carries out plans, one at a time. Each function returns at once; handlers are called in the GUI
+/// thread, and not after the runner has ended.
+class PlanRunner {
+ public:
+  /// Of one step; the first has number 1.
+  using Progress = std::function<void(std::size_t number, const StepOutcome& outcome)>;
+  using Done = std::function<void(const PlanOutcome& outcome)>;
+
+  PlanRunner() = default;
+  PlanRunner(const PlanRunner&) = delete;
+  PlanRunner& operator=(const PlanRunner&) = delete;
+  virtual ~PlanRunner() = default;
+
+  virtual void carryOut(Plan plan, AfterError after_error, Progress progress, Done done) = 0;
+  /// The step that is being made is finished; the others are left.
+  virtual void stop() = 0;
+};
+
+}  // namespace tendon::gui

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <gcm_gui/models/row_list_model.h>
+#include <gcm_gui/system/restore.h>
+#include <tendon/gcm/system/comparison.h>
+
+#include <QString>
+
+namespace tendon::gui {
+
+/// In what the running system differs from its file.
+class DiffModel : public RowListModel<SystemDifference> {
+  Q_OBJECT
+
+ public:
+  using RowListModel::RowListModel;
+
+  [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+  void show(const SystemComparison& comparison) { showRows(comparison.differences); }
+};
+
+/// "= 29   + 2 only running   − 1 missing   ~ 1 changed".
+[[nodiscard]] QString SummaryOf(const SystemComparison& comparison);
+
+/// A line of a plan: a step and how it went, or what no step can bring about.
+struct PlanLine {
+  enum class Kind { kObstacle, kWaiting, kDone, kFailed, kLeft };
+
+  Kind kind = Kind::kWaiting;
+  QString text;
+  QString trail;
+
+  bool operator==(const PlanLine&) const = default;
+};
+
+/// The steps of a plan in their order, after what is in its way.
+class PlanModel : public RowListModel<PlanLine> {
+  Q_OBJECT
+
+ public:
+  using RowListModel::RowListModel;
+
+  [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+  void show(const Restore& restore);
+};
+
+}  // namespace tendon::gui

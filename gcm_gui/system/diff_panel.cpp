@@ -1,0 +1,212 @@
+#include <gcm_gui/models/text.h>
+#include <gcm_gui/system/diff_panel.h>
+#include <gcm_gui/system/system_parts.h>
+#include <gcm_gui/theme/metrics.h>
+#include <gcm_gui/theme/theme.h>
+#include <gcm_gui/views/row_view.h>
+
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QItemSelectionModel>
+#include <QLabel>
+#include <QPushButton>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+#include <utility>
+
+namespace tendon::gui {
+namespace {
+
+QPushButton* MakeButton(const QString& text, const char* name, QHBoxLayout& row) {
+  auto* button = new QPushButton(text);
+  button->setObjectName(QString::fromLatin1(name));
+  button->setAutoDefault(true);
+  row.addWidget(button);
+  return button;
+}
+
+/// A line of words above a list, and what can be done below it.
+QVBoxLayout* Frame(QWidget& page, QLabel& words, RowView& list, QHBoxLayout& buttons) {
+  auto* column = new QVBoxLayout(&page);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  words.setContentsMargins(kInset, 2 * kGrid, kInset, 2 * kGrid);
+  words.setWordWrap(true);
+  column->addWidget(&words);
+  column->addWidget(&list, 1);
+  buttons.setContentsMargins(kInset, 2 * kGrid, kInset, 2 * kGrid);
+  buttons.setSpacing(2 * kGrid);
+  column->addLayout(&buttons);
+  return column;
+}
+
+}  // namespace
+
+DiffPanel::DiffPanel(SystemDocument& document, Restore& restore, const QString& refusal,
+                     QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      restore_(restore),
+      refusal_(refusal),
+      pages_(new QStackedWidget) {
+  setObjectName(QStringLiteral("diffPanel"));
+  setAccessibleName(QStringLiteral("What runs beside its file"));
+  setAutoFillBackground(true);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(pages_);
+  pages_->addWidget(buildDiff());
+  pages_->addWidget(buildPlan());
+  connect(&document, &SystemDocument::changed, this, &DiffPanel::showDiff);
+  connect(&restore, &Restore::changed, this, &DiffPanel::showPlan);
+  showDiff();
+  showPlan();
+}
+
+QWidget* DiffPanel::buildDiff() {
+  auto* page = new QWidget;
+  summary_ = new QLabel;
+  summary_->setObjectName(QStringLiteral("diff.summary"));
+  diff_list_ = MakeRowList(differences_, QStringLiteral("differences"), {});
+  diff_list_->setAccessibleName(QStringLiteral("Differences of what runs from its file"));
+  auto* buttons = new QHBoxLayout;
+  apply_ = MakeButton(QStringLiteral("Apply →"), "diff.apply", *buttons);
+  apply_->setToolTip(QStringLiteral("What runs becomes as this line of the file"));
+  update_ = MakeButton(QStringLiteral("← Update file"), "diff.update", *buttons);
+  update_->setToolTip(QStringLiteral("This line of the file becomes as it runs"));
+  buttons->addStretch();
+  restore_all_ = MakeButton(QStringLiteral("Restore all…"), "diff.restore", *buttons);
+  SetRole(*restore_all_, QStringLiteral("primary"));
+  Frame(*page, *summary_, *diff_list_, *buttons);
+  connect(apply_, &QPushButton::clicked, this, &DiffPanel::previewOne);
+  connect(update_, &QPushButton::clicked, this, &DiffPanel::updateOne);
+  connect(restore_all_, &QPushButton::clicked, this, &DiffPanel::previewAll);
+  connect(diff_list_, &QTreeView::activated, this, &DiffPanel::previewOne);
+  connect(diff_list_->selectionModel(), &QItemSelectionModel::currentChanged, this,
+          &DiffPanel::showButtons);
+  return page;
+}
+
+QWidget* DiffPanel::buildPlan() {
+  auto* page = new QWidget;
+  plan_text_ = new QLabel;
+  plan_text_->setObjectName(QStringLiteral("plan.summary"));
+  step_list_ = MakeRowList(steps_, QStringLiteral("steps"), {});
+  step_list_->setAccessibleName(QStringLiteral("Steps of the plan"));
+  auto* buttons = new QHBoxLayout;
+  back_ = MakeButton(QStringLiteral("Back"), "plan.back", *buttons);
+  buttons->addStretch();
+  go_on_ = new QCheckBox(QStringLiteral("Go on after an error"));
+  go_on_->setObjectName(QStringLiteral("plan.goOn"));
+  buttons->addWidget(go_on_);
+  stop_ = MakeButton(QStringLiteral("Stop"), "plan.stop", *buttons);
+  undo_ = MakeButton(QStringLiteral("Undo restore"), "plan.undo", *buttons);
+  carry_out_ = MakeButton(QStringLiteral("Carry out"), "plan.carryOut", *buttons);
+  SetRole(*carry_out_, QStringLiteral("primary"));
+  Frame(*page, *plan_text_, *step_list_, *buttons);
+  connect(back_, &QPushButton::clicked, &restore_, &Restore::leave);
+  connect(stop_, &QPushButton::clicked, &restore_, &Restore::stop);
+  connect(undo_, &QPushButton::clicked, &restore_, &Restore::undo);
+  connect(carry_out_, &QPushButton::clicked, this, [this] {
+    restore_.execute(go_on_->isChecked() ? AfterError::kGoOn : AfterError::kStop);
+  });
+  return page;
+}
+
+const SystemDifference* DiffPanel::currentLine() const {
+  const QModelIndex index = diff_list_->currentIndex();
+  return index.isValid() ? &differences_.row(index.row()) : nullptr;
+}
+
+void DiffPanel::previewAll() {
+  if (document_.isOpen()) restore_.preview(document_.file(), document_.path().section('/', -1));
+}
+
+void DiffPanel::previewOne() {
+  const SystemDifference* line = currentLine();
+  if (line == nullptr) return;
+  restore_.preview(WithPartOf(WholeSystem(document_.catalogue()), document_.file(), line->what),
+                   ToQString(line->what) + QStringLiteral(" as in the file"));
+}
+
+void DiffPanel::updateOne() {
+  if (const SystemDifference* line = currentLine()) document_.update(line->what);
+}
+
+void DiffPanel::showDiff() {
+  differences_.show(document_.comparison());
+  summary_->setText(document_.isOpen() ? SummaryOf(document_.comparison())
+                                       : QStringLiteral("No system file is open."));
+  diff_list_->setEmptyText(
+      document_.isOpen()
+          ? QStringLiteral("What runs is as the file says.")
+          : QStringLiteral("Ctrl+S writes down what runs; Ctrl+O opens what was written down."));
+  if (!diff_list_->currentIndex().isValid() && differences_.rowCount() > 0) {
+    diff_list_->setCurrentIndex(differences_.index(0));
+  }
+  showButtons();
+}
+
+void DiffPanel::allow(QPushButton& button, bool allowed) const {
+  button.setEnabled(allowed && refusal_.isEmpty());
+  if (!refusal_.isEmpty()) button.setToolTip(refusal_);
+}
+
+void DiffPanel::showButtons() {
+  const bool any = currentLine() != nullptr;
+  allow(*apply_, any);
+  update_->setEnabled(any);
+  restore_all_->setEnabled(document_.isOpen() && differences_.rowCount() > 0);
+}
+
+QString DiffPanel::planText() const {
+  const Plan& plan = restore_.plan();
+  const PlanOutcome& outcome = restore_.outcome();
+  const auto untouched = static_cast<std::int64_t>(plan.untouched);
+  switch (restore_.phase()) {
+    case Restore::Phase::kIdle:
+      return {};
+    case Restore::Phase::kPreview:
+      return QStringLiteral("To %1: %2; %3")
+          .arg(restore_.goal(),
+               plan.steps.empty() ? QStringLiteral("nothing is to be done")
+                                  : CountText(static_cast<std::int64_t>(plan.steps.size()), "step"),
+               untouched == 0 ? QStringLiteral("nothing stays as it is")
+                              : QStringLiteral("will not touch ") + CountText(untouched, "item"));
+    case Restore::Phase::kRunning:
+      return QStringLiteral("To %1: step %2 of %3")
+          .arg(restore_.goal())
+          .arg(restore_.outcomes().size() + 1)
+          .arg(plan.steps.size());
+    case Restore::Phase::kDone:
+      return QStringLiteral("To %1: %2 done, %3 failed, %4 left")
+          .arg(restore_.goal())
+          .arg(outcome.done)
+          .arg(outcome.failed)
+          .arg(outcome.left);
+  }
+  return {};
+}
+
+void DiffPanel::showPlan() {
+  const Restore::Phase phase = restore_.phase();
+  const int page = phase == Restore::Phase::kIdle ? 0 : 1;
+  const bool is_new = phase != std::exchange(shown_phase_, phase);
+  const bool turned = pages_->currentIndex() != page;
+  steps_.show(restore_);
+  plan_text_->setText(planText());
+  const bool waits = phase == Restore::Phase::kPreview;
+  carry_out_->setVisible(waits);
+  go_on_->setVisible(waits);
+  allow(*carry_out_, !restore_.plan().steps.empty());
+  stop_->setVisible(phase == Restore::Phase::kRunning);
+  undo_->setVisible(restore_.canUndo());
+  back_->setEnabled(phase != Restore::Phase::kRunning);
+  pages_->setCurrentIndex(page);
+  if (!is_new) return;
+  if (waits) (carry_out_->isEnabled() ? carry_out_ : back_)->setFocus();
+  if (phase == Restore::Phase::kDone) (restore_.canUndo() ? undo_ : back_)->setFocus();
+  if (turned && page == 0) diff_list_->setFocus();
+}
+
+}  // namespace tendon::gui

@@ -1,0 +1,68 @@
+#include <gcm_gui/system/restore.h>
+#include <gcm_gui/system/system_parts.h>
+
+#include <utility>
+
+namespace tendon::gui {
+namespace {
+
+/// So that what a plan makes in processes that it starts is gone again.
+SystemFile Before(const Plan& plan, SystemFile running) {
+  for (const PlanStep& step : plan.steps) {
+    if (running.FindProcess(step.process) != nullptr) continue;
+    if (step.kind != PlanStep::Kind::kStartProcess) continue;
+    running.processes.push_back({.name = step.process, .components = {}});
+  }
+  return running;
+}
+
+}  // namespace
+
+Restore::Restore(const SystemDocument& document, PlanRunner& runner, QObject* parent)
+    : QObject(parent), document_(document), runner_(runner) {}
+
+void Restore::preview(const SystemFile& wanted, const QString& goal) {
+  if (phase_ == Phase::kRunning) return;
+  plan_ = MakePlan(document_.catalogue(), wanted);
+  goal_ = goal;
+  outcomes_.clear();
+  outcome_ = {};
+  phase_ = Phase::kPreview;
+  Q_EMIT changed();
+}
+
+void Restore::execute(AfterError after_error) {
+  if (phase_ != Phase::kPreview || plan_.steps.empty()) return;
+  before_ = Before(plan_, WholeSystem(document_.catalogue()));
+  run(after_error);
+}
+
+void Restore::undo() {
+  if (!canUndo()) return;
+  preview(*std::exchange(before_, std::nullopt), QStringLiteral("what it was before"));
+  if (!plan_.steps.empty()) run(AfterError::kGoOn);
+}
+
+void Restore::run(AfterError after_error) {
+  phase_ = Phase::kRunning;
+  Q_EMIT changed();
+  runner_.carryOut(
+      plan_, after_error,
+      [this](std::size_t /*number*/, const StepOutcome& came) {
+        outcomes_.push_back(came);
+        Q_EMIT changed();
+      },
+      [this](const PlanOutcome& outcome) {
+        outcome_ = outcome;
+        phase_ = Phase::kDone;
+        Q_EMIT changed();
+      });
+}
+
+void Restore::leave() {
+  if (phase_ == Phase::kRunning) return;
+  phase_ = Phase::kIdle;
+  Q_EMIT changed();
+}
+
+}  // namespace tendon::gui

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <gcm_gui/session/plan_runner.h>
+#include <gcm_gui/system/system_document.h>
+#include <tendon/gcm/system/plan.h>
+
+#include <QObject>
+#include <QString>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace tendon::gui {
+
+/// Brings the running system to a wanted state in three moves: a plan to look at, its steps one by
+/// one, and a way back. GUI thread.
+class Restore : public QObject {
+  Q_OBJECT
+
+ public:
+  enum class Phase { kIdle, kPreview, kRunning, kDone };
+
+  Restore(const SystemDocument& document, PlanRunner& runner, QObject* parent = nullptr);
+
+  [[nodiscard]] Phase phase() const { return phase_; }
+  /// What it leads to: "demo.gcm.json", "the state at 12:04".
+  [[nodiscard]] const QString& goal() const { return goal_; }
+  [[nodiscard]] const Plan& plan() const { return plan_; }
+  /// Of the steps that are over, in their order.
+  [[nodiscard]] const std::vector<StepOutcome>& outcomes() const { return outcomes_; }
+  [[nodiscard]] const PlanOutcome& outcome() const { return outcome_; }
+  [[nodiscard]] bool canUndo() const { return before_.has_value() && phase_ == Phase::kDone; }
+
+  /// Plans, and does nothing yet. Not while one is being carried out.
+  void preview(const SystemFile& wanted, const QString& goal);
+  void execute(AfterError after_error);
+  /// After the step that is being made.
+  void stop() { runner_.stop(); }
+  /// The system as it was before execute(), at once.
+  void undo();
+  void leave();
+
+ Q_SIGNALS:
+  void changed();
+
+ private:
+  void run(AfterError after_error);
+
+  const SystemDocument& document_;
+  PlanRunner& runner_;
+  Phase phase_ = Phase::kIdle;
+  QString goal_;
+  Plan plan_;
+  std::vector<StepOutcome> outcomes_;
+  PlanOutcome outcome_;
+  std::optional<SystemFile> before_;
+};
+
+}  // namespace tendon::gui

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <tendon/gcm/system_file.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <utility>
+
+namespace tendon::gui {
+
+/// The last states of a system, one for each change, oldest first.
+class Snapshots {
+ public:
+  static constexpr std::size_t kMost = 50;
+
+  struct Snapshot {
+    std::int64_t when = 0;  ///< ns since 1970
+    SystemFile system{};
+  };
+
+  /// Nothing happens where nothing changed.
+  void add(std::int64_t when, SystemFile system) {
+    if (!all_.empty() && all_.back().system == system) return;
+    all_.push_back({when, std::move(system)});
+    if (all_.size() > kMost) all_.pop_front();
+  }
+  [[nodiscard]] const std::deque<Snapshot>& all() const { return all_; }
+
+ private:
+  std::deque<Snapshot> all_;
+};
+
+}  // namespace tendon::gui

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <gcm_gui/session/catalogue_store.h>
+#include <gcm_gui/system/snapshots.h>
+#include <tendon/gcm/system/comparison.h>
+#include <tendon/gcm/system_file.h>
+
+#include <QObject>
+#include <QString>
+#include <QThreadPool>
+#include <QTimer>
+#include <cstdint>
+#include <functional>
+#include <string>
+
+namespace tendon::gui {
+
+/// The system file of a window, and in what the running system differs from it. Files are read and
+/// written in a thread of its own; all else is of the GUI thread.
+class SystemDocument : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit SystemDocument(const CatalogueStore& store, QObject* parent = nullptr);
+  /// Waits for what is being read or written.
+  ~SystemDocument() override;
+
+  [[nodiscard]] bool isOpen() const { return !path_.isEmpty(); }
+  [[nodiscard]] const QString& path() const { return path_; }
+  [[nodiscard]] const SystemFile& file() const { return file_; }
+  [[nodiscard]] const Catalog& catalogue() const { return store_.catalogue(); }
+  /// Of the file with what runs.
+  [[nodiscard]] const SystemComparison& comparison() const { return comparison_; }
+  /// "demo.gcm.json", "demo.gcm.json, modified since 12:04"; empty without a file.
+  [[nodiscard]] QString title() const;
+  [[nodiscard]] const Snapshots& snapshots() const { return snapshots_; }
+
+  void open(const QString& path);
+  /// Writes down what runs; what the file knows besides is kept in it.
+  void save(const QString& path);
+  /// One thing of the file becomes as it runs; `what` is that of a SystemDifference.
+  void update(const std::string& what);
+
+ Q_SIGNALS:
+  void changed();
+  /// After open(), once it is read.
+  void opened();
+  /// One sentence of what came of it.
+  void told(const QString& sentence);
+
+ private:
+  void hear();
+  void compare();
+  void take(const QString& path, SystemFile file);
+
+  const CatalogueStore& store_;
+  QString path_;
+  SystemFile file_;
+  SystemComparison comparison_;
+  std::int64_t modified_ = 0;  // ns since 1970; 0 while it is as the file says
+  Snapshots snapshots_;
+  QTimer soon_;
+  QThreadPool thread_;
+};
+
+}  // namespace tendon::gui

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <gcm_gui/system/restore.h>
+#include <gcm_gui/system/system_document.h>
+#include <gcm_gui/window/window_parts.h>
+
+#include <QObject>
+#include <QString>
+
+class QFileDialog;
+class QMenu;
+
+namespace tendon::gui {
+
+class Commands;
+class DiffPanel;
+class TabPanel;
+
+/// The system file of a window: what is in the menus and on keys for it, and its tab in the middle.
+class SystemFiles : public QObject {
+  Q_OBJECT
+
+ public:
+  SystemFiles(const WindowParts& parts, TabPanel& centre, QWidget& window);
+
+  void addCommands(Commands& commands);
+  [[nodiscard]] SystemDocument& document() { return document_; }
+  [[nodiscard]] Restore& restore() { return restore_; }
+
+  /// Opens a system file and shows the plan for it, which waits for the user.
+  void bringUp(const QString& path);
+
+ Q_SIGNALS:
+  /// One sentence for the user.
+  void notice(const QString& text);
+  void titleChanged();
+
+ private:
+  void save();
+  void saveAs();
+  void open();
+  void restoreAll();
+  void previewBringUp();
+  void fillStates(QMenu& menu);
+  [[nodiscard]] QFileDialog* makeDialog(const QString& title);
+  void showTab();
+
+  GcmLink& link_;
+  QWidget& window_;
+  TabPanel& centre_;
+  SystemDocument document_;
+  Restore restore_;
+  DiffPanel* panel_;
+  int page_;
+  bool brings_up_ = false;
+};
+
+}  // namespace tendon::gui

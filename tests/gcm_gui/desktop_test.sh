@@ -1,0 +1,26 @@
+#!/usr/bin/env bash
+# desktop_test.sh CMAKE BUILD PROGRAM: what the part `gui` installs for a desktop is there, and valid.
+set -euo pipefail
+cmake=$1 build=$2 program=$3
+[[ -x $program ]]
+prefix=$(mktemp -d)
+trap 'rm -rf "$prefix"' EXIT
+
+"$cmake" --install "$build" --component gui --prefix "$prefix" >/dev/null
+
+share=$prefix/share
+entry=$share/applications/org.tendon.GcmGui.desktop
+icon=$share/icons/hicolor/scalable/apps/org.tendon.GcmGui.svg
+metadata=$share/metainfo/org.tendon.GcmGui.metainfo.xml
+types=$share/mime/packages/org.tendon.GcmGui.xml
+desktop-file-validate "$entry"
+appstreamcli validate --no-net "$metadata"
+xmllint --noout "$icon" "$metadata" "$types"
+
+# All speak of the same program, icon and type.
+type=$(xmllint --xpath 'string(//*[local-name()="mime-type"]/@type)' "$types")
+grep -qx "MimeType=$type;" "$entry"
+grep -qx "Icon=$(basename "$icon" .svg)" "$entry"
+grep -q "<mediatype>$type</mediatype>" "$metadata"
+grep -q "^Exec=$(basename "$program") " "$entry"
+[[ -x $prefix/bin/$(basename "$program") ]]
