@@ -4,6 +4,7 @@
 #include <tendon/lockfree/flag.h>
 #include <tendon/lockfree/wakeup.h>
 
+#include <memory>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -44,6 +45,9 @@ class NetworkThread {
   void Notify() noexcept { wakeup_.Notify(); }
   /// For inboxes which this thread empties.
   [[nodiscard]] Wakeup<>& wakeup() { return wakeup_; }
+  /// One that this thread does not look at, for calls that others wait for. It may be told of a
+  /// call whose waiter has gone long since: it lives as long as this thread, and is lent anew.
+  [[nodiscard]] std::shared_ptr<Wakeup<>> LendWakeup();
 
  private:
   void Run();
@@ -55,6 +59,7 @@ class NetworkThread {
   std::mutex turn_;  // taken before mutex_, so that a round after the other locks nobody out
   std::mutex mutex_;
   std::vector<NetworkJob*> jobs_;
+  std::vector<std::shared_ptr<Wakeup<>>> lent_;
   std::thread thread_;  // last: it uses the others
 };
 
