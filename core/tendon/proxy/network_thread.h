@@ -27,8 +27,8 @@ class NetworkJob {
 };
 
 /// The thread between the components of a process and its middleware: it sends what proxies have
-/// taken and gathers rows for viewers, so that no component's thread ever enters the middleware.
-/// Idle, it sleeps. Thread-safe.
+/// taken and gathers rows for viewers, so that no component's thread ever enters the middleware,
+/// but one that waits for an answer. Idle, it sleeps. Thread-safe.
 class NetworkThread {
  public:
   NetworkThread();

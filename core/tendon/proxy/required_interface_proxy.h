@@ -54,7 +54,7 @@ class RequiredInterfaceProxy final : public NetworkJob {
   void OnCommand(std::size_t function, std::span<const std::byte> argument);
   void OnRead(std::size_t function, std::span<const std::byte> argument, Responder responder);
   /// Answers when the call was executed, or will not be. Where its caller alone waits for that and
-  /// it is usually soon, within some 100 us, this thread waits for it.
+  /// its last call was over soon, within some 100 us, this thread waits for it.
   void OnWait(std::size_t function, std::span<const std::byte> question, Responder responder);
   void OnEventsLost(const message::EventsLost& events);
 
