@@ -1,5 +1,5 @@
 #include <tendon/base/log.h>
-#include <tendon/middleware/pending_requests.h>
+#include <tendon/middleware/requests/pending_requests.h>
 
 #include <exception>
 #include <utility>
