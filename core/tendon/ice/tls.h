@@ -8,6 +8,7 @@
 #include <tendon/security/certificate.h>
 #include <tendon/security/credentials.h>
 #include <tendon/security/openssl/shown_certificate.h>
+#include <tendon/security/openssl/trusted_authority.h>
 
 #include <cstdint>
 #include <memory>
@@ -45,7 +46,9 @@ class Tls : public std::enable_shared_from_this<Tls> {
 
   Tls(Key /*only from Make()*/, Credentials credentials,
       std::unique_ptr<openssl::ShownCertificate> own)
-      : credentials_(std::move(credentials)), own_(std::move(own)) {}
+      : credentials_(std::move(credentials)),
+        own_(std::move(own)),
+        authority_(credentials_.authority) {}
 
  private:
   struct Refused {
@@ -58,6 +61,7 @@ class Tls : public std::enable_shared_from_this<Tls> {
 
   const Credentials credentials_;
   const std::unique_ptr<openssl::ShownCertificate> own_;
+  openssl::TrustedAuthority authority_;
   AuditLog audit_;
   std::mutex mutex_;
   std::optional<Refused> refused_;  // the last one that was opened here
