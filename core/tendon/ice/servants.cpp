@@ -28,9 +28,10 @@ std::vector<Ice::Byte> EncodeSequence(std::span<const std::byte> sequence) {
   return {begin, begin + encoded.size()};
 }
 
-/// What goes back at once: nothing, or one message.
-Bytes Ask(IceLink& link, std::span<const std::byte> frame, bool is_two_way) {
-  Bytes answer;
+/// What goes back at once: nothing, or one message. Holds until this thread asks again.
+std::span<const std::byte> Ask(IceLink& link, std::span<const std::byte> frame, bool is_two_way) {
+  thread_local Bytes answer;
+  answer.clear();
   if (!link.DeliverWhole(frame, is_two_way ? &answer : nullptr)) {
     CutOff(link, NoFrame(link.peer()).message);
   }

@@ -71,6 +71,7 @@ void Tls::Judge(const Ice::Communicator& communicator) {
   const auto plugin = std::dynamic_pointer_cast<IceSSL::OpenSSL::Plugin>(
       communicator.getPluginManager()->getPlugin("IceSSL"));
   SSL_CTX_set_cert_cb(plugin->getContext(), &ShowOwnOf, this);
+  handshakes_.Watch(*plugin->getContext());
   SSL_CTX_set_num_tickets(plugin->getContext(), 0);  // no session is ever resumed
   plugin->setCertificateVerifier(
       [self = shared_from_this()](const auto& peer) { return self->IsGood(*peer); });
