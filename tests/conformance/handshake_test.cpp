@@ -17,7 +17,7 @@ TEST_P(ChannelContract, AnotherProtocolVersionIsRefusedWithWhomToUpdate) {
 
   ASSERT_FALSE(channel);
   EXPECT_EQ(channel.error().code, ErrorCode::kIncompatible);
-  EXPECT_EQ(channel.error().message, "robot speaks protocol 4, this program 9: update robot");
+  EXPECT_EQ(channel.error().message, "robot speaks protocol 5, this program 9: update robot");
   ASSERT_TRUE(client->Wait([](const Oracle& oracle) { return !oracle.closed_.empty(); }));
   EXPECT_EQ(client->closed_.size(), 1U);
   EXPECT_EQ(client->peer_, "");
@@ -33,7 +33,7 @@ TEST_P(ChannelContract, AnOlderProgramIsToldToUpdateItself) {
 
   ASSERT_FALSE(channel);
   EXPECT_EQ(channel.error().message,
-            "robot speaks protocol 9, this program 4: update this program");
+            "robot speaks protocol 9, this program 5: update this program");
 }
 
 TEST_P(CookieContract, AWrongCookieIsDeniedAndNoOpenIsHeard) {

@@ -7,10 +7,10 @@
 
 namespace tendon {
 
-/// Frames as oneway invocations over ZeroC Ice (slice/tendon.ice), both directions on the
-/// connection that the opener made. Has a communicator of its own, with settings of its own:
-/// ICE_CONFIG is ignored. `exposure` says whether addresses off this machine are allowed; if so, a
-/// warning is logged. Makes the process ignore SIGPIPE.
+/// Frames as invocations over ZeroC Ice (slice/tendon.ice), oneway but for those of Link::Ask(),
+/// both directions on the connection that the opener made. Has a communicator of its own, with
+/// settings of its own: ICE_CONFIG is ignored. `exposure` says whether addresses off this machine
+/// are allowed; if so, a warning is logged. Makes the process ignore SIGPIPE.
 std::unique_ptr<Middleware> MakeIceMiddleware(Exposure exposure);
 
 /// The same under TLS, on this machine and off it: speaks only to peers that show a certificate of

@@ -65,7 +65,8 @@ void KeepFromPrograms(const Ice::Connection& connection) {
 
 IceLink::IceLink(std::shared_ptr<Ice::Connection> connection, std::uint64_t door)
     : connection_(std::move(connection)),
-      peer_endpoint_(connection_->createProxy(EndpointIdentity())->ice_oneway()),
+      two_way_(connection_->createProxy(EndpointIdentity())),
+      oneway_(two_way_->ice_oneway()),
       door_(door),
       peer_(EndsOf(*connection_).peer),
       local_(EndsOf(*connection_).local),
@@ -74,11 +75,7 @@ IceLink::IceLink(std::shared_ptr<Ice::Connection> connection, std::uint64_t door
 Status IceLink::Send(std::span<const std::byte> frame) {
   if (!ReadWholeFrame(frame)) return Status::kInvalid;
   const std::scoped_lock sending(sending_);
-  {
-    const std::scoped_lock lock(mutex_);
-    if (reason_) return Status::kNotConnected;
-    if (unsent_ != 0 && unsent_ + frame.size() > kSendWindow) return Status::kQueueFull;
-  }
+  if (const Status may = MaySend(frame.size()); !may) return may;
   while (frame.size() > kMaxMessageSize) {
     const Status sent = SendMessage("part", frame.first(kMaxMessageSize));
     if (!sent) return sent;
@@ -87,7 +84,39 @@ Status IceLink::Send(std::span<const std::byte> frame) {
   return SendMessage("frame", frame);
 }
 
+/// A two-way call of Ice, which brings the answer with it if there is one at once: no thread has to
+/// send it by a call of its own. Nobody waits in Ice.
+Status IceLink::Ask(std::span<const std::byte> frame) {
+  if (frame.size() > kMaxMessageSize) return Send(frame);
+  if (!ReadWholeFrame(frame)) return Status::kInvalid;
+  const std::scoped_lock sending(sending_);
+  if (const Status may = MaySend(frame.size()); !may) return may;
+  return Invoke(
+      two_way_, "ask", frame,
+      [self = shared_from_this(), size = frame.size()](
+          bool /*ok*/, const std::pair<const Ice::Byte*, const Ice::Byte*>& answer) {
+        self->OnSent(size);
+        self->OnAnswer(std::as_bytes(std::span(answer.first, answer.second)));
+      },
+      nullptr);
+}
+
+Status IceLink::MaySend(std::size_t size) {
+  const std::scoped_lock lock(mutex_);
+  if (reason_) return Status::kNotConnected;
+  return unsent_ != 0 && unsent_ + size > kSendWindow ? Status::kQueueFull : Status::kQueued;
+}
+
 Status IceLink::SendMessage(const std::string& operation, std::span<const std::byte> bytes) {
+  return Invoke(
+      oneway_, operation, bytes, nullptr,
+      [self = shared_from_this(), size = bytes.size()](bool /*at once*/) { self->OnSent(size); });
+}
+
+/// Either of the two must call OnSent(), where they are called.
+template <typename Answered, typename Sent>
+Status IceLink::Invoke(const std::shared_ptr<Ice::ObjectPrx>& peer, const std::string& operation,
+                       std::span<const std::byte> bytes, Answered answered, Sent sent) {
   const std::size_t size = bytes.size();
   {
     const std::scoped_lock lock(mutex_);
@@ -97,13 +126,11 @@ Status IceLink::SendMessage(const std::string& operation, std::span<const std::b
   WriteOnlyParameter(bytes, parameters);
   const auto* begin = reinterpret_cast<const Ice::Byte*>(parameters.data());
   const std::pair<const Ice::Byte*, const Ice::Byte*> range{begin, begin + parameters.size()};
-  const auto sent = [self = shared_from_this(), size](bool /*at once*/) { self->OnSent(size); };
   const auto failed = [self = shared_from_this(), size](const std::exception_ptr& /*why*/) {
     self->OnSent(size);
   };
   try {
-    peer_endpoint_->ice_invokeAsync(operation, Ice::OperationMode::Normal, range, nullptr, failed,
-                                    sent);
+    peer->ice_invokeAsync(operation, Ice::OperationMode::Normal, range, answered, failed, sent);
   } catch (const Ice::Exception&) {
     OnSent(size);
     return Status::kNotConnected;
@@ -162,18 +189,38 @@ void IceLink::CheckAdmission() {
   Fail({ErrorCode::kTimeout, peer_ + " connected and did not say who it is for 3 s"});
 }
 
+/// Nothing where it is closed, and nothing is heard from it any more.
+std::optional<std::size_t> IceLink::LimitOfOpen() {
+  const std::scoped_lock lock(mutex_);
+  return reason_ ? std::nullopt : std::optional(limit_);
+}
+
+bool IceLink::DeliverWhole(std::span<const std::byte> frame, Bytes* answer) {
+  const std::scoped_lock delivery(delivery_);
+  const auto limit = LimitOfOpen();
+  if (!limit) return true;
+  if (!ReadWholeFrame(frame) || frame.size() > *limit) return false;
+  if (!handler_) return true;
+  answer != nullptr ? handler_->OnAsked(frame, *answer) : handler_->OnFrame(frame);
+  return true;
+}
+
+void IceLink::OnAnswer(std::span<const std::byte> answer) {
+  const auto frame = ReadOnlyParameter(answer);
+  if (frame && (frame->empty() || DeliverWhole(*frame, nullptr))) return;
+  Fail(NoFrame(peer_));
+}
+
 bool IceLink::Deliver(std::span<const std::byte> bytes, bool is_end) {
   const std::scoped_lock delivery(delivery_);
-  std::unique_lock lock(mutex_);
-  if (reason_) return true;
-  const std::size_t limit = limit_;
-  lock.unlock();
+  const auto limit = LimitOfOpen();
+  if (!limit) return true;
   if (!is_end || !begun_.empty()) {
-    if (!AddPart(bytes, limit)) return false;
+    if (!AddPart(bytes, *limit)) return false;
     if (!is_end) return true;
     bytes = begun_;
   }
-  if (!ReadWholeFrame(bytes) || bytes.size() > limit) return false;
+  if (!ReadWholeFrame(bytes) || bytes.size() > *limit) return false;
   if (handler_) handler_->OnFrame(bytes);
   Bytes().swap(begun_);
   return true;

@@ -28,6 +28,7 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
   IceLink(std::shared_ptr<Ice::Connection> connection, std::uint64_t door);
 
   Status Send(std::span<const std::byte> frame) override;
+  Status Ask(std::span<const std::byte> frame) override;
   void Admit() override;
   void Close() override;
   [[nodiscard]] std::string peer() const override { return peer_; }
@@ -41,6 +42,9 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
   /// One message: a frame, or the end of one, or a part of it that is not the end. False where it
   /// makes no frame that the peer may send.
   bool Deliver(std::span<const std::byte> bytes, bool is_end);
+  /// A whole frame, which answers what was asked here; or where `answer` is not null asks, and that
+  /// gets the answer, if there is one yet. Likewise.
+  bool DeliverWhole(std::span<const std::byte> frame, Bytes* answer);
   /// Closes because of what the peer did, after answering it.
   void Fail(const Error& reason);
   void CloseAtOnce();
@@ -48,17 +52,24 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
  private:
   friend class Links;
 
+  Status MaySend(std::size_t size);
   Status SendMessage(const std::string& operation, std::span<const std::byte> bytes);
+  template <typename Answered, typename Sent>
+  Status Invoke(const std::shared_ptr<Ice::ObjectPrx>& peer, const std::string& operation,
+                std::span<const std::byte> bytes, Answered answered, Sent sent);
+  void OnAnswer(std::span<const std::byte> answer);
   bool AddPart(std::span<const std::byte> bytes, std::size_t limit);
   bool StartClosing(const Error& reason);
   void OnSent(std::size_t size);
+  [[nodiscard]] std::optional<std::size_t> LimitOfOpen();
   /// Closes the link when it was accepted too long ago without being admitted.
   void CheckAdmission();
   /// The connection is gone, whatever the cause.
   void OnGone();
 
   const std::shared_ptr<Ice::Connection> connection_;
-  const std::shared_ptr<Ice::ObjectPrx> peer_endpoint_;
+  const std::shared_ptr<Ice::ObjectPrx> two_way_;  // to the peer's endpoint
+  const std::shared_ptr<Ice::ObjectPrx> oneway_;
   const std::uint64_t door_;
   const std::string peer_;
   const std::string local_;
@@ -73,7 +84,7 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
 
   std::mutex mutex_;
   std::optional<Error> reason_;  // why it is closed, or about to be
-  std::size_t unsent_ = 0;       // bytes
+  std::size_t unsent_ = 0;       // bytes; those of what was asked, until that is answered
   std::size_t limit_ = kMaxStrangersFrameSize;
 };
 

@@ -21,6 +21,25 @@ std::vector<Ice::Byte> EncodeBool(bool value) {
   throw Ice::MarshalException("tendon", 0, what);
 }
 
+std::vector<Ice::Byte> EncodeSequence(std::span<const std::byte> sequence) {
+  thread_local Bytes encoded;
+  WriteOnlyParameter(sequence, encoded);
+  const auto* begin = reinterpret_cast<const Ice::Byte*>(encoded.data());
+  return {begin, begin + encoded.size()};
+}
+
+/// What goes back at once: nothing, or one message. Holds until this thread asks again.
+std::span<const std::byte> Ask(IceLink& link, std::span<const std::byte> frame, bool is_two_way) {
+  thread_local Bytes answer;
+  answer.clear();
+  if (!link.DeliverWhole(frame, is_two_way ? &answer : nullptr)) {
+    CutOff(link, NoFrame(link.peer()).message);
+  }
+  if (answer.size() <= kMaxMessageSize) return answer;
+  (void)link.Send(answer);
+  return {};
+}
+
 bool IsA(std::span<const std::byte> type) {
   const std::string_view name(reinterpret_cast<const char*>(type.data()), type.size());
   return std::find(std::begin(kTypes), std::end(kTypes), name) != std::end(kTypes);
@@ -38,14 +57,17 @@ bool EndpointServant::ice_invoke(std::pair<const Ice::Byte*, const Ice::Byte*> p
   if (current.operation == "ice_ping") return true;
   const bool is_frame = current.operation == "frame";
   const bool is_part = current.operation == "part";
-  if (!is_frame && !is_part && current.operation != "ice_isA") {
+  const bool is_ask = current.operation == "ask";
+  if (!is_frame && !is_part && !is_ask && current.operation != "ice_isA") {
     throw Ice::OperationNotExistException("tendon", 0, current.id, current.facet,
                                           current.operation);
   }
   const auto parameter =
       ReadOnlyParameter(std::as_bytes(std::span(parameters.first, parameters.second)));
   if (!parameter) CutOff(*link, "the parameters of '" + current.operation + "' are malformed");
-  if (!is_frame && !is_part) {
+  if (is_ask) {
+    answer = EncodeSequence(Ask(*link, *parameter, current.requestId != 0));
+  } else if (!is_frame && !is_part) {
     answer = EncodeBool(IsA(*parameter));
   } else if (!link->Deliver(*parameter, is_frame)) {
     CutOff(*link, NoFrame(link->peer()).message);

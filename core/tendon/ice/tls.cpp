@@ -71,6 +71,8 @@ void Tls::Judge(const Ice::Communicator& communicator) {
   const auto plugin = std::dynamic_pointer_cast<IceSSL::OpenSSL::Plugin>(
       communicator.getPluginManager()->getPlugin("IceSSL"));
   SSL_CTX_set_cert_cb(plugin->getContext(), &ShowOwnOf, this);
+  handshakes_.Watch(*plugin->getContext());
+  SSL_CTX_set_num_tickets(plugin->getContext(), 0);  // no session is ever resumed
   plugin->setCertificateVerifier(
       [self = shared_from_this()](const auto& peer) { return self->IsGood(*peer); });
 }
@@ -85,7 +87,7 @@ bool Tls::ShowOwn(SSL& link) {
 
 bool Tls::IsGood(const Ice::ConnectionInfo& peer) {
   const auto checked = CheckShownCertificate(
-      ShownBy(dynamic_cast<const IceSSL::ConnectionInfo&>(peer)), credentials_.authority, Now());
+      ShownBy(dynamic_cast<const IceSSL::ConnectionInfo&>(peer)), authority_, Now());
   if (checked) return true;
   const auto place = std::dynamic_pointer_cast<Ice::IPConnectionInfo>(peer.underlying);
   const std::string address = place ? place->remoteAddress : "somebody";

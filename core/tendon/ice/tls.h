@@ -3,11 +3,13 @@
 #include <Ice/Ice.h>
 #include <tendon/base/clock.h>
 #include <tendon/base/result.h>
+#include <tendon/ice/handshakes.h>
 #include <tendon/middleware/middleware.h>
 #include <tendon/process/access/audit_log.h>
 #include <tendon/security/certificate.h>
 #include <tendon/security/credentials.h>
 #include <tendon/security/openssl/shown_certificate.h>
+#include <tendon/security/openssl/trusted_authority.h>
 
 #include <cstdint>
 #include <memory>
@@ -45,7 +47,9 @@ class Tls : public std::enable_shared_from_this<Tls> {
 
   Tls(Key /*only from Make()*/, Credentials credentials,
       std::unique_ptr<openssl::ShownCertificate> own)
-      : credentials_(std::move(credentials)), own_(std::move(own)) {}
+      : credentials_(std::move(credentials)),
+        own_(std::move(own)),
+        authority_(credentials_.authority) {}
 
  private:
   struct Refused {
@@ -58,6 +62,8 @@ class Tls : public std::enable_shared_from_this<Tls> {
 
   const Credentials credentials_;
   const std::unique_ptr<openssl::ShownCertificate> own_;
+  openssl::TrustedAuthority authority_;
+  Handshakes handshakes_;
   AuditLog audit_;
   std::mutex mutex_;
   std::optional<Refused> refused_;  // the last one that was opened here

@@ -2,10 +2,10 @@
 #include <tendon/middleware/channel.h>
 #include <tendon/middleware/handover.h>
 #include <tendon/middleware/parts/large_in_hand.h>
+#include <tendon/middleware/parts/repeated_sign.h>
+#include <tendon/middleware/requests/asked.h>
 
 #include <cassert>
-#include <stop_token>
-#include <thread>
 #include <utility>
 
 namespace tendon {
@@ -49,40 +49,6 @@ Error WhyNotSent(Status status, const std::string& peer, std::size_t size) {
 }
 
 }  // namespace
-
-Responder::Responder(std::weak_ptr<Channel> channel, std::uint64_t request)
-    : channel_(std::move(channel)), request_(request) {}
-
-Responder& Responder::operator=(Responder&& other) noexcept {
-  std::swap(channel_, other.channel_);
-  std::swap(request_, other.request_);
-  return *this;
-}
-
-Responder::~Responder() {
-  Refuse(
-      Error{ErrorCode::kFailed, "the request was dropped without an answer; see the peer's log"});
-}
-
-void Responder::Reply(std::span<const std::byte> body, Lane lane) {
-  if (const auto channel = std::exchange(channel_, {}).lock()) {
-    channel->SendReply(request_, body, lane);
-  }
-}
-
-void Responder::Refuse(const Error& error) {
-  if (const auto channel = std::exchange(channel_, {}).lock()) {
-    channel->SendRefusal(request_, error);
-  }
-}
-
-void Responder::Answer(const Result<void>& result) {
-  if (result) {
-    Reply(EncodeBody(None{}));
-  } else {
-    Refuse(result.error());
-  }
-}
 
 void ChannelHandler::OnOpen(const std::shared_ptr<Channel>& /*channel*/, const Hello& /*peer*/) {}
 
@@ -182,6 +148,11 @@ void Channel::OnFrame(std::span<const std::byte> frame) {
   }
 }
 
+void Channel::OnAsked(std::span<const std::byte> frame, Bytes& answer) {
+  const Asked asked(*this, ReadWholeFrame(frame)->request, answer);
+  OnFrame(frame);
+}
+
 void Channel::OnGreeting(const FrameHeader& header, std::span<const std::byte> body) {
   const auto step = handshake_->Take(header, body);
   if (!step) {
@@ -267,20 +238,7 @@ void Channel::HandleLarge(const FrameHeader& header, std::span<const std::byte> 
   constexpr std::size_t kSoonHandled = std::size_t{4} << 20U;
   if (body.size() < kSoonHandled) return OnMessage(header, body);
   const LargeInHand mark;
-  std::jthread teller;
-  CallGuarded(peer_.name, [&] {
-    teller = std::jthread([this](const std::stop_token& stop) {
-      constexpr std::chrono::milliseconds kBetweenSigns(250);
-      std::mutex mutex;
-      std::condition_variable_any never;
-      std::unique_lock lock(mutex);
-      const SteadyTime end = SteadyClock().Now() + LargeInHand::kAtMost;
-      while (!never.wait_for(lock, stop, kBetweenSigns, [&] { return stop.stop_requested(); }) &&
-             SteadyClock().Now() < end) {
-        SendTaken();
-      }
-    });
-  });
+  const RepeatedSign sign(peer_.name, [this] { SendTaken(); });
   OnMessage(header, body);
 }
 
@@ -299,10 +257,7 @@ void Channel::SendTaken() {
   const std::scoped_lock lock(telling_);  // the numbers must arrive in order
   const std::uint64_t taken = taken_.Get();
   const Bytes body = EncodeBody(taken);
-  FrameHeader header;
-  header.version = mine_.protocol_version;
-  header.type = MessageType::kPartsTaken;
-  header.size = static_cast<std::uint32_t>(body.size());
+  const FrameHeader header = HeaderOf(MessageType::kPartsTaken, 0, 0, body.size());
   if (SendPiece(header, body)) told_taken_.Set(taken);
 }
 
@@ -329,30 +284,45 @@ void Channel::OnClosed(const Error& reason) {
   handler_.reset();
 }
 
-Status Channel::Send(MessageType type, std::uint64_t request, std::uint32_t handle,
-                     std::span<const std::byte> body, Lane lane) {
-  if (body.size() > kMaxBodySize) return Status::kInvalid;
+FrameHeader Channel::HeaderOf(MessageType type, std::uint64_t request, std::uint32_t handle,
+                              std::size_t size) const {
   FrameHeader header;
   header.version = mine_.protocol_version;
   header.type = type;
   header.request = request;
-  header.size = static_cast<std::uint32_t>(body.size());
+  header.size = static_cast<std::uint32_t>(size);
   header.handle = handle;
+  return header;
+}
+
+Status Channel::Send(MessageType type, std::uint64_t request, std::uint32_t handle,
+                     std::span<const std::byte> body, Lane lane, Way way) {
+  if (body.size() > kMaxBodySize) return Status::kInvalid;
+  const FrameHeader header = HeaderOf(type, request, handle, body.size());
   if (parts_.MustTake(lane, FrameHeader::kSize + body.size())) {
     return parts_.Add(*link_, lane, header, body);
   }
-  const Status sent = SendPiece(header, body);
+  const Status sent = SendPiece(header, body, way);
   Resume();
   return sent;
 }
 
-Status Channel::SendPiece(const FrameHeader& header, std::span<const std::byte> body) {
+Status Channel::SendPiece(const FrameHeader& header, std::span<const std::byte> body, Way way) {
   thread_local Bytes frame;
   WriteFrame(header, body, frame);
-  return link_->Send(frame);
+  return ((*link_).*way)(frame);
+}
+
+/// Leaves an answer to whoever has asked; false where it must be sent.
+bool Channel::Return(std::uint64_t request, std::span<const std::byte> body) {
+  Bytes* const answer = Asked::AnswerTo(request, *this);
+  if (answer == nullptr || FrameHeader::kSize + body.size() > kMaxPieceSize) return false;
+  WriteFrame(HeaderOf(MessageType::kReply, request, 0, body.size()), body, *answer);
+  return true;
 }
 
 void Channel::SendReply(std::uint64_t request, std::span<const std::byte> body, Lane lane) {
+  if (lane == kOwnLane && Return(request, body)) return;
   const Status sent = Send(MessageType::kReply, request, 0, body, lane);
   if (sent || sent == Status::kNotConnected) return;
   const Error why = WhyNotSent(sent, PeerName(), body.size());
@@ -377,14 +347,25 @@ Lane Channel::NewLane() {
 
 void Channel::Request(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
                       std::chrono::milliseconds timeout, ReplyHandler handler, Lane lane) {
-  Start(type, handle, body, timeout, std::move(handler), lane);
+  Start(type, handle, body, timeout, std::move(handler), lane, &Link::Send);
 }
 
 Status Channel::TryRequest(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
                            std::chrono::milliseconds timeout, ReplyHandler handler, Lane lane) {
+  return TryStart(type, handle, body, timeout, std::move(handler), lane, &Link::Send);
+}
+
+Status Channel::TryAsk(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
+                       std::chrono::milliseconds timeout, ReplyHandler handler, Lane lane) {
+  return TryStart(type, handle, body, timeout, std::move(handler), lane, &Link::Ask);
+}
+
+Status Channel::TryStart(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
+                         std::chrono::milliseconds timeout, ReplyHandler handler, Lane lane,
+                         Way way) {
   const std::uint64_t request = is_open() ? requests_.Add(timeout, handler) : 0;
   if (request == 0) return Status::kNotConnected;
-  const Status sent = Send(type, request, handle, body, lane);
+  const Status sent = Send(type, request, handle, body, lane, way);
   if (!sent) requests_.Withdraw(request);
   return sent;
 }
@@ -393,6 +374,17 @@ bool Channel::IsThreadOfMiddleware() noexcept { return calls_from_middleware > 0
 
 Result<Bytes> Channel::Call(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
                             std::chrono::milliseconds timeout, Lane lane) {
+  return Await(type, handle, body, timeout, lane, &Link::Send);
+}
+
+Result<Bytes> Channel::Ask(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
+                           std::chrono::milliseconds timeout, Lane lane) {
+  return Await(type, handle, body, timeout, lane, &Link::Ask);
+}
+
+Result<Bytes> Channel::Await(MessageType type, std::uint32_t handle,
+                             std::span<const std::byte> body, std::chrono::milliseconds timeout,
+                             Lane lane, Way way) {
   if (IsThreadOfMiddleware()) {
     return Error{ErrorCode::kFailed, "a call to " + PeerName() + " would wait for its own thread"};
   }
@@ -400,7 +392,7 @@ Result<Bytes> Channel::Call(MessageType type, std::uint32_t handle, std::span<co
   const SteadyTime deadline = SteadyClock().Now() + timeout;
   const std::uint64_t request = Start(
       type, handle, body, timeout,
-      [answer](Result<Bytes> outcome) { answer->Give(std::move(outcome)); }, lane);
+      [answer](Result<Bytes> outcome) { answer->Give(std::move(outcome)); }, lane, way);
   if (auto outcome = answer->WaitUntil(deadline)) return *std::move(outcome);
   const Error none = NoAnswer(PeerName(), timeout);
   requests_.Finish(request, none);
@@ -409,13 +401,13 @@ Result<Bytes> Channel::Call(MessageType type, std::uint32_t handle, std::span<co
 
 std::uint64_t Channel::Start(MessageType type, std::uint32_t handle,
                              std::span<const std::byte> body, std::chrono::milliseconds timeout,
-                             ReplyHandler handler, Lane lane) {
+                             ReplyHandler handler, Lane lane, Way way) {
   const std::uint64_t request = is_open() ? requests_.Add(timeout, handler) : 0;
   if (request == 0) {
     handler(WhyNotSent(Status::kNotConnected, PeerName(), body.size()));
     return 0;
   }
-  const Status sent = Send(type, request, handle, body, lane);
+  const Status sent = Send(type, request, handle, body, lane, way);
   if (!sent) requests_.Finish(request, WhyNotSent(sent, PeerName(), body.size()));
   return request;
 }

@@ -10,8 +10,8 @@
 #include <tendon/middleware/parts/part_assembly.h>
 #include <tendon/middleware/parts/part_sender.h>
 #include <tendon/middleware/parts/payload_limit.h>
-#include <tendon/middleware/pending_requests.h>
-#include <tendon/middleware/responder.h>
+#include <tendon/middleware/requests/pending_requests.h>
+#include <tendon/middleware/requests/responder.h>
 
 #include <chrono>
 #include <condition_variable>
@@ -102,12 +102,20 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
                std::chrono::milliseconds timeout, std::function<void(Result<Answer>)> handler,
                Lane lane = kCommonLane);
 
+  /// TryRequest() for what is answered at once, as far as the peer can, to a caller that waits: by
+  /// Link::Ask().
+  Status TryAsk(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
+                std::chrono::milliseconds timeout, ReplyHandler handler, Lane lane = kCommonLane);
+
   /// Whether this thread is inside a call from a middleware: it must not wait for an answer.
   [[nodiscard]] static bool IsThreadOfMiddleware() noexcept;
 
   /// Asks and waits. Refused in a thread of the middleware, which would wait for itself.
   Result<Bytes> Call(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
                      std::chrono::milliseconds timeout, Lane lane = kCommonLane);
+  /// The same for what is answered at once.
+  Result<Bytes> Ask(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
+                    std::chrono::milliseconds timeout, Lane lane = kCommonLane);
   template <Payload Answer, Message T>
   Result<Answer> Call(MessageType type, std::uint32_t handle, const T& value,
                       std::chrono::milliseconds timeout);
@@ -136,8 +144,11 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
  private:
   friend class Responder;
   enum class Stage { kGreeting, kOpen, kClosed };
+  /// How a frame goes to the link.
+  using Way = Status (Link::*)(std::span<const std::byte> frame);
 
   void OnFrame(std::span<const std::byte> frame) override;
+  void OnAsked(std::span<const std::byte> frame, Bytes& answer) override;
   void OnClosed(const Error& reason) override;
 
   Result<void> Greet(const std::shared_ptr<Link>& link, SteadyTime deadline);
@@ -152,13 +163,21 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   void Opened(Hello peer);
   void Fail(const Error& reason);
 
+  [[nodiscard]] FrameHeader HeaderOf(MessageType type, std::uint64_t request, std::uint32_t handle,
+                                     std::size_t size) const;
   Status Send(MessageType type, std::uint64_t request, std::uint32_t handle,
-              std::span<const std::byte> body, Lane lane = kCommonLane);
-  Status SendPiece(const FrameHeader& header, std::span<const std::byte> body);
+              std::span<const std::byte> body, Lane lane = kCommonLane, Way way = &Link::Send);
+  Status SendPiece(const FrameHeader& header, std::span<const std::byte> body,
+                   Way way = &Link::Send);
+  bool Return(std::uint64_t request, std::span<const std::byte> body);
   void SendReply(std::uint64_t request, std::span<const std::byte> body, Lane lane);
   void SendRefusal(std::uint64_t request, const Error& error);
   std::uint64_t Start(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
-                      std::chrono::milliseconds timeout, ReplyHandler handler, Lane lane);
+                      std::chrono::milliseconds timeout, ReplyHandler handler, Lane lane, Way way);
+  Status TryStart(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
+                  std::chrono::milliseconds timeout, ReplyHandler handler, Lane lane, Way way);
+  Result<Bytes> Await(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
+                      std::chrono::milliseconds timeout, Lane lane, Way way);
   [[nodiscard]] std::string PeerName() const;
   [[nodiscard]] std::shared_ptr<LinkHandler> AsLinkHandler();
 

@@ -35,7 +35,7 @@ struct FrameHeader {
 
   static constexpr std::uint32_t kMagic = 0x4e444e54;  // "TNDN"
   /// Raised when a message or what it means changes: a body says nothing of the fields it has.
-  static constexpr std::uint16_t kProtocolVersion = 4;
+  static constexpr std::uint16_t kProtocolVersion = 5;
   static constexpr std::size_t kSize = 24;
 };
 

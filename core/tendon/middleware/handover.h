@@ -1,8 +1,9 @@
 #pragma once
 
 #include <tendon/base/clock.h>
+#include <tendon/lockfree/flag.h>
+#include <tendon/lockfree/wakeup.h>
 
-#include <condition_variable>
 #include <mutex>
 #include <optional>
 #include <utility>
@@ -15,28 +16,31 @@ class Handover {
  public:
   /// False where there was a value before or nobody waits any more.
   bool Give(T value) {
-    std::unique_lock lock(mutex_);
-    if (is_done_) return false;
-    is_done_ = true;
-    value_ = std::move(value);
-    lock.unlock();  // who is woken with the lock held goes to sleep once more
-    given_.notify_one();
+    {
+      const std::scoped_lock lock(mutex_);
+      if (is_done_) return false;
+      is_done_ = true;
+      value_ = std::move(value);
+    }
+    given_.Set(true);
+    wakeup_.Notify();
     return true;
   }
 
   /// Waits until `deadline`; nothing, and the value refused from then on, when it has passed.
   std::optional<T> WaitUntil(SteadyTime deadline) {
-    std::unique_lock lock(mutex_);
-    given_.wait_until(lock, deadline, [this] { return is_done_; });
+    wakeup_.WaitUntil([this] { return given_.Get(); }, deadline);
+    const std::scoped_lock lock(mutex_);
     is_done_ = true;
     return std::exchange(value_, std::nullopt);
   }
 
  private:
   std::mutex mutex_;
-  std::condition_variable given_;
   bool is_done_ = false;
   std::optional<T> value_;
+  Flag given_;
+  Wakeup<> wakeup_;
 };
 
 }  // namespace tendon

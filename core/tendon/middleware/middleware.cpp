@@ -51,6 +51,8 @@ class PlainListener final : public Listener {
 
 }  // namespace
 
+void LinkHandler::OnAsked(std::span<const std::byte> frame, Bytes& /*answer*/) { OnFrame(frame); }
+
 Error NoFrame(const std::string& peer) {
   return {ErrorCode::kInvalid, peer +
                                    " sent something else than frames, or one that is too large "

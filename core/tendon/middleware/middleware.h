@@ -34,6 +34,11 @@ class Link {
   /// frame, kNotConnected once the link is closed. kQueued does not mean delivered.
   virtual Status Send(std::span<const std::byte> frame) = 0;
 
+  /// Send() for a request whose sender waits for the answer: where the peer gives it at once, it
+  /// may come back by a shorter way. Keeps the order with what Send() takes, and is like it unless
+  /// overridden.
+  virtual Status Ask(std::span<const std::byte> frame) { return Send(frame); }
+
   /// The peer is one of ours: from now on it may send frames of kMaxFrameSize. Until then one of
   /// more than kMaxStrangersFrameSize ends the link; so do 3 s, where it was accepted, for a
   /// stranger must take neither memory nor a place. Idempotent; may be called from a handler.
@@ -64,6 +69,11 @@ class LinkHandler {
   /// A whole frame, which was checked by ReadWholeFrame(). The bytes are valid during the
   /// call.
   virtual void OnFrame(std::span<const std::byte> frame) = 0;
+
+  /// The same for a frame that came by Link::Ask(), on a link that has a shorter way back: what is
+  /// left in `answer`, a whole frame or nothing, takes it, behind all that is sent during the call.
+  /// Unless overridden, OnFrame().
+  virtual void OnAsked(std::span<const std::byte> frame, Bytes& answer);
 
   /// Exactly once, after the last frame, whoever closed the link and however it broke.
   virtual void OnClosed(const Error& reason) = 0;

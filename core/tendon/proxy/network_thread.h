@@ -4,6 +4,7 @@
 #include <tendon/lockfree/flag.h>
 #include <tendon/lockfree/wakeup.h>
 
+#include <memory>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -26,8 +27,8 @@ class NetworkJob {
 };
 
 /// The thread between the components of a process and its middleware: it sends what proxies have
-/// taken and gathers rows for viewers, so that no component's thread ever enters the middleware.
-/// Idle, it sleeps. Thread-safe.
+/// taken and gathers rows for viewers, so that no component's thread ever enters the middleware,
+/// but one that waits for an answer. Idle, it sleeps. Thread-safe.
 class NetworkThread {
  public:
   explicit NetworkThread(std::string name = "network");
@@ -44,6 +45,9 @@ class NetworkThread {
   void Notify() noexcept { wakeup_.Notify(); }
   /// For inboxes which this thread empties.
   [[nodiscard]] Wakeup<>& wakeup() { return wakeup_; }
+  /// One that this thread does not look at, for calls that others wait for. It may be told of a
+  /// call whose waiter has gone long since: it lives as long as this thread, and is lent anew.
+  [[nodiscard]] std::shared_ptr<Wakeup<>> LendWakeup();
 
  private:
   void Run();
@@ -56,6 +60,7 @@ class NetworkThread {
   std::mutex turn_;  // taken before mutex_, so that a round after the other locks nobody out
   std::mutex mutex_;
   std::vector<NetworkJob*> jobs_;
+  std::vector<std::shared_ptr<Wakeup<>>> lent_;
   std::thread thread_;  // last: it uses the others
 };
 

@@ -3,6 +3,7 @@
 #include <tendon/proxy/waiting/begun_calls.h>
 
 #include <algorithm>
+#include <cassert>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -44,6 +45,7 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
                      std::chrono::nanoseconds timeout) override {
     if (Channel::IsThreadOfMiddleware()) return Status::kWouldDeadlock;
     const SteadyTime deadline = DeadlineAfter(timeout);
+    if (const auto ending = WaitAtOnce(in, out, deadline)) return *ending;
     CompletionPool& completions = mailbox_.completions();
     const auto record = completions.Take();
     if (!record) {
@@ -90,6 +92,30 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
     QueuedCommandProxy& command_;
   };
 
+  /// Where nothing waits that must be sent before: the caller's thread sends its call itself, and
+  /// no other has to be woken for it. Else nothing has happened.
+  std::optional<Status> WaitAtOnce(std::span<const std::byte> in, std::vector<std::byte>& out,
+                                   SteadyTime deadline) {
+    Outbox::Turn turn = outbox_.TakeTurn();
+    if (!turn || mailbox_.size() != 0 || !mailbox_.is_open() || in.size() > kMaxPayload) return {};
+    const auto record = mailbox_.completions().Take();
+    if (!record) return {};
+    std::uint64_t call = 0;
+    const Status entered = Host::Contain(nullptr, [&]() -> Status {  // memory may be short
+      Outbox::Question question = QuestionOf(0, {in.begin(), in.end()});
+      call = question.call = callers_->Enter(*record, deadline);
+      (void)callers_->Start(*record);  // its caller, this one, has not left
+      outbox_.SendAtOnce(turn, std::move(question));
+      return Status::kQueued;
+    });
+    turn.unlock();
+    if (call == 0) {
+      mailbox_.completions()[*record].Free();
+      return entered;
+    }
+    return Await(*record, call, deadline, out);
+  }
+
   /// kQueued, and room with the argument; or why not.
   Status Claim(std::span<const std::byte> in, std::byte*& room) {
     if (!outbox_.is_open()) return Status::kNotConnected;
@@ -126,10 +152,10 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
     return is_over() ? Status::kNotConnected : Status::kTimeout;
   }
 
-  void Hand(std::uint64_t call, const Bytes& argument) {
-    outbox_.Take(Outbox::Question{
-        .handle = handle_, .argument = argument, .callers = callers_, .call = call});
+  [[nodiscard]] Outbox::Question QuestionOf(std::uint64_t call, Bytes argument) const {
+    return {.handle = handle_, .argument = std::move(argument), .callers = callers_, .call = call};
   }
+  void Hand(std::uint64_t call, const Bytes& argument) { outbox_.Take(QuestionOf(call, argument)); }
 
   void ExecuteSlot(std::byte* /*argument*/, std::size_t slot) override {
     outbox_.Take(handle_, pool_[slot]);
@@ -148,13 +174,14 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
 }  // namespace
 
 Outbox::Outbox(std::shared_ptr<Channel> channel, MessageType type, Wakeup<>& wakeup,
-               std::string interface)
+               std::string interface, std::uint64_t credit)
     : channel_(std::move(channel)),
       type_(type),
       lane_(channel_->NewLane()),
       wakeup_(wakeup),
       refused_payloads_(std::move(interface)),
-      inbox_(&wakeup) {
+      inbox_(&wakeup),
+      credit_(credit) {
   inbox_.SetAccepting(true);
 }
 
@@ -168,20 +195,46 @@ void Outbox::RefusePayload(std::uint32_t handle, std::size_t size) noexcept {
   wakeup_.Notify();
 }
 
+std::uint64_t Outbox::Room() const {
+  const std::uint64_t under_way = sent_ - std::min(executed_.Get(), sent_);
+  return credit_ - std::min(under_way, credit_);
+}
+
 std::size_t Outbox::Send(std::size_t limit) {
-  const Status no_room = Status::kQueueFull;
   refused_payloads_.Tell();
+  const std::scoped_lock turn(sending_);
+  const std::size_t sent = SendTaken(std::min(limit, Room()), &Channel::TryRequest);
+  sent_ += sent;
+  return sent;
+}
+
+Outbox::Turn Outbox::TakeTurn() {
+  Turn turn(sending_, std::try_to_lock);
+  if (turn && (!is_open() || has_taken() || Room() == 0)) turn.unlock();
+  return turn;
+}
+
+void Outbox::SendAtOnce([[maybe_unused]] const Turn& turn, Question question) {
+  assert(turn.mutex() == &sending_ && turn.owns_lock() && !has_taken());
+  question_ = std::move(question);
+  sent_ += SendTaken(1, &Channel::TryAsk);
+  if (has_taken()) wakeup_.Notify();
+}
+
+/// And what waits in the inbox, if there is more that may be sent.
+std::size_t Outbox::SendTaken(std::size_t limit, Manner manner) {
+  const Status no_room = Status::kQueueFull;
   std::size_t sent = 0;
   while (true) {
-    if (!is_held_up()) Collect(limit - sent);
-    if (!is_held_up()) return sent;
+    if (!has_taken() && sent < limit) Collect(limit - sent);
+    if (!has_taken()) return sent;
     if (!batch_.empty()) {
       if (channel_->Notify(type_, 0, batch_.body(), lane_) == no_room) return sent;
       sent += batch_.calls();
       batch_.Clear();
     }
     if (!question_) continue;
-    const Status asked = Ask(*question_);
+    const Status asked = Ask(*question_, manner);
     if (asked == no_room) return sent;
     if (asked) ++sent;
     question_.reset();
@@ -192,7 +245,7 @@ void Outbox::SendRest(std::chrono::milliseconds patience) {
   constexpr std::chrono::milliseconds kUntilLinkHasRoom(1);
   const SteadyTime deadline = SteadyClock().Now() + patience;
   while (is_held_up()) {
-    (void)Send(batch_.calls() + (question_ ? 1 : 0));
+    (void)Send(0);
     if (!is_held_up() || SteadyClock().Now() >= deadline) return;
     std::this_thread::sleep_for(kUntilLinkHasRoom);
   }
@@ -206,7 +259,7 @@ void Outbox::Collect(std::size_t limit) {
 
 /// Its time counts from now on at the other end too, and is a little shorter there, so that what is
 /// not executed in time is said in time.
-Status Outbox::Ask(Question& question) {
+Status Outbox::Ask(Question& question, Manner manner) {
   constexpr std::chrono::milliseconds kWayBack(20);
   const auto deadline = question.callers->Send(question.call);
   if (!deadline) return Status::kTimeout;
@@ -215,7 +268,7 @@ Status Outbox::Ask(Question& question) {
   Bytes& body = question.argument;
   const std::size_t size = body.size();
   AppendTimeout(left - std::min<std::chrono::nanoseconds>(left / 4, kWayBack), body);
-  const Status asked = channel_->TryRequest(
+  const Status asked = ((*channel_).*manner)(
       message::kWait, question.handle, body, std::chrono::ceil<std::chrono::milliseconds>(left),
       [callers = question.callers, call = question.call](Result<Bytes> answer) {
         callers->End(call, std::move(answer));

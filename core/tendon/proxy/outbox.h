@@ -11,7 +11,9 @@
 
 #include <chrono>
 #include <cstdint>
+#include <limits>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 
@@ -19,13 +21,17 @@ namespace tendon {
 
 /// Calls that wait to be sent on a channel: posted in the thread of a component, sent in order by
 /// the network thread, as many in one frame as wait, and those whose callers want an answer as
-/// requests between them. What finds the link full is kept, so that no call is lost; then the
-/// mailbox fills up, and its callers are told.
+/// requests between them. Who wants an answer while nothing waits sends its call itself. What finds
+/// the link full is kept, so that no call is lost; then the mailbox fills up, and its callers are
+/// told.
 class Outbox {
  public:
-  /// `interface` is whose members are called, for the log.
+  static constexpr std::uint64_t kAnyNumber = std::numeric_limits<std::uint64_t>::max();
+
+  /// `interface` is whose members are called, for the log; `credit` how many calls may be under way
+  /// at most.
   Outbox(std::shared_ptr<Channel> channel, MessageType type, Wakeup<>& wakeup,
-         std::string interface);
+         std::string interface, std::uint64_t credit = kAnyNumber);
 
   /// Where the calls wait; it has one mailbox.
   [[nodiscard]] Inbox& inbox() { return inbox_; }
@@ -41,13 +47,20 @@ class Outbox {
   void RefusePayload(std::uint32_t handle, std::size_t size) noexcept;
   [[nodiscard]] RefusedPayloads& refused_payloads() { return refused_payloads_; }
 
-  /// Network thread: sends what waits, at most `limit` calls; returns how many it sent.
-  std::size_t Send(std::size_t limit);
+  /// Any thread: so many of the calls that were sent have been executed.
+  void SetExecuted(std::uint64_t calls) { executed_.Set(calls); }
+
+  /// Network thread: sends what waits, at most `limit` calls and no more than may be under way;
+  /// returns how many it sent.
+  std::size_t Send(std::size_t limit = kAnyNumber);
   /// Instead of the network thread, once that does no work here any more: sends what it has taken
   /// and could not send, for at most `patience`.
   void SendRest(std::chrono::milliseconds patience);
-  /// Network thread: whether the link was full; try again soon.
-  [[nodiscard]] bool is_held_up() const { return !batch_.empty() || question_; }
+  /// Whether the link was full; try again soon.
+  [[nodiscard]] bool is_held_up() const {
+    const std::scoped_lock turn(sending_);
+    return has_taken();
+  }
 
   /// A call whose caller waits.
   struct Question {
@@ -57,6 +70,14 @@ class Outbox {
     std::uint64_t call = 0;  ///< its number there
   };
 
+  /// The right to send, of a caller's thread: while it is held, nothing else is sent here.
+  using Turn = std::unique_lock<std::mutex>;
+  /// Nothing taken where that would make others wait, or overtake what was taken before.
+  [[nodiscard]] Turn TakeTurn();
+  /// Instead of the caller's mailbox, in which nothing waits: sends its call, or has the network
+  /// thread do so as soon as the link has room.
+  void SendAtOnce(const Turn& turn, Question question);
+
   // Network thread, out of Send(): the next call.
 
   void Take(std::uint32_t handle, std::span<const std::byte> argument) {
@@ -65,8 +86,14 @@ class Outbox {
   void Take(Question question) { question_ = std::move(question); }
 
  private:
+  /// Channel::TryRequest(), or TryAsk().
+  using Manner = decltype(&Channel::TryRequest);
+
+  [[nodiscard]] bool has_taken() const { return !batch_.empty() || question_; }
+  [[nodiscard]] std::uint64_t Room() const;
+  std::size_t SendTaken(std::size_t limit, Manner manner);
   void Collect(std::size_t limit);
-  [[nodiscard]] Status Ask(Question& question);
+  [[nodiscard]] Status Ask(Question& question, Manner manner);
 
   const std::shared_ptr<Channel> channel_;
   const MessageType type_;
@@ -75,7 +102,12 @@ class Outbox {
   RefusedPayloads refused_payloads_;
   Flag is_open_{true};
   Inbox inbox_;
-  // Of the network thread: taken, but not sent.
+  const std::uint64_t credit_;
+  Published<std::uint64_t> executed_{0};
+
+  mutable std::mutex sending_;  // of what follows
+  std::uint64_t sent_ = 0;
+  // Taken, but not sent.
   CallBatch batch_;
   std::optional<Question> question_;  // comes behind the batch
 };

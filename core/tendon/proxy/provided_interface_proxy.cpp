@@ -23,10 +23,10 @@ ProvidedInterfaceProxy::ProvidedInterfaceProxy(std::shared_ptr<NetworkThread> th
                                                std::chrono::milliseconds read_deadline)
     : thread_(std::move(thread)),
       handle_(remote.opened.handle),
-      outbox_(remote.channel, message::kCommands, thread_->wakeup(), ToString(remote.name)),
+      outbox_(remote.channel, message::kCommands, thread_->wakeup(), ToString(remote.name),
+              remote.opened.credit),
       loss_report_(remote.channel, handle_),
-      interface_(remote.opened.description.name, &outbox_.inbox(), &host_),
-      credit_(remote.opened.credit) {
+      interface_(remote.opened.description.name, &outbox_.inbox(), &host_) {
   AddCommands(remote, required, read_deadline);
   AddEvents(remote.opened.description, required);
   interface_.Seal();
@@ -78,7 +78,7 @@ void ProvidedInterfaceProxy::OnEventsLost(const message::EventsLost& events) {
 }
 
 bool ProvidedInterfaceProxy::OnCredit(const message::Credit& credit) {
-  executed_.Set(credit.executed);
+  outbox_.SetExecuted(credit.executed);
   outbox_.inbox().SetAccepting(credit.accepting);
   thread_->Notify();
   bool is_news = false;
@@ -101,9 +101,7 @@ std::string ProvidedInterfaceProxy::fault() const {
 
 bool ProvidedInterfaceProxy::Work(SteadyTime now, SteadyTime& next) {
   constexpr std::chrono::milliseconds kUntilLinkHasRoom(1);
-  const std::uint64_t under_way = sent_ - std::min(executed_.Get(), sent_);
-  const std::uint64_t sent = outbox_.Send(credit_ - std::min(under_way, credit_));
-  sent_ += sent;
+  const std::size_t sent = outbox_.Send();
   if (outbox_.is_held_up()) next = std::min(next, now + kUntilLinkHasRoom);
   for (std::size_t i = 0; i < events_.size(); ++i) {
     if (events_[i]) loss_report_.Set(i, events_[i]->lost_here());

@@ -18,8 +18,8 @@ namespace tendon {
 
 /// Stands in for a provided interface of another process, for one connection: a required interface
 /// here is connected to it as to any other. Void and write commands wait here until the network
-/// thread sends them, as many as the other end has room for, and so do those that are waited for;
-/// reads ask in the caller's thread.
+/// thread sends them, as many as the other end has room for. Reads ask in the caller's thread, and
+/// so do commands that are waited for, unless others must be sent before them.
 class ProvidedInterfaceProxy final : public NetworkJob {
  public:
   /// The interface at the other end, opened for this proxy.
@@ -72,9 +72,6 @@ class ProvidedInterfaceProxy final : public NetworkJob {
   Host host_{[](const auto& /*reason*/) {}};         // the component over there; runs nothing here
   ProvidedInterface interface_;
 
-  const std::uint64_t credit_;  // calls under way at most
-  std::uint64_t sent_ = 0;      // of the network thread
-  Published<std::uint64_t> executed_{0};
   mutable std::mutex mutex_;
   std::string fault_;
 };

@@ -33,7 +33,7 @@ class ReadCommandProxy final : public CommandBase {
       return Status::kInvalid;
     }
     auto answer =
-        remote_.channel->Call(message::kRead, remote_.handle, in, remote_.deadline, kOwnLane);
+        remote_.channel->Ask(message::kRead, remote_.handle, in, remote_.deadline, kOwnLane);
     if (!answer) return ToStatus(answer.error());
     out = *std::move(answer);
     return TakeStatus(out);

@@ -9,6 +9,13 @@
 namespace tendon {
 namespace {
 
+/// A call is over soon that takes no longer than this.
+constexpr std::chrono::microseconds kSoon(200);
+/// For so long a thread of the middleware waits for a call that should be over soon. Longer than
+/// that, for a timer that comes before the kernel's next tick must be set, which costs more than
+/// the call where the machine is a virtual one.
+constexpr std::chrono::milliseconds kPatience(5);
+
 /// As kWait is answered.
 void Answer(Status status, const Bytes& result, Responder& responder) {
   Bytes answer;
@@ -28,7 +35,9 @@ RequiredInterfaceProxy::RequiredInterfaceProxy(std::shared_ptr<NetworkThread> th
       capacity_(open.capacity),
       outbox_(channel_, message::kEvents, thread_->wakeup(), ToString(open.provided)),
       loss_report_(channel_, handle_),
-      interface_(open.description.name, &outbox_.inbox()) {
+      interface_(open.description.name, &outbox_.inbox()),
+      ends_slowly_(std::make_unique<Flag[]>(open.description.functions.size())),
+      ended_(thread_->LendWakeup()) {
   for (const MemberDescription& function : open.description.functions) {
     functions_.push_back(std::make_unique<FunctionProxy>(interface_, function));
     function_names_.push_back(function.name);
@@ -65,6 +74,7 @@ std::string RequiredInterfaceProxy::Fault() const {
 }
 
 void RequiredInterfaceProxy::EndCredit() {
+  const std::scoped_lock waiting(waiting_);  // what is waited for there must not be freed
   const std::scoped_lock lock(mutex_);
   begun_.GiveUp();
   connection_ = nullptr;
@@ -112,26 +122,50 @@ void RequiredInterfaceProxy::OnWait(std::size_t function, std::span<const std::b
   if (!timeout || function >= functions_.size() || !CanBeAwaited(functions_[function]->kind())) {
     return responder.Refuse({ErrorCode::kInvalid, "no such command in " + interface_.name()});
   }
-  const SteadyTime deadline = SteadyClock().Now() + *timeout;
-  const BegunCalls::Done done = [this, function,
-                                 shared = std::make_shared<Responder>(std::move(responder))](
-                                    Status status, const Bytes& result) {
+  BegunCalls::Begun begun;
+  begun.since = SteadyClock().Now();
+  begun.deadline = begun.since + *timeout;
+  begun.is_told = !responder.is_asked_here() || ends_slowly_[function].Get();
+  begun.done = DoneOf(function, begun.since, std::move(responder));
+  std::unique_lock waiting(waiting_, std::defer_lock);
+  if (!begun.is_told) waiting.lock();
+  const Status status = functions_[function]->Begin(
+      question, answer_, begun.is_told ? thread_->wakeup() : *ended_, begun.command, begun.call);
+  CountReceived();
+  if (status != Status(Status::kQueued)) return begun.done(status, answer_);
+  Await(std::move(begun), function);
+}
+
+/// What is not over soon is left to the network thread.
+void RequiredInterfaceProxy::Await(BegunCalls::Begun begun, std::size_t function) {
+  std::unique_lock lock(mutex_);
+  // Closed meanwhile: it is executed, or it is dropped.
+  if (connection_ == nullptr) return begun.done(Status::kOutcomeUnknown, {});
+  bool has_ended = false;
+  if (!begun.is_told) {
+    lock.unlock();  // and waiting_ is locked: it is not closed before this is over
+    has_ended = ended_->WaitUntil([&begun] { return begun.command->HasEnded(begun.call); },
+                                  begun.since + kPatience);
+    ends_slowly_[function].Set(SteadyClock().Now() - begun.since > kSoon);
+    lock.lock();
+  }
+  begun_.Add(std::move(begun));
+  if (has_ended) {
+    SteadyTime next;
+    return begun_.Answer(SteadyClock().Now(), next);
+  }
+  lock.unlock();
+  thread_->Notify();
+}
+
+BegunCalls::Done RequiredInterfaceProxy::DoneOf(std::size_t function, SteadyTime since,
+                                                Responder responder) {
+  return [this, function, since, shared = std::make_shared<Responder>(std::move(responder))](
+             Status status, const Bytes& result) {
+    if (SteadyClock().Now() - since < kSoon / 2) ends_slowly_[function].Set(false);
     const bool can_be_sent = CanBeSent(function, result);
     Answer(can_be_sent ? status : Status::kFailed, result, *shared);
   };
-  CommandBase* command = nullptr;
-  std::size_t call = 0;
-  const Status status =
-      functions_[function]->Begin(question, answer_, thread_->wakeup(), command, call);
-  CountReceived();
-  if (status != Status(Status::kQueued)) return done(status, answer_);
-  {
-    const std::scoped_lock lock(mutex_);
-    // Closed meanwhile: it is executed, or it is dropped.
-    if (connection_ == nullptr) return done(Status::kOutcomeUnknown, {});
-    begun_.Add(*command, call, deadline, done);
-  }
-  thread_->Notify();
 }
 
 void RequiredInterfaceProxy::OnEventsLost(const message::EventsLost& events) {

@@ -53,7 +53,8 @@ class RequiredInterfaceProxy final : public NetworkJob {
 
   void OnCommand(std::size_t function, std::span<const std::byte> argument);
   void OnRead(std::size_t function, std::span<const std::byte> argument, Responder responder);
-  /// Answers when the call was executed, or will not be.
+  /// Answers when the call was executed, or will not be. Where its caller alone waits for that and
+  /// its last call was over soon, within some 100 us, this thread waits for it.
   void OnWait(std::size_t function, std::span<const std::byte> question, Responder responder);
   void OnEventsLost(const message::EventsLost& events);
 
@@ -63,6 +64,9 @@ class RequiredInterfaceProxy final : public NetworkJob {
   /// If not, that is logged: nobody hears the answer of a call that was executed.
   bool CanBeSent(std::size_t function, const Bytes& answer);
   void CountReceived();
+  void Await(BegunCalls::Begun begun, std::size_t function);
+  [[nodiscard]] BegunCalls::Done DoneOf(std::size_t function, SteadyTime since,
+                                        Responder responder);
   [[nodiscard]] bool IsAccepting() const;
   [[nodiscard]] std::string Fault() const;
   [[nodiscard]] bool IsUrgent(const message::Credit& credit) const;
@@ -80,6 +84,9 @@ class RequiredInterfaceProxy final : public NetworkJob {
   std::vector<std::string> function_names_;
   std::vector<const QueuedOfferProxy*> handlers_;  // of events
   Bytes answer_;                                   // of the middleware's thread
+  const std::unique_ptr<Flag[]> ends_slowly_;      // by function, as its last call
+  const std::shared_ptr<Wakeup<>> ended_;          // of calls that this thread waits for
+  std::mutex waiting_;                             // while it does; taken before mutex_
 
   std::mutex mutex_;  // of what follows
   const Connection* connection_ = nullptr;

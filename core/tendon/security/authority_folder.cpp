@@ -38,12 +38,17 @@ Result<std::string> ReadSmallFile(const fs::path& file) {
     return Error{ErrorCode::kInvalid, file.string() + " is no ordinary file"};
   }
   std::ifstream stream(file, std::ios::binary);
-  std::string text(kMaxFileSize + 1, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  std::string text;
+  while (stream && text.size() <= kMaxFileSize) {
+    constexpr std::size_t kPiece = std::size_t{16} << 10U;
+    const std::size_t before = text.size();
+    text.resize(before + kPiece);
+    stream.read(text.data() + before, kPiece);
+    text.resize(before + static_cast<std::size_t>(stream.gcount()));
+  }
   if (!stream.is_open() || stream.bad()) {
     return Error{ErrorCode::kDenied, "cannot read " + file.string() + ": is it yours?"};
   }
-  text.resize(static_cast<std::size_t>(stream.gcount()));
   if (text.size() <= kMaxFileSize) return text;
   return Error{ErrorCode::kInvalid, file.string() + " is larger than the limit of 1 MiB"};
 }

@@ -3,6 +3,7 @@
 #include <tendon/security/authority_folder.h>
 #include <tendon/security/certificate_check.h>
 #include <tendon/security/openssl/pem.h>
+#include <tendon/security/openssl/trusted_authority.h>
 
 #include <ctime>
 #include <system_error>
@@ -48,13 +49,11 @@ Error NotGood(const std::string& what, int reason, X509& certificate, const fs::
 }
 
 /// 0, or why the chain up to the CA does not hold.
-int VerifyChain(X509& certificate, X509& authority, X509_CRL& revoked, sys_seconds now) {
-  const openssl::Handle<X509_STORE, X509_STORE_free> store(X509_STORE_new());
+int VerifyChain(X509& certificate, X509_STORE& authority, sys_seconds now) {
   const openssl::Handle<X509_STORE_CTX, X509_STORE_CTX_free> context(X509_STORE_CTX_new());
-  openssl::Require(store && context && X509_STORE_add_cert(store.get(), &authority) == 1 &&
-                       X509_STORE_add_crl(store.get(), &revoked) == 1 &&
-                       X509_STORE_CTX_init(context.get(), store.get(), &certificate, nullptr) == 1,
-                   "a verification");
+  openssl::Require(
+      context && X509_STORE_CTX_init(context.get(), &authority, &certificate, nullptr) == 1,
+      "a verification");
   X509_VERIFY_PARAM* rules = X509_STORE_CTX_get0_param(context.get());
   X509_VERIFY_PARAM_set_time(rules, static_cast<std::time_t>(now.time_since_epoch().count()));
   openssl::Require(
@@ -68,14 +67,12 @@ int VerifyChain(X509& certificate, X509& authority, X509_CRL& revoked, sys_secon
 }
 
 /// `what` names it in errors.
-Result<Certificate> Check(const std::string& what, X509& certificate, const fs::path& authority,
-                          sys_seconds now) {
-  const auto issuer = ReadAuthority({authority});
-  if (!issuer) return issuer.error();
-  const auto revoked = ReadRevoked({authority});
-  if (!revoked) return revoked.error();
-  const int reason = VerifyChain(certificate, **issuer, **revoked, now);
-  if (reason != X509_V_OK) return NotGood(what, reason, certificate, authority);
+Result<Certificate> Check(const std::string& what, X509& certificate,
+                          openssl::TrustedAuthority& authority, sys_seconds now) {
+  const auto store = authority.Now();
+  if (!store) return store.error();
+  const int reason = VerifyChain(certificate, **store, now);
+  if (reason != X509_V_OK) return NotGood(what, reason, certificate, authority.folder());
   auto described = openssl::Describe(certificate);
   if (!described) return Error{ErrorCode::kDenied, what + ": " + described.error().message};
   return described;
@@ -119,7 +116,8 @@ Result<CheckedCertificate> CheckCertificate(const fs::path& file, const fs::path
   if (!certificate || text->size() > kMaxCertificateSize) {
     return Error{ErrorCode::kInvalid, file.string() + " is no certificate (PEM)"};
   }
-  auto checked = Check(file.string(), *certificate, authority, now);
+  openssl::TrustedAuthority issuer(authority);
+  auto checked = Check(file.string(), *certificate, issuer, now);
   if (!checked) return checked.error();
   auto key = FindKey(file, *certificate);
   if (!key) return key.error();
@@ -128,8 +126,8 @@ Result<CheckedCertificate> CheckCertificate(const fs::path& file, const fs::path
       .certificate = *std::move(checked), .key = *std::move(key), .warning = std::move(warning)};
 }
 
-Result<Certificate> CheckShownCertificate(std::string_view pem, const fs::path& authority,
-                                          sys_seconds now) {
+Result<Certificate> CheckShownCertificate(std::string_view pem,
+                                          openssl::TrustedAuthority& authority, sys_seconds now) {
   const auto certificate = openssl::ReadCertificate(pem.substr(0, kMaxCertificateSize));
   if (!certificate) return Error{ErrorCode::kDenied, "what it shows is no certificate"};
   const auto described = openssl::Describe(*certificate);

@@ -11,6 +11,10 @@
 
 namespace tendon {
 
+namespace openssl {
+class TrustedAuthority;
+}
+
 /// What is known of a certificate that was found good.
 struct CheckedCertificate {
   Certificate certificate;
@@ -35,7 +39,7 @@ Result<CheckedCertificate> CheckCertificate(const std::filesystem::path& file,
 /// The same of a certificate that a peer has shown (PEM), whose key it has proved to have. Errors
 /// begin with "the certificate of 'robot'".
 Result<Certificate> CheckShownCertificate(std::string_view pem,
-                                          const std::filesystem::path& authority,
+                                          openssl::TrustedAuthority& authority,
                                           std::chrono::sys_seconds now);
 
 }  // namespace tendon

@@ -12,12 +12,14 @@
 
 namespace tendon::ice {
 
-/// How many mutants a program must bear. A sanitizer slows each down some ten times, and looks at
-/// fewer.
+/// How many mutants a program must bear, and how many inside TLS, where most of them cost a
+/// handshake. A sanitizer slows each down some ten times, and looks at fewer.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 inline constexpr int kMutants = 2'000;
+inline constexpr int kMutantsInTls = 200;
 #else
 inline constexpr int kMutants = 20'000;
+inline constexpr int kMutantsInTls = 20'000;
 #endif
 
 /// Messages that were right until one to four of their bytes were changed: always the same ones.

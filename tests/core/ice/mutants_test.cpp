@@ -109,9 +109,8 @@ TEST_F(MutantsTest, AServerWithoutTlsBearsThem) {
 TEST_F(MutantsTest, FromInsideTlsTheHolderOfACertificateIsBorne) {
   const HostPort place = Serve(*robot_);
   const TlsClient insider(Issue({.name = "eve"}).certificate_file);
-  const int count = kMutants / 10;  // most of them end the connection: the next takes a handshake
 
-  ExpectBorne(*As({.name = "anna"}), count, [&] { return insider.ConnectTo(place); });
+  ExpectBorne(*As({.name = "anna"}), kMutantsInTls, [&] { return insider.ConnectTo(place); });
 }
 
 TEST_F(MutantsTest, WhatStrangersSayUnderNoTlsIsNotEvenRead) {

@@ -4,6 +4,8 @@
 #include <tendon/ice/bounded_reader.h>
 #include <tendon/ice/ice_middleware.h>
 
+#include <atomic>
+
 #include "conformance/recorder.h"
 
 namespace tendon {
@@ -32,9 +34,19 @@ class GeneratedEndpoint final : public Endpoint {
     frames_.push_back(Plain(frame));
     connection_ = current.con;
   }
+  FrameBytes ask(FrameBytes frame, const Ice::Current& current) override {
+    this->frame(std::move(frame), current);
+    const std::scoped_lock lock(mutex_);
+    return answer_;
+  }
   void part(FrameBytes part, const Ice::Current& /*current*/) override {
     const std::scoped_lock lock(mutex_);
     parts_.push_back(part.size());
+  }
+  /// To whatever is asked from now on.
+  void SetAnswer(const Bytes& answer) {
+    const std::scoped_lock lock(mutex_);
+    answer_ = ForIce(answer);
   }
   std::vector<std::size_t> parts() const {
     const std::scoped_lock lock(mutex_);
@@ -53,7 +65,20 @@ class GeneratedEndpoint final : public Endpoint {
   mutable std::mutex mutex_;
   std::vector<Bytes> frames_;
   std::vector<std::size_t> parts_;
+  FrameBytes answer_;
   std::shared_ptr<Ice::Connection> connection_;
+};
+
+/// Answers a frame with itself, while it is prompt.
+class Answerer final : public LinkHandler {
+ public:
+  void OnFrame(std::span<const std::byte> /*frame*/) override {}
+  void OnAsked(std::span<const std::byte> frame, Bytes& answer) override {
+    if (is_prompt) answer.assign(frame.begin(), frame.end());
+  }
+  void OnClosed(const Error& /*reason*/) override {}
+
+  std::atomic<bool> is_prompt{true};
 };
 
 /// Keeps the parameters as they came.
@@ -109,6 +134,8 @@ TEST_F(Slice, GeneratedCodeWritesTheBytesThatWeWrite) {
     proxy->frame(ForIce(frame));
 
     EXPECT_EQ(capture->bytes_, ours) << size;
+    proxy->part(ForIce(frame));
+    EXPECT_EQ(capture->bytes_, ours) << size;
   }
 }
 
@@ -151,6 +178,54 @@ TEST_F(Slice, OurClientTalksWithAGeneratedServer) {
   EXPECT_EQ(endpoint->frames()[0], FrameOf(5));
   ASSERT_TRUE(recorder->WaitForFrames(1));
   EXPECT_EQ(recorder->numbers(), std::vector<std::uint32_t>{6});
+}
+
+TEST_F(Slice, AGeneratedClientAsksOurServer) {
+  const auto server = MakeIceMiddleware(Exposure::kLoopbackOnly);
+  const auto handler = std::make_shared<Answerer>();
+  const auto listener =
+      server->Listen("127.0.0.1:0", [&](const auto& /*link*/) { return handler; });
+  ASSERT_TRUE(listener);
+  const auto proxy = ProxyTo((*listener)->address());
+
+  EXPECT_EQ(Plain(proxy->ask(ForIce(FrameOf(5)))), FrameOf(5));
+  handler->is_prompt = false;
+  EXPECT_EQ(Plain(proxy->ask(ForIce(FrameOf(5)))), Bytes());
+  EXPECT_THROW(proxy->ask(ForIce(Bytes(30))), Ice::Exception);
+}
+
+TEST_F(Slice, OurClientAsksAGeneratedServer) {
+  const auto endpoint = std::make_shared<GeneratedEndpoint>();
+  const auto adapter = Serve(endpoint, "tcp -h 127.0.0.1");
+  const auto client = MakeIceMiddleware(Exposure::kLoopbackOnly);
+  const auto recorder = std::make_shared<Recorder>();
+  const auto link = client->Open(AddressOf(*adapter), recorder, kPatience);
+  ASSERT_TRUE(link) << link.error().message;
+
+  ASSERT_EQ((*link)->Ask(FrameOf(5)), Status::kQueued);  // there is no answer yet
+  ASSERT_TRUE(EventuallyTrue([&] { return endpoint->frames().size() == 1; }));
+  endpoint->SetAnswer(FrameOf(7, 1000));
+  ASSERT_EQ((*link)->Ask(FrameOf(6)), Status::kQueued);
+
+  ASSERT_TRUE(recorder->WaitForFrames(1));
+  EXPECT_EQ(endpoint->frames(), (std::vector{FrameOf(5), FrameOf(6)}));
+  EXPECT_EQ(recorder->numbers(), std::vector<std::uint32_t>{7});
+}
+
+TEST_F(Slice, WhoAnswersWithSomethingElseThanAFrameIsCutOff) {
+  const auto endpoint = std::make_shared<GeneratedEndpoint>();
+  const auto adapter = Serve(endpoint, "tcp -h 127.0.0.1");
+  const auto client = MakeIceMiddleware(Exposure::kLoopbackOnly);
+  const auto recorder = std::make_shared<Recorder>();
+  const auto link = client->Open(AddressOf(*adapter), recorder, kPatience);
+  ASSERT_TRUE(link) << link.error().message;
+  endpoint->SetAnswer(Bytes(30));
+
+  ASSERT_EQ((*link)->Ask(FrameOf(5)), Status::kQueued);
+
+  ASSERT_TRUE(recorder->WaitForClosed());
+  EXPECT_TRUE(recorder->numbers().empty());
+  EXPECT_EQ((*link)->Ask(FrameOf(6)), Status::kNotConnected);
 }
 
 TEST_F(Slice, AFrameTooLargeForAMessageComesInParts) {

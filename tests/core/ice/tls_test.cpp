@@ -1,3 +1,5 @@
+#include <tendon/base/os/socket.h>
+
 #include <string>
 
 #include "core/ice/tls_fixture.h"
@@ -175,6 +177,26 @@ TEST_F(TlsTest, WhoSpeaksNoTlsIsNotSpokenTo) {
 
   EXPECT_EQ(refusal.code, ErrorCode::kUnreachable);
   EXPECT_THAT(refusal.message, HasSubstr("or speaks no TLS"));
+}
+
+TEST_F(TlsTest, WhoseHandshakeTakesForEverIsCutOffByTheNext) {
+  const auto address = Listen(robot_, "robot");
+  const HostPort place = *ParseAddress(address, 1);
+  const auto slow = os::ConnectTo(place.host, place.port, conformance::kPatience);
+  ASSERT_TRUE(slow.ok());
+  Bytes hello = {std::byte(0x16), std::byte(3), std::byte(1), std::byte(0x40), std::byte(0)};
+  hello.resize(hello.size() + 0x4000);  // of so many bytes, says the head
+  std::size_t said = 0;
+  const auto anna = As({.name = "anna"});
+
+  EXPECT_TRUE(EventuallyTrue([&] {
+    EXPECT_TRUE(Open(anna, address, "desk").ok());
+    Bytes buffer(64);
+    const bool goes_on = os::SendSome(*slow, std::span(hello).subspan(said++, 1)).has_value() &&
+                         os::ReceiveSome(*slow, buffer).has_value();
+    return !goes_on;
+  }));
+  EXPECT_LT(said, hello.size());
 }
 
 TEST_F(TlsTest, ACertificateWithoutItsKeyIsRefusedAtTheStart) {

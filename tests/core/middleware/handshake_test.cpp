@@ -159,7 +159,7 @@ TEST(Handshake, AnotherVersionIsRefusedBeforeItsBodyIsRead) {
   const auto judged = talk.acceptor.Take(HeaderOf(MessageType::kHello, 9), Bytes(5));
 
   EXPECT_EQ(judged.error(), (Error{ErrorCode::kIncompatible,
-                                   "robot speaks protocol 4, this program 9: update robot"}));
+                                   "robot speaks protocol 5, this program 9: update robot"}));
 }
 
 TEST(Handshake, WhatIsOutOfTurnIsInvalid) {
@@ -175,7 +175,7 @@ TEST(Handshake, WhatIsOutOfTurnIsInvalid) {
 }
 
 TEST(Handshake, TheRefusalOfAnotherVersionIsReadAllTheSame) {
-  const Error refusal{ErrorCode::kIncompatible, "robot speaks protocol 9, this program 4: update"};
+  const Error refusal{ErrorCode::kIncompatible, "robot speaks protocol 9, this program 5: update"};
   Talk talk;
   (void)talk.opener.Greet();
 
@@ -191,7 +191,7 @@ TEST(Handshake, AChallengeInAnotherVersionIsRefusedHere) {
   const auto judged = talk.opener.Take(HeaderOf(MessageType::kChallenge, 9), Bytes(5));
 
   EXPECT_EQ(judged.error().message,
-            "127.0.0.1:10705 speaks protocol 9, this program 4: update this program");
+            "127.0.0.1:10705 speaks protocol 9, this program 5: update this program");
 }
 
 }  // namespace

@@ -181,6 +181,55 @@ TEST_F(InterfaceProxies, AWaitComesBehindTheCallsBeforeIt) {
   EXPECT_EQ(numbers, (std::vector{1, 2, 3}));
 }
 
+TEST_F(InterfaceProxies, AWaitIsSentByItsCallerWhereNothingWaits) {
+  thread->Remove(*client_end->proxy);  // it sends nothing any more
+  auto status =
+      std::async(std::launch::async, [this] { return push.Wait(1, std::chrono::seconds(20)); });
+  ASSERT_TRUE(EventuallyTrue([this] { return server_inbox.size() == 1; }));
+
+  server_inbox.ExecuteQueued();
+
+  EXPECT_EQ(status.get(), Status(Status::kDone));
+  EXPECT_EQ(numbers, (std::vector{1}));
+}
+
+TEST_F(InterfaceProxies, AWaitDoesNotOvertakeWhatIsNotSentYet) {
+  thread->Remove(*client_end->proxy);
+  EXPECT_EQ(push(1), Status(Status::kQueued));
+  auto status =
+      std::async(std::launch::async, [this] { return push.Wait(2, std::chrono::seconds(20)); });
+  ASSERT_TRUE(EventuallyTrue([this] { return client_connection->waiting() == 2; }));
+  EXPECT_EQ(server_inbox.size(), 0U);
+
+  thread->Add(*client_end->proxy);
+
+  ASSERT_TRUE(EventuallyTrue([this] { return server_inbox.size() == 2; }));
+  server_inbox.ExecuteQueued();
+  EXPECT_EQ(status.get(), Status(Status::kDone));
+  EXPECT_EQ(numbers, (std::vector{1, 2}));
+}
+
+TEST_F(InterfaceProxies, WaitsNeedCreditWhoeverSendsThem) {
+  thread->Remove(*client_end->proxy);
+  server_end->is_silent = true;
+  for (int number = 0; number < 4; ++number) {
+    EXPECT_EQ(push.Wait(number, std::chrono::milliseconds(1)), Status(Status::kOutcomeUnknown));
+  }
+  ASSERT_TRUE(EventuallyTrue([this] { return server_end->heard == 4; }));
+
+  EXPECT_EQ(push.Wait(4, std::chrono::milliseconds(20)), Status(Status::kTimeout));
+
+  EXPECT_EQ(server_end->heard, 4);
+  client_end->proxy->OnCredit({.executed = 1, .accepting = true, .fault = {}});
+  server_end->is_silent = false;
+  thread->Add(*client_end->proxy);  // drops what was not sent in time
+  ASSERT_TRUE(EventuallyTrue([this] { return client_connection->waiting() == 0; }));
+  auto status =
+      std::async(std::launch::async, [this] { return push.Wait(5, std::chrono::seconds(20)); });
+  ASSERT_TRUE(EventuallyTrue([this] { return server_inbox.ExecuteQueued() == 1; }));
+  EXPECT_EQ(status.get(), Status(Status::kDone));
+}
+
 TEST_F(InterfaceProxies, AWaitEndsWithTheLinkWhetherItWasSentOrNot) {
   std::vector<std::future<Status>> statuses;
   statuses.push_back(

@@ -43,7 +43,12 @@ class MemberCalls::Target {
     if (command == nullptr || status != Status(Status::kQueued)) return done(status, result);
     {
       const std::scoped_lock begun_lock(begun_mutex_);
-      begun_.Add(*command, call, SteadyClock().Now() + timeout, done);
+      const SteadyTime now = SteadyClock().Now();
+      begun_.Add({.command = command,
+                  .call = call,
+                  .since = now,
+                  .deadline = now + timeout,
+                  .done = done});
     }
     network.Notify();
   }

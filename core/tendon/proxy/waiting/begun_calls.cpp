@@ -7,14 +7,23 @@
 
 namespace tendon {
 
-void BegunCalls::Add(CommandBase& command, std::size_t call, SteadyTime deadline, Done done) {
-  begun_.push_back({&command, call, deadline, std::move(done)});
+namespace {
+
+/// When to look again: what has taken long will not be over soon.
+SteadyTime NextLook(const BegunCalls::Begun& begun, SteadyTime now) {
+  using namespace std::chrono_literals;
+  if (begun.is_told) return begun.deadline;
+  const std::chrono::nanoseconds so_far = now - begun.since;
+  return std::min(begun.deadline,
+                  now + std::clamp<std::chrono::nanoseconds>(so_far / 4, 50us, 5ms));
 }
+
+}  // namespace
 
 void BegunCalls::Answer(SteadyTime now, SteadyTime& next) {
   std::erase_if(begun_, [&](const Begun& begun) {
     if (now < begun.deadline && !begun.command->HasEnded(begun.call)) {
-      next = std::min(next, begun.deadline);
+      next = std::min(next, NextLook(begun, now));
       return false;
     }
     End(begun, Status::kTimeout);

@@ -9,19 +9,29 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace tendon {
 
 /// Calls from elsewhere that a component here is to execute, and whose ends somebody there waits
-/// for. Nobody waits for them here: the network thread looks. Not thread-safe.
+/// for. Nobody waits for them here: the network thread looks, whenever it is told that one has
+/// ended. Not thread-safe.
 class BegunCalls {
  public:
   /// With the result where the status is good.
   using Done = std::function<void(Status status, const Bytes& result)>;
 
-  /// `command` has begun `call`, and lives until that was answered.
-  void Add(CommandBase& command, std::size_t call, SteadyTime deadline, Done done);
+  /// A call that `command` has begun, which lives until it was answered.
+  struct Begun {
+    CommandBase* command = nullptr;
+    std::size_t call = 0;
+    SteadyTime since{};
+    SteadyTime deadline{};
+    bool is_told = true;  ///< whether the network thread is; else it looks the more often the newer
+    Done done;
+  };
+  void Add(Begun begun) { begun_.push_back(std::move(begun)); }
   /// Answers those that have ended or whose time is over; brings `next` forward to when the next
   /// is.
   void Answer(SteadyTime now, SteadyTime& next);
@@ -29,13 +39,6 @@ class BegunCalls {
   void GiveUp();
 
  private:
-  struct Begun {
-    CommandBase* command = nullptr;
-    std::size_t call = 0;
-    SteadyTime deadline{};
-    Done done;
-  };
-
   void End(const Begun& begun, Status if_not_started);
 
   std::vector<Begun> begun_;

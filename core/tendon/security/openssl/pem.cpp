@@ -40,12 +40,9 @@ std::string OnlyEntry(const X509_NAME* subject, int kind) {
           static_cast<std::size_t>(ASN1_STRING_length(text))};
 }
 
-/// Its extensions are found out on the first call, in the object: this needs one that may change.
-std::pair<bool, Holder> KindOf(const X509& certificate) {
-  const CertificateHandle own(X509_dup(&certificate));
-  Require(own != nullptr, "a copy of a certificate");
-  const bool is_authority = X509_check_ca(own.get()) != 0;
-  const std::uint32_t usage = X509_get_extended_key_usage(own.get());
+std::pair<bool, Holder> KindOf(X509& certificate) {
+  const bool is_authority = X509_check_ca(&certificate) != 0;
+  const std::uint32_t usage = X509_get_extended_key_usage(&certificate);
   const bool serves = usage != UINT32_MAX && (usage & XKU_SSL_SERVER) != 0;
   return {is_authority, serves ? Holder::kProcess : Holder::kPerson};
 }
@@ -89,7 +86,7 @@ void Wipe(std::string& secret) {
   secret.clear();
 }
 
-Result<Certificate> Describe(const X509& certificate) {
+Result<Certificate> Describe(X509& certificate) {
   const auto [is_authority, holder] = KindOf(certificate);
   if (is_authority) {
     return Error{ErrorCode::kInvalid, "it is the certificate of a CA, which is nobody's identity"};

@@ -23,8 +23,9 @@ namespace tendon::openssl {
 /// Leaves no trace of a secret in memory.
 void Wipe(std::string& secret);
 
-/// The certificate of somebody, as opposed to that of a CA.
-Result<Certificate> Describe(const X509& certificate);
+/// The certificate of somebody, as opposed to that of a CA. Its extensions are found out on the
+/// first call, and kept in the object.
+Result<Certificate> Describe(X509& certificate);
 
 [[nodiscard]] std::string SerialOf(const X509& certificate);
 /// The epoch for what is no time.

@@ -20,6 +20,7 @@ _CONTRACT = Ice.openModule("tendon")  # the contract's module has this package's
 _IDENTITY = Ice.Identity("tendon", "")
 _ENCAPSULATION = struct.Struct("<iBB")  # size with this, version
 _NOTHING = _ENCAPSULATION.pack(_ENCAPSULATION.size, 1, 1)
+_NO_ANSWER_YET = _ENCAPSULATION.pack(_ENCAPSULATION.size + 1, 1, 1) + b"\0"
 
 ENVELOPE = 16 << 10  # what Ice puts around a frame
 
@@ -183,10 +184,10 @@ class _Endpoint(Ice.Blobject):  # type: ignore[misc]
         link = self._links.get(current.con)
         if link is None:
             raise Ice.ObjectNotExistException(current.id, current.facet, current.operation)
-        if current.operation not in ("frame", "part"):
+        if current.operation not in ("frame", "ask", "part"):
             raise Ice.OperationNotExistException(current.id, current.facet, current.operation)
-        link.deliver(only_parameter(parameters), is_end=current.operation == "frame")
-        return True, _NOTHING
+        link.deliver(only_parameter(parameters), is_end=current.operation != "part")
+        return True, _NO_ANSWER_YET if current.operation == "ask" else _NOTHING
 
 
 def only_parameter(encapsulation: bytes) -> bytes | None:

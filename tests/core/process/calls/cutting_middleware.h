@@ -75,6 +75,9 @@ class CuttingMiddleware final : public tendon::Middleware {
     tendon::Status Send(std::span<const std::byte> frame) override {
       return cable_->is_cut ? tendon::Status::kQueued : cable_->link->Send(frame);
     }
+    tendon::Status Ask(std::span<const std::byte> frame) override {
+      return cable_->is_cut ? tendon::Status::kQueued : cable_->link->Ask(frame);
+    }
     void Admit() override { cable_->link->Admit(); }
     void Close() override { cable_->link->Close(); }
     [[nodiscard]] std::string peer() const override { return cable_->link->peer(); }

@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <tendon/middleware/pending_requests.h>
+#include <tendon/middleware/requests/pending_requests.h>
 
 #include <stdexcept>
 #include <vector>

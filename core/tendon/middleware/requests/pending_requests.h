@@ -56,7 +56,17 @@ class PendingRequests {
 /// "no answer from robot within 500 ms; outcome unknown"
 [[nodiscard]] Error NoAnswer(const std::string& peer, std::chrono::milliseconds timeout);
 
+/// Of what is being caught.
+void LogFailure(const std::string& peer);
+
 /// Calls code of others, which must not bring a thread of the middleware down: logs what it throws.
-void CallGuarded(const std::string& peer, const std::function<void()>& function);
+template <typename Function>
+void CallGuarded(const std::string& peer, Function function) {
+  try {
+    function();
+  } catch (...) {
+    LogFailure(peer);
+  }
+}
 
 }  // namespace tendon

@@ -1,5 +1,5 @@
 #include <tendon/base/log.h>
-#include <tendon/middleware/pending_requests.h>
+#include <tendon/middleware/requests/pending_requests.h>
 
 #include <exception>
 #include <utility>
@@ -65,9 +65,9 @@ Error NoAnswer(const std::string& peer, std::chrono::milliseconds timeout) {
                                    std::to_string(timeout.count()) + " ms; outcome unknown"};
 }
 
-void CallGuarded(const std::string& peer, const std::function<void()>& function) {
+void LogFailure(const std::string& peer) {
   try {
-    function();
+    throw;
   } catch (const std::exception& failure) {
     Log(LogLevel::kError, "channel", peer + ": " + failure.what());
   } catch (...) {

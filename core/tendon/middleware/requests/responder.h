@@ -23,6 +23,9 @@ class Responder {
   ~Responder();
 
   void Reply(std::span<const std::byte> body, Lane lane = kCommonLane);
+  /// Whether a Reply() in kOwnLane from this thread, before it returns to the channel, takes the
+  /// shorter way of Link::Ask().
+  [[nodiscard]] bool is_asked_here() const;
   void Refuse(const Error& error);
 
   /// Reply() or Refuse().

@@ -1,0 +1,27 @@
+#include <tendon/middleware/requests/asked.h>
+
+#include <cassert>
+
+namespace tendon {
+namespace {
+
+thread_local const Asked* asked_here = nullptr;
+
+}  // namespace
+
+Asked::Asked(const Channel& channel, std::uint64_t request, Bytes& answer)
+    : channel_(channel), request_(request), answer_(answer) {
+  assert(asked_here == nullptr);
+  asked_here = this;
+}
+
+Asked::~Asked() { asked_here = nullptr; }
+
+Bytes* Asked::AnswerTo(std::uint64_t request, const Channel& channel) {
+  const Asked* asked = asked_here;
+  const bool is_it = asked != nullptr && &asked->channel_ == &channel &&
+                     asked->request_ == request && asked->answer_.empty();
+  return is_it ? &asked->answer_ : nullptr;
+}
+
+}  // namespace tendon

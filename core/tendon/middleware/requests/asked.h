@@ -1,0 +1,29 @@
+#pragma once
+
+#include <tendon/middleware/frame.h>
+
+#include <cstdint>
+
+namespace tendon {
+
+class Channel;
+
+/// The request that this thread is being asked by a peer, as long as it lives: where its answer can
+/// be left (LinkHandler::OnAsked()). One at a time in a thread.
+class Asked {
+ public:
+  Asked(const Channel& channel, std::uint64_t request, Bytes& answer);
+  Asked(const Asked&) = delete;
+  Asked& operator=(const Asked&) = delete;
+  ~Asked();
+
+  /// Where this thread may leave the answer to `request`; null where it must be sent.
+  [[nodiscard]] static Bytes* AnswerTo(std::uint64_t request, const Channel& channel);
+
+ private:
+  const Channel& channel_;
+  const std::uint64_t request_;
+  Bytes& answer_;
+};
+
+}  // namespace tendon

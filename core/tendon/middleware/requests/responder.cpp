@@ -1,0 +1,48 @@
+#include <tendon/middleware/channel.h>
+#include <tendon/middleware/requests/asked.h>
+#include <tendon/middleware/requests/responder.h>
+
+#include <utility>
+
+namespace tendon {
+
+Responder::Responder(std::weak_ptr<Channel> channel, std::uint64_t request)
+    : channel_(std::move(channel)), request_(request) {}
+
+Responder& Responder::operator=(Responder&& other) noexcept {
+  std::swap(channel_, other.channel_);
+  std::swap(request_, other.request_);
+  return *this;
+}
+
+Responder::~Responder() {
+  Refuse(
+      Error{ErrorCode::kFailed, "the request was dropped without an answer; see the peer's log"});
+}
+
+void Responder::Reply(std::span<const std::byte> body, Lane lane) {
+  if (const auto channel = std::exchange(channel_, {}).lock()) {
+    channel->SendReply(request_, body, lane);
+  }
+}
+
+bool Responder::is_asked_here() const {
+  const auto channel = channel_.lock();
+  return channel && Asked::AnswerTo(request_, *channel) != nullptr;
+}
+
+void Responder::Refuse(const Error& error) {
+  if (const auto channel = std::exchange(channel_, {}).lock()) {
+    channel->SendRefusal(request_, error);
+  }
+}
+
+void Responder::Answer(const Result<void>& result) {
+  if (result) {
+    Reply(EncodeBody(None{}));
+  } else {
+    Refuse(result.error());
+  }
+}
+
+}  // namespace tendon

@@ -1,0 +1,35 @@
+#include <openssl/x509_vfy.h>
+#include <tendon/security/authority_folder.h>
+#include <tendon/security/openssl/trusted_authority.h>
+
+namespace tendon::openssl {
+namespace {
+
+/// Of both files; empty where one cannot be read.
+std::string TextOf(const AuthorityFolder& files) {
+  const auto certificate = ReadSmallFile(files.certificate());
+  const auto revoked = ReadSmallFile(files.revoked());
+  return certificate && revoked ? *certificate + '\0' + *revoked : std::string();
+}
+
+}  // namespace
+
+Result<TrustedAuthority::Store> TrustedAuthority::Now() {
+  const AuthorityFolder files{folder_};
+  const std::scoped_lock lock(mutex_);
+  std::string text = TextOf(files);
+  if (!text.empty() && text == text_) return store_;
+  const auto certificate = ReadAuthority(files);
+  if (!certificate) return certificate.error();
+  const auto revoked = ReadRevoked(files);
+  if (!revoked) return revoked.error();
+  const Store store(X509_STORE_new(), &X509_STORE_free);
+  Require(store && X509_STORE_add_cert(store.get(), certificate->get()) == 1 &&
+              X509_STORE_add_crl(store.get(), revoked->get()) == 1,
+          "a store of certificates");
+  store_ = store;
+  text_ = std::move(text);
+  return store_;
+}
+
+}  // namespace tendon::openssl

@@ -1,0 +1,208 @@
+#include <atomic>
+#include <future>
+#include <mutex>
+
+#include "conformance/contract.h"
+#include "conformance/oracle.h"
+
+namespace tendon::conformance {
+namespace {
+
+constexpr auto kHowMany = static_cast<MessageType>(0x111);
+constexpr auto kOfSize = static_cast<MessageType>(0x112);
+constexpr auto kTellThenAnswer = static_cast<MessageType>(0x113);
+constexpr auto kAnswerTwice = static_cast<MessageType>(0x114);
+
+/// Answers at once, in a lane of the answer's own, as reads are answered; or keeps the request.
+class PromptClerk final : public ChannelHandler {
+ public:
+  void OnOpen(const std::shared_ptr<Channel>& channel, const Hello& /*peer*/) override {
+    opened_.set_value(channel);
+  }
+  void OnNotice(const std::shared_ptr<Channel>& /*channel*/, const FrameHeader& /*header*/,
+                std::span<const std::byte> /*body*/) override {
+    ++notices_;
+  }
+  void OnRequest(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
+                 std::span<const std::byte> body, Responder responder) override {
+    if (header.type == kHowMany) return responder.Reply(EncodeBody(notices_.load()), kOwnLane);
+    if (header.type == kOfSize) return responder.Reply(Bytes(header.handle, body[0]), kOwnLane);
+    if (header.type == kThrow) throw std::runtime_error("the clerk is tired");
+    if (header.type == kTellThenAnswer) {
+      (void)channel->Notify(kTell, 0, None{});
+      return responder.Reply(body, kOwnLane);
+    }
+    if (header.type == kAnswerTwice) {
+      responder.Reply(EncodeBody(std::uint32_t{1}), kOwnLane);
+      return responder.Reply(EncodeBody(std::uint32_t{2}), kOwnLane);
+    }
+    const std::scoped_lock turn(gate_);
+    kept_.push_back(std::move(responder));
+    ++has_kept_;
+  }
+
+  std::promise<std::shared_ptr<Channel>> opened_;
+  std::atomic<std::uint32_t> notices_{0};
+  std::atomic<int> has_kept_{0};
+  std::mutex gate_;  // while it is locked, whoever is to be kept hangs
+  std::vector<Responder> kept_;
+};
+
+/// Who asks waits for the answer, which may take a shorter way than other messages.
+Result<Bytes> AskClerk(Channel& channel, MessageType type, std::uint32_t handle = 0,
+                       std::chrono::milliseconds timeout = kLong) {
+  return channel.Ask(type, handle, EncodeBody(std::uint32_t{7}), timeout, kOwnLane);
+}
+
+std::future<Result<Bytes>> AskToBeKept(Channel& channel, PromptClerk& clerk) {
+  auto answer = std::async(std::launch::async, [&] { return AskClerk(channel, kKeep); });
+  EXPECT_TRUE(EventuallyTrue([&] { return clerk.has_kept_ == 1; }));
+  return answer;
+}
+
+TEST_P(ChannelContract, WhatWasAskedMayBeAnsweredAtOnceOrMuchLater) {
+  const auto server = std::make_shared<PromptClerk>();
+  Connect(server, std::make_shared<PromptClerk>());
+  EXPECT_EQ(*AskClerk(*channel_, kHowMany), EncodeBody(std::uint32_t{0}));
+
+  auto answer = AskToBeKept(*channel_, *server);
+  EXPECT_EQ(*AskClerk(*channel_, kHowMany),
+            EncodeBody(std::uint32_t{0}));  // others are not held up
+  server->kept_.front().Reply(EncodeBody(std::uint32_t{3}), kOwnLane);
+
+  EXPECT_EQ(*answer.get(), EncodeBody(std::uint32_t{3}));
+}
+
+TEST_P(ChannelContract, WhatIsAskedComesBehindWhatWasSaidBeforeAndBeforeWhatIsSaidNext) {
+  const auto server = std::make_shared<PromptClerk>();
+  Connect(server, std::make_shared<PromptClerk>());
+  constexpr std::uint32_t kRounds = 300;
+  std::mutex mutex;
+  std::vector<std::uint32_t> heard;
+
+  for (std::uint32_t i = 0; i < kRounds; ++i) {
+    ASSERT_TRUE(channel_->Notify(kTell, 0, None{}));
+    const Status asked = channel_->TryAsk(
+        kHowMany, 0, {}, kLong,
+        [&](Result<Bytes> answer) {
+          const std::scoped_lock lock(mutex);
+          heard.push_back(answer ? *DecodeBody<std::uint32_t>(*answer) : 0);
+        },
+        kOwnLane);
+    ASSERT_TRUE(asked);
+  }
+
+  ASSERT_TRUE(EventuallyTrue([&] {
+    const std::scoped_lock lock(mutex);
+    return heard.size() == kRounds;
+  }));
+  for (std::uint32_t i = 0; i < kRounds; ++i) EXPECT_EQ(heard[i], i + 1);
+}
+
+TEST_P(ChannelContract, WhatWasAskedIsAnsweredBehindWhatWasSentBefore) {
+  const auto client = std::make_shared<PromptClerk>();
+  Connect(std::make_shared<PromptClerk>(), client);
+  for (std::uint32_t i = 1; i <= 50; ++i) {
+    std::promise<std::uint32_t> told;
+    ASSERT_TRUE(channel_->TryAsk(
+        kTellThenAnswer, 0, {}, kLong,
+        [&](Result<Bytes> answer) { told.set_value(answer ? client->notices_.load() : 0); },
+        kOwnLane));
+    EXPECT_EQ(told.get_future().get(), i);
+  }
+}
+
+TEST_P(ChannelContract, AnswersOfAllSizesToWhatWasAskedArriveWhole) {
+  const auto server = std::make_shared<PromptClerk>();
+  Connect(server, std::make_shared<PromptClerk>());
+  constexpr std::size_t kLargest = kMaxPieceSize - FrameHeader::kSize;  // in one piece
+  for (const std::size_t size : {std::size_t{0}, std::size_t{1}, std::size_t{253}, kLargest - 1,
+                                 kLargest, kLargest + 1, 4 * kLargest}) {
+    const auto answer = AskClerk(*channel_, kOfSize, static_cast<std::uint32_t>(size));
+
+    ASSERT_TRUE(answer) << answer.error().message;
+    EXPECT_EQ(*answer, Bytes(size, std::byte{7}));
+  }
+}
+
+TEST_P(ChannelContract, AQuestionTooLargeForOnePieceIsAnsweredToo) {
+  const auto server = std::make_shared<PromptClerk>();
+  Connect(server, std::make_shared<PromptClerk>());
+
+  const auto answer = channel_->Ask(kTellThenAnswer, 0, Bytes(3 * kMaxPieceSize), kLong, kOwnLane);
+
+  ASSERT_TRUE(answer) << answer.error().message;
+  EXPECT_EQ(answer->size(), 3 * kMaxPieceSize);
+}
+
+TEST_P(ChannelContract, WhatWasAskedIsAnsweredOnceHoweverOftenItWasReplied) {
+  const auto server = std::make_shared<PromptClerk>();
+  Connect(server, std::make_shared<PromptClerk>());
+
+  EXPECT_EQ(*AskClerk(*channel_, kAnswerTwice), EncodeBody(std::uint32_t{1}));
+
+  EXPECT_TRUE(AskClerk(*channel_, kHowMany));
+  EXPECT_EQ(channel_->late_replies(), 0U);
+}
+
+TEST_P(ChannelContract, AHandlerThatThrowsRefusesWhatItWasAsked) {
+  const auto server = std::make_shared<PromptClerk>();
+  Connect(server, std::make_shared<PromptClerk>());
+
+  const auto answer = AskClerk(*channel_, kThrow);
+
+  ASSERT_FALSE(answer);
+  EXPECT_EQ(answer.error().code, ErrorCode::kFailed);
+  EXPECT_TRUE(AskClerk(*channel_, kHowMany));
+}
+
+TEST_P(ChannelContract, APeerThatHangsHoldsNobodyWhoAsksUpBeyondTheDeadline) {
+  const auto server = std::make_shared<PromptClerk>();
+  Connect(server, std::make_shared<PromptClerk>());
+  std::unique_lock hung(server->gate_);
+
+  const auto answer = AskClerk(*channel_, kKeep, 0, std::chrono::milliseconds(30));
+  const auto next = AskClerk(*channel_, kHowMany, 0, std::chrono::milliseconds(30));
+
+  ASSERT_FALSE(answer);
+  EXPECT_EQ(answer.error().message, "no answer from robot within 30 ms; outcome unknown");
+  EXPECT_FALSE(next);
+  hung.unlock();
+  EXPECT_TRUE(EventuallyTrue([&] { return channel_->late_replies() == 1; }));
+  server->kept_.front().Reply({}, kOwnLane);
+  EXPECT_TRUE(EventuallyTrue([&] { return channel_->late_replies() == 2; }));
+  EXPECT_TRUE(AskClerk(*channel_, kHowMany));
+}
+
+TEST_P(ChannelContract, WhatWasAskedEndsWithTheLink) {
+  const auto server = std::make_shared<PromptClerk>();
+  Connect(server, std::make_shared<PromptClerk>());
+  auto answer = AskToBeKept(*channel_, *server);
+
+  server->opened_.get_future().get()->Close();
+
+  const auto outcome = answer.get();
+  ASSERT_FALSE(outcome);
+  EXPECT_EQ(outcome.error().code, ErrorCode::kUnreachable);
+  EXPECT_EQ(AskClerk(*channel_, kHowMany).error().code, ErrorCode::kUnreachable);
+}
+
+TEST_P(ChannelContract, BothEndsMayAskAtTheSameTime) {
+  const auto server = std::make_shared<PromptClerk>();
+  Connect(server, std::make_shared<PromptClerk>());
+  const auto back = server->opened_.get_future().get();
+  std::atomic<int> answers{0};
+
+  auto there = std::async(std::launch::async, [&] {
+    for (int i = 0; i < 200; ++i) answers += static_cast<int>(AskClerk(*channel_, kHowMany).ok());
+  });
+  for (int i = 0; i < 200; ++i) {
+    answers += static_cast<int>(back->Ask(kHowMany, 0, {}, kLong, kOwnLane).ok());
+  }
+  there.get();
+
+  EXPECT_EQ(answers, 400);
+}
+
+}  // namespace
+}  // namespace tendon::conformance
