@@ -41,7 +41,7 @@ OPERATING_SYSTEM = re.compile(
     r"|(unistd|fcntl|poll|pthread|sched|semaphore|signal|dlfcn|netdb|ifaddrs|pwd|grp|dirent|termios|spawn"
     r"|execinfo|syslog|windows|winsock2|io)\.h$")
 ICE_HOMES = ("core/tendon/ice", "tests/core/ice", "tests/benchmarks/remote")
-QT_HOMES = ("gcm_gui", "tests/gcm_gui", "tests/system")
+QT_HOMES = ("gcm_gui", "tests/gcm_gui", "tests/system", "tests/benchmarks/window")
 ATOMIC_HOMES = ("core/tendon/lockfree", "core/tendon/state", "core/tendon/base/os")
 
 INCLUDE = re.compile(r'\s*#\s*include\s*[<"]([^>"]+)[>"]')
