@@ -183,6 +183,11 @@ void GraphScene::showEdges() {
   ForgetBut(edges_, kept);
 }
 
+void GraphScene::showWarning(const InterfaceName& required, const QString& warning) {
+  const auto it = edges_.find(ToQString(ToString(required)));
+  if (it != edges_.end()) it->second->setWarning(warning);
+}
+
 void GraphScene::showRefused(const Refusals::ByRequired& refused) {
   refused_ = refused;
   showEdges();

@@ -50,6 +50,8 @@ class GraphScene : public QGraphicsScene {
   /// A dashed edge until forgotten, while a request for it is under way.
   void showRequested(const tendon::InterfaceName& required, const tendon::InterfaceName& provided);
   void forgetRequested(const tendon::InterfaceName& required);
+  /// Shown while it is told: of a connection that stands.
+  void showWarning(const tendon::InterfaceName& required, const QString& warning);
   /// Stay as failed edges until they are over.
   void showRefused(const tendon::gui::Refusals::ByRequired& refused);
   /// The pointer is on this port: if it does not fit, a card says why, or refusalPointed().

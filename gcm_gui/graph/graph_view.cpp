@@ -217,6 +217,16 @@ void GraphView::focusOutEvent(QFocusEvent* event) {
   viewport()->update();
 }
 
+void GraphView::showEvent(QShowEvent* event) {
+  QGraphicsView::showEvent(event);
+  Q_EMIT seenChanged(true);
+}
+
+void GraphView::hideEvent(QHideEvent* event) {
+  QGraphicsView::hideEvent(event);
+  Q_EMIT seenChanged(false);
+}
+
 void GraphView::scrollContentsBy(int dx, int dy) {
   QGraphicsView::scrollContentsBy(dx, dy);
   if (HasKeyboardFocus(*this)) viewport()->update();  // else its frame would move along

@@ -39,6 +39,8 @@ class GraphView : public QGraphicsView {
  Q_SIGNALS:
   /// An edge that does not work was clicked.
   void whyRequested(const QString& required);
+  /// Whether the graph is on the screen.
+  void seenChanged(bool seen);
 
  protected:
   void mousePressEvent(QMouseEvent* event) override;
@@ -51,6 +53,8 @@ class GraphView : public QGraphicsView {
   void paintEvent(QPaintEvent* event) override;
   void focusInEvent(QFocusEvent* event) override;
   void focusOutEvent(QFocusEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
   void scrollContentsBy(int dx, int dy) override;
 
  private:

@@ -61,17 +61,18 @@ bool WhyBinding::openProblem(const QString& path) {
 
 void WhyBinding::check() {
   if (!wire_) return;
-  ask_again_ = std::exchange(is_asking_, true);
-  if (ask_again_) return;
+  ask_again_ = is_asking_;
+  if (std::exchange(is_asking_, true)) return;
   checks_.diagnose(*wire_, [this, wire = *wire_](const auto& diagnosis) { hear(wire, diagnosis); });
 }
 
 void WhyBinding::hear(const message::Wire& wire, const Result<Diagnosis>& diagnosis) {
   is_asking_ = false;
-  if (wire_ != wire || std::exchange(ask_again_, false)) {
-    ask_again_ = false;
-    return check();
-  }
+  if (wire_ == wire) show(wire, diagnosis);
+  if (wire_ != wire || std::exchange(ask_again_, false)) check();
+}
+
+void WhyBinding::show(const message::Wire& wire, const Result<Diagnosis>& diagnosis) {
   if (!diagnosis) return card_.tell(ToQString(diagnosis.error().message));
   WhyReport report{*diagnosis, std::nullopt, {}};
   const auto* refused = refusals_.find(wire.required);

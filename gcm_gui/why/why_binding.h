@@ -38,6 +38,7 @@ class WhyBinding : public QObject {
  private:
   void check();
   void hear(const message::Wire& wire, const Result<Diagnosis>& diagnosis);
+  void show(const message::Wire& wire, const Result<Diagnosis>& diagnosis);
   void retry();
   void follow(const Catalog& catalogue, const Touched& touched);
 

@@ -2,6 +2,7 @@
 #include <gcm_gui/call/favourites/favourite_bar.h>
 #include <gcm_gui/connect/candidate_panel.h>
 #include <gcm_gui/connect/match_card.h>
+#include <gcm_gui/graph/edge_health.h>
 #include <gcm_gui/graph/graph_scene.h>
 #include <gcm_gui/graph/graph_view.h>
 #include <gcm_gui/inspector/inspector.h>
@@ -254,6 +255,9 @@ void MainWindow::connectWhy() {
   connect(strip_, &ActivityStrip::problemChosen, why_, &WhyBinding::openProblem);
   connect(why_, &WhyBinding::notice, notice_, &NoticeLine::tell);
   match_ = new MatchCard(*centralWidget(), parts_.store, parts_.actions);
+  auto* health = new EdgeHealth(parts_.store, parts_.checks, this);
+  connect(health, &EdgeHealth::found, scene_, &GraphScene::showWarning);
+  connect(graph_, &GraphView::seenChanged, health, &EdgeHealth::setLooking);
 }
 
 void MainWindow::connectModeToViews() {

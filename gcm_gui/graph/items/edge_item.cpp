@@ -56,7 +56,7 @@ void EdgeItem::show(const QPointF& from, const QPointF& to, Look look, const QSt
   look_ = look;
   reason_ = reason;
   raise();
-  setToolTip(reason.isEmpty() ? required_ : required_ + '\n' + reason);
+  showTip();
   isBroken() ? setCursor(Qt::PointingHandCursor) : unsetCursor();
   update();
 }
@@ -66,6 +66,19 @@ void EdgeItem::setSelected(bool selected) {
   selected_ = selected;
   raise();
   update();
+}
+
+void EdgeItem::setWarning(const QString& warning) {
+  if (warning == warning_) return;
+  warning_ = warning;
+  showTip();
+  update();
+}
+
+void EdgeItem::showTip() {
+  QStringList lines{required_, reason_, warning_};
+  lines.removeAll(QString());
+  setToolTip(lines.join('\n'));
 }
 
 void EdgeItem::raise() {
@@ -91,7 +104,10 @@ QPainterPath EdgeItem::shape() const {
 
 void EdgeItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
   painter->setRenderHint(QPainter::Antialiasing);
-  const Token token = selected_ && look_ != Look::kPreview ? Token::kAccent : TokenOf(look_);
+  const bool warns = look_ == Look::kActive && !warning_.isEmpty();
+  const Token token = warns                                  ? Token::kWarning
+                      : selected_ && look_ != Look::kPreview ? Token::kAccent
+                                                             : TokenOf(look_);
   QPen pen(Theme::instance().color(token), look_ == Look::kPreview ? 1.5 : 2);
   if (look_ != Look::kActive) pen.setDashPattern({3, 3});
   pen.setCapStyle(Qt::FlatCap);

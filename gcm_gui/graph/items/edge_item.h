@@ -21,9 +21,12 @@ class EdgeItem : public QGraphicsItem {
   /// Named by its required end.
   void setRequired(const QString& path) { required_ = path; }
   void setSelected(bool selected);
+  /// What is wrong with it although it stands; empty where nothing is.
+  void setWarning(const QString& warning);
 
   [[nodiscard]] const QString& required() const { return required_; }
   [[nodiscard]] Look look() const { return look_; }
+  [[nodiscard]] const QString& warning() const { return warning_; }
   [[nodiscard]] const QPainterPath& path() const { return path_; }
   /// It was tried, and does not work: there is a reason to be told.
   [[nodiscard]] bool isBroken() const { return look_ == Look::kFailed || look_ == Look::kPending; }
@@ -35,6 +38,7 @@ class EdgeItem : public QGraphicsItem {
 
  private:
   void raise();
+  void showTip();
   void paintReason(QPainter& painter) const;
 
   QString required_;
@@ -43,6 +47,7 @@ class EdgeItem : public QGraphicsItem {
   QPainterPath path_;
   Look look_ = Look::kActive;
   QString reason_;
+  QString warning_;
   bool selected_ = false;
 };
 
