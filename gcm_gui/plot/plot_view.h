@@ -1,9 +1,9 @@
 #pragma once
 
+#include <gcm_gui/plot/frame_governor.h>
 #include <gcm_gui/plot/plot_axes.h>
 #include <gcm_gui/plot/series/cursors.h>
 #include <gcm_gui/plot/series/curve_set.h>
-#include <gcm_gui/plot/frame_governor.h>
 #include <gcm_gui/plot/series/live_clock.h>
 #include <gcm_gui/plot/series/signal_path.h>
 #include <gcm_gui/plot/series/time_window.h>
