@@ -1,3 +1,4 @@
+#include <gcm_gui/plot/history/memory_meter.h>
 #include <gcm_gui/plot/plot_head.h>
 #include <gcm_gui/plot/rate_badge.h>
 #include <gcm_gui/theme/icon.h>
@@ -54,6 +55,7 @@ PlotHead::PlotHead(QWidget* parent)
     : HeadRow(parent),
       tabs_(new TabBar(this)),
       plus_(Button("newPlot", "New plot", this)),
+      memory_(new MemoryMeter(this)),
       badge_(new RateBadge(this)),
       window_(Button("window", "How long the plot looks back", this)),
       cursors_(Button("cursors", "Cursors A and B  (A, B; Delete)", this)),
@@ -73,6 +75,7 @@ PlotHead::PlotHead(QWidget* parent)
   buildWindowMenu();
   addLeft(tabs_);
   addLeft(plus_);
+  addRight(memory_);
   addRight(badge_);
   addRight(window_);
   addRight(cursors_);
@@ -99,6 +102,10 @@ void PlotHead::buildWindowMenu() {
   // Not the button's own way, which waits in its handler until the menu is closed.
   connect(window_, &QToolButton::clicked, menu,
           [this, menu] { menu->popup(window_->mapToGlobal(QPoint(0, window_->height()))); });
+}
+
+void PlotHead::setMemory(std::size_t used, std::size_t budget, bool is_thinned) {
+  memory_->setFigures(used, budget, is_thinned);
 }
 
 void PlotHead::setFigures(const std::vector<SourceFigures>& figures) {

@@ -12,6 +12,7 @@ class QToolButton;
 
 namespace tendon::gui {
 
+class MemoryMeter;
 class RateBadge;
 
 /// The head of the plots: a tab for each, [+], and of the chosen one the rate, the window's length
@@ -24,6 +25,8 @@ class PlotHead : public HeadRow {
 
   [[nodiscard]] QTabBar& tabs() { return *tabs_; }
   void setFigures(const std::vector<SourceFigures>& figures);
+  /// See MemoryMeter.
+  void setMemory(std::size_t used, std::size_t budget, bool is_thinned);
   void setWindow(std::chrono::nanoseconds length);
   void setPaused(bool paused);
   void setCursors(bool shown);
@@ -40,6 +43,7 @@ class PlotHead : public HeadRow {
 
   QTabBar* tabs_;
   QToolButton* plus_;
+  MemoryMeter* memory_;
   RateBadge* badge_;
   QToolButton* window_;
   QActionGroup* lengths_ = nullptr;

@@ -2,6 +2,7 @@
 #include <gcm_gui/plot/plot_overlay.h>
 #include <gcm_gui/plot/plot_view.h>
 
+#include <QContextMenuEvent>
 #include <QCursor>
 #include <QHelpEvent>
 #include <QKeyEvent>
@@ -44,6 +45,9 @@ bool PlotNavigator::eventFilter(QObject* watched, QEvent* event) {
       return false;
     case QEvent::Wheel:
       return wheel(static_cast<const QWheelEvent&>(*event));
+    case QEvent::ContextMenu:
+      Q_EMIT view_.menuRequested(static_cast<const QContextMenuEvent&>(*event).pos());
+      return true;
     case QEvent::ToolTip:
       return help(static_cast<const QHelpEvent&>(*event));
     case QEvent::KeyPress:

@@ -1,9 +1,15 @@
+#include <gcm_gui/plot/layout/plot_layout.h>
+#include <gcm_gui/plot/picture/plot_picture.h>
 #include <gcm_gui/plot/plot_head.h>
+#include <gcm_gui/plot/plot_menu.h>
 #include <gcm_gui/plot/plot_panel.h>
 #include <gcm_gui/plot/plot_view.h>
 
+#include <QFile>
 #include <QFileDialog>
+#include <QInputDialog>
 #include <QMenu>
+#include <QSaveFile>
 #include <QSet>
 #include <QStackedWidget>
 #include <QTabBar>
@@ -69,6 +75,9 @@ PlotView& PlotPanel::addPlot() {
     if (live) setPaused(false);
   });
   connect(view, &PlotView::cursorsChanged, this, &PlotPanel::updateHead);
+  connect(view, &PlotView::remapRequested, this, &PlotPanel::askForRemap);
+  connect(view, &PlotView::menuRequested, this,
+          [this, view](const QPoint& position) { showPlotMenu(*view, position); });
   plots_->addWidget(view);
   const int index = head_->tabs().addTab({});
   nameTab(*view);
@@ -99,6 +108,7 @@ void PlotPanel::showTabMenu(const QPoint& position) {
 }
 
 void PlotPanel::showPlot(int index) {
+  head_->tabs().setCurrentIndex(index);
   plots_->setCurrentIndex(index);
   updateHead();
 }
@@ -204,15 +214,101 @@ void PlotPanel::askForCsv() {
     Q_EMIT notice("There is nothing to save as CSV: the plot shows no samples");
     return;
   }
-  auto* dialog = new QFileDialog(this, "Save what is seen as CSV");
+  askForFile("Save what is seen as CSV", "CSV (*.csv)", "csv",
+             [this, table](const QString& file) { csv_.save(std::move(*table), file); });
+}
+
+void PlotPanel::askForFile(const QString& title, const QString& filter, const QString& suffix,
+                           FileHandler handler) {
+  auto* dialog = new QFileDialog(this, title);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
-  dialog->setNameFilter("CSV (*.csv)");
-  dialog->setDefaultSuffix("csv");
-  dialog->selectFile(head_->tabs().tabText(currentIndex()) + ".csv");
-  connect(dialog, &QFileDialog::fileSelected, this,
-          [this, table](const QString& file) { csv_.save(std::move(*table), file); });
+  dialog->setNameFilter(filter);
+  dialog->setDefaultSuffix(suffix);
+  dialog->selectFile(head_->tabs().tabText(currentIndex()) + '.' + suffix);
+  connect(dialog, &QFileDialog::fileSelected, this, std::move(handler));
   dialog->open();
+}
+
+void PlotPanel::askForPicture() {
+  askForFile("Save a picture of the plot", "PNG (*.png);;SVG (*.svg)", "png",
+             [this](const QString& file) { Q_EMIT notice(SavePicture(currentPlot(), file)); });
+}
+
+void PlotPanel::askToSaveLayout() {
+  askForFile("Save the layout of all plots", "Plot layout (*.plots.json)", "plots.json",
+             [this](const QString& file) { saveLayout(file); });
+}
+
+void PlotPanel::askForLayout() {
+  auto* dialog = new QFileDialog(this, "Open a layout of plots");
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  dialog->setNameFilter("Plot layout (*.plots.json *.json)");
+  connect(dialog, &QFileDialog::fileSelected, this, &PlotPanel::openLayout);
+  dialog->open();
+}
+
+void PlotPanel::saveLayout(const QString& name) {
+  QSaveFile file(name);
+  if (file.open(QIODevice::WriteOnly) && file.write(LayoutOf(*this)) >= 0 && file.commit()) {
+    return Q_EMIT notice(name + " saved");
+  }
+  Q_EMIT notice(name + " was not saved: " + file.errorString());
+}
+
+void PlotPanel::openLayout(const QString& name) {
+  QFile file(name);
+  if (!file.open(QIODevice::ReadOnly)) {
+    return Q_EMIT notice(name + " cannot be read: " + file.errorString());
+  }
+  if (const auto reason = ShowLayout(*this, file.readAll())) {
+    Q_EMIT notice(name + " is no layout of plots: " + *reason);
+  }
+}
+
+void PlotPanel::setCandidates(std::function<QList<CurveKey>(const QString& path)> candidates) {
+  candidates_ = std::move(candidates);
+}
+
+void PlotPanel::askForRemap(const QString& path) {
+  const QList<CurveKey> candidates = candidates_ ? candidates_(path) : QList<CurveKey>();
+  QStringList names;
+  for (const CurveKey& key : candidates) names << key.path;
+  auto* dialog = new QInputDialog(this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle("Show another signal");
+  dialog->setLabelText("In place of " + path);
+  dialog->setComboBoxItems(names);
+  dialog->setComboBoxEditable(true);
+  dialog->setTextValue(names.isEmpty() ? path : names.front());
+  connect(dialog, &QInputDialog::textValueSelected, this,
+          [this, path, candidates](const QString& chosen) {
+            for (const CurveKey& key : candidates) {
+              if (key.path == chosen) return remap(path, key);
+            }
+            const Curve* curve = currentPlot().curve(path);
+            remap(path, {chosen, curve != nullptr ? curve->unit() : QString()});
+          });
+  dialog->open();
+}
+
+void PlotPanel::remap(const QString& given, const CurveKey& to) {
+  const QString from = given;  // may be a curve's own
+  if (from == to.path || to.path.isEmpty()) return;
+  for (int i = 0; i < plotCount(); ++i) {
+    if (plot(i).curve(from) == nullptr) continue;
+    add(plot(i), to);
+    removeFrom(plot(i), from);
+  }
+}
+
+void PlotPanel::showPlotMenu(PlotView& view, const QPoint& position) {
+  auto* menu = new QMenu(this);
+  menu->setObjectName("plotMenu");
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  FillPlotMenu(*menu, *this, view);
+  menu->popup(view.canvas()->mapToGlobal(position));
 }
 
 void PlotPanel::toggleCursors() { currentPlot().showCursors(!currentPlot().cursors().any()); }
@@ -225,14 +321,23 @@ void PlotPanel::setMemoryBudget(std::size_t bytes) {
 void PlotPanel::shareMemory() {
   std::size_t count = 0;
   for (int i = 0; i < plotCount(); ++i) count += plot(i).curves().curves().size();
-  const std::size_t limit = memory_ / SampleRing::kBytesPerSample / std::max<std::size_t>(count, 1);
+  const std::size_t budget = memory_ / std::max<std::size_t>(count, 1);
   for (int i = 0; i < plotCount(); ++i) {
-    for (const auto& curve : plot(i).curves().curves()) curve->setLimit(limit);
+    for (const auto& curve : plot(i).curves().curves()) curve->setBudget(budget);
   }
 }
 
 void PlotPanel::updateHead() {
   if (plotCount() == 0) return;
+  std::size_t used = 0;
+  bool is_thinned = false;
+  for (int i = 0; i < plotCount(); ++i) {
+    for (const auto& curve : plot(i).curves().curves()) {
+      used += curve->bytes();
+      is_thinned = is_thinned || curve->isThinned();
+    }
+  }
+  head_->setMemory(used, memory_, is_thinned);
   head_->setFigures(currentPlot().figures());
   head_->setWindow(currentPlot().window().length());
   head_->setCursors(currentPlot().cursors().any());

@@ -8,6 +8,7 @@
 #include <QTimer>
 #include <QWidget>
 #include <chrono>
+#include <functional>
 #include <span>
 
 class QStackedWidget;
@@ -53,6 +54,18 @@ class PlotPanel : public QWidget {
   /// Asks for a file, and saves there what the plot in front shows at the moment of asking: every
   /// sample in sight. Writing goes on beside the window.
   void askForCsv();
+  /// The same for a picture of it, PNG or SVG.
+  void askForPicture();
+  /// For a file that holds which signals are in which plot; see LayoutOf().
+  void askToSaveLayout();
+  void askForLayout();
+  /// Replaces the plots by those of `file`; what is wrong with it comes as a notice.
+  void openLayout(const QString& file);
+  void saveLayout(const QString& file);
+  /// Shows `to` wherever `from` is shown.
+  void remap(const QString& from, const CurveKey& to);
+  /// What could be shown in place of a signal, the likeliest first.
+  void setCandidates(std::function<QList<CurveKey>(const QString& path)> candidates);
   void toggleCursors();
 
   /// For the samples of all plots, in bytes.
@@ -66,6 +79,7 @@ class PlotPanel : public QWidget {
   [[nodiscard]] PlotView& plot(int index) const;
   [[nodiscard]] int plotCount() const;
   [[nodiscard]] int currentIndex() const;
+  void showPlot(int index);
 
  Q_SIGNALS:
   void subscriptionWanted(const QString& path);
@@ -78,8 +92,12 @@ class PlotPanel : public QWidget {
   void buildTabs();
   void add(PlotView& view, const CurveKey& key);
   void removeFrom(PlotView& view, const QString& path);
-  void showPlot(int index);
   void showTabMenu(const QPoint& position);
+  void showPlotMenu(PlotView& view, const QPoint& position);
+  void askForRemap(const QString& path);
+  using FileHandler = std::function<void(const QString& file)>;
+  void askForFile(const QString& title, const QString& filter, const QString& suffix,
+                  FileHandler handler);
   void nameTab(const PlotView& view);
   void updateHead();
   void shareMemory();
@@ -89,6 +107,7 @@ class PlotPanel : public QWidget {
   MarkTrack marks_;
   PlotHead* head_;
   QStackedWidget* plots_;
+  std::function<QList<CurveKey>(const QString& path)> candidates_;
   QTimer head_timer_;
   std::size_t memory_ = kDefaultMemory;
   bool paused_ = false;

@@ -6,6 +6,8 @@
 #include <gcm_gui/plot/plot_navigator.h>
 #include <gcm_gui/plot/plot_overlay.h>
 #include <gcm_gui/plot/plot_view.h>
+#include <gcm_gui/plot/rate_badge.h>
+#include <gcm_gui/plot/series/statistics.h>
 #include <gcm_gui/theme/icon.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
@@ -27,6 +29,7 @@ namespace tendon::gui {
 namespace {
 
 constexpr int kFrame = 16;       // ms
+constexpr int kFigure = 8;       // characters of a number of the statistics
 constexpr int kLegendTicks = 6;  // frames between two changes of its numbers
 constexpr double kGrab = 5;      // pixels around a cursor
 constexpr auto kHint = "Select a value and press P, or drag it here";
@@ -76,6 +79,7 @@ void PlotView::build() {
   live_pill_->hide();
   connect(live_pill_, &QPushButton::clicked, this, &PlotView::goLive);
   connect(&legendBox(), &Legend::removeRequested, this, &PlotView::curveRemovalRequested);
+  connect(&legendBox(), &Legend::remapRequested, this, &PlotView::remapRequested);
   connect(&legendBox(), &Legend::toggled, this, [this](const QString& path) {
     if (Curve* toggled = curve(path)) toggled->setVisible(!toggled->isVisible());
     changed();
@@ -234,6 +238,28 @@ void PlotView::showCursors(bool shown) {
   Q_EMIT cursorsChanged(cursors_.any());
 }
 
+void PlotView::setFit(Fit fit) {
+  curves_.setFit(fit);
+  changed();
+}
+
+void PlotView::setStatistics(bool shown) {
+  statistics_ = shown;
+  updateLegend();
+}
+
+QString PlotView::figuresOf(const Curve& curve) const {
+  if (!statistics_) return {};
+  const auto found =
+      StatisticsOf(curve.samples(), window_.timeAt(window_.from()), window_.timeAt(window_.to()));
+  if (!found) return {};
+  const AxisRange& range = curves_.axisOf(curve).range;
+  const auto text = [&](double value) { return LegendValue(value, range).rightJustified(kFigure); };
+  return QString("min%1  max%2  mean%3  σ%4  rms%5  p-p%6  %7")
+      .arg(text(found->lowest), text(found->highest), text(found->mean), text(found->deviation),
+           text(found->rms), text(found->span()), RateText(found->rate));
+}
+
 void PlotView::setMarks(const MarkTrack& marks) {
   delete flags_;  // leaves the plot by itself
   flags_ = new MarkFlags(marks, window_);
@@ -298,11 +324,16 @@ void PlotView::refresh() {
   if (ticks_++ % kLegendTicks == 0) updateLegend();
   if (!moved && !std::exchange(dirty_, false)) return;
   dirty_ = false;
+  const auto start = std::chrono::steady_clock::now();
   axes_.showTime(window_);
   curves_.fitAxes(layer_->slicesOf(canvasMap(QwtAxis::XBottom), canvas()->contentsRect(),
                                    canvas()->devicePixelRatioF()));
   axes_.showValues(curves_.axes());
   replot();
+  using Time = FrameGovernor::Time;
+  governor_.drew(std::chrono::duration_cast<Time>(std::chrono::steady_clock::now() - start));
+  const auto interval = std::chrono::ceil<std::chrono::milliseconds>(governor_.interval());
+  if (timer_.isActive() && timer_.intervalAsDuration() != interval) timer_.start(interval);
 }
 
 void PlotView::drawCanvas(QPainter* painter) {
@@ -332,7 +363,8 @@ void PlotView::updateLegend() {
          .unit = stale ? QString() : curve->unit(),
          .color_index = curve->colorIndex(),
          .stale = stale,
-         .shown = curve->isVisible()});
+         .shown = curve->isVisible(),
+         .figures = figuresOf(*curve)});
   }
   legendBox().setEntries(entries);
 }

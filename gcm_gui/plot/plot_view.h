@@ -1,5 +1,6 @@
 #pragma once
 
+#include <gcm_gui/plot/frame_governor.h>
 #include <gcm_gui/plot/plot_axes.h>
 #include <gcm_gui/plot/series/cursors.h>
 #include <gcm_gui/plot/series/curve_set.h>
@@ -27,7 +28,8 @@ class PlotOverlay;
 
 /// One live plot. Its curves share the time axis; each unit has a Y axis.
 ///
-/// Draws itself at 60 Hz at most: only while it is visible, and only when something has moved. The
+/// Draws itself at 60 Hz at most, at less where that is dear (FrameGovernor): only while it is
+/// visible, and only when something has moved. The
 /// samples are the curves' own, whatever is shown of them. GUI thread.
 class PlotView : public QwtPlot {
   Q_OBJECT
@@ -76,6 +78,12 @@ class PlotView : public QwtPlot {
   /// What is marked at canvas column `x`, a line each.
   [[nodiscard]] QString marksAt(double x) const;
 
+  void setFit(Fit fit);
+  [[nodiscard]] Fit fit() const { return curves_.fit(); }
+  /// The legend tells lowest, highest, mean and more of what is seen of each curve.
+  void setStatistics(bool shown);
+  [[nodiscard]] bool hasStatistics() const { return statistics_; }
+
   /// The legend shows the values at canvas column `x` instead of the present ones.
   void setHover(std::optional<int> x);
   [[nodiscard]] std::vector<SourceFigures> figures() const;
@@ -93,6 +101,9 @@ class PlotView : public QwtPlot {
   void cursorsChanged(bool shown);
   void curvesDropped(const QList<CurveKey>& keys);
   void curveRemovalRequested(const QString& path);
+  void remapRequested(const QString& path);
+  /// At a place of the canvas.
+  void menuRequested(const QPoint& position);
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -116,6 +127,7 @@ class PlotView : public QwtPlot {
   void updateLive();
   void curvesChanged();
   [[nodiscard]] double columns() const;
+  [[nodiscard]] QString figuresOf(const Curve& curve) const;
 
   PlotAxes axes_;
   CurveSet curves_;
@@ -126,7 +138,9 @@ class PlotView : public QwtPlot {
   std::int64_t newest_ns_;
   std::optional<int> hover_;
   bool dirty_ = true;
+  bool statistics_ = false;
   bool was_live_ = true;
+  FrameGovernor governor_;
   int ticks_ = 0;
   QTimer timer_;
   CurveLayer* layer_ = nullptr;  // owned by QwtPlot, as are the items below

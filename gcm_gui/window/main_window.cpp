@@ -344,6 +344,9 @@ void MainWindow::addPlotCommands() {
   commands_->menu(Commands::Menu::kPlot).addSeparator();
   add("&Save what is seen as CSV…", QKeySequence(Qt::CTRL | Qt::Key_E),
       [this] { plots_->askForCsv(); });
+  add("Save a p&icture…", {}, [this] { plots_->askForPicture(); });
+  add("&Open a layout of plots…", {}, [this] { plots_->askForLayout(); });
+  add("Save the layou&t of plots…", {}, [this] { plots_->askToSaveLayout(); });
 }
 
 void MainWindow::addPalette() {

@@ -1,6 +1,9 @@
 #include <gcm_gui/models/catalogue_model.h>
+#include <gcm_gui/models/row_roles.h>
 #include <gcm_gui/plot/plot_panel.h>
 #include <gcm_gui/window/plot_binding.h>
+
+#include <algorithm>
 
 namespace tendon::gui {
 
@@ -12,6 +15,7 @@ PlotBinding::PlotBinding(PlotPanel& panel, SignalSource& source, const Catalogue
   connect(&source, &SignalSource::samplesArrived, &panel, &PlotPanel::append);
   connect(&source, &SignalSource::epochBegan, &panel, &PlotPanel::beginEpoch);
   connect(&source, &SignalSource::wentStale, this, &PlotBinding::showStale);
+  panel.setCandidates([this](const QString& path) { return candidatesFor(path); });
 }
 
 void PlotBinding::showStale(const QString& path, const QString& reason) {
@@ -19,6 +23,18 @@ void PlotBinding::showStale(const QString& path, const QString& reason) {
   // That a process is gone is said in many places; the legend says whose rows it waits for.
   const bool gone = process == nullptr || process->gone;
   panel_.setStale(path, gone ? QString() : reason);
+}
+
+// Those that end alike come first: a component that was renamed has the same table.
+QList<CurveKey> PlotBinding::candidatesFor(const QString& path) const {
+  QList<CurveKey> all;
+  for (int row = 0; row < model_.rowCount({}); ++row) {
+    all += model_.signalsBelow(model_.index(row, 0, {}).data(kPathRole).toString());
+  }
+  const QString tail = path.section('.', 1);
+  std::stable_partition(all.begin(), all.end(),
+                        [&](const CurveKey& key) { return key.path.section('.', 1) == tail; });
+  return all;
 }
 
 void PlotBinding::plot(const QString& path) {

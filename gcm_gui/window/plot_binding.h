@@ -1,5 +1,6 @@
 #pragma once
 
+#include <gcm_gui/plot/series/signal_path.h>
 #include <gcm_gui/session/signal_source.h>
 
 #include <QObject>
@@ -31,6 +32,7 @@ class PlotBinding : public QObject {
   void notice(const QString& text);
 
  private:
+  [[nodiscard]] QList<CurveKey> candidatesFor(const QString& path) const;
   void showStale(const QString& path, const QString& reason);
 
   PlotPanel& panel_;

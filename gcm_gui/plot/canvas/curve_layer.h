@@ -21,6 +21,8 @@ class CurveLayer final : public QwtPlotItem {
             const QRectF& canvas_rect) const override;
 
  private:
+  static void drawLines(QPainter& painter, const Curve& curve, const TimeSlices& slices,
+                        const QwtScaleMap& map, const QRectF& rect);
   void drawDots(QPainter& painter, const Curve& curve, const QwtScaleMap& x_map,
                 const QwtScaleMap& y_map, const QRectF& rect) const;
 

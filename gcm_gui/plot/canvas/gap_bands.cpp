@@ -13,7 +13,9 @@ namespace {
 constexpr double kZ = 15;  // above the grid, below the curves
 constexpr double kNarrowest = 2;
 constexpr double kTint = 0.16;
+constexpr double kHatch = 0.5;
 constexpr double kSilentTint = 0.10;
+constexpr double kSilentHatch = 0.3;
 constexpr double kLabelSpace = 8;
 
 QString TextOf(std::uint64_t lost) {
@@ -42,6 +44,7 @@ void GapBands::draw(QPainter* painter, const QwtScaleMap& x_map, const QwtScaleM
       const QRectF rect(band.left, canvas_rect.top(), band.right - band.left, canvas_rect.height());
       const Token token = band.lost > 0 ? Token::kBad : Token::kStale;
       painter->fillRect(rect & canvas_rect, theme.color(token, kTint));
+      painter->fillRect(rect & canvas_rect, QBrush(theme.color(token, kHatch), Qt::BDiagPattern));
     }
     drawLabels(*painter, bands, canvas_rect);
     if (!curve->isStale()) continue;
@@ -51,6 +54,8 @@ void GapBands::draw(QPainter* painter, const QwtScaleMap& x_map, const QwtScaleM
     const QRectF silence(QPointF(silent_since, canvas_rect.top()), canvas_rect.bottomRight());
     if (silence.width() > 0) {
       painter->fillRect(silence & canvas_rect, theme.color(Token::kStale, kSilentTint));
+      painter->fillRect(silence & canvas_rect,
+                        QBrush(theme.color(Token::kStale, kSilentHatch), Qt::BDiagPattern));
     }
   }
 }

@@ -19,7 +19,8 @@ constexpr int kLegendRowHeight = 18;
 constexpr int kSwatchWidth = 12;
 constexpr int kSwatchHeight = 3;
 constexpr int kSpace = 8;
-constexpr int kBetween = 20;  // two rows side by side
+const QString kRemap = QStringLiteral("remap…");
+constexpr int kBetween = 12;  // two rows side by side
 constexpr int kWidestName = 220;
 constexpr double kHiddenOpacity = 0.45;
 
@@ -50,8 +51,9 @@ void LegendRow::setEntry(const LegendEntry& entry) {
   const QFontMetrics metrics(Theme::instance().small());
   SetText(name_, metrics.elidedText(entry.name, Qt::ElideMiddle, kWidestName),
           Theme::instance().small());
-  SetText(value_, entry.value, Theme::instance().smallMono());
+  SetText(value_, entry.stale ? kRemap : entry.value, Theme::instance().smallMono());
   SetText(unit_, entry.unit, Theme::instance().small());
+  SetText(figures_, entry.figures, Theme::instance().smallMono());
   update();
 }
 
@@ -65,8 +67,13 @@ void LegendRow::setColumns(int name_width, int value_width, int unit_width) {
   name_width_ = name_width;
   value_width_ = value_width;
   unit_width_ = unit_width;
-  setFixedWidth(kSwatchWidth + kSpace + name_width + 2 * kSpace + value_width +
-                (unit_width > 0 ? kSpace / 2 + unit_width : 0));
+  setFixedWidth(kSwatchWidth + kSpace + name_width + kSpace + value_width +
+                (unit_width > 0 ? kSpace / 2 + unit_width : 0) +
+                (entry_.figures.isEmpty() ? 0 : 2 * kSpace + WidthOf(figures_)));
+}
+
+QRect LegendRow::valueRect() const {
+  return {kSwatchWidth + kSpace + name_width_ + kSpace, 0, value_width_, height()};
 }
 
 QRect LegendRow::markRect() const {
@@ -110,10 +117,13 @@ void LegendRow::paintEvent(QPaintEvent*) {
   };
   const Token token = entry_.stale ? Token::kDim : Token::kText;
   const int name_left = kSwatchWidth + kSpace;
-  const int value_right = name_left + name_width_ + 2 * kSpace + value_width_;
+  const int value_right = name_left + name_width_ + kSpace + value_width_;
   paint(name_left, name_, theme.small(), token);
-  paint(value_right - WidthOf(value_), value_, theme.smallMono(), token);
+  paint(value_right - WidthOf(value_), value_, theme.smallMono(),
+        entry_.stale ? Token::kAccent : token);
   paint(value_right + kSpace / 2, unit_, theme.small(), Token::kDim);
+  paint(value_right + kSpace / 2 + unit_width_ + 2 * kSpace, figures_, theme.smallMono(),
+        Token::kDim);
   if (!hasFocus()) return;
   painter.setPen(theme.color(Token::kAccent));
   painter.drawRect(rect().adjusted(0, 0, -1, -1));
@@ -123,19 +133,24 @@ void LegendRow::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return event->ignore();
   if (markRect().contains(event->pos())) {
     Q_EMIT removeRequested(entry_.path);
+  } else if (entry_.stale && valueRect().contains(event->pos())) {
+    Q_EMIT remapRequested(entry_.path);
   } else {
     Q_EMIT toggled(entry_.path);
   }
 }
 
 bool LegendRow::isOwnKey(int key) {
-  return key == Qt::Key_Delete || key == Qt::Key_Backspace || key == Qt::Key_Space;
+  return key == Qt::Key_Delete || key == Qt::Key_Backspace || key == Qt::Key_Space ||
+         key == Qt::Key_R;
 }
 
 void LegendRow::keyPressEvent(QKeyEvent* event) {
   if (!isOwnKey(event->key())) return QWidget::keyPressEvent(event);
   if (event->key() == Qt::Key_Space) {
     Q_EMIT toggled(entry_.path);
+  } else if (event->key() == Qt::Key_R) {
+    Q_EMIT remapRequested(entry_.path);
   } else {
     Q_EMIT removeRequested(entry_.path);
   }
@@ -178,6 +193,7 @@ void Legend::makeRows(std::size_t count) {
     auto* row = new LegendRow(this);
     connect(row, &LegendRow::toggled, this, &Legend::toggled);
     connect(row, &LegendRow::removeRequested, this, &Legend::removeRequested);
+    connect(row, &LegendRow::remapRequested, this, &Legend::remapRequested);
     rows_.push_back(row);
   }
 }

@@ -22,12 +22,14 @@ struct LegendEntry {
   int color_index = 0;
   bool stale = false;  ///< then `name` says also what is waited for, in grey
   bool shown = true;   ///< the curve is visible
+  QString figures;     ///< of the visible range, behind all; empty when they are not asked for
 
   bool operator==(const LegendEntry&) const = default;
 };
 
 /// One curve: colour, name, value, unit, and a cross to remove it, which appears under the mouse
-/// and with the focus. A click or Space hides and shows the curve, Delete removes it.
+/// and with the focus. A click or Space hides and shows the curve, Delete removes it. One that is
+/// waited for offers "remap…" in place of its value; the key is R.
 class LegendRow : public QWidget {
   Q_OBJECT
 
@@ -45,6 +47,8 @@ class LegendRow : public QWidget {
  Q_SIGNALS:
   void toggled(const QString& path);
   void removeRequested(const QString& path);
+  /// Another signal is to be shown in its place.
+  void remapRequested(const QString& path);
 
  protected:
   bool event(QEvent* event) override;
@@ -55,6 +59,7 @@ class LegendRow : public QWidget {
  private:
   [[nodiscard]] static bool isOwnKey(int key);
   [[nodiscard]] QRect markRect() const;
+  [[nodiscard]] QRect valueRect() const;
   void paintMark(QPainter& painter) const;
   [[nodiscard]] bool isPointedAt() const { return underMouse() || hasFocus(); }
 
@@ -62,6 +67,7 @@ class LegendRow : public QWidget {
   QStaticText name_;
   QStaticText value_;
   QStaticText unit_;
+  QStaticText figures_;
   int name_width_ = 0;
   int value_width_ = 0;
   int unit_width_ = 0;
@@ -83,6 +89,7 @@ class Legend : public QFrame {
  Q_SIGNALS:
   void toggled(const QString& path);
   void removeRequested(const QString& path);
+  void remapRequested(const QString& path);
 
  private:
   void makeRows(std::size_t count);

@@ -18,7 +18,31 @@ Curve::Curve(CurveKey key, int color_index)
 void Curve::append(std::span<const Sample> samples) {
   if (samples.empty()) return;
   samples_.append(samples);
+  history_.append(samples);
   stale_reason_.clear();
+}
+
+void Curve::setBudget(std::size_t bytes) {
+  constexpr std::size_t kPartOfHistory = 8;
+  const std::size_t for_history = bytes / kPartOfHistory;
+  history_.setLimit(for_history / CoarseHistory::kBytesPerBucket);
+  samples_.setLimit((bytes - for_history) / SampleRing::kBytesPerSample);
+}
+
+bool Curve::isThinned() const { return samples_.firstIndex() > 0 && !samples_.empty(); }
+
+// Of the time before the oldest sample there is.
+void Curve::showHistory(const TimeSlices& slices) const {
+  if (!isThinned()) return;
+  const std::int64_t until = samples_.time(samples_.firstIndex());
+  const auto& buckets = history_.buckets();
+  const auto first = std::upper_bound(
+      buckets.begin(), buckets.end(), slices.from_ns - CoarseHistory::kWidthNs,
+      [](std::int64_t time_ns, const auto& bucket) { return time_ns < bucket.from_ns; });
+  for (auto each = first; each != buckets.end() && each->from_ns < until; ++each) {
+    const std::int64_t end = std::min(each->from_ns + CoarseHistory::kWidthNs, until);
+    envelope_.widen(each->from_ns, end, each->low, each->high);
+  }
 }
 
 std::optional<double> Curve::valueAt(std::int64_t time_ns) const {
@@ -51,6 +75,7 @@ double Curve::rate() const {
 const Envelope& Curve::envelope(const TimeSlices& slices) const {
   if (slices != envelope_slices_ || samples_.endIndex() != envelope_end_) {
     envelope_.build(samples_, slices);
+    showHistory(slices);
     envelope_slices_ = slices;
     envelope_end_ = samples_.endIndex();
   }

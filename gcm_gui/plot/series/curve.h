@@ -1,5 +1,6 @@
 #pragma once
 
+#include <gcm_gui/plot/history/coarse_history.h>
 #include <gcm_gui/plot/series/envelope.h>
 #include <gcm_gui/plot/series/sample_ring.h>
 #include <gcm_gui/plot/series/signal_path.h>
@@ -25,7 +26,12 @@ class Curve {
   void append(std::span<const Sample> samples);
   /// See SampleRing::beginEpoch().
   void beginEpoch() { samples_.beginEpoch(); }
-  void setLimit(std::size_t samples) { samples_.setLimit(samples); }
+  /// Bytes for its samples. Those for which there is no room are kept as extremes of each 100 ms,
+  /// for which an eighth is set aside.
+  void setBudget(std::size_t bytes);
+  [[nodiscard]] std::size_t bytes() const { return samples_.bytes() + history_.bytes(); }
+  /// The oldest part of what it shows has no samples any more.
+  [[nodiscard]] bool isThinned() const;
   [[nodiscard]] const SampleRing& samples() const { return samples_; }
 
   /// Nothing comes: `reason` says what is waited for. A new curve is stale from the start.
@@ -46,11 +52,14 @@ class Curve {
   [[nodiscard]] const Envelope& envelope(const TimeSlices& slices) const;
 
  private:
+  void showHistory(const TimeSlices& slices) const;
+
   CurveKey key_;
   int color_index_;
   bool visible_ = true;
   QString stale_reason_;
   SampleRing samples_;
+  CoarseHistory history_;
   mutable Envelope envelope_;
   mutable TimeSlices envelope_slices_;
   mutable std::uint64_t envelope_end_ = 0;

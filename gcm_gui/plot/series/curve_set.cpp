@@ -1,6 +1,7 @@
 #include <gcm_gui/plot/series/curve_set.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace tendon::gui {
@@ -69,6 +70,14 @@ int CurveSet::freeColor() const {
   return color;
 }
 
+void CurveSet::setFit(Fit fit) {
+  fit_ = fit;
+  for (UnitAxis& axis : axes_) {
+    axis.fitted = true;
+    axis.has_grown = false;
+  }
+}
+
 void CurveSet::fitAxes(const TimeSlices& slices) {
   for (UnitAxis& axis : axes_) {
     if (!axis.fitted) continue;
@@ -80,7 +89,18 @@ void CurveSet::fitAxes(const TimeSlices& slices) {
       data.low = std::min(data.low, envelope.lowest());
       data.high = std::max(data.high, envelope.highest());
     }
-    if (data.low <= data.high) axis.range = FittedRange(axis.range, data);
+    if (data.low > data.high) continue;
+    if (fit_ == Fit::kSymmetric) {
+      const double most = std::max(std::abs(data.low), std::abs(data.high));
+      data = {.low = -most, .high = most};
+    }
+    if (fit_ == Fit::kGrow && axis.has_grown) {
+      data = {.low = std::min(data.low, axis.grown.low),
+              .high = std::max(data.high, axis.grown.high)};
+    }
+    axis.grown = data;
+    axis.has_grown = true;
+    axis.range = FittedRange(axis.range, data);
   }
 }
 

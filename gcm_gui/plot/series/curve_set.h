@@ -10,11 +10,20 @@
 
 namespace tendon::gui {
 
+/// How a Y axis follows the visible data.
+enum class Fit {
+  kClose,      ///< as narrow as the data
+  kGrow,       ///< never narrower than before
+  kSymmetric,  ///< 0 in the middle
+};
+
 /// The Y axis of all curves of one unit.
 struct UnitAxis {
   QString unit;
   AxisRange range;
-  bool fitted = true;    ///< follows the visible data; else the user's choice
+  bool fitted = true;  ///< follows the visible data; else the user's choice
+  AxisRange grown{};   ///< the data it was fitted to, of all time with Fit::kGrow
+  bool has_grown = false;
   int color_index = -1;  ///< of its only curve; -1 when it has several
 };
 
@@ -44,6 +53,9 @@ class CurveSet {
   [[nodiscard]] const std::vector<UnitAxis>& axes() const { return axes_; }
   [[nodiscard]] const UnitAxis& axisOf(const Curve& curve) const;
 
+  /// Of all axes.
+  void setFit(Fit fit);
+  [[nodiscard]] Fit fit() const { return fit_; }
   /// Fits the axes that follow the data to what the slices show.
   void fitAxes(const TimeSlices& slices);
   /// Time of the newest sample of all; INT64_MIN without any.
@@ -58,6 +70,7 @@ class CurveSet {
 
   std::vector<std::unique_ptr<Curve>> curves_;
   std::vector<UnitAxis> axes_;
+  Fit fit_ = Fit::kClose;
 };
 
 }  // namespace tendon::gui

@@ -36,6 +36,24 @@ void Envelope::build(const SampleRing& ring, const TimeSlices& slices) {
   for (const double each : high()) highest_ = std::max(highest_, each);
 }
 
+void Envelope::widen(std::int64_t from_ns, std::int64_t to_ns, double low, double high) {
+  const std::int64_t from = std::max(from_ns, slices_.from_ns);
+  const std::int64_t to = std::min(to_ns, slices_.to_ns);
+  if (from >= to || slices_.count == 0) return;
+  const double width =
+      static_cast<double>(slices_.to_ns - slices_.from_ns) / static_cast<double>(slices_.count);
+  const auto slice_of = [&](std::int64_t time_ns) {
+    const double place = static_cast<double>(time_ns - slices_.from_ns) / width;
+    return std::min(static_cast<std::size_t>(place), slices_.count - 1) + 1;
+  };
+  for (std::size_t slice = slice_of(from); slice <= slice_of(to - 1); ++slice) {
+    low_[slice] = std::min(low_[slice], low);
+    high_[slice] = std::max(high_[slice], high);
+  }
+  lowest_ = std::min(lowest_, low);
+  highest_ = std::max(highest_, high);
+}
+
 void Envelope::start(const SampleRing& ring, const TimeSlices& slices) {
   low_.assign(slices.count + 2, kInfinity);
   high_.assign(slices.count + 2, -kInfinity);

@@ -28,6 +28,10 @@ class Envelope {
   /// by whole ones since the last time, as they do in a live plot, O(new samples + slices).
   void build(const SampleRing& ring, const TimeSlices& slices);
 
+  /// What is known of [from_ns, to_ns) without its samples is shown, too, until the next build()
+  /// at least. O(slices there).
+  void widen(std::int64_t from_ns, std::int64_t to_ns, double low, double high);
+
   [[nodiscard]] std::span<const double> low() const { return shown(low_); }
   /// Lower than low() where a slice is empty.
   [[nodiscard]] std::span<const double> high() const { return shown(high_); }

@@ -54,6 +54,7 @@ class SampleRing {
   /// At most so many samples, rounded down to a power of two; the oldest ones go.
   void setLimit(std::size_t samples);
 
+  [[nodiscard]] std::size_t bytes() const { return times_.size() * kBytesPerSample; }
   [[nodiscard]] std::uint64_t firstIndex() const { return first_; }
   [[nodiscard]] std::uint64_t endIndex() const { return end_; }
   [[nodiscard]] bool empty() const { return first_ == end_; }

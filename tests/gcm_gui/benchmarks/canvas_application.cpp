@@ -1,4 +1,4 @@
-#include <benchmarks/window/canvas_application.h>
+#include <gcm_gui/benchmarks/canvas_application.h>
 #include <gcm_gui/theme/theme.h>
 
 namespace tendon::benchmark {

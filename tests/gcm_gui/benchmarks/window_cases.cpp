@@ -1,6 +1,6 @@
 #include <benchmarks/measurement.h>
-#include <benchmarks/window/canvas_application.h>
 #include <gcm_gui/activity/activity_model.h>
+#include <gcm_gui/benchmarks/canvas_application.h>
 #include <gcm_gui/graph/graph_view.h>
 #include <gcm_gui/session/catalogue_store.h>
 #include <gcm_gui/session/gcm_link.h>

@@ -2,7 +2,7 @@
 // whole canvas, axes and grid, all axes moving.
 
 #include <benchmarks/measurement.h>
-#include <benchmarks/window/canvas_application.h>
+#include <gcm_gui/benchmarks/canvas_application.h>
 #include <gcm_gui/plot/plot_view.h>
 #include <qwt_plot.h>
 #include <qwt_plot_canvas.h>

@@ -1,0 +1,39 @@
+#include <gcm_gui/plot/history/coarse_history.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace tendon::gui {
+namespace {
+
+constexpr std::int64_t kClockToleranceNs = 1'000'000'000;
+
+std::int64_t BucketOf(std::int64_t time_ns) {
+  const std::int64_t rest = time_ns % CoarseHistory::kWidthNs;
+  return time_ns - rest - (rest < 0 ? CoarseHistory::kWidthNs : 0);
+}
+
+}  // namespace
+
+void CoarseHistory::append(std::span<const Sample> samples) {
+  for (const Sample& sample : samples) {
+    if (!std::isfinite(sample.value)) continue;
+    const std::int64_t from = BucketOf(sample.time_ns);
+    if (!buckets_.empty() && from + kClockToleranceNs < buckets_.back().from_ns) buckets_.clear();
+    if (buckets_.empty() || from > buckets_.back().from_ns) {
+      buckets_.push_back({.from_ns = from, .low = sample.value, .high = sample.value});
+      if (buckets_.size() > limit_) buckets_.pop_front();
+      continue;
+    }
+    Bucket& newest = buckets_.back();
+    newest.low = std::min(newest.low, sample.value);
+    newest.high = std::max(newest.high, sample.value);
+  }
+}
+
+void CoarseHistory::setLimit(std::size_t buckets) {
+  limit_ = std::max<std::size_t>(buckets, 1);
+  while (buckets_.size() > limit_) buckets_.pop_front();
+}
+
+}  // namespace tendon::gui

@@ -1,0 +1,95 @@
+#include <gcm_gui/plot/layout/plot_layout.h>
+#include <gcm_gui/plot/plot_panel.h>
+#include <gcm_gui/plot/plot_view.h>
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <chrono>
+#include <utility>
+#include <vector>
+
+namespace tendon::gui {
+namespace {
+
+using std::chrono::nanoseconds;
+
+constexpr int kVersion = 1;
+constexpr double kLongest = 48 * 3600;  // s
+constexpr double kNanoseconds = 1e9;
+
+struct CurveLayout {
+  CurveKey key;
+  bool is_hidden = false;
+};
+
+struct PlotLayout {
+  nanoseconds window = std::chrono::seconds(30);
+  std::vector<CurveLayout> curves;
+};
+
+QJsonObject JsonOf(const PlotView& view) {
+  QJsonArray curves;
+  for (const auto& curve : view.curves().curves()) {
+    QJsonObject one{{"path", curve->path()}, {"unit", curve->unit()}};
+    if (!curve->isVisible()) one["hidden"] = true;
+    curves.append(one);
+  }
+  const double seconds = static_cast<double>(view.window().length().count()) / kNanoseconds;
+  return {{"window", seconds}, {"curves", curves}};
+}
+
+std::optional<PlotLayout> PlotOf(const QJsonValue& json) {
+  PlotLayout plot;
+  const double seconds = json["window"].toDouble();
+  if (!json.isObject() || !json["curves"].isArray()) return std::nullopt;
+  if (seconds <= 0 || seconds > kLongest) return std::nullopt;
+  plot.window = nanoseconds(static_cast<std::int64_t>(seconds * kNanoseconds));
+  for (const QJsonValue& one : json["curves"].toArray()) {
+    const QString path = one["path"].toString();
+    if (path.isEmpty()) return std::nullopt;
+    plot.curves.push_back({{path, one["unit"].toString()}, one["hidden"].toBool()});
+  }
+  return plot;
+}
+
+}  // namespace
+
+QByteArray LayoutOf(const PlotPanel& panel) {
+  QJsonArray plots;
+  for (int i = 0; i < panel.plotCount(); ++i) plots.append(JsonOf(panel.plot(i)));
+  return QJsonDocument(QJsonObject{{"version", kVersion}, {"plots", plots}}).toJson();
+}
+
+std::optional<QString> ShowLayout(PlotPanel& panel, const QByteArray& layout) {
+  QJsonParseError error;
+  const QJsonDocument document = QJsonDocument::fromJson(layout, &error);
+  if (document.isNull()) return QString("not JSON: %1").arg(error.errorString());
+  const int version = document["version"].toInt();
+  if (version != kVersion) {
+    return QString("version %1 of plot layouts is not known here; this is version %2")
+        .arg(version)
+        .arg(kVersion);
+  }
+  std::vector<PlotLayout> plots;
+  for (const QJsonValue& json : document["plots"].toArray()) {
+    const auto plot = PlotOf(json);
+    if (!plot) return QString("plot %1 is no plot").arg(plots.size() + 1);
+    plots.push_back(*plot);
+  }
+  if (plots.empty()) return QString("there is no plot in it");
+  while (panel.plotCount() > 1) panel.closePlot(0);
+  panel.closePlot(0);
+  for (std::size_t i = 0; i < plots.size(); ++i) {
+    PlotView& view = i == 0 ? panel.plot(0) : panel.addPlot();
+    view.setWindow(plots[i].window);
+    for (const CurveLayout& curve : plots[i].curves) {
+      panel.addSignal(curve.key.path, curve.key.unit);
+      view.curve(curve.key.path)->setVisible(!curve.is_hidden);
+    }
+  }
+  panel.showPlot(0);
+  return std::nullopt;
+}
+
+}  // namespace tendon::gui

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <QByteArray>
+#include <QString>
+#include <optional>
+
+namespace tendon::gui {
+
+class PlotPanel;
+
+/// The plots as a file: which paths are in which plot, how far each looks back, and what is hidden.
+/// It holds paths and no values, so what it names may come later, or again.
+[[nodiscard]] QByteArray LayoutOf(const PlotPanel& panel);
+
+/// Puts the plots of `layout` in place of those there are. A signal that is not there is waited
+/// for. Returns why it cannot be read, and then leaves everything as it was.
+[[nodiscard]] std::optional<QString> ShowLayout(PlotPanel& panel, const QByteArray& layout);
+
+}  // namespace tendon::gui
