@@ -8,7 +8,6 @@
 #include <QObject>
 #include <QString>
 #include <QStringDecoder>
-#include <atomic>
 #include <condition_variable>
 #include <deque>
 #include <functional>

@@ -7,6 +7,7 @@
 #include <QImage>
 #include <QPainter>
 #include <QTabBar>
+#include <map>
 #include <utility>
 
 #include "support/wait.h"
@@ -16,18 +17,25 @@ namespace {
 
 constexpr const char* kTimeout = "20000";  // ms
 
+/// Who talks to each other shares the secret of one user: ours.
+std::map<std::string, std::string> Environment(const std::string& state) {
+  return {{"XDG_RUNTIME_DIR", qEnvironmentVariable("XDG_RUNTIME_DIR").toStdString()},
+          {"XDG_STATE_HOME", state}};
+}
+
 }  // namespace
 
 std::unique_ptr<Program> FlowFixture::StartLcm(const std::string& name) const {
-  return std::make_unique<Program>(Program::Words{std::string(TENDON_BIN) + "/lcm", "--name", name,
-                                                  "--gcm", address_, "--timeout", kTimeout,
-                                                  "--system", TENDON_DEMO_SYSTEM});
+  return std::make_unique<Program>(
+      Program::Words{std::string(TENDON_BIN) + "/lcm", "--name", name, "--gcm", address_,
+                     "--timeout", kTimeout, "--system", TENDON_DEMO_SYSTEM},
+      Environment(home_.path().string()));
 }
 
 void FlowFixture::SetUp() {
   gcm_ = std::make_unique<Program>(
       Program::Words{std::string(TENDON_BIN) + "/gcm", "--gcm", address_, "serve"},
-      std::map<std::string, std::string>{{"XDG_STATE_HOME", home_.path().string()}});
+      Environment(home_.path().string()));
   ASSERT_TRUE(EventuallyTrue([this] { return gcm_->out().starts_with("GCM at "); })) << gcm_->err();
   robot_ = StartLcm("robot");
   desk_ = StartLcm("desk");

@@ -45,7 +45,7 @@ TEST_F(InspectorFlow, ValuesHaveTrendsAndEventsAndParametersTheirTabs) {
     goal = -goal;
     session_->callCommand(
         "robot/arm/Control.MoveTo",
-        "{\"position\": [" + std::to_string(goal) + ", 0, 0, 0, 0, 0, 0], \"duration\": 0.05}",
+        "{\"position\": [" + std::to_string(goal) + ", 0, 0, -1.5, 0, 1.5, 0], \"duration\": 0.05}",
         [](const auto&, double) {});
     QTest::qWait(200);
     return events.model()->rowCount() > 0;
