@@ -1,0 +1,206 @@
+#include <gcm_gui/session/session.h>
+#include <gcm_gui/system/diff_panel.h>
+#include <gcm_gui/theme/theme.h>
+#include <gcm_gui/window/file/system_files.h>
+#include <gcm_gui/window/main_window.h>
+#include <gtest/gtest.h>
+#include <support/plant.h>
+#include <tendon/gcm/global_manager.h>
+#include <tendon/middleware/loopback.h>
+#include <tendon/process/process.h>
+
+#include <QAction>
+#include <QDir>
+#include <QFileDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTest>
+#include <functional>
+
+namespace tendon::gui {
+namespace {
+
+constexpr int kFlowPatience = 60000;  // ms; bounds a test that fails
+
+const InterfaceName kFlowRequired{"desk", "operator", "Robot"};
+const InterfaceName kFlowProvided{"robot", "plant", "Control"};
+
+/// A whole window over a GCM and two processes with real components.
+class SystemFlowTest : public ::testing::Test {
+ protected:
+  SystemFlowTest() {
+    manager_ = std::move(*GlobalManager::Start(
+        Node(), {.address = "127.0.0.1:0", .state_folder = folder_.path().toStdString()}));
+    const ProcessOptions options{.middleware = Node(), .gcm = manager_->address()};
+    robot_ = std::make_unique<Process>("robot", options);
+    robot_->Add<plant::Plant>("plant");
+    (void)robot_->StartAll();
+    desk_ = std::make_unique<Process>("desk", options);
+    desk_->Add<plant::Operator>("operator");
+    (void)desk_->StartAll();
+    Open({}, Role::kOperator);
+  }
+  ~SystemFlowTest() override { Theme::instance().choose(Theme::Choice::kSystem); }
+
+  void Open(const QString& read_only, Role role) {
+    window_.reset();
+    session_ = std::make_unique<Session>(Node(), manager_->address(), true, role);
+    window_ = std::make_unique<MainWindow>(
+        WindowParts{session_->store(), session_->link(), session_->activity(), *session_,
+                    session_->liveSignals(), *session_, session_->plans(), read_only});
+    window_->show();
+    window_->activateWindow();
+    (void)QTest::qWaitForWindowActive(window_.get(), kFlowPatience);
+  }
+
+  std::shared_ptr<Middleware> Node() { return std::make_shared<LoopbackMiddleware>(network_); }
+  bool Eventually(const std::function<bool()>& holds) {
+    return QTest::qWaitFor(holds, kFlowPatience);
+  }
+  bool IsConnected() {
+    const auto* connection = session_->store().catalogue().FindConnection(kFlowRequired);
+    return connection != nullptr && connection->state == ConnectionState::kActive;
+  }
+  bool EverythingIsThere() {
+    return Eventually([&] {
+      return session_->store().catalogue().FindProvided(kFlowProvided) != nullptr &&
+             session_->store().catalogue().FindRequired(kFlowRequired) != nullptr;
+    });
+  }
+  bool Connect() {
+    session_->connectInterfaces(kFlowRequired, kFlowProvided);
+    return Eventually([&] { return IsConnected(); });
+  }
+
+  QString File() { return folder_.filePath("plant.gcm.json"); }
+  SystemDocument& Document() { return window_->files().document(); }
+  [[nodiscard]] QString Words(const char* label) const {
+    return window_->findChild<QLabel*>(label)->text();
+  }
+  [[nodiscard]] QPushButton& Button(const char* name) const {
+    return *window_->findChild<QPushButton*>(name);
+  }
+  void Click(const char* name) {
+    ASSERT_TRUE(Eventually([&] { return Button(name).isVisible() && Button(name).isEnabled(); }))
+        << name;
+    QTest::mouseClick(&Button(name), Qt::LeftButton);
+  }
+
+  /// Ctrl+S, and the name of the file where it is asked for.
+  void SaveByKeys() {
+    QTest::keyClick(window_.get(), Qt::Key_S, Qt::ControlModifier);
+    ASSERT_TRUE(Eventually([&] { return window_->findChild<QFileDialog*>() != nullptr; }));
+    auto* dialog = window_->findChild<QFileDialog*>();
+    auto* name = dialog->findChild<QLineEdit*>("fileNameEdit");
+    ASSERT_NE(name, nullptr);
+    name->setText(File());
+    QTest::keyClick(name, Qt::Key_Return);
+    ASSERT_TRUE(Eventually([&] { return Document().isOpen(); }));
+  }
+
+  void Grab(const QString& name) {
+    for (const auto& [choice, word] :
+         {std::pair{Theme::Choice::kDark, "dark"}, std::pair{Theme::Choice::kLight, "light"}}) {
+      Theme::instance().choose(choice);
+      for (const int scale : {1, 2}) {
+        QImage image(window_->size() * scale, QImage::Format_RGB32);
+        image.setDevicePixelRatio(scale);
+        window_->render(&image);
+        QDir().mkpath(PICTURE_FOLDER);
+        EXPECT_TRUE(
+            image.save(QStringLiteral(PICTURE_FOLDER "/%1-%2-%3x.png").arg(name, word).arg(scale)));
+      }
+    }
+  }
+
+  QTemporaryDir folder_;
+  std::shared_ptr<LoopbackNetwork> network_ = std::make_shared<LoopbackNetwork>();
+  std::unique_ptr<GlobalManager> manager_;
+  std::unique_ptr<Process> robot_;
+  std::unique_ptr<Process> desk_;
+  std::unique_ptr<Session> session_;
+  std::unique_ptr<MainWindow> window_;
+};
+
+TEST_F(SystemFlowTest, WhatWasSavedIsRestoredAndThatTakenBack) {
+  ASSERT_TRUE(EverythingIsThere());
+  ASSERT_TRUE(Connect());
+  SaveByKeys();
+  EXPECT_TRUE(window_->windowTitle().startsWith("plant.gcm.json – "));
+  EXPECT_EQ(ReadSystemFile(File().toStdString())->connections.size(), 1U);
+
+  session_->disconnectInterface(kFlowRequired);
+  ASSERT_TRUE(Eventually([&] { return window_->windowTitle().contains("modified since"); }));
+  EXPECT_TRUE(Words("diff.summary").contains("− 1 missing"));
+  window_->findChild<QAction*>("Restore the system file")->trigger();
+  ASSERT_TRUE(Eventually([&] { return Button("plan.carryOut").isVisible(); }));
+  EXPECT_FALSE(IsConnected());
+  Grab("system-plan");
+
+  QTest::keyClick(&Button("plan.carryOut"), Qt::Key_Space);
+  ASSERT_TRUE(Eventually([&] { return IsConnected(); }));
+  Click("plan.undo");
+  EXPECT_TRUE(Eventually([&] { return !IsConnected(); }));
+}
+
+TEST_F(SystemFlowTest, AFileThatIsOpenedShowsItsPlanAndWaits) {
+  ASSERT_TRUE(EverythingIsThere());
+  ASSERT_TRUE(Connect());
+  SaveByKeys();
+  session_->disconnectInterface(kFlowRequired);
+  ASSERT_TRUE(Eventually([&] { return !IsConnected(); }));
+  Open({}, Role::kOperator);
+
+  window_->files().bringUp(File());
+
+  ASSERT_TRUE(Eventually([&] { return window_->files().restore().plan().steps.size() == 1; }));
+  EXPECT_FALSE(IsConnected());
+  Click("plan.carryOut");
+  EXPECT_TRUE(Eventually([&] { return IsConnected(); }));
+}
+
+TEST_F(SystemFlowTest, AViewersWindowSaysWhyItChangesNothing) {
+  ASSERT_TRUE(EverythingIsThere());
+  ASSERT_TRUE(Connect());
+  SaveByKeys();
+  session_->disconnectInterface(kFlowRequired);
+  ASSERT_TRUE(Eventually([&] { return !IsConnected(); }));
+  const QString reason = "this window only looks";
+  Open(reason, Role::kViewer);
+
+  window_->files().bringUp(File());
+
+  ASSERT_TRUE(Eventually([&] { return window_->files().restore().plan().steps.size() == 1; }));
+  EXPECT_FALSE(Button("plan.carryOut").isEnabled());
+  EXPECT_EQ(Button("plan.carryOut").toolTip(), reason);
+  const auto* connect = window_->findChild<QAction*>("Connect");
+  EXPECT_FALSE(connect->isEnabled());
+  EXPECT_EQ(connect->toolTip(), reason);
+  session_->connectInterfaces(kFlowRequired, kFlowProvided);
+  EXPECT_TRUE(Eventually(
+      [&] { return session_->activity().action(0).outcome == Action::Outcome::kRefused; }));
+}
+
+TEST_F(SystemFlowTest, AnEarlierStateIsInTheMenu) {
+  ASSERT_TRUE(EverythingIsThere());
+  ASSERT_TRUE(Connect());
+  const auto& states = Document().snapshots().all();
+  ASSERT_TRUE(
+      Eventually([&] { return !states.empty() && states.back().system.connections.size() == 1; }));
+  session_->disconnectInterface(kFlowRequired);
+  ASSERT_TRUE(Eventually([&] { return states.back().system.connections.empty(); }));
+
+  auto* menu = window_->findChild<QMenu*>("states");
+  Q_EMIT menu->aboutToShow();
+  ASSERT_GE(menu->actions().size(), 2);
+  menu->actions().at(1)->trigger();
+  Click("plan.carryOut");
+
+  EXPECT_TRUE(Eventually([&] { return IsConnected(); }));
+}
+
+}  // namespace
+}  // namespace tendon::gui

@@ -1,0 +1,92 @@
+#include <gcm_gui/models/row_roles.h>
+#include <gcm_gui/system/diff_model.h>
+#include <gcm_gui/system/snapshots.h>
+#include <gcm_gui/system/system_parts.h>
+#include <gtest/gtest.h>
+
+#include <QAbstractItemModelTester>
+#include <string>
+
+namespace tendon::gui {
+namespace {
+
+/// "robot" with an arm, to which a desk is connected.
+SystemFile ArmSystem() {
+  SystemFile system;
+  system.processes = {{.name = "robot", .components = {{.name = "arm", .class_name = "Arm"}}},
+                      {.name = "desk", .components = {{.name = "hand", .class_name = "Hand"}}}};
+  system.connections = {{{"desk", "hand", "Robot"}, {"robot", "arm", "Control"}, {}}};
+  return system;
+}
+
+TEST(SystemParts, AMissingComponentIsAdded) {
+  SystemFile without = ArmSystem();
+  without.processes[0].components.clear();
+
+  EXPECT_EQ(WithPartOf(without, ArmSystem(), "component robot/arm"), ArmSystem());
+}
+
+TEST(SystemParts, WhatTheOtherLacksIsRemoved) {
+  SystemFile without = ArmSystem();
+  without.connections.clear();
+
+  EXPECT_EQ(WithPartOf(ArmSystem(), without, "connection desk/hand/Robot"), without);
+}
+
+TEST(SystemParts, AProcessComesWithItsConnections) {
+  SystemFile without = ArmSystem();
+  without.processes.pop_back();
+  without.connections.clear();
+
+  EXPECT_EQ(WithPartOf(without, ArmSystem(), "process desk"), ArmSystem());
+}
+
+TEST(SystemParts, AllElseStays) {
+  SystemFile other = ArmSystem();
+  other.processes[0].components[0].class_name = "Leg";
+  other.connections.clear();
+
+  const SystemFile merged = WithPartOf(ArmSystem(), other, "component robot/arm");
+
+  EXPECT_EQ(merged.processes, other.processes);
+  EXPECT_EQ(merged.connections, ArmSystem().connections);
+}
+
+TEST(Snapshots, TheLastFiftyStatesAreKeptOncePerChange) {
+  Snapshots snapshots;
+  for (int i = 0; i < 60; ++i) {
+    SystemFile system;
+    system.name = std::to_string(i);
+    snapshots.add(i, system);
+    snapshots.add(i + 1000, system);
+  }
+
+  EXPECT_EQ(snapshots.all().size(), Snapshots::kMost);
+  EXPECT_EQ(snapshots.all().front().system.name, "10");
+  EXPECT_EQ(snapshots.all().back().when, 59);
+}
+
+TEST(DiffModel, EachDifferenceHasItsSignItsWordAndASentence) {
+  DiffModel model;
+  const QAbstractItemModelTester tester(&model);
+
+  model.show({{{SystemDifference::Kind::kMissing, "component robot/arm", {}},
+               {SystemDifference::Kind::kExtra, "component robot/leg", {}},
+               {SystemDifference::Kind::kChanged, "component desk/hand", "class A -> B"}},
+              29});
+
+  ASSERT_EQ(model.rowCount(), 3);
+  EXPECT_EQ(model.index(0).data(kGlyphRole), QStringLiteral("−"));
+  EXPECT_EQ(model.index(1).data(kTrailRole), QStringLiteral("only running"));
+  EXPECT_EQ(model.index(2).data(Qt::AccessibleTextRole),
+            QStringLiteral("component desk/hand: changed class A -> B"));
+}
+
+TEST(DiffModel, TheSummaryCountsAll) {
+  const SystemComparison comparison{{{SystemDifference::Kind::kMissing, "process desk", {}}}, 29};
+
+  EXPECT_EQ(SummaryOf(comparison), "= 29   + 0 only running   − 1 missing   ~ 0 changed");
+}
+
+}  // namespace
+}  // namespace tendon::gui
