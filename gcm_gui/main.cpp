@@ -94,16 +94,15 @@ int Run(const Options& options) {
 
   tendon::gui::Session session(*middleware, address, hosted != nullptr,
                                options.read_only ? tendon::Role::kViewer : tendon::Role::kOperator);
-  console::Settings console;
-  console.gcm = address;
-  console.network = options.network;
-  console.read_only = options.read_only;
-  console.color = console::ColorChoice::kNever;
   const auto kept = tendon::os::StateFolder().parent_path() / "gcm-gui";
-  tendon::gui::MainWindow window({session.store(), session.link(), session.activity(), session,
-                                  session.liveSignals(), session, session, session.plans(),
-                                  session.reports(), console, QString::fromStdString(kept.string()),
-                                  options.read_only ? QString::fromLatin1(kReadOnly) : QString()});
+  auto parts = tendon::gui::PartsOf(session);
+  parts.console.gcm = address;
+  parts.console.network = options.network;
+  parts.console.read_only = options.read_only;
+  parts.console.color = console::ColorChoice::kNever;
+  parts.kept = QString::fromStdString(kept.string());
+  if (options.read_only) parts.read_only = QString::fromLatin1(kReadOnly);
+  tendon::gui::MainWindow window(parts);
   if (!options.describe_ui.empty()) {
     new tendon::gui::UiDescription(window, QString::fromStdString(options.describe_ui));
   }

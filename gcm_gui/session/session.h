@@ -8,8 +8,8 @@
 #include <gcm_gui/session/courier.h>
 #include <gcm_gui/session/gcm_link.h>
 #include <gcm_gui/session/live_signals.h>
-#include <gcm_gui/session/plan_worker.h>
 #include <gcm_gui/session/system_actions.h>
+#include <gcm_gui/system/plan_worker.h>
 #include <tendon/gcm/client.h>
 
 #include <QObject>

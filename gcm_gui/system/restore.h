@@ -1,6 +1,6 @@
 #pragma once
 
-#include <gcm_gui/session/plan_runner.h>
+#include <gcm_gui/system/plan_runner.h>
 #include <gcm_gui/system/system_document.h>
 #include <tendon/gcm/system/plan.h>
 

@@ -70,7 +70,8 @@ void TakeComponent(SystemFile& base, const SystemFile& from, const std::string& 
 SystemFile WithPartOf(SystemFile base, const SystemFile& from, const std::string& what) {
   const std::size_t space = what.find(' ');
   const std::string kind = what.substr(0, space);
-  const std::string path = space == std::string::npos ? std::string() : what.substr(space + 1);
+  std::string path = space == std::string::npos ? std::string() : what.substr(space + 1);
+  path = path.substr(0, path.find(" -> "));  // of a connection, its required interface
   if (kind == "process") TakeProcess(base, from, path);
   if (kind == "component") TakeComponent(base, from, path);
   if (kind == "connection") TakeConnection(base, from, path);

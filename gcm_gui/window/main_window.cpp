@@ -10,6 +10,7 @@
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/plot/plot_panel.h>
 #include <gcm_gui/plot/plot_view.h>
+#include <gcm_gui/reports/system_reports.h>
 #include <gcm_gui/theme/icon.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
@@ -26,8 +27,6 @@
 #include <gcm_gui/window/commands/command_palette.h>
 #include <gcm_gui/window/commands/commands.h>
 #include <gcm_gui/window/empty_state.h>
-#include <gcm_gui/window/file/about.h>
-#include <gcm_gui/window/file/read_only.h>
 #include <gcm_gui/window/file/system_files.h>
 #include <gcm_gui/window/main_window.h>
 #include <gcm_gui/window/plot_binding.h>
@@ -35,11 +34,8 @@
 #include <gcm_gui/window/zoom_buttons.h>
 #include <tendon/base/path.h>
 
-#include <QAction>
 #include <QHeaderView>
 #include <QLineEdit>
-#include <QMenu>
-#include <QMenuBar>
 #include <QPushButton>
 #include <QSplitter>
 #include <QStackedWidget>
@@ -167,7 +163,11 @@ QSplitter* MainWindow::buildCentre() {
   plots_->setAutoFillBackground(true);
   plots_->setMinimumHeight(kLeastPlotsHeight);
   binding_ = new PlotBinding(*plots_, parts_.source, catalogue_model_, this);
-  new MarkBinding(*plots_, parts_.store, parts_.activity, plots_);
+  auto* marks = new MarkBinding(*plots_, parts_.store, parts_.activity, plots_);
+  connect(&parts_.reports, &SystemReports::eventsArrived, marks,
+          [marks](const std::vector<HeardEvent>& events) {
+            for (const auto& event : events) marks->markEvent(event.path, event.value, event.when);
+          });
   auto* rows = new QSplitter(Qt::Vertical);
   rows->setObjectName(QStringLiteral("centreRows"));
   rows->setChildrenCollapsible(false);

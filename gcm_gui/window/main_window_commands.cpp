@@ -1,4 +1,20 @@
-@INC@
+#include <gcm_gui/activity/activity_strip.h>
+#include <gcm_gui/plot/plot_panel.h>
+#include <gcm_gui/plot/plot_view.h>
+#include <gcm_gui/theme/theme.h>
+#include <gcm_gui/views/catalogue_panel.h>
+#include <gcm_gui/why/why_binding.h>
+#include <gcm_gui/window/bar/top_bar.h>
+#include <gcm_gui/window/commands/command_palette.h>
+#include <gcm_gui/window/commands/commands.h>
+#include <gcm_gui/window/file/about.h>
+#include <gcm_gui/window/file/read_only.h>
+#include <gcm_gui/window/file/system_files.h>
+#include <gcm_gui/window/main_window.h>
+
+#include <QAction>
+#include <QMenu>
+#include <QMenuBar>
 
 namespace tendon::gui {
 

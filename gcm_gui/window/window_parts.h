@@ -12,12 +12,12 @@ class CommandCalls;
 class ConnectionChecks;
 class GcmLink;
 class PlanRunner;
+class Session;
 class SignalSource;
 class SystemActions;
 class SystemReports;
 
-/// What a window shows and steers; all of it outlives the window. Session has it all, a test puts
-/// it together by hand.
+/// What a window shows and steers; all of it outlives the window.
 struct WindowParts {
   CatalogueStore& store;
   GcmLink& link;
@@ -30,7 +30,10 @@ struct WindowParts {
   SystemReports& reports;
   console::Settings console = {};  ///< of the console in the window
   QString kept = {};               ///< the folder of what is kept for the next time; empty: none
-  QString read_only{};  ///< why nothing can be changed from this window; empty where it can
+  QString read_only = {};          ///< why nothing can be changed from here; empty where it can
 };
+
+/// The parts that a session has.
+[[nodiscard]] WindowParts PartsOf(Session& session);
 
 }  // namespace tendon::gui

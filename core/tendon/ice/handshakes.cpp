@@ -1,4 +1,4 @@
-#include <sys/socket.h>
+#include <tendon/base/os/socket.h>
 #include <tendon/ice/handshakes.h>
 
 namespace tendon::ice {
@@ -41,7 +41,7 @@ void Handshakes::Begin(const SSL& link) {
   const SteadyTime now = SteadyClock().Now();
   const std::scoped_lock lock(mutex_);
   for (const auto& [other, since] : begun_) {
-    if (now - since > kPatience) shutdown(SSL_get_fd(other), SHUT_RDWR);
+    if (now - since > kPatience) os::ShutDown(SSL_get_fd(other));
   }
   begun_.emplace(&link, now);
 }

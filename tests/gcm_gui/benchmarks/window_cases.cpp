@@ -28,8 +28,8 @@ class LargeWindow {
     catalogue_ = system.catalog();
     link_.setAddress("127.0.0.1:10705", true);
     link_.setConnected();
-    window_ = std::make_unique<gui::MainWindow>(
-        gui::WindowParts{store_, link_, activity_, actions_, source_, calls_});
+    window_ = std::make_unique<gui::MainWindow>(gui::WindowParts{
+        store_, link_, activity_, actions_, source_, calls_, checks_, plans_, reports_});
   }
 
   /// Until all of it is in all views, and painted.
@@ -66,6 +66,9 @@ class LargeWindow {
   gui::RecordingActions actions_;
   gui::ScriptedSignals source_;
   gui::ScriptedCalls calls_;
+  gui::ScriptedChecks checks_;
+  gui::ScriptedPlans plans_;
+  gui::ScriptedReports reports_;
   std::unique_ptr<gui::MainWindow> window_;
 };
 

@@ -41,20 +41,12 @@ void FlowFixture::SetUp() {
   desk_ = StartLcm("desk");
   const program::NetworkOptions network;
   session_ = std::make_unique<Session>(*program::MakeMiddleware(network), address_, false);
-  console::Settings console;
-  console.gcm = address_;
-  console.network = network;
-  console.timeout = std::chrono::seconds(20);
-  console.color = console::ColorChoice::kNever;
-  window_ = std::make_unique<MainWindow>(WindowParts{session_->store(),
-                                                     session_->link(),
-                                                     session_->activity(),
-                                                     *session_,
-                                                     session_->liveSignals(),
-                                                     *session_,
-                                                     session_->reports(),
-                                                     console,
-                                                     {}});
+  WindowParts parts = PartsOf(*session_);
+  parts.console.gcm = address_;
+  parts.console.network = network;
+  parts.console.timeout = std::chrono::seconds(20);
+  parts.console.color = console::ColorChoice::kNever;
+  window_ = std::make_unique<MainWindow>(parts);
   window_->show();
   window_->activateWindow();
   ASSERT_TRUE(QTest::qWaitForWindowActive(window_.get(), kFlowPatience));

@@ -3,9 +3,9 @@
 #include <gcm_gui/reports/system_reports.h>
 #include <gcm_gui/session/command_calls.h>
 #include <gcm_gui/session/connection_checks.h>
-#include <gcm_gui/session/plan_runner.h>
 #include <gcm_gui/session/signal_source.h>
 #include <gcm_gui/session/system_actions.h>
+#include <gcm_gui/system/plan_runner.h>
 
 #include <QMap>
 #include <QSet>

@@ -48,9 +48,9 @@ class SystemFlowTest : public ::testing::Test {
   void Open(const QString& read_only, Role role) {
     window_.reset();
     session_ = std::make_unique<Session>(Node(), manager_->address(), true, role);
-    window_ = std::make_unique<MainWindow>(
-        WindowParts{session_->store(), session_->link(), session_->activity(), *session_,
-                    session_->liveSignals(), *session_, session_->plans(), read_only});
+    WindowParts parts = PartsOf(*session_);
+    parts.read_only = read_only;
+    window_ = std::make_unique<MainWindow>(parts);
     window_->show();
     window_->activateWindow();
     (void)QTest::qWaitForWindowActive(window_.get(), kFlowPatience);
@@ -144,6 +144,29 @@ TEST_F(SystemFlowTest, WhatWasSavedIsRestoredAndThatTakenBack) {
   ASSERT_TRUE(Eventually([&] { return IsConnected(); }));
   Click("plan.undo");
   EXPECT_TRUE(Eventually([&] { return !IsConnected(); }));
+}
+
+TEST_F(SystemFlowTest, OneLineIsAppliedOrTakenIntoTheFile) {
+  ASSERT_TRUE(EverythingIsThere());
+  ASSERT_TRUE(Connect());
+  SaveByKeys();
+  session_->disconnectInterface(kFlowRequired);
+  ASSERT_TRUE(Eventually([&] { return Document().comparison().differences.size() == 1; }));
+  window_->findChild<QAction*>("Restore the system file")->trigger();
+  Click("plan.back");
+  Grab("system-diff");
+
+  Click("diff.apply");
+  Click("plan.carryOut");
+  ASSERT_TRUE(Eventually([&] { return IsConnected(); }));
+  Click("plan.back");
+  session_->disconnectInterface(kFlowRequired);
+  ASSERT_TRUE(Eventually([&] { return Document().comparison().differences.size() == 1; }));
+  Click("diff.update");
+
+  ASSERT_TRUE(Eventually([&] { return Document().comparison().differences.empty(); }));
+  EXPECT_TRUE(ReadSystemFile(File().toStdString())->connections.empty());
+  EXPECT_FALSE(IsConnected());
 }
 
 TEST_F(SystemFlowTest, AFileThatIsOpenedShowsItsPlanAndWaits) {

@@ -3,6 +3,7 @@
 #include <gcm_gui/system/snapshots.h>
 #include <gcm_gui/system/system_parts.h>
 #include <gtest/gtest.h>
+#include <tendon/gcm/system/comparison.h>
 
 #include <QAbstractItemModelTester>
 #include <string>
@@ -30,7 +31,12 @@ TEST(SystemParts, WhatTheOtherLacksIsRemoved) {
   SystemFile without = ArmSystem();
   without.connections.clear();
 
-  EXPECT_EQ(WithPartOf(ArmSystem(), without, "connection desk/hand/Robot"), without);
+  const auto differences =
+      CompareSystems(ArmSystem(), without, Threads::kUnknownInSecond).differences;
+
+  ASSERT_EQ(differences.size(), 1);
+  EXPECT_EQ(WithPartOf(ArmSystem(), without, differences[0].what), without);
+  EXPECT_EQ(WithPartOf(without, ArmSystem(), differences[0].what), ArmSystem());
 }
 
 TEST(SystemParts, AProcessComesWithItsConnections) {

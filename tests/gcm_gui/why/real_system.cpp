@@ -32,9 +32,7 @@ RealSystem::RealSystem() {
       std::make_unique<Program>(Program::Words{TENDON_BIN "/gcm", "--gcm", address_, "serve"}, own);
   EXPECT_TRUE(Eventually([this] { return gcm_->out().starts_with("GCM at "); })) << gcm_->err();
   session_ = std::make_unique<Session>(*program::MakeMiddleware({}), address_, false);
-  window_ = std::make_unique<MainWindow>(
-      WindowParts{session_->store(), session_->link(), session_->activity(), *session_,
-                  session_->liveSignals(), *session_, *session_});
+  window_ = std::make_unique<MainWindow>(PartsOf(*session_));
   window_->show();
   window_->activateWindow();
   (void)QTest::qWaitForWindowActive(window_.get(), kLongest);

@@ -310,6 +310,8 @@ bool HasVanished(const Socket& socket) {
 
 void ShutDownSending(const Socket& socket) { shutdown(socket.descriptor(), SHUT_WR); }
 
+void ShutDown(int descriptor) { shutdown(descriptor, SHUT_RDWR); }
+
 std::string LocalAddress(const Socket& socket) { return AddressOf(socket, getsockname); }
 
 std::string PeerAddress(const Socket& socket) { return AddressOf(socket, getpeername); }

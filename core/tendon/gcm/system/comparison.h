@@ -17,7 +17,7 @@ struct SystemDifference {
   };
 
   Kind kind = Kind::kChanged;
-  std::string what;  ///< "component robot/arm", "connection desk/teleoperation/Robot"
+  std::string what;  ///< "component robot/arm", "connection desk/arm/Robot -> robot/arm/Control"
   std::string how;   ///< kChanged: "class SimulatedArm -> LegacyArm; ..."
 
   bool operator==(const SystemDifference&) const = default;

@@ -1,4 +1,4 @@
-#include <gcm_gui/session/plan_worker.h>
+#include <gcm_gui/system/plan_worker.h>
 #include <tendon/gcm/system/client_executor.h>
 
 #include <utility>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <gcm_gui/session/courier.h>
-#include <gcm_gui/session/plan_runner.h>
+#include <gcm_gui/system/plan_runner.h>
 #include <tendon/gcm/client.h>
 
 #include <QObject>

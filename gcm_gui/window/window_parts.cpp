@@ -1,0 +1,18 @@
+#include <gcm_gui/session/session.h>
+#include <gcm_gui/window/window_parts.h>
+
+namespace tendon::gui {
+
+WindowParts PartsOf(Session& session) {
+  return {.store = session.store(),
+          .link = session.link(),
+          .activity = session.activity(),
+          .actions = session,
+          .source = session.liveSignals(),
+          .calls = session,
+          .checks = session,
+          .plans = session.plans(),
+          .reports = session.reports()};
+}
+
+}  // namespace tendon::gui
