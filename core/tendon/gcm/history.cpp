@@ -101,13 +101,7 @@ std::string ToString(const message::HistoryEntry& step) {
   return step.verb + " " + ToString(step.wire.required) + " " + ToString(step.wire.provided);
 }
 
-History::History(std::filesystem::path file) : file_(std::move(file)) {
-  Load();
-  const auto writable = os::AppendDurably(file_, "");
-  if (writable) return;
-  Log(LogLevel::kWarning, "gcm",
-      "history: " + writable.error().message + "; what is done is forgotten when this GCM ends");
-}
+History::History(std::filesystem::path file) : file_(std::move(file)) { Load(); }
 
 History::~History() { Close(); }
 

@@ -177,8 +177,6 @@ TEST(History, WhatCannotBeWrittenIsLoggedAndStillKnown) {
   const auto logged = std::make_shared<std::string>();  // the sink outlives this test
   AddLogSink([logged](LogLevel, std::string_view, std::string_view text) { *logged += text; });
   History history("/proc/nowhere/history");
-  EXPECT_NE(logged->find("is forgotten when this GCM ends"), std::string::npos) << *logged;
-  logged->clear();
 
   const auto step = Record(history, Step(0));
 

@@ -76,6 +76,13 @@ void FlowFixture::ClickTab(const char* bar, const char* title) {
   ADD_FAILURE() << "no tab " << title;
 }
 
+void FlowFixture::MoveArm() {
+  session_->callCommand("robot/arm/Control.MoveTo",
+                        R"({"position": [0.1, 0, 0, -1.5, 0, 1.5, 0], "duration": 0.05})",
+                        [](const auto&, double) {});
+  QTest::qWait(200);
+}
+
 void FlowFixture::Click(QWidget& widget) { QTest::mouseClick(&widget, Qt::LeftButton); }
 
 void FlowFixture::Grab(const QString& name) {

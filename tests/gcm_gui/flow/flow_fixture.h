@@ -34,6 +34,8 @@ class FlowFixture : public ::testing::Test {
   }
   /// With the mouse.
   void ClickTab(const char* bar, const char* title);
+  /// Always to the same place: once it is there, each move ends soon, and an event says so.
+  void MoveArm();
   void Click(QWidget& widget);
   /// Pictures of the window for people: dark and light, with one and two dots a pixel.
   void Grab(const QString& name);

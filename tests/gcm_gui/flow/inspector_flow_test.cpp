@@ -40,14 +40,8 @@ TEST_F(InspectorFlow, ValuesHaveTrendsAndEventsAndParametersTheirTabs) {
 
   ClickTab("inspectorTabs.tabs", "Events");
   auto& events = Find<QTreeView>("inspector.events");
-  double goal = 0.1;
   EXPECT_TRUE(Eventually([&] {
-    goal = -goal;
-    session_->callCommand(
-        "robot/arm/Control.MoveTo",
-        "{\"position\": [" + std::to_string(goal) + ", 0, 0, -1.5, 0, 1.5, 0], \"duration\": 0.05}",
-        [](const auto&, double) {});
-    QTest::qWait(200);
+    MoveArm();
     return events.model()->rowCount() > 0;
   }));
   EXPECT_EQ(events.model()->index(0, 0).data(kTrailRole).toString(), "Control");

@@ -31,17 +31,6 @@ class StripFlow : public FlowFixture {
   bool IsDone() {
     return Eventually([&] { return !Console().isRunning(); });
   }
-  /// A short way, at the end of which an event is raised.
-  void MoveArm() {
-    goal_ = -goal_;
-    const std::string goal = "{\"position\": [" + std::to_string(goal_) +
-                             ", 0, 0, -1.5, 0, 1.5, 0], \"duration\": 0.05}";
-    session_->callCommand("robot/arm/Control.MoveTo", goal, [](const auto&, double) {});
-    QTest::qWait(200);
-  }
-
- private:
-  double goal_ = 0.1;
 };
 
 TEST_F(StripFlow, TheConsoleSpeaksTheLanguageOfTheShell) {

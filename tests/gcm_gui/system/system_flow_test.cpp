@@ -161,7 +161,9 @@ TEST_F(SystemFlowTest, OneLineIsAppliedOrTakenIntoTheFile) {
   ASSERT_TRUE(Eventually([&] { return IsConnected(); }));
   Click("plan.back");
   session_->disconnectInterface(kFlowRequired);
-  ASSERT_TRUE(Eventually([&] { return Document().comparison().differences.size() == 1; }));
+  ASSERT_TRUE(Eventually([&] {
+    return !IsConnected() && Document().comparison().differences.size() == 1;
+  }));
   Click("diff.update");
 
   ASSERT_TRUE(Eventually([&] { return Document().comparison().differences.empty(); }));

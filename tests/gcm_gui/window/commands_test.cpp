@@ -80,7 +80,7 @@ TEST_F(CommandsTest, ThePaletteListsAllCommandsAndRunsOneByEnter) {
   OpenPalette();
   ASSERT_TRUE(palette().isVisible());
   EXPECT_TRUE(field().hasFocus());
-  EXPECT_EQ(firstRow(), "Connect");
+  EXPECT_EQ(firstRow(), "Open a system file");
 
   QTest::keyClicks(&field(), "pause");
   EXPECT_EQ(firstRow(), "Pause view");
