@@ -54,6 +54,7 @@ constexpr int kLeastCatalogueWidth = 208;
 constexpr int kLeastCentreWidth = 480;
 constexpr int kLeastInspectorWidth = 292;
 constexpr int kLeastStripHeight = 80;
+constexpr int kRoomToRead = 220;  // of a log, or a console
 constexpr int kPlotsHeight = 268;
 constexpr int kLeastPlotsHeight = 120;
 constexpr std::chrono::seconds kSecond{1};
@@ -230,6 +231,8 @@ void MainWindow::connectViews() {
     panels_->reveal(*strip_);
     strip_->showProblems();
   });
+  connect(strip_, &TabPanel::currentChanged, this,
+          [this] { panels_->giveRoom(*strip_, kRoomToRead); });
   connect(strip_, &ActivityStrip::jumpRequested, this, &MainWindow::goTo);
   connect(strip_, &ActivityStrip::problemChosen, this, &MainWindow::goTo);
   connect(files_, &SystemFiles::notice, notice_, &NoticeLine::tell);

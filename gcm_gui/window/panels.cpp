@@ -107,6 +107,15 @@ void Panels::reveal(const QWidget& content) {
   }
 }
 
+void Panels::giveRoom(const QWidget& content, int size) {
+  for (const Panel& panel : panels_) {
+    if (!panel.dock->isAncestorOf(&content)) continue;
+    const Qt::Orientation along = across(panel.area);
+    const int now = along == Qt::Vertical ? panel.dock->height() : panel.dock->width();
+    if (now < size) window_.resizeDocks({panel.dock}, {size}, along);
+  }
+}
+
 void Panels::show(Perspective perspective) {
   const Arrangement& wanted = kArrangements[static_cast<std::size_t>(perspective)];
   for (std::size_t i = 0; i < panels_.size(); ++i) {

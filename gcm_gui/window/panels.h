@@ -34,6 +34,8 @@ class Panels : public QObject {
   void setMovable(bool movable);
   /// Shows the panel that has this in it.
   void reveal(const QWidget& content);
+  /// Makes the panel that has this in it at least so large across its edge, in pixels.
+  void giveRoom(const QWidget& content, int size);
   /// All as it was at the first start.
   void reset();
 
