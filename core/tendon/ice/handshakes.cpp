@@ -1,5 +1,9 @@
+#include <tendon/base/log.h>
 #include <tendon/base/os/socket.h>
 #include <tendon/ice/handshakes.h>
+
+#include <exception>
+#include <string>
 
 namespace tendon::ice {
 
@@ -26,8 +30,12 @@ void Handshakes::Watch(SSL_CTX& context) {
 void Handshakes::OnInfo(const SSL* link, int what, int /*value*/) {
   Handshakes* const self = Of(*link);
   if (self == nullptr || SSL_is_server(link) == 0) return;
-  if ((what & SSL_CB_HANDSHAKE_START) != 0) self->Begin(*link);
-  if ((what & SSL_CB_HANDSHAKE_DONE) != 0) self->End(*link);
+  try {  // it is C that calls
+    if ((what & SSL_CB_HANDSHAKE_START) != 0) self->Begin(*link);
+    if ((what & SSL_CB_HANDSHAKE_DONE) != 0) self->End(*link);
+  } catch (const std::exception& failure) {
+    Log(LogLevel::kError, "ice", std::string("a handshake is not watched: ") + failure.what());
+  }
 }
 
 /// Before its socket is closed, whose number another may have then.
@@ -40,10 +48,12 @@ void Handshakes::OnFreed(void* parent, void* /*own*/, CRYPTO_EX_DATA* /*data*/, 
 void Handshakes::Begin(const SSL& link) {
   const SteadyTime now = SteadyClock().Now();
   const std::scoped_lock lock(mutex_);
-  for (const auto& [other, since] : begun_) {
-    if (now - since > kPatience) os::ShutDown(SSL_get_fd(other));
+  if (begun_.size() >= kMany) {
+    for (const auto& [other, one] : begun_) {
+      if (now - one.since > kPatience) os::ShutDown(one.socket);
+    }
   }
-  begun_.emplace(&link, now);
+  begun_.emplace(&link, Begun{now, SSL_get_fd(&link)});
 }
 
 void Handshakes::End(const SSL& link) {

@@ -10,17 +10,23 @@
 namespace tendon::ice {
 
 /// The TLS handshakes of those who came and have not finished theirs. Ice gives up who says nothing
-/// for a while, but not one who says a byte now and then: whoever comes next cuts off those who
-/// have taken longer than kPatience, so that nobody holds sockets while others want them.
+/// for a while, but not one who says a byte now and then: whoever comes while there are kMany cuts
+/// off those who have taken longer than kPatience, so that nobody holds sockets that others want.
 /// Thread-safe; called by OpenSSL.
 class Handshakes {
  public:
   static constexpr std::chrono::seconds kPatience{3};
+  static constexpr std::size_t kMany = 32;
 
   /// Hears of those of `context`, and must outlive the last of them.
   void Watch(SSL_CTX& context);
 
  private:
+  struct Begun {
+    SteadyTime since;
+    int socket = -1;  // open until End()
+  };
+
   static int ContextIndex();
   static int LinkIndex();
   static Handshakes* Of(const SSL& link);
@@ -32,7 +38,7 @@ class Handshakes {
   void End(const SSL& link);
 
   std::mutex mutex_;
-  std::map<const SSL*, SteadyTime> begun_;
+  std::map<const SSL*, Begun> begun_;
 };
 
 }  // namespace tendon::ice

@@ -85,9 +85,10 @@ Status IceLink::Send(std::span<const std::byte> frame) {
 }
 
 /// A two-way call of Ice, which brings the answer with it if there is one at once: no thread has to
-/// send it by a call of its own. Nobody waits in Ice.
+/// send it by a call of its own. Nobody waits in Ice. Who accepted makes none: with one under way,
+/// Ice would not close the connection of a peer that has vanished.
 Status IceLink::Ask(std::span<const std::byte> frame) {
-  if (frame.size() > kMaxMessageSize) return Send(frame);
+  if (door_ != 0 || frame.size() > kMaxMessageSize) return Send(frame);
   if (!ReadWholeFrame(frame)) return Status::kInvalid;
   const std::scoped_lock sending(sending_);
   if (const Status may = MaySend(frame.size()); !may) return may;
@@ -108,9 +109,11 @@ Status IceLink::MaySend(std::size_t size) {
 }
 
 Status IceLink::SendMessage(const std::string& operation, std::span<const std::byte> bytes) {
-  return Invoke(
-      oneway_, operation, bytes, nullptr,
-      [self = shared_from_this(), size = bytes.size()](bool /*at once*/) { self->OnSent(size); });
+  return Invoke(oneway_, operation, bytes, nullptr,
+                [self = shared_from_this(), size = bytes.size()](bool /*at once*/) {
+                  self->OnSent(size);
+                  self->OnReturned(0);
+                });
 }
 
 /// Either of the two must call OnSent(), where they are called.
@@ -141,6 +144,17 @@ Status IceLink::Invoke(const std::shared_ptr<Ice::ObjectPrx>& peer, const std::s
 void IceLink::OnSent(std::size_t size) {
   const std::scoped_lock lock(mutex_);
   unsent_ -= size;
+}
+
+bool IceLink::MayReturn() {
+  constexpr std::size_t kMostReturned = std::size_t{1} << 20U;
+  const std::scoped_lock lock(mutex_);
+  return returned_ < kMostReturned;
+}
+
+void IceLink::OnReturned(std::size_t size) {
+  const std::scoped_lock lock(mutex_);
+  returned_ = size == 0 ? 0 : returned_ + size;
 }
 
 bool IceLink::StartClosing(const Error& reason) {

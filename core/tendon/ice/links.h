@@ -45,6 +45,11 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
   /// A whole frame, which answers what was asked here; or where `answer` is not null asks, and that
   /// gets the answer, if there is one yet. Likewise.
   bool DeliverWhole(std::span<const std::byte> frame, Bytes* answer);
+  /// Whether an answer may go back with the call that asked. Ice does not tell when such a one has
+  /// left, and keeps as many as there are: beyond 1 MiB, answers go by Send() and its window.
+  bool MayReturn();
+  /// So many bytes do; 0: something behind all of them has left.
+  void OnReturned(std::size_t size);
   /// Closes because of what the peer did, after answering it.
   void Fail(const Error& reason);
   void CloseAtOnce();
@@ -85,6 +90,7 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
   std::mutex mutex_;
   std::optional<Error> reason_;  // why it is closed, or about to be
   std::size_t unsent_ = 0;       // bytes; those of what was asked, until that is answered
+  std::size_t returned_ = 0;     // bytes, since something was last sent
   std::size_t limit_ = kMaxStrangersFrameSize;
 };
 

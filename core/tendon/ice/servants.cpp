@@ -32,12 +32,12 @@ std::vector<Ice::Byte> EncodeSequence(std::span<const std::byte> sequence) {
 std::span<const std::byte> Ask(IceLink& link, std::span<const std::byte> frame, bool is_two_way) {
   thread_local Bytes answer;
   answer.clear();
-  if (!link.DeliverWhole(frame, is_two_way ? &answer : nullptr)) {
+  const bool may_return = is_two_way && link.MayReturn();
+  if (!link.DeliverWhole(frame, may_return ? &answer : nullptr)) {
     CutOff(link, NoFrame(link.peer()).message);
   }
-  if (answer.size() <= kMaxMessageSize) return answer;
-  (void)link.Send(answer);
-  return {};
+  if (!answer.empty()) link.OnReturned(answer.size());
+  return answer;
 }
 
 bool IsA(std::span<const std::byte> type) {

@@ -96,6 +96,7 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
   /// no other has to be woken for it. Else nothing has happened.
   std::optional<Status> WaitAtOnce(std::span<const std::byte> in, std::vector<std::byte>& out,
                                    SteadyTime deadline) {
+    if (SteadyClock().Now() >= deadline) return {};
     Outbox::Turn turn = outbox_.TakeTurn();
     if (!turn || mailbox_.size() != 0 || !mailbox_.is_open() || in.size() > kMaxPayload) return {};
     const auto record = mailbox_.completions().Take();
@@ -202,7 +203,9 @@ std::uint64_t Outbox::Room() const {
 
 std::size_t Outbox::Send(std::size_t limit) {
   refused_payloads_.Tell();
-  const std::scoped_lock turn(sending_);
+  const Turn turn(sending_, std::try_to_lock);
+  has_waited_ = !turn;
+  if (!turn) return 0;
   const std::size_t sent = SendTaken(std::min(limit, Room()), &Channel::TryRequest);
   sent_ += sent;
   return sent;

@@ -50,16 +50,20 @@ class Outbox {
   /// Any thread: so many of the calls that were sent have been executed.
   void SetExecuted(std::uint64_t calls) { executed_.Set(calls); }
 
+  /// The right to send, of a caller's thread: while it is held, nothing else is sent here.
+  using Turn = std::unique_lock<std::mutex>;
+
   /// Network thread: sends what waits, at most `limit` calls and no more than may be under way;
   /// returns how many it sent.
   std::size_t Send(std::size_t limit = kAnyNumber);
   /// Instead of the network thread, once that does no work here any more: sends what it has taken
   /// and could not send, for at most `patience`.
   void SendRest(std::chrono::milliseconds patience);
-  /// Whether the link was full; try again soon.
+  /// Network thread: whether the link was full, or a caller is just sending; try again soon.
   [[nodiscard]] bool is_held_up() const {
-    const std::scoped_lock turn(sending_);
-    return has_taken();
+    if (has_waited_) return true;
+    const Turn turn(sending_, std::try_to_lock);
+    return !turn || has_taken();
   }
 
   /// A call whose caller waits.
@@ -70,8 +74,6 @@ class Outbox {
     std::uint64_t call = 0;  ///< its number there
   };
 
-  /// The right to send, of a caller's thread: while it is held, nothing else is sent here.
-  using Turn = std::unique_lock<std::mutex>;
   /// Nothing taken where that would make others wait, or overtake what was taken before.
   [[nodiscard]] Turn TakeTurn();
   /// Instead of the caller's mailbox, in which nothing waits: sends its call, or has the network
@@ -104,6 +106,8 @@ class Outbox {
   Inbox inbox_;
   const std::uint64_t credit_;
   Published<std::uint64_t> executed_{0};
+
+  bool has_waited_ = false;  // of the network thread: its last Send() found somebody sending
 
   mutable std::mutex sending_;  // of what follows
   std::uint64_t sent_ = 0;

@@ -4,17 +4,41 @@
 #include <tendon/proxy/required_interface_proxy.h>
 
 #include <algorithm>
+#include <semaphore>
 #include <utility>
 
 namespace tendon {
 namespace {
 
-/// A call is over soon that takes no longer than this.
+/// A call is over soon that takes no longer than this, and a command is quick of which so many in a
+/// row were.
 constexpr std::chrono::microseconds kSoon(200);
+constexpr std::uint8_t kQuickInARow = 8;
 /// For so long a thread of the middleware waits for a call that should be over soon. Longer than
 /// that, for a timer that comes before the kernel's next tick must be set, which costs more than
 /// the call where the machine is a virtual one.
 constexpr std::chrono::milliseconds kPatience(5);
+
+/// The right of a thread of the middleware to wait for a component. Few may at a time, in this
+/// process: the others serve whoever else asks.
+class Waiter {
+ public:
+  explicit Waiter(bool wanted) : waits_(wanted && Places().try_acquire()) {}
+  Waiter(const Waiter&) = delete;
+  Waiter& operator=(const Waiter&) = delete;
+  ~Waiter() {
+    if (waits_) Places().release();
+  }
+  [[nodiscard]] bool waits() const { return waits_; }
+
+ private:
+  static std::counting_semaphore<>& Places() {
+    static std::counting_semaphore<> places(2);
+    return places;
+  }
+
+  const bool waits_;
+};
 
 /// As kWait is answered.
 void Answer(Status status, const Bytes& result, Responder& responder) {
@@ -36,7 +60,8 @@ RequiredInterfaceProxy::RequiredInterfaceProxy(std::shared_ptr<NetworkThread> th
       outbox_(channel_, message::kEvents, thread_->wakeup(), ToString(open.provided)),
       loss_report_(channel_, handle_),
       interface_(open.description.name, &outbox_.inbox()),
-      ends_slowly_(std::make_unique<Flag[]>(open.description.functions.size())),
+      quick_in_a_row_(
+          std::make_unique<Published<std::uint8_t>[]>(open.description.functions.size())),
       ended_(thread_->LendWakeup()) {
   for (const MemberDescription& function : open.description.functions) {
     functions_.push_back(std::make_unique<FunctionProxy>(interface_, function));
@@ -125,7 +150,8 @@ void RequiredInterfaceProxy::OnWait(std::size_t function, std::span<const std::b
   BegunCalls::Begun begun;
   begun.since = SteadyClock().Now();
   begun.deadline = begun.since + *timeout;
-  begun.is_told = !responder.is_asked_here() || ends_slowly_[function].Get();
+  const Waiter waiter(responder.is_asked_here() && IsQuick(function));
+  begun.is_told = !waiter.waits();
   begun.done = DoneOf(function, begun.since, std::move(responder));
   std::unique_lock waiting(waiting_, std::defer_lock);
   if (!begun.is_told) waiting.lock();
@@ -133,11 +159,22 @@ void RequiredInterfaceProxy::OnWait(std::size_t function, std::span<const std::b
       question, answer_, begun.is_told ? thread_->wakeup() : *ended_, begun.command, begun.call);
   CountReceived();
   if (status != Status(Status::kQueued)) return begun.done(status, answer_);
-  Await(std::move(begun), function);
+  Await(std::move(begun));
+}
+
+bool RequiredInterfaceProxy::IsQuick(std::size_t function) const {
+  return quick_in_a_row_[function].Get() >= kQuickInARow;
+}
+
+/// Of one call. Two that end at once may count as one.
+void RequiredInterfaceProxy::NoteTime(std::size_t function, std::chrono::nanoseconds took) {
+  Published<std::uint8_t>& quick = quick_in_a_row_[function];
+  const std::uint8_t before = quick.Get();
+  quick.Set(took > kSoon ? 0 : std::min<std::uint8_t>(before + 1, kQuickInARow));
 }
 
 /// What is not over soon is left to the network thread.
-void RequiredInterfaceProxy::Await(BegunCalls::Begun begun, std::size_t function) {
+void RequiredInterfaceProxy::Await(BegunCalls::Begun begun) {
   std::unique_lock lock(mutex_);
   // Closed meanwhile: it is executed, or it is dropped.
   if (connection_ == nullptr) return begun.done(Status::kOutcomeUnknown, {});
@@ -146,7 +183,6 @@ void RequiredInterfaceProxy::Await(BegunCalls::Begun begun, std::size_t function
     lock.unlock();  // and waiting_ is locked: it is not closed before this is over
     has_ended = ended_->WaitUntil([&begun] { return begun.command->HasEnded(begun.call); },
                                   begun.since + kPatience);
-    ends_slowly_[function].Set(SteadyClock().Now() - begun.since > kSoon);
     lock.lock();
   }
   begun_.Add(std::move(begun));
@@ -162,7 +198,7 @@ BegunCalls::Done RequiredInterfaceProxy::DoneOf(std::size_t function, SteadyTime
                                                 Responder responder) {
   return [this, function, since, shared = std::make_shared<Responder>(std::move(responder))](
              Status status, const Bytes& result) {
-    if (SteadyClock().Now() - since < kSoon / 2) ends_slowly_[function].Set(false);
+    NoteTime(function, SteadyClock().Now() - since);
     const bool can_be_sent = CanBeSent(function, result);
     Answer(can_be_sent ? status : Status::kFailed, result, *shared);
   };

@@ -64,7 +64,9 @@ class RequiredInterfaceProxy final : public NetworkJob {
   /// If not, that is logged: nobody hears the answer of a call that was executed.
   bool CanBeSent(std::size_t function, const Bytes& answer);
   void CountReceived();
-  void Await(BegunCalls::Begun begun, std::size_t function);
+  void Await(BegunCalls::Begun begun);
+  [[nodiscard]] bool IsQuick(std::size_t function) const;
+  void NoteTime(std::size_t function, std::chrono::nanoseconds took);
   [[nodiscard]] BegunCalls::Done DoneOf(std::size_t function, SteadyTime since,
                                         Responder responder);
   [[nodiscard]] bool IsAccepting() const;
@@ -82,11 +84,11 @@ class RequiredInterfaceProxy final : public NetworkJob {
   RequiredInterface interface_;
   std::vector<std::unique_ptr<FunctionProxy>> functions_;
   std::vector<std::string> function_names_;
-  std::vector<const QueuedOfferProxy*> handlers_;  // of events
-  Bytes answer_;                                   // of the middleware's thread
-  const std::unique_ptr<Flag[]> ends_slowly_;      // by function, as its last call
-  const std::shared_ptr<Wakeup<>> ended_;          // of calls that this thread waits for
-  std::mutex waiting_;                             // while it does; taken before mutex_
+  std::vector<const QueuedOfferProxy*> handlers_;                    // of events
+  Bytes answer_;                                                     // of the middleware's thread
+  const std::unique_ptr<Published<std::uint8_t>[]> quick_in_a_row_;  // calls, by function
+  const std::shared_ptr<Wakeup<>> ended_;  // of calls that this thread waits for
+  std::mutex waiting_;                     // while it does; taken before mutex_
 
   std::mutex mutex_;  // of what follows
   const Connection* connection_ = nullptr;

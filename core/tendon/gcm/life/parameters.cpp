@@ -137,6 +137,11 @@ Result<Ordered> ValueOf(const Schema& schema, const std::string& name, const std
   const bool is_word =
       schema.kind() == Schema::Kind::kString || schema.kind() == Schema::Kind::kEnum;
   if (is_word && !value.is_string()) value = typed;
+  try {
+    (void)value.dump();
+  } catch (const Ordered::exception&) {
+    return Error{ErrorCode::kInvalid, name + ": '" + Printable(typed, 64) + "' is no UTF-8"};
+  }
   if (!value.is_discarded()) return value;
   return Error{ErrorCode::kInvalid, name + ": expected " + schema.TypeName() + " as JSON, got '" +
                                         Printable(typed, 64) + "'"};

@@ -15,7 +15,7 @@ SteadyTime NextLook(const BegunCalls::Begun& begun, SteadyTime now) {
   if (begun.is_told) return begun.deadline;
   const std::chrono::nanoseconds so_far = now - begun.since;
   return std::min(begun.deadline,
-                  now + std::clamp<std::chrono::nanoseconds>(so_far / 4, 50us, 5ms));
+                  now + std::clamp<std::chrono::nanoseconds>(so_far / 8, 50us, 100ms));
 }
 
 }  // namespace

@@ -51,6 +51,10 @@ TEST(Parameters, AreTheFieldsThatAreNoStructures) {
   EXPECT_EQ(all->at(4).name, "joints");
 }
 
+TEST(Parameters, ATextThatIsNoUtf8IsRefused) {
+  EXPECT_EQ(Told("", "label", "\xff"), R"(label: '\xff' is no UTF-8)");
+}
+
 TEST(Parameters, ThoseOfAPartAreFoundByItsName) {
   EXPECT_EQ(ParametersAt(Servo(), "", "gain")->size(), 2U);
   const auto element = ParametersAt(Servo(), "", "gain.limits[1]");
