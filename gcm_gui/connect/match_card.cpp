@@ -43,6 +43,7 @@ MatchCard::MatchCard(QWidget& place, const CatalogueStore& store, SystemActions&
   setAccessibleName(QStringLiteral("Match by name and type"));
   head().setTitle(QStringLiteral("Match by name and type"));
   connect_->setObjectName(QStringLiteral("match.connect"));
+  connect_->setProperty("changesSystem", true);
   SetRole(*connect_, QStringLiteral("primary"));
   connect(connect_, &QPushButton::clicked, this, &MatchCard::connectChecked);
   addToHead(connect_);

@@ -146,6 +146,11 @@ void ConsolePage::showPrompt() {
   prompt_label_->setText(text);
 }
 
+bool ConsolePage::isTyping(const QKeyEvent& key) {
+  return !key.text().isEmpty() && key.text()[0].isPrint() &&
+         (key.modifiers() & (Qt::ControlModifier | Qt::AltModifier)) == 0;
+}
+
 bool ConsolePage::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride) {
     // Keys of the console before those of the window.
@@ -153,7 +158,7 @@ bool ConsolePage::eventFilter(QObject* watched, QEvent* event) {
     const bool is_control = key.modifiers() == Qt::ControlModifier;
     const bool is_ours = (is_control && (key.key() == Qt::Key_C || key.key() == Qt::Key_R ||
                                          key.key() == Qt::Key_L)) ||
-                         (search_ && key.key() == Qt::Key_Escape);
+                         (search_ && key.key() == Qt::Key_Escape) || isTyping(key);
     if (is_ours) event->accept();
     return is_ours;
   }
@@ -164,13 +169,9 @@ bool ConsolePage::eventFilter(QObject* watched, QEvent* event) {
     copyOrInterrupt();
     return true;
   }
-  // Whoever types means the line.
-  const QString typed = key.text();
-  const bool is_letter = !typed.isEmpty() && typed[0].isPrint() &&
-                         (key.modifiers() & (Qt::ControlModifier | Qt::AltModifier)) == 0;
-  if (!is_letter) return false;
+  if (!isTyping(key)) return false;
   line_->setFocus();
-  line_->insert(typed);
+  line_->insert(key.text());
   return true;
 }
 

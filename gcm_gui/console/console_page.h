@@ -42,6 +42,8 @@ class ConsolePage : public QWidget {
 
   void build();
   void dress();
+  /// Whoever types means the line, and no key of the window.
+  [[nodiscard]] static bool isTyping(const QKeyEvent& key);
   bool pressKey(const QKeyEvent& event);
   bool pressControl(int key);
   bool pressInSearch(const QKeyEvent& event);

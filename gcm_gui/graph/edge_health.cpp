@@ -1,6 +1,7 @@
 #include <gcm_gui/graph/edge_health.h>
 #include <gcm_gui/models/text.h>
 
+#include <QPointer>
 #include <chrono>
 #include <utility>
 
@@ -62,8 +63,9 @@ void EdgeHealth::look() {
   if (!next) return;
   is_asking_ = true;
   last_ = *next;
-  checks_.findCounts(last_,
-                     [this, required = last_](const auto& counts) { hear(required, counts); });
+  checks_.findCounts(last_, [self = QPointer(this), required = last_](const auto& counts) {
+    if (self != nullptr) self->hear(required, counts);
+  });
 }
 
 void EdgeHealth::hear(const InterfaceName& required, const Result<ConnectionCounts>& counts) {

@@ -60,6 +60,7 @@ QWidget* LogPage::buildBar() {
   connect(words_, &QLineEdit::textChanged, &filter_, &LogFilter::setText);
   count_ = MakeNote(QStringLiteral("log.count"));
   QToolButton* levels = MakeLink(QStringLiteral("Set level…"), QStringLiteral("log.setLevel"));
+  levels->setProperty("changesSystem", true);
   levels->setToolTip(QStringLiteral("From which level on a process logs, until it ends"));
   levels->setPopupMode(QToolButton::InstantPopup);
   auto* menu = new QMenu(levels);

@@ -134,6 +134,8 @@ void DiffPanel::updateOne() {
 }
 
 void DiffPanel::showDiff() {
+  const SystemDifference* line = currentLine();
+  const std::string chosen = line != nullptr ? line->what : std::string();
   differences_.show(document_.comparison());
   summary_->setText(document_.isOpen() ? SummaryOf(document_.comparison())
                                        : QStringLiteral("No system file is open."));
@@ -141,10 +143,16 @@ void DiffPanel::showDiff() {
       document_.isOpen()
           ? QStringLiteral("What runs is as the file says.")
           : QStringLiteral("Ctrl+S writes down what runs; Ctrl+O opens what was written down."));
-  if (!diff_list_->currentIndex().isValid() && differences_.rowCount() > 0) {
-    diff_list_->setCurrentIndex(differences_.index(0));
-  }
+  choose(chosen);
   showButtons();
+}
+
+/// Another line never takes the place of the chosen one.
+void DiffPanel::choose(const std::string& what) {
+  int row = 0;
+  while (row < differences_.rowCount() && !what.empty() && differences_.row(row).what != what)
+    ++row;
+  diff_list_->setCurrentIndex(differences_.index(row));
 }
 
 void DiffPanel::allow(QPushButton& button, bool allowed) const {
@@ -204,8 +212,9 @@ void DiffPanel::showPlan() {
   back_->setEnabled(phase != Restore::Phase::kRunning);
   pages_->setCurrentIndex(page);
   if (!is_new) return;
-  if (waits) (carry_out_->isEnabled() ? carry_out_ : back_)->setFocus();
-  if (phase == Restore::Phase::kDone) (restore_.canUndo() ? undo_ : back_)->setFocus();
+  // On nothing that does something: a key may still be held.
+  if (waits) step_list_->setFocus();
+  if (phase == Restore::Phase::kDone) back_->setFocus();
   if (turned && page == 0) diff_list_->setFocus();
 }
 

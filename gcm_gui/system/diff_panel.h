@@ -37,6 +37,7 @@ class DiffPanel : public QWidget {
   void updateOne();
   void showDiff();
   void showPlan();
+  void choose(const std::string& what);
   void showButtons();
   void allow(QPushButton& button, bool allowed) const;
   [[nodiscard]] QString planText() const;

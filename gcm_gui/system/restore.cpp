@@ -1,6 +1,7 @@
 #include <gcm_gui/system/restore.h>
 #include <gcm_gui/system/system_parts.h>
 
+#include <QPointer>
 #include <utility>
 
 namespace tendon::gui {
@@ -31,31 +32,27 @@ void Restore::preview(const SystemFile& wanted, const QString& goal) {
   Q_EMIT changed();
 }
 
+void Restore::undo() {
+  if (canUndo()) preview(*std::exchange(before_, std::nullopt), QStringLiteral("what was before"));
+}
+
 void Restore::execute(AfterError after_error) {
   if (phase_ != Phase::kPreview || plan_.steps.empty()) return;
   before_ = Before(plan_, WholeSystem(document_.catalogue()));
-  run(after_error);
-}
-
-void Restore::undo() {
-  if (!canUndo()) return;
-  preview(*std::exchange(before_, std::nullopt), QStringLiteral("what it was before"));
-  if (!plan_.steps.empty()) run(AfterError::kGoOn);
-}
-
-void Restore::run(AfterError after_error) {
   phase_ = Phase::kRunning;
   Q_EMIT changed();
   runner_.carryOut(
       plan_, after_error,
-      [this](std::size_t /*number*/, const StepOutcome& came) {
-        outcomes_.push_back(came);
-        Q_EMIT changed();
+      [self = QPointer(this)](std::size_t /*number*/, const StepOutcome& came) {
+        if (self == nullptr) return;
+        self->outcomes_.push_back(came);
+        Q_EMIT self->changed();
       },
-      [this](const PlanOutcome& outcome) {
-        outcome_ = outcome;
-        phase_ = Phase::kDone;
-        Q_EMIT changed();
+      [self = QPointer(this)](const PlanOutcome& outcome) {
+        if (self == nullptr) return;
+        self->outcome_ = outcome;
+        self->phase_ = Phase::kDone;
+        Q_EMIT self->changed();
       });
 }
 

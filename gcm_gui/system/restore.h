@@ -36,7 +36,7 @@ class Restore : public QObject {
   void execute(AfterError after_error);
   /// After the step that is being made.
   void stop() { runner_.stop(); }
-  /// The system as it was before execute(), at once.
+  /// Previews the system as it was before execute().
   void undo();
   void leave();
 
@@ -44,8 +44,6 @@ class Restore : public QObject {
   void changed();
 
  private:
-  void run(AfterError after_error);
-
   const SystemDocument& document_;
   PlanRunner& runner_;
   Phase phase_ = Phase::kIdle;

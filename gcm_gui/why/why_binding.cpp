@@ -6,6 +6,7 @@
 #include <gcm_gui/why/why_report.h>
 #include <tendon/base/path.h>
 
+#include <QPointer>
 #include <algorithm>
 #include <utility>
 
@@ -63,7 +64,9 @@ void WhyBinding::check() {
   if (!wire_) return;
   ask_again_ = is_asking_;
   if (std::exchange(is_asking_, true)) return;
-  checks_.diagnose(*wire_, [this, wire = *wire_](const auto& diagnosis) { hear(wire, diagnosis); });
+  checks_.diagnose(*wire_, [self = QPointer(this), wire = *wire_](const auto& diagnosis) {
+    if (self != nullptr) self->hear(wire, diagnosis);
+  });
 }
 
 void WhyBinding::hear(const message::Wire& wire, const Result<Diagnosis>& diagnosis) {

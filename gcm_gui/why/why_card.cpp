@@ -61,6 +61,7 @@ void WhyCard::buildHead() {
   title_->setObjectName(QStringLiteral("why.title"));
   SetRole(*title_, QStringLiteral("strong"));
   retry_->setObjectName(QStringLiteral("why.retry"));
+  retry_->setProperty("changesSystem", true);
   copy_->setObjectName(QStringLiteral("why.copyReport"));
   copy_->setAccessibleName(QStringLiteral("Copy the report"));
   connect(retry_, &QPushButton::clicked, this, &WhyCard::retryRequested);

@@ -47,6 +47,7 @@ void FavouriteBar::build() {
     auto* button = new HoldButton(TitleOf(favourite));
     button->setObjectName(QStringLiteral("favourite.") + favourite.path);
     button->setAccessibleName(QStringLiteral("Call ") + favourite.path);
+    button->setProperty("changesSystem", true);
     button->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(button, &HoldButton::called, this, [this, favourite] { call(favourite); });
     connect(button, &HoldButton::letGoEarly, this, [this] {

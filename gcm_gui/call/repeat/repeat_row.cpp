@@ -1,3 +1,4 @@
+#include <gcm_gui/call/hold_button.h>
 #include <gcm_gui/call/repeat/repeat_row.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/theme/metrics.h>
@@ -37,6 +38,7 @@ RepeatRow::RepeatRow(CommandCalls& calls, std::function<std::string()> argument,
   times_->setSpecialValueText(QStringLiteral("until stopped"));
   times_->setSuffix(QStringLiteral(" times"));
   button_->setObjectName(QStringLiteral("call.repeat"));
+  button_->setProperty("changesSystem", true);
   button_->installEventFilter(this);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(kInset, 0, kInset, 2 * kGrid);
@@ -44,11 +46,14 @@ RepeatRow::RepeatRow(CommandCalls& calls, std::function<std::string()> argument,
   row->addWidget(rate_);
   row->addWidget(times_, 1);
   row->addWidget(button_);
+  hold_.setSingleShot(true);
+  hold_.setInterval(HoldButton::kHold);
+  connect(&hold_, &QTimer::timeout, this, &RepeatRow::begin);
   connect(button_, &QPushButton::pressed, this, [this] {
-    if (careful_) begin();
+    if (careful_) hold_.start();
   });
   connect(button_, &QPushButton::released, this, [this] {
-    if (careful_) repeater_.stop();
+    if (careful_) letGo();
   });
   connect(button_, &QPushButton::clicked, this, [this] {
     if (careful_) return;
@@ -80,35 +85,40 @@ void RepeatRow::showButton() {
   const QString start = careful_ ? QStringLiteral("Hold to repeat") : QStringLiteral("Repeat");
   button_->setText(repeater_.isRunning() && !careful_ ? QStringLiteral("Stop") : start);
   button_->setToolTip(careful_ ? QStringLiteral("It can set something in motion: it is called as "
-                                                "long as the button is held down")
+                                                "long as the button is held down, from 0.4 s on")
                                : QString());
 }
 
-void RepeatRow::setCommand(const QString& path) {
+void RepeatRow::letGo() {
+  hold_.stop();
   repeater_.stop();
+}
+
+void RepeatRow::setCommand(const QString& path) {
+  letGo();
   path_ = path;
 }
 
 void RepeatRow::setCareful(bool careful) {
-  if (careful != careful_) repeater_.stop();
+  if (careful != careful_) letGo();
   careful_ = careful;
   showButton();
 }
 
 void RepeatRow::setCallable(bool callable) {
-  if (!callable) repeater_.stop();
+  if (!callable) letGo();
   button_->setEnabled(callable);
 }
 
 bool RepeatRow::eventFilter(QObject* watched, QEvent* event) {
   const bool is_left = event->type() == QEvent::FocusOut || event->type() == QEvent::Hide;
-  if (careful_ && is_left) repeater_.stop();
+  if (careful_ && is_left) letGo();
   return QWidget::eventFilter(watched, event);
 }
 
 void RepeatRow::hideEvent(QHideEvent* event) {
   QWidget::hideEvent(event);
-  repeater_.stop();
+  letGo();
 }
 
 }  // namespace tendon::gui

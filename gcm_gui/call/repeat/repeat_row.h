@@ -2,6 +2,7 @@
 
 #include <gcm_gui/call/repeat/repeater.h>
 
+#include <QTimer>
 #include <QWidget>
 #include <functional>
 #include <string>
@@ -39,6 +40,7 @@ class RepeatRow : public QWidget {
 
  private:
   void begin();
+  void letGo();
   void showButton();
   [[nodiscard]] QString counts() const;
 
@@ -46,6 +48,7 @@ class RepeatRow : public QWidget {
   std::function<std::string()> argument_;
   QString path_;
   bool careful_ = false;
+  QTimer hold_;  // until it begins, where that must be held
 
   QDoubleSpinBox* rate_;
   QSpinBox* times_;

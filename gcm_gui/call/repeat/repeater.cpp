@@ -17,7 +17,6 @@ void Repeater::start(const QString& path, const std::string& argument, double ra
   times_ = times;
   called_ = 0;
   left_out_ = 0;
-  under_way_ = false;
   ++run_;
   timer_.start(std::max(1, static_cast<int>(1000 / rate)));
   callNext();
@@ -43,13 +42,14 @@ void Repeater::callNext() {
   const std::uint64_t run = run_;
   calls_.callCommand(path_.toStdString(), argument_,
                      [self = QPointer(this), run](const auto& answer, double) {
-                       if (self != nullptr && self->run_ == run) self->hear(answer);
+                       if (self == nullptr) return;
+                       self->under_way_ = false;
+                       if (self->run_ == run) self->hear(answer);
                      });
   Q_EMIT progressed();
 }
 
 void Repeater::hear(const Result<std::string>& answer) {
-  under_way_ = false;
   if (!answer) return end(ToQString(answer.error().message));
   if (times_ > 0 && called_ >= times_) end({});
 }

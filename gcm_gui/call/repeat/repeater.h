@@ -11,15 +11,15 @@
 namespace tendon::gui {
 
 /// Calls one command again and again. No more than one call is under way: what is due before the
-/// last one is answered is left out. Ends after so many, at the first refusal, or when it is told
-/// to; what is under way then is not taken back.
+/// last one is answered is left out, also where that is of an earlier start(). Ends after so many,
+/// at the first refusal, or when it is told to; what is under way then is not taken back.
 class Repeater : public QObject {
   Q_OBJECT
 
  public:
   explicit Repeater(CommandCalls& calls, QObject* parent = nullptr);
 
-  /// `rate` in Hz, above 0; `times` 0 for no end. The first call is made at once.
+  /// `rate` in Hz, above 0; `times` 0 for no end. The first call is due at once.
   void start(const QString& path, const std::string& argument, double rate, int times);
   /// Nothing where it does not run.
   void stop();

@@ -29,8 +29,9 @@ SystemFiles::SystemFiles(const WindowParts& parts, TabPanel& centre, QWidget& wi
   connect(&document_, &SystemDocument::changed, this, &SystemFiles::titleChanged);
   connect(&document_, &SystemDocument::opened, this, &SystemFiles::showTab);
   connect(&document_, &SystemDocument::changed, this, &SystemFiles::previewBringUp);
+  connect(&document_, &SystemDocument::told, this, [this] { brings_up_ = false; });
   connect(&restore_, &Restore::changed, this, [this] {
-    if (restore_.phase() != Restore::Phase::kPreview) brings_up_ = false;
+    if (!is_previewing_) brings_up_ = false;
   });
 }
 
@@ -57,7 +58,9 @@ void SystemFiles::bringUp(const QString& path) {
 /// Again whenever something joins, until the user takes it or leaves it.
 void SystemFiles::previewBringUp() {
   if (!brings_up_ || link_.state() != GcmLink::State::kConnected) return;
+  is_previewing_ = true;
   panel_->previewAll();
+  is_previewing_ = false;
 }
 
 void SystemFiles::showTab() { centre_.setCurrent(page_); }

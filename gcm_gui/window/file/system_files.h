@@ -52,7 +52,8 @@ class SystemFiles : public QObject {
   Restore restore_;
   DiffPanel* panel_;
   int page_;
-  bool brings_up_ = false;
+  bool brings_up_ = false;      // the plan for the file follows what joins
+  bool is_previewing_ = false;  // it is just made anew
 };
 
 }  // namespace tendon::gui

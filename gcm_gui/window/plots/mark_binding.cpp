@@ -111,9 +111,10 @@ void MarkBinding::compareConnections(const Catalog& catalogue, const TouchedPart
   };
   std::erase_if(connections_, [&](const auto& known) {
     const auto& [required, provided] = known;
+    if (!is_meant(required)) return false;
     const ConnectionDescription* now = catalogue.FindConnection(required);
     const bool stands = now != nullptr && now->state == ConnectionState::kActive;
-    if (!is_meant(required) || stands) return false;
+    if (stands) return false;
     const QString why = now != nullptr ? ' ' + ToQString(now->reason) : QString();
     add(Mark::Kind::kConnection, ToQString(required.component) + " disconnected",
         Name(required) + " is no longer connected to " + Name(provided) + why, now != nullptr);

@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QPlainTextEdit>
 #include <QTimer>
 #include <QToolButton>
 #include <QTreeView>
@@ -121,6 +122,19 @@ TEST_F(StripFlow, TheLogIsFilteredAndItsLevelSetWithMouseAndKeys) {
            session_->activity().action(0).outcome == Action::Outcome::kDone;
   }));
   EXPECT_EQ(session_->activity().command(0), "gcm log-level desk debug");
+}
+
+TEST_F(StripFlow, WhoTypesOnTheOutputMeansTheLineAndNoKeyOfTheWindow) {
+  QTest::keyClick(window_.get(), Qt::Key_J, Qt::ControlModifier);
+  ASSERT_TRUE(Line().hasFocus());
+  window_->selection().select("desk/supervisor/Robot");
+  auto& output = Find<QPlainTextEdit>("console.output");
+  output.setFocus();
+
+  QTest::keyClick(&output, Qt::Key_D);
+
+  EXPECT_EQ(Line().text(), "d");
+  EXPECT_EQ(session_->activity().rowCount(), 0);
 }
 
 TEST_F(StripFlow, EventsArriveWhileThePageIsOpenAndWaitWhileItIsPaused) {

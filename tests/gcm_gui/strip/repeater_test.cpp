@@ -1,6 +1,8 @@
+#include <gcm_gui/call/repeat/repeat_row.h>
 #include <gcm_gui/call/repeat/repeater.h>
 #include <gtest/gtest.h>
 
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -26,6 +28,36 @@ TEST_F(RepeaterTest, NoMoreThanOneCallIsUnderWay) {
   calls_.answer(std::string(), 0.001);
 
   EXPECT_TRUE(QTest::qWaitFor([&] { return calls_.calls.size() == 2; }, kRepeatPatience));
+}
+
+TEST_F(RepeaterTest, WhatIsStartedAgainWaitsForTheCallOfBefore) {
+  repeater_.start("a/b/C.Set", "1", 100, 0);
+  repeater_.stop();
+  repeater_.start("a/b/C.Set", "2", 100, 0);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return repeater_.leftOut() >= 3; }, kRepeatPatience));
+  EXPECT_EQ(calls_.calls, QStringList{"a/b/C.Set 1"});
+
+  calls_.answer(std::string(), 0.001);
+
+  ASSERT_TRUE(QTest::qWaitFor([&] { return calls_.calls.size() == 2; }, kRepeatPatience));
+  EXPECT_EQ(calls_.calls.at(1), "a/b/C.Set 2");
+}
+
+TEST(RepeatRowTest, AClickCallsNothingThatMayMove) {
+  ScriptedCalls calls;
+  RepeatRow row(calls, [] { return std::string("1"); });
+  row.setCommand("a/b/C.Move");
+  row.setCareful(true);
+  row.show();
+  auto* button = row.findChild<QPushButton*>("call.repeat");
+
+  QTest::mouseClick(button, Qt::LeftButton);
+  EXPECT_TRUE(calls.calls.isEmpty());
+  QTest::mousePress(button, Qt::LeftButton);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !calls.calls.isEmpty(); }, kRepeatPatience));
+  QTest::mouseRelease(button, Qt::LeftButton);
+
+  EXPECT_FALSE(row.repeater().isRunning());
 }
 
 TEST_F(RepeaterTest, ItEndsAfterSoManyCalls) {

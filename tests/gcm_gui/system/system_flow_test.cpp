@@ -66,8 +66,12 @@ class SystemFlowTest : public ::testing::Test {
   }
   bool EverythingIsThere() {
     return Eventually([&] {
-      return session_->store().catalogue().FindProvided(kFlowProvided) != nullptr &&
-             session_->store().catalogue().FindRequired(kFlowRequired) != nullptr;
+      const Catalog& catalogue = session_->store().catalogue();
+      const auto is_active = [&](const char* process, const char* component) {
+        const auto* found = catalogue.FindComponent(process, component);
+        return found != nullptr && found->state == ComponentState::kActive;
+      };
+      return is_active("robot", "plant") && is_active("desk", "operator");
     });
   }
   bool Connect() {
@@ -143,6 +147,7 @@ TEST_F(SystemFlowTest, WhatWasSavedIsRestoredAndThatTakenBack) {
   QTest::keyClick(&Button("plan.carryOut"), Qt::Key_Space);
   ASSERT_TRUE(Eventually([&] { return IsConnected(); }));
   Click("plan.undo");
+  Click("plan.carryOut");
   EXPECT_TRUE(Eventually([&] { return !IsConnected(); }));
 }
 
@@ -161,9 +166,8 @@ TEST_F(SystemFlowTest, OneLineIsAppliedOrTakenIntoTheFile) {
   ASSERT_TRUE(Eventually([&] { return IsConnected(); }));
   Click("plan.back");
   session_->disconnectInterface(kFlowRequired);
-  ASSERT_TRUE(Eventually([&] {
-    return !IsConnected() && Document().comparison().differences.size() == 1;
-  }));
+  ASSERT_TRUE(Eventually(
+      [&] { return !IsConnected() && Document().comparison().differences.size() == 1; }));
   Click("diff.update");
 
   ASSERT_TRUE(Eventually([&] { return Document().comparison().differences.empty(); }));
