@@ -264,10 +264,10 @@ void Outbox::Collect(std::size_t limit) {
 /// not executed in time is said in time.
 Status Outbox::Ask(Question& question, Manner manner) {
   constexpr std::chrono::milliseconds kWayBack(20);
-  const auto deadline = question.callers->Send(question.call);
+  const SteadyTime now = SteadyClock().Now();
+  const auto deadline = question.callers->Send(question.call, now);
   if (!deadline) return Status::kTimeout;
-  const std::chrono::nanoseconds left =
-      std::max(*deadline - SteadyClock().Now(), std::chrono::nanoseconds(0));
+  const std::chrono::nanoseconds left = *deadline - now;
   Bytes& body = question.argument;
   const std::size_t size = body.size();
   AppendTimeout(left - std::min<std::chrono::nanoseconds>(left / 4, kWayBack), body);

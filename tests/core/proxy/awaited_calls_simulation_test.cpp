@@ -86,10 +86,10 @@ class Link {
     for (unsigned looks = 0; !posted_[slot].Get(); ++looks) SimulatedAtomics::Pause(looks);
     if (peer == Peer::kIsGone) return callers_.Drop(0);
     const auto call = callers_.Start(0);
-    if (!call || !callers_.Send(*call)) return;
+    if (!call || !callers_.Send(*call, SteadyTime::min())) return;
     if (peer == Peer::kHasNoRoom) {
       callers_.NotSent(*call);
-      if (!callers_.Send(*call)) return;
+      if (!callers_.Send(*call, SteadyTime::min())) return;
     }
     is_sent_[slot] = true;
     if (peer == Peer::kIsSilent) return callers_.End(*call, Error{ErrorCode::kTimeout, "late"});

@@ -69,11 +69,12 @@ class AwaitedCalls {
     if (!completions_[record].Start()) return;
     Finish(awaited_.at(of_record_[record]), Status::kNotConnected);
   }
-  /// It is being sent: until when its caller waits. Nothing when that has left, and it must not be.
-  [[nodiscard]] std::optional<SteadyTime> Send(std::uint64_t call) {
+  /// It is being sent: until when its caller waits. Nothing when that has left, or is about to, and
+  /// it must not be.
+  [[nodiscard]] std::optional<SteadyTime> Send(std::uint64_t call, SteadyTime now) {
     const std::scoped_lock lock(mutex_);
     const auto found = awaited_.find(call);
-    if (found == awaited_.end()) return std::nullopt;
+    if (found == awaited_.end() || found->second.deadline <= now) return std::nullopt;
     found->second.is_sent = true;
     return found->second.deadline;
   }
