@@ -6,7 +6,7 @@
 namespace tendon::gui {
 namespace {
 
-const InterfaceName kTeleoperation{"desk", "teleoperation", "Robot"};
+const InterfaceName kReported{"desk", "teleoperation", "Robot"};
 const InterfaceName kController{"robot", "controller", "Control"};
 
 class WhyReportTest : public ::testing::Test {
@@ -20,14 +20,13 @@ class WhyReportTest : public ::testing::Test {
 };
 
 TEST_F(WhyReportTest, TheVerdictNamesTheStepThatIsBad) {
-  EXPECT_EQ(Report(kTeleoperation, kController).verdict(), "nothing keeps it from being connected");
-  EXPECT_EQ(Report(kTeleoperation, {"robot", "arm", "Drives"}).verdict(), "fails at step 4 of 7");
-  EXPECT_EQ(Report(kTeleoperation, {"vision", "camera", "Video"}).verdict(),
-            "fails at step 1 of 7");
+  EXPECT_EQ(Report(kReported, kController).verdict(), "nothing keeps it from being connected");
+  EXPECT_EQ(Report(kReported, {"robot", "arm", "Drives"}).verdict(), "fails at step 4 of 7");
+  EXPECT_EQ(Report(kReported, {"vision", "camera", "Video"}).verdict(), "fails at step 1 of 7");
 }
 
 TEST_F(WhyReportTest, TheTextIsThatOfTheConsole) {
-  const QString text = Report(kTeleoperation, {"robot", "arm", "Drives"}).text();
+  const QString text = Report(kReported, {"robot", "arm", "Drives"}).text();
 
   EXPECT_TRUE(text.contains("  1 ok  processes desk and robot are there\n")) << text.toStdString();
   EXPECT_TRUE(text.contains("  5 -   the processes reach each other\n")) << text.toStdString();
@@ -40,31 +39,31 @@ TEST_F(WhyReportTest, OfAFixItsCommandIsCopied) {
 }
 
 TEST_F(WhyReportTest, AUserWhoAsksMeansWhatWasRefusedThenWhatIsConnectedThenTheBest) {
-  EXPECT_EQ(LikelyProvider(system_.catalog(), refusals_, kTeleoperation), kController);
+  EXPECT_EQ(LikelyProvider(system_.catalog(), refusals_, kReported), kController);
 
-  system_.Connect(kTeleoperation, {"robot", "arm", "Drives"}, ConnectionState::kFailed);
-  EXPECT_EQ(LikelyProvider(system_.catalog(), refusals_, kTeleoperation),
+  system_.Connect(kReported, {"robot", "arm", "Drives"}, ConnectionState::kFailed);
+  EXPECT_EQ(LikelyProvider(system_.catalog(), refusals_, kReported),
             (InterfaceName{"robot", "arm", "Drives"}));
 
   Action refused;
-  refused.required = kTeleoperation;
+  refused.required = kReported;
   refused.provided = kController;
   refused.outcome = Action::Outcome::kRefused;
   refusals_.hear(refused);
-  EXPECT_EQ(LikelyProvider(system_.catalog(), refusals_, kTeleoperation), kController);
+  EXPECT_EQ(LikelyProvider(system_.catalog(), refusals_, kReported), kController);
 }
 
 TEST_F(WhyReportTest, ItSaysWhatARefusedRequestHasLeft) {
   const auto left = [&] {
-    return LeftoversOf(system_.catalog(), {kTeleoperation, kController}).join(' ');
+    return LeftoversOf(system_.catalog(), {kReported, kController}).join(' ');
   };
   EXPECT_EQ(left(), "Rolled back: nothing of it is left in desk");
 
-  system_.Connect(kTeleoperation, {"robot", "arm", "Drives"});
+  system_.Connect(kReported, {"robot", "arm", "Drives"});
   EXPECT_EQ(left(),
             "Rolled back: desk/teleoperation/Robot is connected to robot/arm/Drives as before");
 
-  system_.Connect(kTeleoperation, kController, ConnectionState::kPending);
+  system_.Connect(kReported, kController, ConnectionState::kPending);
   EXPECT_EQ(left(), "Kept: desk makes it as soon as it can");
 
   system_.Process("desk", ProcessState::kLost);
