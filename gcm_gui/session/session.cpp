@@ -58,13 +58,14 @@ class Session::Listener final : public GcmListener {
 };
 
 Session::Session(std::shared_ptr<Middleware> middleware, const std::string& address, bool hosted,
-                 Role role)
+                 Role role, std::chrono::milliseconds timeout)
     : courier_(std::make_shared<Courier>(this)) {
   link_.setAddress(ToQString(address), hosted);
   GcmClient::Options options;
   options.name = "gcm-gui";
   options.address = address;
   options.role = role;
+  options.timeout = timeout;
   client_ = std::make_unique<GcmClient>(std::move(middleware), options,
                                         std::make_shared<Listener>(*this, courier_));
   live_signals_ = std::make_unique<LiveSignals>(client_->telemetry());

@@ -28,10 +28,11 @@ class Session : public QObject, public SystemActions, public CommandCalls, publi
   Q_OBJECT
 
  public:
-  /// Looks for the GCM at `address`, for as long as it takes. To a viewer whatever would change
-  /// something is denied.
+  /// Looks for the GCM at `address`, for as long as it takes; what it is asked is answered within
+  /// `timeout`. To a viewer whatever would change something is denied.
   Session(std::shared_ptr<Middleware> middleware, const std::string& address, bool hosted,
-          Role role = Role::kOperator);
+          Role role = Role::kOperator,
+          std::chrono::milliseconds timeout = GcmClient::Options().timeout);
   ~Session() override;
 
   [[nodiscard]] CatalogueStore& store() { return store_; }

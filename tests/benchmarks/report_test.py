@@ -86,6 +86,7 @@ class Report(unittest.TestCase):
 
 if __name__ == "__main__":
     PROGRAM = sys.argv.pop(1)
+    sys.argv = [word for word in sys.argv if word]  # what a preset lacks comes as an empty one
     for kind, ids in (("with-network", NETWORK_IDS), ("with-window", WINDOW_IDS)):
         if kind in sys.argv:
             sys.argv.remove(kind)

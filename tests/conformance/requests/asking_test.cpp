@@ -169,7 +169,10 @@ TEST_P(ChannelContract, APeerThatHangsHoldsNobodyWhoAsksUpBeyondTheDeadline) {
   EXPECT_FALSE(next);
   hung.unlock();
   EXPECT_TRUE(EventuallyTrue([&] { return channel_->late_replies() == 1; }));
-  server->kept_.front().Reply({}, kOwnLane);
+  hung.lock();
+  Responder kept = std::move(server->kept_.front());
+  hung.unlock();
+  kept.Reply({}, kOwnLane);
   EXPECT_TRUE(EventuallyTrue([&] { return channel_->late_replies() == 2; }));
   EXPECT_TRUE(AskClerk(*channel_, kHowMany));
 }

@@ -213,7 +213,8 @@ TEST_F(InterfaceProxies, WaitsNeedCreditWhoeverSendsThem) {
   thread->Remove(*client_end->proxy);
   server_end->is_silent = true;
   for (int number = 0; number < 4; ++number) {
-    EXPECT_EQ(push.Wait(number, std::chrono::milliseconds(1)), Status(Status::kOutcomeUnknown));
+    // Long enough to be sent; nobody answers.
+    EXPECT_EQ(push.Wait(number, std::chrono::milliseconds(500)), Status(Status::kOutcomeUnknown));
   }
   ASSERT_TRUE(EventuallyTrue([this] { return server_end->heard == 4; }));
 

@@ -127,7 +127,10 @@ TEST_F(SetVerbTest, TheNamesOfParametersAreCompleted) {
   const auto complete = [this](const std::string& word) {
     return RunProgram({Binary("gcm"), "complete", "--gcm", address, "set", "robot/arm", word}).out;
   };
-  EXPECT_TRUE(EventuallyTrue([&] { return complete("b") == "bandwidth\n"; })) << complete("b");
+  // Each try gives up soon, so as not to hold up whoever types.
+  EXPECT_TRUE(
+      EventuallyTrue([&] { return complete("b") == "bandwidth\n"; }, std::chrono::minutes(2)))
+      << complete("b");
   EXPECT_EQ(complete("q"), "");
 }
 

@@ -40,7 +40,8 @@ void FlowFixture::SetUp() {
   robot_ = StartLcm("robot");
   desk_ = StartLcm("desk");
   const program::NetworkOptions network;
-  session_ = std::make_unique<Session>(*program::MakeMiddleware(network), address_, false);
+  session_ = std::make_unique<Session>(*program::MakeMiddleware(network), address_, false,
+                                       Role::kOperator, std::chrono::seconds(20));
   WindowParts parts = PartsOf(*session_);
   parts.console.gcm = address_;
   parts.console.network = network;

@@ -15,7 +15,7 @@
 
 namespace tendon::gui {
 
-inline constexpr int kFlowPatience = 40000;  // ms; bounds a test that fails
+inline constexpr int kFlowPatience = 120000;  // ms; bounds a test that fails
 
 /// The demo system in processes of its own, and the real window with its session in this one.
 class FlowFixture : public ::testing::Test {

@@ -63,7 +63,11 @@ TEST(MemoryMeter, TellsWhatIsUsedAndWhetherThereIsLessThanAll) {
   auto* meter = panel.findChild<MemoryMeter*>("memory");
   ASSERT_NE(meter, nullptr);
 
-  QTRY_VERIFY(meter->accessibleName().contains("of 1 MB for samples; older ones are kept as"));
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] {
+        return meter->accessibleName().contains("of 1 MB for samples; older ones are kept as");
+      },
+      20'000));
 }
 
 }  // namespace

@@ -103,7 +103,7 @@ TEST_F(PlotLayoutTest, AWaitingSignalIsRemappedFromItsLegend) {
   EXPECT_EQ(dialog->textValue(), kNew);
   QTest::keyClick(dialog, Qt::Key_Return);
 
-  QTRY_COMPARE(panel_.paths(), QStringList{kNew});
+  EXPECT_TRUE(QTest::qWaitFor([this] { return panel_.paths() == QStringList{kNew}; }, 20'000));
 }
 
 }  // namespace

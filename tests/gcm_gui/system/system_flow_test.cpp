@@ -47,7 +47,8 @@ class SystemFlowTest : public ::testing::Test {
 
   void Open(const QString& read_only, Role role) {
     window_.reset();
-    session_ = std::make_unique<Session>(Node(), manager_->address(), true, role);
+    session_ = std::make_unique<Session>(Node(), manager_->address(), true, role,
+                                         std::chrono::seconds(20));
     WindowParts parts = PartsOf(*session_);
     parts.read_only = read_only;
     window_ = std::make_unique<MainWindow>(parts);

@@ -31,7 +31,8 @@ RealSystem::RealSystem() {
   gcm_ =
       std::make_unique<Program>(Program::Words{TENDON_BIN "/gcm", "--gcm", address_, "serve"}, own);
   EXPECT_TRUE(Eventually([this] { return gcm_->out().starts_with("GCM at "); })) << gcm_->err();
-  session_ = std::make_unique<Session>(*program::MakeMiddleware({}), address_, false);
+  session_ = std::make_unique<Session>(*program::MakeMiddleware({}), address_, false,
+                                       Role::kOperator, std::chrono::seconds(20));
   window_ = std::make_unique<MainWindow>(PartsOf(*session_));
   window_->show();
   window_->activateWindow();
@@ -43,10 +44,10 @@ RealSystem::RealSystem() {
 RealSystem::~RealSystem() { Theme::instance().choose(Theme::Choice::kSystem); }
 
 void RealSystem::StartLcm(const std::string& process) {
-  lcms_[process] =
-      std::make_unique<Program>(Program::Words{TENDON_BIN "/lcm", "--name", process, "--gcm",
-                                               address_, "--system", TENDON_DEMO_SYSTEM},
-                                SharedWithTest());
+  lcms_[process] = std::make_unique<Program>(
+      Program::Words{TENDON_BIN "/lcm", "--name", process, "--gcm", address_, "--timeout", "20000",
+                     "--system", TENDON_DEMO_SYSTEM},
+      SharedWithTest());
   const std::string last = process == "robot" ? "host_monitor" : "old_arm";
   ASSERT_TRUE(Eventually([&] {
     const auto* component = Catalogue().FindComponent(process, last);
@@ -83,7 +84,7 @@ void RealSystem::ClickEdge(const QString& required) {
   ASSERT_TRUE(Eventually([&] { return graph.graph().edge(required) != nullptr; }));
   // Somewhere along it nothing else is in the way.
   const EdgeItem* edge = graph.graph().edge(required);
-  for (int percent = 20; percent < 80; percent += 5) {
+  for (int percent = 5; percent < 95; ++percent) {
     const QPoint point = graph.mapFromScene(edge->path().pointAtPercent(percent / 100.0));
     if (graph.itemAt(point) != edge) continue;
     return QTest::mouseClick(graph.viewport(), Qt::LeftButton, {}, point);

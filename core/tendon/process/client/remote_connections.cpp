@@ -198,17 +198,19 @@ Result<void> RemoteConnections::Bind(Entry& entry,
                                      const std::shared_ptr<ProvidedInterfaceProxy>& proxy) {
   ConnectionDescription& description = entry.description;
   const auto required = context_.host.LookUpRequired(description.required);
+  // First: a caller who waits at once keeps the connection from standing until he is served.
+  context_.proxies.Add(description.provided, proxy);
   auto connection =
       required ? Connection::Make(**required, proxy->interface(), ToString(description.required),
                                   ToString(description.provided))
                : required.error();
   if (!connection) {
+    context_.proxies.Remove(description.provided, *proxy);
     CloseThere(entry.link->channel(), proxy->handle(), proxy->lane());
     return connection.error();
   }
   entry.connection = *std::move(connection);
   entry.proxy = proxy;
-  context_.proxies.Add(description.provided, proxy);
   description.state = ConnectionState::kActive;
   description.reason.clear();
   entry.pause = {};
