@@ -153,10 +153,10 @@ void MakeConnections(const Share& share, tendon::Process& process) {
 }
 
 /// The component's own errors do not end the others.
-void Start(const Share& share, tendon::Process& process, const Options& options) {
+Told Start(const Share& share, tendon::Process& process, const Options& options) {
   MakeConnections(share, process);
   for (const auto& one : share.components) {
-    if (tendon::os::TerminationAsked(std::chrono::milliseconds(0))) break;
+    if (tendon::os::TerminationAsked(std::chrono::milliseconds(0))) return Told::kEnd;
     if (const auto begun = BringTo(process, one.name, one.state); !begun) {
       tendon::Log(tendon::LogLevel::kError, options.name, begun.error().message);
     }
@@ -170,6 +170,7 @@ void Start(const Share& share, tendon::Process& process, const Options& options)
   tendon::Log(tendon::LogLevel::kInfo, options.name,
               "runs " + std::to_string(count) + (count == 1 ? " component" : " components") +
                   ", joined the GCM at " + options.gcm);
+  return Told::kGoOn;
 }
 
 Result<void> Serve(const Options& options) {
@@ -189,8 +190,7 @@ Result<void> Serve(const Options& options) {
   if (!joined) return joined.error();
   if (*joined == Told::kEnd) return {};
   tendon::SetLogLevel(tendon::LogLevel::kInfo);
-  Start(*share, **process, options);
-  tendon::os::WaitForTermination();
+  if (Start(*share, **process, options) == Told::kGoOn) tendon::os::WaitForTermination();
   return {};
 }
 

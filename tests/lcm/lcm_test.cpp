@@ -117,6 +117,26 @@ TEST_F(LcmTest, EndsWhenToldAndSaysGoodBye) {
   EXPECT_TRUE(EventuallySays({"ls"}, "robot\tleft"));
 }
 
+TEST_F(LcmTest, EndsWhenToldWhileItStartsItsComponents) {
+  StartGcm();
+  const std::string gate = (home.path() / "gate").string();
+  const std::string system = Write(R"({"version": 1, "name": "slow", "processes": [
+      {"name": "robot", "components": [
+        {"name": "slow", "class": "SlowConfigurer", "library": "lamps",
+         "configuration": {"file": ")" +
+                                   gate + R"("}},
+        {"name": "next", "class": "Switch", "library": "lamps"}]}]})");
+  Program lcm({Binary("lcm"), "--name", "robot", "--gcm", address, "--timeout", kPatience,
+               "--system", system},
+              {{"TENDON_COMPONENTS", TENDON_TEST_PLUGINS}});
+  ASSERT_TRUE(EventuallySays({"ls"}, "robot\talive")) << lcm.err();
+
+  lcm.Signal(SIGTERM);
+  home.Write("gate", "");
+
+  EXPECT_EQ(lcm.Wait(), program::kOk) << lcm.err();
+}
+
 TEST_F(LcmTest, EndsAtOnceWhenToldWhileItLooksForTheGcm) {
   const HangingServer gcm_that_hangs;
   Program lcm(
