@@ -84,7 +84,7 @@ void RealSystem::ClickEdge(const QString& required) {
   ASSERT_TRUE(Eventually([&] { return graph.graph().edge(required) != nullptr; }));
   // Somewhere along it nothing else is in the way.
   const EdgeItem* edge = graph.graph().edge(required);
-  for (int percent = 5; percent < 95; ++percent) {
+  for (int percent = 20; percent < 80; ++percent) {
     const QPoint point = graph.mapFromScene(edge->path().pointAtPercent(percent / 100.0));
     if (graph.itemAt(point) != edge) continue;
     return QTest::mouseClick(graph.viewport(), Qt::LeftButton, {}, point);
