@@ -1,7 +1,7 @@
 #include <sys/socket.h>
 #include <tests/core/gcm/bench.h>
 
-#include <latch>
+#include <atomic>
 #include <thread>
 
 namespace tendon {
@@ -89,10 +89,16 @@ void ShrinkSockets() {
 class StuckListener final : public Recorder {
  public:
   void OnChanges(const std::vector<CatalogChange>& changes) override {
-    released.wait();
+    is_released_.wait(false);
     Recorder::OnChanges(changes);
   }
-  std::latch released{1};
+  void Release() {
+    is_released_ = true;
+    is_released_.notify_all();
+  }
+
+ private:
+  std::atomic<bool> is_released_ = false;
 };
 
 TEST_P(Watching, AWatcherThatDoesNotReadHoldsNobodyUpAndCatchesUpByASnapshot) {
@@ -101,6 +107,7 @@ TEST_P(Watching, AWatcherThatDoesNotReadHoldsNobodyUpAndCatchesUpByASnapshot) {
   const auto quick = std::make_shared<Recorder>();
   const auto stuck_client = Watch(stuck);
   const auto quick_client = Watch(quick);
+  const std::shared_ptr<void> at_the_end(nullptr, [&](void*) { stuck->Release(); });
   ShrinkSockets();
   // More than a link and the log of changes hold.
   constexpr int kBatches = 32;
@@ -122,7 +129,7 @@ TEST_P(Watching, AWatcherThatDoesNotReadHoldsNobodyUpAndCatchesUpByASnapshot) {
   EXPECT_EQ(quick->snapshots(), 1);
   EXPECT_EQ(quick->holes(), 0);
 
-  stuck->released.count_down();
+  stuck->Release();
 
   EXPECT_TRUE(EventuallyTrue([&] { return stuck->catalog() == gcm_->catalog(); }));
   EXPECT_EQ(stuck->snapshots(), 2);

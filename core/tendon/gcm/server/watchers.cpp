@@ -6,12 +6,11 @@ namespace tendon::server {
 namespace {
 
 constexpr std::size_t kLogLength = 1024;
-constexpr std::size_t kMostInBatch = 256;
 
 }  // namespace
 
 void Watchers::Add(const std::shared_ptr<Channel>& channel, std::uint64_t revision) {
-  watchers_[channel.get()] = {channel, revision};
+  watchers_[channel.get()] = {.channel = channel, .revision = revision};
 }
 
 void Watchers::Remove(const Channel* channel) { watchers_.erase(channel); }
@@ -31,10 +30,17 @@ void Watchers::Pump() {
   DropSent();
 }
 
+/// What a full link refuses was encoded for nothing, again and again while nobody reads: so less
+/// and less is tried, down to one change.
 void Watchers::Pump(Watcher& watcher, Batch& batch) const {
   while (watcher.revision < newest_) {
-    if (batch.body.empty() || batch.after != watcher.revision) Fill(batch, watcher.revision);
-    if (!watcher.channel->Notify(message::kChanges, 0, batch.body)) return;
+    const bool is_too_much = batch.last - batch.after > watcher.most;
+    if (batch.body.empty() || batch.after != watcher.revision || is_too_much) Fill(batch, watcher);
+    if (!watcher.channel->Notify(message::kChanges, 0, batch.body)) {
+      watcher.most = std::max<std::size_t>(watcher.most / 2, 1);
+      return;
+    }
+    watcher.most = std::min(2 * watcher.most, kMostInBatch);
     watcher.revision = batch.last;
   }
 }
@@ -45,7 +51,8 @@ void Watchers::DropSent() {
   while (!log_.empty() && log_.front().revision <= sent) log_.pop_front();
 }
 
-void Watchers::Fill(Batch& batch, std::uint64_t after) const {
+void Watchers::Fill(Batch& batch, const Watcher& watcher) const {
+  const std::uint64_t after = watcher.revision;
   message::Changes changes;
   if (after + 1 < log_.front().revision) {
     changes.changes.push_back(log_.back());
@@ -53,7 +60,7 @@ void Watchers::Fill(Batch& batch, std::uint64_t after) const {
     const auto first =
         log_.begin() + static_cast<std::ptrdiff_t>(after + 1 - log_.front().revision);
     const auto left = static_cast<std::size_t>(log_.end() - first);
-    const auto count = static_cast<std::ptrdiff_t>(std::min(left, kMostInBatch));
+    const auto count = static_cast<std::ptrdiff_t>(std::min(left, watcher.most));
     changes.changes.assign(first, first + count);
   }
   batch = {after, changes.changes.back().revision, EncodeBody(changes)};

@@ -3,6 +3,8 @@
 #include <tendon/gcm/messages.h>
 #include <tendon/middleware/channel.h>
 
+#include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <map>
 #include <memory>
@@ -27,9 +29,12 @@ class Watchers {
   void Pump();
 
  private:
+  static constexpr std::size_t kMostInBatch = 256;
+
   struct Watcher {
     std::shared_ptr<Channel> channel;
-    std::uint64_t revision = 0;  ///< sent up to here
+    std::uint64_t revision = 0;       ///< sent up to here
+    std::size_t most = kMostInBatch;  ///< changes tried at once; fewer while its link is full
   };
   /// A frame that several watchers need.
   struct Batch {
@@ -39,7 +44,7 @@ class Watchers {
   };
 
   void Pump(Watcher& watcher, Batch& batch) const;
-  void Fill(Batch& batch, std::uint64_t after) const;
+  void Fill(Batch& batch, const Watcher& watcher) const;
   void DropSent();
 
   std::deque<CatalogChange> log_;  // of what some watcher was not sent yet
