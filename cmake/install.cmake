@@ -35,6 +35,7 @@ install(FILES ${pages}/gcm DESTINATION share/bash-completion/completions COMPONE
 install(FILES ${pages}/_gcm DESTINATION share/zsh/site-functions COMPONENT programs)
 install(FILES ${pages}/gcm.fish DESTINATION share/fish/vendor_completions.d COMPONENT programs)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/resources/systemd DESTINATION share/tendon COMPONENT programs)
+install(FILES ${PROJECT_SOURCE_DIR}/resources/systems/demo.json DESTINATION share/tendon/systems COMPONENT programs)
 add_dependencies(installed gcm_pages)
 if(TARGET gcm-gui)
   set_target_properties(gcm-gui PROPERTIES INSTALL_RPATH $ORIGIN/../lib)

@@ -2,6 +2,8 @@
 #include <gcm_console/place.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/text/health_text.h>
+#include <tendon/payload/json.h>
+#include <tendon/payload/json/strict_json.h>
 
 #include <chrono>
 #include <nlohmann/json.hpp>
@@ -16,6 +18,12 @@ ordered_json ListOf(const List& list) {
   ordered_json all = ordered_json::array();
   for (const auto& one : list) all.push_back(ToJson(one));
   return all;
+}
+
+/// Null where it never has one of its own.
+ordered_json ThreadOf(const tendon::ComponentDescription& component) {
+  if (component.thread.empty()) return nullptr;
+  return tendon::JsonOrText(tendon::ToJson(component.thread.front()));
 }
 
 }  // namespace
@@ -52,6 +60,8 @@ ordered_json ToJson(const tendon::ComponentDescription& component) {
           {"fault", component.fault},
           {"fault_time", component.fault_time},
           {"period", component.period},
+          {"thread", ThreadOf(component)},
+          {"runs_after", component.leader},
           {"provided", ListOf(component.provided)},
           {"required", ListOf(component.required)},
           {"tables", std::move(tables)}};

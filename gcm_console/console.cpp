@@ -1,4 +1,5 @@
 #include <gcm_console/completion/completion.h>
+#include <gcm_console/completion/whole_path.h>
 #include <gcm_console/console.h>
 #include <gcm_console/help/help_text.h>
 #include <gcm_console/line/command_line.h>
@@ -38,10 +39,22 @@ int Finish(const tendon::Result<program::ExitCode>& result, const Streams& strea
   return *result;
 }
 
+/// For who types at a prompt: what a path is taken for is said. Scripts name all in full.
+CommandLine::Complement ComplementOf(const Streams& streams, Session* session) {
+  const bool is_typed =
+      session != nullptr && streams.make_line_reader != nullptr && session->settings().scripts == 0;
+  if (!is_typed) return nullptr;
+  return [&streams, session](WordKind kind, const std::string& path) {
+    std::string whole = WholePath(session->catalog(), kind, path);
+    if (whole != path) streams.err << "gcm: " << Plain(path) << " is " << Plain(whole) << '\n';
+    return whole;
+  };
+}
+
 int Run(const std::vector<std::string>& words, const Streams& streams, const Settings& usual,
         Session* session) {
   if (!words.empty() && words[0] == kCompleteVerb) return PrintCompletions(words, streams);
-  CommandLine line(usual);
+  CommandLine line(usual, ComplementOf(streams, session));
   try {
     if (const auto parsed = line.Parse(words); !parsed) return Finish(parsed.error(), streams);
   } catch (const CLI::CallForVersion&) {

@@ -12,6 +12,8 @@ void RowPrinter::OnSubscribed(const std::vector<tendon::Schema>& columns) {
   const std::scoped_lock lock(mutex_);
   schemas_ = columns;
   numbers_.clear();
+  is_left_out_.assign(wanted_.size(), false);
+  left_out_.clear();
   for (const Wanted& wanted : wanted_) {
     const auto channel = tendon::FindChannel(columns.at(wanted.column), wanted.path.field);
     const bool is_float = channel && channel->schema.kind() == tendon::Schema::Kind::kFloat64;
@@ -27,14 +29,25 @@ std::size_t RowPrinter::OnRows(const tendon::RowBatch& batch) {
                        .clock_offset_ns = batch.clock_offset.count(),
                        .tick = batch.ticks[row],
                        .values = {}};
-    for (std::size_t i = 0; i < wanted_.size(); ++i) {
-      const auto value = Value(i, batch, row);
-      if (!value && !mistake_) mistake_ = value.error();
-      printed.values.emplace_back(ToString(wanted_[i].path), value ? *value : "null");
-    }
-    if (!mistake_) rows_.push_back(std::move(printed));
+    if (Fill(batch, row, printed)) rows_.push_back(std::move(printed));
   }
   return batch.count - fit;
+}
+
+bool RowPrinter::Fill(const tendon::RowBatch& batch, std::size_t row, PrintedRow& printed) {
+  for (std::size_t i = 0; i < wanted_.size(); ++i) {
+    if (is_left_out_[i]) continue;
+    const auto value = Value(i, batch, row);
+    if (value) {
+      printed.values.emplace_back(ToString(wanted_[i].path), *value);
+    } else if (wanted_[i].is_found) {
+      is_left_out_[i] = true;
+      left_out_.push_back(value.error().message);
+    } else if (!mistake_) {
+      mistake_ = value.error();
+    }
+  }
+  return !mistake_ && !printed.values.empty();
 }
 
 void RowPrinter::OnStale(const tendon::Error& reason) {
@@ -47,9 +60,16 @@ std::deque<PrintedRow> RowPrinter::Take() {
   return std::exchange(rows_, {});
 }
 
-std::string RowPrinter::TakeComplaint() {
+std::vector<std::string> RowPrinter::TakeComplaints() {
   const std::scoped_lock lock(mutex_);
-  return std::exchange(complaint_, {});
+  std::vector<std::string> all = std::exchange(left_out_, {});
+  if (!complaint_.empty()) all.push_back(std::exchange(complaint_, {}));
+  return all;
+}
+
+bool RowPrinter::is_empty() const {
+  const std::scoped_lock lock(mutex_);
+  return !is_left_out_.empty() && std::ranges::find(is_left_out_, false) == is_left_out_.end();
 }
 
 std::optional<tendon::Error> RowPrinter::mistake() const {
@@ -60,7 +80,7 @@ std::optional<tendon::Error> RowPrinter::mistake() const {
 /// A number, or whatever else the path names, as JSON; "null" for what is not there in this row.
 tendon::Result<std::string> RowPrinter::Value(std::size_t index, const tendon::RowBatch& batch,
                                               std::size_t row) const {
-  const auto& [path, column] = wanted_[index];
+  const auto& [path, column, is_found] = wanted_[index];
   const auto cell = batch.cell(row, column);
   if (const auto& channel = numbers_[index]) {
     const auto number = ReadChannel(*channel, cell);

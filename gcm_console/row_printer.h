@@ -31,6 +31,7 @@ class RowPrinter final : public tendon::RowSink {
   struct Wanted {
     tendon::Path path;
     std::size_t column = 0;
+    bool is_found = false;  ///< by a glob: where its part is not there it is left out
   };
   explicit RowPrinter(std::vector<Wanted> wanted) : wanted_(std::move(wanted)) {}
 
@@ -40,12 +41,16 @@ class RowPrinter final : public tendon::RowSink {
 
   /// All rows since the last time.
   std::deque<PrintedRow> Take();
-  /// That a path names nothing in its column; no rows come then.
+  /// That a path names nothing in its column, which no glob has found; no rows come then.
   [[nodiscard]] std::optional<tendon::Error> mistake() const;
-  /// Why there are none just now, once for each change; empty otherwise.
-  std::string TakeComplaint();
+  /// Whether all that was wanted is left out; no rows come then.
+  [[nodiscard]] bool is_empty() const;
+  /// What is left out from now on, and why there are no rows just now: once for each change.
+  std::vector<std::string> TakeComplaints();
 
  private:
+  /// False where nothing of the row is to be printed.
+  bool Fill(const tendon::RowBatch& batch, std::size_t row, PrintedRow& printed);
   tendon::Result<std::string> Value(std::size_t index, const tendon::RowBatch& batch,
                                     std::size_t row) const;
 
@@ -53,8 +58,10 @@ class RowPrinter final : public tendon::RowSink {
   mutable std::mutex mutex_;
   std::vector<tendon::Schema> schemas_;
   std::vector<std::optional<tendon::PlotChannel>> numbers_;  // for paths of doubles, which are most
+  std::vector<bool> is_left_out_;                            // of those wanted
   std::optional<tendon::Error> mistake_;
   std::deque<PrintedRow> rows_;
+  std::vector<std::string> left_out_;  // why, of those since TakeComplaints()
   std::string complaint_;
 };
 

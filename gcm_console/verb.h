@@ -32,7 +32,8 @@ struct Verb {
 };
 
 // In groups of kindred ones.
-std::vector<Verb> LookVerbs();       // ls tree show
+std::vector<Verb> LookVerbs();       // ls tree
+std::vector<Verb> ShowVerbs();       // show
 std::vector<Verb> FindVerbs();       // status find graph
 std::vector<Verb> TopVerbs();        // top
 std::vector<Verb> PlotVerbs();       // plot

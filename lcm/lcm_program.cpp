@@ -3,10 +3,12 @@
 #include <tendon/base/os/process.h>
 #include <tendon/base/os/termination.h>
 #include <tendon/base/printable.h>
+#include <tendon/gcm/system/leaders.h>
 #include <tendon/manager/bring_to.h>
 #include <tendon/manager/component_loader.h>
 #include <tendon/task/thread/threaded_task.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <exception>
@@ -19,6 +21,7 @@ namespace lcm {
 namespace {
 
 using program::ExitCode;
+using tendon::ComponentState;
 using tendon::Error;
 using tendon::ErrorCode;
 using tendon::InterfaceName;
@@ -44,6 +47,7 @@ Result<Share> ReadShare(const Options& options) {
                                            tendon::DidYouMean(options.name, names)};
   }
   share.components = process->components;
+  PutLeadersFirst(share.components);
   for (const auto& connection : system->connections) {
     if (connection.required.process == options.name) share.connections.push_back(connection);
   }
@@ -94,6 +98,9 @@ Result<std::unique_ptr<tendon::Process>> MakeProcess(
   if (!options.advertise.empty()) {
     if (auto place = tendon::ParseAddress(options.advertise, 1); !place) return place.error();
   }
+  if (auto own = program::CheckOwnPort("--listen", options.listen, options.gcm); !own) {
+    return own.error();
+  }
   try {
     return std::make_unique<tendon::Process>(options.name,
                                              tendon::ProcessOptions{.middleware = middleware,
@@ -106,6 +113,16 @@ Result<std::unique_ptr<tendon::Process>> MakeProcess(
     const std::string hint = is_taken ? "; give --listen another port, or 0 for a free one" : "";
     return Error{error.code(), error.what() + hint};
   }
+}
+
+/// Takes the components in, each with the one after which it runs.
+Result<void> AddComponents(const Share& share, std::vector<Made> made, tendon::Process& process) {
+  for (Made& one : made) process.Add(std::move(one.component), std::move(one.origin));
+  for (const auto& one : share.components) {
+    if (one.runs_after.empty()) continue;
+    if (auto follows = process.RunAfter(one.name, one.runs_after); !follows) return follows;
+  }
+  return {};
 }
 
 enum class Told { kGoOn, kEnd };
@@ -152,13 +169,28 @@ void MakeConnections(const Share& share, tendon::Process& process) {
   }
 }
 
+/// Whether another one runs after it: none starts after one that is suspended.
+bool Leads(const Share& share, const tendon::SystemFile::Component& component) {
+  return std::ranges::any_of(share.components,
+                             [&](const auto& one) { return one.runs_after == component.name; });
+}
+
 /// The component's own errors do not end the others.
 Told Start(const Share& share, tendon::Process& process, const Options& options) {
   MakeConnections(share, process);
+  std::vector<std::string> resting;
   for (const auto& one : share.components) {
     if (tendon::os::TerminationAsked(std::chrono::milliseconds(0))) return Told::kEnd;
-    if (const auto begun = BringTo(process, one.name, one.state); !begun) {
+    const bool rests_later = one.state == ComponentState::kSuspended && Leads(share, one);
+    const auto state = rests_later ? ComponentState::kActive : one.state;
+    if (const auto begun = BringTo(process, one.name, state); !begun) {
       tendon::Log(tendon::LogLevel::kError, options.name, begun.error().message);
+    }
+    if (rests_later) resting.push_back(one.name);
+  }
+  for (const std::string& name : resting) {
+    if (const auto rests = process.Suspend(name); !rests) {
+      tendon::Log(tendon::LogLevel::kError, options.name, rests.error().message);
     }
   }
   if (tendon::os::RunsAsRoot()) {
@@ -185,7 +217,7 @@ Result<void> Serve(const Options& options) {
   tendon::SetLogLevel(tendon::LogLevel::kWarning);  // why it has not joined yet is said in the end
   auto process = MakeProcess(options, *middleware, loader);
   if (!process) return process.error();
-  for (Made& one : *components) (*process)->Add(std::move(one.component), std::move(one.origin));
+  if (auto added = AddComponents(*share, *std::move(components), **process); !added) return added;
   const auto joined = Join(**process, options);
   if (!joined) return joined.error();
   if (*joined == Told::kEnd) return {};

@@ -67,6 +67,14 @@ std::vector<std::string> MiddlewareNames() {
   return names;
 }
 
+std::string IceVersion() {
+#ifdef TENDON_WITH_ICE
+  return tendon::IceVersion();
+#else
+  return {};
+#endif
+}
+
 void AddNetworkOptions(CLI::App& app, NetworkOptions& options) {
   app.add_option("--middleware", options.middleware, "how processes talk")
       ->check(CLI::IsMember(MiddlewareNames()))
@@ -121,6 +129,16 @@ Result<void> CheckGcmAddress(const std::string& address, const NetworkOptions& o
   return Error{ErrorCode::kInvalid, "--gcm: '" + tendon::Printable(host) +
                                         "' is no address on this machine, such as 127.0.0.1:10705; "
                                         "to ask a host of that name, show a --certificate"};
+}
+
+tendon::Result<void> CheckOwnPort(const std::string& option, const std::string& address,
+                                  const std::string& gcm) {
+  const auto own = tendon::ParseAddress(address, 1);
+  const auto other = tendon::ParseAddress(gcm, 1);
+  if (!own || !other || ToString(*own) != ToString(*other)) return {};
+  return Error{ErrorCode::kInvalid, option + " and --gcm are both " + ToString(*own) +
+                                        ", but a port is for one program; give " + option +
+                                        " another one"};
 }
 
 }  // namespace program

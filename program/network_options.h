@@ -15,6 +15,9 @@ namespace program {
 /// "tcp".
 std::vector<std::string> MiddlewareNames();
 
+/// Of the Ice this program was built with; empty where it was built without.
+std::string IceVersion();
+
 /// How a program talks to others, from its command line.
 struct NetworkOptions {
   std::string middleware = MiddlewareNames().front();
@@ -42,5 +45,11 @@ std::string GcmAddress(const std::string& option);
 /// kInvalid where it is one word, and the options let nobody be asked but this machine: most likely
 /// it was meant as something else.
 tendon::Result<void> CheckGcmAddress(const std::string& address, const NetworkOptions& options);
+
+/// kInvalid where what `option` gives is the very address at which the GCM is, or is to be:
+/// "--listen and --gcm are both 127.0.0.1:10705, ...". Addresses that are none are judged
+/// elsewhere.
+tendon::Result<void> CheckOwnPort(const std::string& option, const std::string& address,
+                                  const std::string& gcm);
 
 }  // namespace program

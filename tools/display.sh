@@ -25,6 +25,8 @@ window_manager_is_up() { [[ $(xprop -root _NET_SUPPORTING_WM_CHECK) == *"window 
 # window_of NAME: the identifier of the visible window of that process.
 window_of() { xdotool search --onlyvisible --pid "${process_ids[$1]}" | tail -n 1; }
 has_window() { [[ -n $(window_of "$1") ]]; }
+# has_keyboard NAME: what is typed goes to a window of that process.
+has_keyboard() { [[ $(xdotool getactivewindow getwindowpid) == "${process_ids[$1]}" ]]; }
 
 # ui VERB...: drives the window that describes itself in ui.json; see ui.py.
 ui() { python3 "$TENDON_ROOT/tools/ui.py" "$RUN_FOLDER/ui.json" "$@"; }

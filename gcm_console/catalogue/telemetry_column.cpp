@@ -3,6 +3,8 @@
 #include <tendon/gcm/lookup.h>
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 namespace console {
 namespace {
@@ -50,36 +52,94 @@ Result<void> CheckColumn(const tendon::Path& path, const std::vector<std::string
                                          tendon::DidYouMean(path.member, columns)};
 }
 
+/// A glob of columns, and which part of them it goes on to: "**.Joints" and ".position[0]".
+std::pair<std::string, std::string> SplitField(const std::string& pattern) {
+  const std::size_t slash = pattern.rfind('/');
+  const std::size_t dot = pattern.find('.', slash == pattern.npos ? 0 : slash);
+  if (dot == pattern.npos) return {pattern, ""};
+  const std::size_t end = pattern.find_first_of(".[", dot + 1);
+  if (end == pattern.npos) return {pattern, ""};
+  return {pattern.substr(0, end), pattern.substr(end)};
+}
+
+/// The paths that a glob stands for, in the catalogue's order.
+Result<std::vector<std::string>> Expand(const tendon::Catalog& catalog,
+                                        const std::string& pattern) {
+  const auto [glob, field] = SplitField(pattern);
+  if (field.find('*') != field.npos) {
+    return Error{ErrorCode::kInvalid, "'" + pattern +
+                                          "': a * stands for columns, not for parts of one; name "
+                                          "the part, or take all of it: " +
+                                          glob};
+  }
+  std::vector<std::string> paths;
+  for (const auto& [process, entry] : catalog.processes()) {
+    for (const auto& [component, description] : entry.components) {
+      for (const auto& provided : description.provided) {
+        if (!IsTable(provided.name)) continue;
+        const std::string table = process + "/" + component + "/" + provided.name + ".";
+        for (const auto& column : provided.commands) {
+          const std::string path = table + column.name;
+          if (tendon::MatchesGlob(glob, path)) paths.push_back(path + field);
+        }
+      }
+    }
+  }
+  if (paths.empty()) {
+    return Error{ErrorCode::kNotFound,
+                 "no column fits '" + pattern + "'; list them with: gcm ls -R --type state"};
+  }
+  return paths;
+}
+
+tendon::InterfaceName TableOf(const TableChoice& choice) {
+  return {choice.subscription.process, choice.subscription.component, choice.subscription.table};
+}
+
+/// Once, to what is wanted of its table. Who names it himself wants it in any case.
+void Add(const tendon::Path& path, bool is_found, ColumnChoice& choice) {
+  auto& tables = choice.tables;
+  const tendon::InterfaceName name = path.interface_name();
+  auto table = std::ranges::find(tables, name, &TableOf);
+  if (table == tables.end()) {
+    tables.push_back({{name.process, name.component, name.interface, {}}, {}});
+    table = std::prev(tables.end());
+  }
+  const auto known = std::ranges::find(table->wanted, path, &RowPrinter::Wanted::path);
+  if (known != table->wanted.end()) {
+    known->is_found &= is_found;
+    return;
+  }
+  choice.paths.push_back(ToString(path));
+  auto& columns = table->subscription.columns;
+  const auto place = std::ranges::find(columns, path.member);
+  table->wanted.push_back({path, static_cast<std::size_t>(place - columns.begin()), is_found});
+  if (place == columns.end()) columns.push_back(path.member);
+}
+
 }  // namespace
 
 bool IsTable(const std::string& interface) {
   return interface == "state" || interface.starts_with("state-");
 }
 
-Result<tendon::TableSubscription> SubscriptionFor(const tendon::Catalog& catalog,
-                                                  const std::vector<std::string>& paths,
-                                                  std::vector<RowPrinter::Wanted>& wanted) {
-  tendon::TableSubscription subscription;
-  for (const std::string& text : paths) {
-    const auto path = tendon::ParsePath(text);
-    if (!path) return path.error();
-    const auto known = ColumnsOf(catalog, *path);
-    if (!known) return known.error();
-    if (auto good = CheckColumn(*path, *known); !good) return good.error();
-    const tendon::InterfaceName name = path->interface_name();
-    if (wanted.empty()) {
-      subscription = {name.process, name.component, name.interface, {}};
-    } else if (tendon::InterfaceName(subscription.process, subscription.component,
-                                     subscription.table) != name) {
-      return Error{ErrorCode::kInvalid, "'" + text + "' is in another table than '" + paths[0] +
-                                            "'; watch one table at a time"};
+Result<ColumnChoice> ColumnsThatFit(const tendon::Catalog& catalog,
+                                    const std::vector<std::string>& patterns) {
+  ColumnChoice choice;
+  for (const std::string& pattern : patterns) {
+    const bool is_glob = pattern.find('*') != std::string::npos;
+    const auto texts = is_glob ? Expand(catalog, pattern) : std::vector<std::string>{pattern};
+    if (!texts) return texts.error();
+    for (const std::string& text : *texts) {
+      const auto path = tendon::ParsePath(text);
+      if (!path) return path.error();
+      const auto known = ColumnsOf(catalog, *path);
+      if (!known) return known.error();
+      if (auto good = CheckColumn(*path, *known); !good) return good.error();
+      Add(*path, is_glob, choice);
     }
-    auto& columns = subscription.columns;
-    const auto place = std::find(columns.begin(), columns.end(), path->member);
-    wanted.push_back({*path, static_cast<std::size_t>(place - columns.begin())});
-    if (place == columns.end()) columns.push_back(path->member);
   }
-  return subscription;
+  return choice;
 }
 
 Result<tendon::TableSubscription> WholeTable(const tendon::Catalog& catalog,

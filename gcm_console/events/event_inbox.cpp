@@ -1,6 +1,7 @@
 #include <gcm_console/events/event_inbox.h>
 #include <tendon/gcm/text/wall_time.h>
 
+#include <chrono>
 #include <utility>
 
 namespace console {
@@ -17,15 +18,19 @@ class EventInbox::Sink final : public tendon::EventSink {
     content.begun.push_back(subscription_);
     content.descriptions.insert(content.descriptions.end(), events.begin(), events.end());
   }
-  void OnEvent(std::size_t event, std::span<const std::byte> value) override {
-    const std::int64_t now = tendon::WallTime();
+  void OnEvent(std::size_t event, std::span<const std::byte> value,
+               const tendon::EventTime& time) override {
+    const std::chrono::nanoseconds age = tendon::SteadyClock().Now() - time.raised;
+    const std::int64_t raised = tendon::WallTime() - age.count();
+    const bool is_known = time.uncertainty != tendon::EventTime().uncertainty;
     const std::scoped_lock lock(inbox_->mutex_);
     Content& content = inbox_->content_;
     if (content.events.size() >= kMostWaiting) {
       ++content.lost[PathOf(event)];
       return;
     }
-    content.events.push_back({.time_ns = now,
+    content.events.push_back({.time_ns = raised,
+                              .uncertainty_ns = is_known ? time.uncertainty.count() : -1,
                               .path = PathOf(event),
                               .description = events_.at(event),
                               .value = {value.begin(), value.end()}});

@@ -13,10 +13,12 @@
 
 namespace console {
 
-/// An event as it arrived.
+/// An event that was raised.
 struct HeardEvent {
-  std::int64_t time_ns = 0;  ///< since 1970, by this machine's clock
-  std::string path;          ///< "robot/arm/Control.GoalReached"
+  /// When it was raised, by the steady clock of its process: since 1970, by this machine's clock.
+  std::int64_t time_ns = 0;
+  std::int64_t uncertainty_ns = -1;  ///< how far that may be off; below 0: nobody knows
+  std::string path;                  ///< "robot/arm/Control.GoalReached"
   tendon::MemberDescription description;
   std::vector<std::byte> value;  ///< the CDR body of its type
 };

@@ -8,6 +8,7 @@
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/text/wall_time.h>
 #include <tendon/payload/json.h>
+#include <tendon/payload/json/strict_json.h>
 
 #include <CLI/CLI.hpp>
 #include <chrono>
@@ -67,10 +68,10 @@ class EventWriter {
     ++printed_;
     const std::string value = ValueOf(event);
     if (context_.settings().json) {
-      return context_.PrintJsonLine(
-          {{"time_ns", event.time_ns},
-           {"path", event.path},
-           {"value", nlohmann::ordered_json::parse(value, nullptr, false)}});
+      return context_.PrintJsonLine({{"time_ns", event.time_ns},
+                                     {"uncertainty_ns", UncertaintyOf(event)},
+                                     {"path", event.path},
+                                     {"value", tendon::JsonOrText(value)}});
     }
     context_.out() << tendon::FineWallTimeText(event.time_ns) << '\t' << Plain(event.path) << '\t'
                    << (TakesArgument(event.description.signature) ? value : "-") << '\n';
@@ -78,6 +79,10 @@ class EventWriter {
   [[nodiscard]] std::uint64_t printed() const { return printed_; }
 
  private:
+  static nlohmann::ordered_json UncertaintyOf(const HeardEvent& event) {
+    if (event.uncertainty_ns < 0) return nullptr;
+    return event.uncertainty_ns;
+  }
   /// As JSON; "null" where it carries none, or one of a type that nobody has explained.
   [[nodiscard]] std::string ValueOf(const HeardEvent& event) const {
     const auto schema = schemas_.find(event.description.signature.in);

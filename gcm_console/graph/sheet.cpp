@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <map>
 #include <set>
 #include <string_view>
@@ -32,7 +33,7 @@ Condition ConditionOf(const tendon::ComponentDescription& component) {
 Condition ConditionOf(tendon::ProcessState state) {
   if (state == tendon::ProcessState::kAlive) return Condition::kGood;
   if (state == tendon::ProcessState::kSuspect) return Condition::kWarning;
-  return state == tendon::ProcessState::kLeft ? Condition::kResting : Condition::kBad;
+  return state == tendon::ProcessState::kLost ? Condition::kBad : Condition::kResting;
 }
 
 std::string PathOf(const InterfaceName& name) { return name.process + "/" + name.component; }
@@ -79,6 +80,33 @@ double HeadWidth(const SheetNode& node) {
          2 * sheet::kNodeInset;
 }
 
+double TitleWidth(const SheetProcess& process) {
+  return TextWidth(process.name, sheet::kNameText) + sheet::kGap +
+         TextWidth(process.detail, sheet::kSmallText);
+}
+
+/// How far places have to be drawn apart for things that need more room than those they are of.
+struct Stretch {
+  double x = 1;
+  double y = 1;
+
+  void Fit(const Size& needed, const Size& shown) {
+    if (shown.width > 0) x = std::max(x, needed.width / shown.width);
+    if (shown.height > 0) y = std::max(y, needed.height / shown.height);
+  }
+  /// As far as another, but not many times as far as this.
+  void FitMostly(const Stretch& other) {
+    constexpr double kMost = 4;
+    x = std::max(x, std::min(other.x, kMost * x));
+    y = std::max(y, std::min(other.y, kMost * y));
+  }
+  [[nodiscard]] Rect operator()(const Rect& rect) const {
+    return {rect.x * x, rect.y * y, rect.width * x, rect.height * y};
+  }
+};
+
+std::string ProcessOf(const SheetNode& node) { return node.path.substr(0, node.path.find('/')); }
+
 class Placement {
  public:
   explicit Placement(const Catalog& catalog) : catalog_(catalog) {
@@ -88,20 +116,12 @@ class Placement {
     }
   }
 
-  Sheet Take() && {
+  Sheet Take(const Places& shown) && {
     std::vector<ColumnLayout::Block> blocks;
     for (const auto& [name, entry] : catalog_.processes()) AddProcess(name, entry, blocks);
-    Edges edges(blocks);
-    for (const auto& one : catalog_.connections()) {
-      edges.Add(one.provided.process, one.required.process);
-    }
-    ColumnLayout outside(
-        ColumnLayout::Spacing{.columns = sheet::kBetweenProcesses, .rows = sheet::kBelowProcesses});
-    outside.Arrange(std::move(blocks), edges.Take());
-    for (SheetProcess& process : sheet_.processes) Place(process, outside.rect(process.name));
+    const Size all = IsAllIn(shown) ? PlaceAs(shown) : PlaceInColumns(std::move(blocks));
     for (const auto& one : catalog_.connections()) AddWire(one);
     sheet_.title = TitleOf(catalog_);
-    const Size all = outside.size();
     const double width =
         std::max({all.width, TextWidth(sheet_.title, sheet::kTitleText), sheet::kLeastWidth});
     sheet_.size = {width + 2 * sheet::kMargin, all.height + sheet::kTop + sheet::kBottom};
@@ -135,10 +155,9 @@ class Placement {
     ColumnLayout inside(
         ColumnLayout::Spacing{.columns = sheet::kBetweenNodes, .rows = sheet::kBelowNodes});
     inside.Arrange(std::move(inner), edges.Take());
-    const double title = TextWidth(name, sheet::kNameText) + sheet::kGap +
-                         TextWidth(process.detail, sheet::kSmallText);
-    const Size size = {std::max(inside.size().width, title) + 2 * sheet::kProcessInset,
-                       inside.size().height + sheet::kProcessHead + sheet::kProcessInset};
+    const Size size = {
+        std::max(inside.size().width, TitleWidth(process)) + 2 * sheet::kProcessInset,
+        inside.size().height + sheet::kProcessHead + sheet::kProcessInset};
     blocks.push_back({name, size, !is_empty});
     insides_.emplace(name, std::move(inside));
     sheet_.processes.push_back(std::move(process));
@@ -174,20 +193,82 @@ class Placement {
     return node;
   }
 
-  void Place(SheetProcess& process, Rect rect) {
-    rect.x += sheet::kMargin;
-    rect.y += sheet::kTop;
-    process.rect = rect;
+  [[nodiscard]] bool IsAllIn(const Places& shown) const {
+    return !shown.empty() && std::ranges::all_of(sheet_.processes, [&](const auto& process) {
+      return shown.contains(process.name);
+    }) && std::ranges::all_of(sheet_.nodes, [&](const auto& node) {
+      return shown.contains(node.path);
+    });
+  }
+
+  Size PlaceAs(const Places& shown) {
+    Stretch stretch;
+    Stretch insets;  // which may be shown as good as none
+    Rect first{.x = HUGE_VAL, .y = HUGE_VAL};
+    for (const SheetProcess& process : sheet_.processes) {
+      const Rect& box = shown.at(process.name);
+      stretch.Fit({TitleWidth(process) + 2 * sheet::kProcessInset, sheet::kProcessHead},
+                  {box.width, box.height});
+      first.x = std::min(first.x, box.x);
+      first.y = std::min(first.y, box.y);
+    }
+    for (const SheetNode& node : sheet_.nodes) {
+      const Rect& box = shown.at(ProcessOf(node));
+      const Rect& rect = shown.at(node.path);
+      stretch.Fit({node.rect.width, node.rect.height}, {rect.width, rect.height});
+      insets.Fit({sheet::kProcessInset, sheet::kProcessHead}, {rect.x - box.x, rect.y - box.y});
+    }
+    stretch.FitMostly(insets);
+    Size all;
+    const auto place_of = [&](Rect rect) {
+      rect.x -= first.x;
+      rect.y -= first.y;
+      rect = stretch(rect);
+      all.width = std::max(all.width, rect.x + rect.width);
+      all.height = std::max(all.height, rect.y + rect.height);
+      rect.x += sheet::kMargin;
+      rect.y += sheet::kTop;
+      return rect;
+    };
+    for (SheetProcess& process : sheet_.processes) process.rect = place_of(shown.at(process.name));
     for (SheetNode& node : sheet_.nodes) {
-      if (!node.path.starts_with(process.name + "/")) continue;
-      node.rect = insides_.at(process.name).rect(node.path);
-      node.rect.x += rect.x + sheet::kProcessInset;
-      node.rect.y += rect.y + sheet::kProcessHead;
-      for (SheetPort& port : node.ports) {
-        port.x = node.rect.x + (port.is_provided ? node.rect.width : 0);
-        port.y += node.rect.y;
-        ends_[{node.path, port.name, port.is_provided}] = {port.x, port.y};
+      const double height = node.rect.height;
+      Rect rect = place_of(shown.at(node.path));
+      rect.height = height;
+      Place(node, rect);
+    }
+    return all;
+  }
+
+  Size PlaceInColumns(std::vector<ColumnLayout::Block> processes) {
+    Edges edges(processes);
+    for (const auto& one : catalog_.connections()) {
+      edges.Add(one.provided.process, one.required.process);
+    }
+    ColumnLayout outside(
+        ColumnLayout::Spacing{.columns = sheet::kBetweenProcesses, .rows = sheet::kBelowProcesses});
+    outside.Arrange(std::move(processes), edges.Take());
+    for (SheetProcess& process : sheet_.processes) {
+      process.rect = outside.rect(process.name);
+      process.rect.x += sheet::kMargin;
+      process.rect.y += sheet::kTop;
+      for (SheetNode& node : sheet_.nodes) {
+        if (ProcessOf(node) != process.name) continue;
+        Rect rect = insides_.at(process.name).rect(node.path);
+        rect.x += process.rect.x + sheet::kProcessInset;
+        rect.y += process.rect.y + sheet::kProcessHead;
+        Place(node, rect);
       }
+    }
+    return outside.size();
+  }
+
+  void Place(SheetNode& node, const Rect& rect) {
+    node.rect = rect;
+    for (SheetPort& port : node.ports) {
+      port.x = rect.x + (port.is_provided ? rect.width : 0);
+      port.y += rect.y;
+      ends_[{node.path, port.name, port.is_provided}] = {port.x, port.y};
     }
   }
 
@@ -216,7 +297,11 @@ class Placement {
 
 }  // namespace
 
-Sheet SheetOf(const Catalog& catalog) { return Placement(catalog).Take(); }
+Sheet SheetOf(const Catalog& catalog) { return SheetOf(catalog, {}); }
+
+Sheet SheetOf(const Catalog& catalog, const Places& shown) {
+  return Placement(catalog).Take(shown);
+}
 
 double TextWidth(const std::string& text, double size) {
   constexpr double kNarrow = 0.32;

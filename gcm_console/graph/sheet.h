@@ -3,6 +3,7 @@
 #include <tendon/gcm/catalog.h>
 #include <tendon/gcm/graph/column_layout.h>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -60,6 +61,14 @@ struct Sheet {
 /// Providers stand left of their clients. State tables are left out, unless something is connected
 /// to them.
 [[nodiscard]] Sheet SheetOf(const tendon::Catalog& catalog);
+
+/// Where things are shown elsewhere: by the path of a component, and by the name of a process,
+/// whose rectangle is around its components. In any measure.
+using Places = std::map<std::string, tendon::graph::Rect>;
+
+/// Everything stands to everything else as in `shown`, which is stretched as far as it takes. As
+/// without it where anything is missing there.
+[[nodiscard]] Sheet SheetOf(const tendon::Catalog& catalog, const Places& shown);
 
 /// How wide a text of that size is in a usual font, or a little less.
 [[nodiscard]] double TextWidth(const std::string& text, double size);

@@ -73,7 +73,8 @@ const std::map<std::string, ColorChoice>& Colors() {
 
 }  // namespace
 
-CommandLine::CommandLine(Settings usual) : settings_(std::move(usual)) {
+CommandLine::CommandLine(Settings usual, Complement complement)
+    : settings_(std::move(usual)), complement_(std::move(complement)) {
   app_.require_subcommand(1);
   app_.fallthrough();
   AddSettings();
@@ -125,8 +126,9 @@ void CommandLine::Resolve(CLI::App& part) const {
   for (CLI::Option* option : part.get_options()) {
     if (!IsPath(KindOf(*option))) continue;
     option->transform(CLI::Validator(
-        [at = settings_.at](std::string& typed) {
-          typed = ResolvedPath(at, typed);
+        [this, kind = KindOf(*option)](std::string& typed) {
+          typed = ResolvedPath(settings_.at, typed);
+          if (complement_) typed = complement_(kind, typed);
           return std::string();
         },
         ""));

@@ -2,9 +2,11 @@
 
 #include <gcm_console/help/page.h>
 #include <gcm_console/line/settings.h>
+#include <gcm_console/line/word_kind.h>
 #include <gcm_console/verb.h>
 
 #include <CLI/CLI.hpp>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -14,8 +16,12 @@ namespace console {
 /// Parse().
 class CommandLine {
  public:
-  /// `usual` is what holds where a line says nothing else.
-  explicit CommandLine(Settings usual);
+  /// The path that a person means by the beginnings of names, see WholePath().
+  using Complement = std::function<std::string(WordKind kind, const std::string& path)>;
+
+  /// `usual` is what holds where a line says nothing else. In a session, `complement` may be given
+  /// for lines that a person types.
+  explicit CommandLine(Settings usual, Complement complement = nullptr);
   CommandLine(const CommandLine&) = delete;
   CommandLine& operator=(const CommandLine&) = delete;
 
@@ -39,6 +45,7 @@ class CommandLine {
 
   CLI::App app_{"see and steer a system of components through its GCM", "gcm"};
   Settings settings_;
+  const Complement complement_;
   int timeout_ms_ = 0;
   bool is_quiet_ = false;
   bool is_verbose_ = false;

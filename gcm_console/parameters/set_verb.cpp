@@ -4,6 +4,8 @@
 #include <tendon/gcm/life/life_plan.h>
 #include <tendon/gcm/life/parameters.h>
 #include <tendon/gcm/lookup.h>
+#include <tendon/payload/json/strict_json.h>
+#include <tendon/process/life/configuration_base.h>
 
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -27,9 +29,6 @@ struct SetWords {
   bool dry_run = false;
 };
 
-/// As the console writes values: "nan" and the like are no JSON, but strings already.
-Json ValueIn(const std::string& json) { return Json::parse(json, nullptr, false); }
-
 Result<ExitCode> Tell(const Context& context, const SetWords& words, const std::string& path,
                       const ConfiguredComponent& component) {
   const auto parameters = words.parameter.empty()
@@ -40,7 +39,7 @@ Result<ExitCode> Tell(const Context& context, const SetWords& words, const std::
     auto list = Json::array();
     for (const Parameter& one : *parameters) {
       list.push_back({{"parameter", one.name},
-                      {"value", ValueIn(one.value)},
+                      {"value", tendon::JsonOrText(one.value)},
                       {"type", one.type},
                       {"unit", one.unit},
                       {"help", one.help}});
@@ -61,8 +60,8 @@ void PrintChange(const Context& context, const SetWords& words, const std::strin
   if (context.settings().json) {
     context.PrintJson({{"path", path},
                        {"parameter", words.parameter},
-                       {"former", ValueIn(changed.former)},
-                       {"value", ValueIn(changed.value)},
+                       {"former", tendon::JsonOrText(changed.former)},
+                       {"value", tendon::JsonOrText(changed.value)},
                        {"dry_run", words.dry_run}});
     return;
   }
@@ -111,7 +110,8 @@ Result<ExitCode> Set(Context& context, const SetWords& words) {
                           .process = found->front().process,
                           .instance = component->instance,
                           .component = found->front().component,
-                          .configuration = changed->configuration};
+                          .configuration = changed->configuration,
+                          .based_on = tendon::BaseOf(component->told)};
     if (auto done = Configure(context, order, words); !done) return done.error();
   }
   PrintChange(context, words, path, *changed);

@@ -1,4 +1,5 @@
 #include <gcm_console/screen/connection_feed.h>
+#include <tendon/base/clock.h>
 
 #include <chrono>
 #include <mutex>
@@ -6,79 +7,98 @@
 #include <utility>
 
 namespace console {
+namespace {
 
 using tendon::ConnectionCounts;
 using tendon::ConnectionDescription;
 using tendon::ConnectionState;
+using tendon::SteadyClock;
+
+/// Whether its process can be asked with a chance of an answer.
+bool CanTell(const tendon::Catalog& catalog, const ConnectionDescription& connection) {
+  const auto* owner = catalog.FindProcess(connection.required.process);
+  return connection.state == ConnectionState::kActive && owner != nullptr &&
+         owner->process.state == tendon::ProcessState::kAlive;
+}
+
+}  // namespace
 
 struct ConnectionFeed::Heard {
-  std::mutex mutex;
   std::uint64_t id = 0;  // of the connection that is meant
+  bool can_be_told = false;
+
+  std::mutex mutex;  // of what follows
   std::optional<ConnectionCounts> counts;
   double rate = -1.0;
-  bool is_asking = false;
+
+  /// `figures` as far as they are known.
+  void Fill(ConnectionFigures& figures) {
+    const std::scoped_lock lock(mutex);
+    figures.is_known = figures.state == ToString(ConnectionState::kActive) && counts && rate >= 0.0;
+    figures.is_awaited = can_be_told && !figures.is_known;
+    if (!figures.is_known) return;
+    figures.rate = rate;
+    if (counts->round_trip.count() >= 0) {
+      figures.round_trip = std::chrono::duration<double>(counts->round_trip).count();
+    }
+    figures.lost = counts->refused + counts->replaced + counts->lost_events;
+    figures.waiting = counts->waiting;
+    figures.capacity = counts->capacity;
+  }
+
+  /// The rate is by the clock of the process that counts.
+  void Hear(const tendon::Result<ConnectionCounts>& answer) {
+    const std::scoped_lock lock(mutex);
+    if (!answer) {
+      counts.reset();
+      rate = -1.0;
+      return;
+    }
+    const bool goes_on = counts && answer->age > counts->age && answer->taken >= counts->taken;
+    if (goes_on) {
+      const std::chrono::duration<double> passed = answer->age - counts->age;
+      rate = static_cast<double>(answer->taken - counts->taken) / passed.count();
+    }
+    counts = *answer;
+  }
 };
 
-std::vector<ConnectionFigures> ConnectionFeed::Look() {
-  constexpr std::chrono::seconds kBetween(1);
-  const tendon::SteadyTime now = tendon::SteadyClock().Now();
-  const bool asks = now >= next_;
-  if (asks) next_ = now + kBetween;
+std::vector<ConnectionFigures> ConnectionFeed::Look(const std::string& filter) {
   std::vector<ConnectionFigures> all;
-  std::map<std::string, std::shared_ptr<Heard>> there;
-  std::vector<ConnectionDescription> connections;
-  client_.Look([&](const tendon::Catalog& catalog) { connections = catalog.connections(); });
-  for (const ConnectionDescription& one : connections) {
-    ConnectionFigures figures{.required = ToString(one.required),
-                              .provided = ToString(one.provided),
-                              .state = std::string(ToString(one.state))};
-    auto known = heard_.extract(figures.required);
-    const bool is_same = !known.empty() && known.mapped()->id == one.id;
-    const auto heard = is_same ? known.mapped() : std::make_shared<Heard>();
-    heard->id = one.id;
-    there[figures.required] = heard;
-    if (asks && one.state == ConnectionState::kActive) AskFor(one, heard);
-    const std::scoped_lock lock(heard->mutex);
-    figures.is_known = one.state == ConnectionState::kActive && heard->counts && heard->rate >= 0.0;
-    if (figures.is_known) {
-      const ConnectionCounts& counts = *heard->counts;
-      figures.rate = heard->rate;
-      if (counts.round_trip.count() >= 0) {
-        figures.round_trip = std::chrono::duration<double>(counts.round_trip).count();
-      }
-      figures.lost = counts.refused + counts.replaced + counts.lost_events;
-      figures.waiting = counts.waiting;
-      figures.capacity = counts.capacity;
+  std::map<tendon::InterfaceName, std::shared_ptr<Heard>> there;
+  client_.Look([&](const tendon::Catalog& catalog) {
+    for (const ConnectionDescription& one : catalog.connections()) {
+      ConnectionFigures figures{.required = ToString(one.required),
+                                .provided = ToString(one.provided),
+                                .state = std::string(ToString(one.state))};
+      if ((figures.required + " " + figures.provided).find(filter) == filter.npos) continue;
+      auto known = heard_.extract(one.required);
+      const bool is_same = !known.empty() && known.mapped()->id == one.id;
+      const auto heard = is_same ? known.mapped() : std::make_shared<Heard>();
+      heard->id = one.id;
+      heard->can_be_told = CanTell(catalog, one);
+      heard->Fill(figures);
+      there[one.required] = heard;
+      all.push_back(std::move(figures));
     }
-    all.push_back(std::move(figures));
-  }
+  });
   heard_ = std::move(there);
+  AskSome();
   return all;
 }
 
-/// One question at a time; the rate is by the clock of the process that counts.
-void ConnectionFeed::AskFor(const ConnectionDescription& connection,
-                            const std::shared_ptr<Heard>& heard) const {
-  {
-    const std::scoped_lock lock(heard->mutex);
-    if (std::exchange(heard->is_asking, true)) return;
+void ConnectionFeed::AskSome() const {
+  std::vector<tendon::InterfaceName> there;
+  for (const auto& [required, heard] : heard_) {
+    if (heard->can_be_told) there.push_back(required);
   }
-  client_.GetCounts(connection.required, [heard](tendon::Result<ConnectionCounts> answer) {
-    const std::scoped_lock lock(heard->mutex);
-    heard->is_asking = false;
-    if (!answer) {
-      heard->counts.reset();
-      heard->rate = -1.0;
-      return;
-    }
-    const auto& before = heard->counts;
-    const bool goes_on = before && answer->age > before->age && answer->taken >= before->taken;
-    if (goes_on) {
-      const std::chrono::duration<double> passed = answer->age - before->age;
-      heard->rate = static_cast<double>(answer->taken - before->taken) / passed.count();
-    }
-    heard->counts = *answer;
-  });
+  for (const auto& required : turns_->Begin(there, SteadyClock().Now())) {
+    // Ends with the last who lets go of it, also where there is no answer.
+    const std::shared_ptr<void> turn(
+        nullptr, [turns = turns_, required](void* /*nothing*/) { turns->End(required); });
+    client_.GetCounts(
+        required, [turn, heard = heard_.at(required)](const auto& answer) { heard->Hear(answer); });
+  }
 }
 
 }  // namespace console

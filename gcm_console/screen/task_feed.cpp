@@ -112,6 +112,8 @@ std::vector<TaskFigures> TaskFeed::Look() {
       figures.path = path;
       figures.state = ToString(component.state);
       figures.period = component.period;
+      const bool is_alive = entry.process.state == tendon::ProcessState::kAlive;
+      figures.is_awaited = is_alive && !figures.is_known;
       all.push_back(std::move(figures));
     }
   }

@@ -23,6 +23,7 @@ struct TaskFigures {
   double load = 0.0;          ///< part of the time that it computes
   std::uint64_t skipped = 0;  ///< cycles, since its start
   bool is_known = false;      ///< whether a second has been heard of
+  bool is_awaited = false;    ///< whether one may be heard of soon
 };
 
 /// Listens to the tasks of a system, which come and go.

@@ -1,4 +1,5 @@
 #include <gcm_console/verb.h>
+#include <tendon/payload/json/strict_json.h>
 
 #include <CLI/CLI.hpp>
 #include <iostream>
@@ -24,7 +25,7 @@ tendon::Result<program::ExitCode> Call(Context& context, const Arguments& argume
   });
   if (!answer) return answer.error();
   if (context.settings().json) {
-    const auto value = nlohmann::ordered_json::parse(answer->empty() ? "null" : *answer);
+    const auto value = tendon::JsonOrText(answer->empty() ? "null" : *answer);
     context.PrintJson({{"path", arguments.path}, {"value", value}});
   } else if (!answer->empty()) {
     context.out() << *answer << '\n';

@@ -2,6 +2,7 @@
 #include <gcm_console/verb.h>
 #include <tendon/gcm/life/life_plan.h>
 #include <tendon/gcm/lookup.h>
+#include <tendon/payload/json/strict_json.h>
 #include <tendon/payload/schema.h>
 
 #include <CLI/CLI.hpp>
@@ -158,7 +159,7 @@ void PrintJson(const Context& context, const std::string& process, const Classes
   using Json = nlohmann::ordered_json;
   auto classes = Json::array();
   for (const ClassDescription& one : all.classes) {
-    const Json defaults = Json::parse(one.defaults, nullptr, false);  // null where it takes none
+    const Json defaults = tendon::JsonOrText(one.defaults);  // no object where it takes none
     classes.push_back({{"class", one.name},
                        {"library", one.library},
                        {"configuration", one.configuration},

@@ -6,13 +6,17 @@
 #include <tendon/base/clock.h>
 #include <tendon/base/os/termination.h>
 #include <tendon/base/path.h>
+#include <tendon/payload/json/strict_json.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <ostream>
+#include <utility>
 
 namespace console {
 namespace {
@@ -40,7 +44,7 @@ Result<ExitCode> Get(Context& context, const std::string& text) {
       [&](tendon::GcmClient& asked, auto handler) { asked.Call(text, "", handler); });
   if (!value) return value.error();
   if (context.settings().json) {
-    context.PrintJson({{"path", text}, {"value", ordered_json::parse(*value, nullptr, false)}});
+    context.PrintJson({{"path", text}, {"value", tendon::JsonOrText(*value)}});
   } else {
     context.out() << *value << '\n';
   }
@@ -66,14 +70,84 @@ tendon::RowChoice ChoiceOf(const WatchOptions& options) {
   return rows;
 }
 
-/// Prints rows, on a terminal under their titles.
+/// What is watched: the rows of each table are its own.
+class Watching {
+ public:
+  Watching(tendon::TelemetryClient& telemetry, const std::vector<TableChoice>& tables,
+           const tendon::RowChoice& rows)
+      : telemetry_(telemetry) {
+    for (TableChoice table : tables) {
+      table.subscription.rows = rows;
+      const auto printer = std::make_shared<RowPrinter>(std::move(table.wanted));
+      tables_.push_back({printer, telemetry.Subscribe(table.subscription, printer)});
+    }
+  }
+  Watching(const Watching&) = delete;
+  Watching& operator=(const Watching&) = delete;
+  ~Watching() {
+    for (const Table& table : tables_) telemetry_.Unsubscribe(table.id);
+  }
+
+  /// All rows since the last time, or the newest of each table: in order within a table, and as
+  /// far as they have come among tables.
+  std::vector<PrintedRow> Take(bool is_latest) {
+    std::vector<PrintedRow> all;
+    for (const Table& table : tables_) {
+      auto rows = table.printer->Take();
+      if (is_latest && !rows.empty()) rows.erase(rows.begin(), rows.end() - 1);
+      std::ranges::move(rows, std::back_inserter(all));
+    }
+    const auto time_here = [](const PrintedRow& row) { return row.time_ns - row.clock_offset_ns; };
+    if (tables_.size() > 1) std::ranges::stable_sort(all, {}, time_here);
+    return all;
+  }
+  [[nodiscard]] std::optional<Error> mistake() const {
+    bool is_any_left = false;
+    for (const Table& table : tables_) {
+      if (auto mistake = table.printer->mistake()) return mistake;
+      is_any_left |= !table.printer->is_empty();
+    }
+    if (is_any_left) return std::nullopt;
+    return Error{tendon::ErrorCode::kNotFound, "no column that fits has that part"};
+  }
+  void Complain(std::ostream& err) {
+    for (const Table& table : tables_) {
+      for (const std::string& complaint : table.printer->TakeComplaints()) {
+        err << "gcm: " << Plain(complaint) << '\n';
+      }
+    }
+  }
+  [[nodiscard]] tendon::RowCounts counts() const {
+    tendon::RowCounts sum;
+    for (const Table& table : tables_) {
+      const tendon::RowCounts counts = telemetry_.CountsOf(table.id);
+      sum.received += counts.received;
+      sum.lost_table += counts.lost_table;
+      sum.lost_network += counts.lost_network;
+      sum.lost_viewer += counts.lost_viewer;
+    }
+    return sum;
+  }
+
+ private:
+  struct Table {
+    std::shared_ptr<RowPrinter> printer;
+    tendon::TelemetryClient::Id id;
+  };
+
+  tendon::TelemetryClient& telemetry_;
+  std::vector<Table> tables_;
+};
+
+/// Prints rows, on a terminal under their titles. A row of one table has "-" for those of others.
 class RowWriter {
  public:
-  RowWriter(Context& context, const WatchOptions& options) : context_(context), options_(options) {
+  RowWriter(Context& context, const WatchOptions& options, std::vector<std::string> paths)
+      : context_(context), options_(options), paths_(std::move(paths)) {
     const bool has_titles = context.columns() > 0 && context.settings().titles;
     if (!has_titles || context.settings().json) return;
     context.out() << "TIME/ns        \tTICK";  // as wide as a time
-    for (const std::string& path : options.paths) context.out() << '\t' << Plain(path);
+    for (const std::string& path : paths_) context.out() << '\t' << Plain(path);
     context.out() << '\n';
   }
 
@@ -90,7 +164,7 @@ class RowWriter {
     if (context_.settings().json) {
       ordered_json values;
       for (const auto& [path, value] : row.values) {
-        values[path] = ordered_json::parse(value, nullptr, false);
+        values[path] = tendon::JsonOrText(value);
       }
       return context_.PrintJsonLine({{"time_ns", row.time_ns},
                                      {"clock_offset_ns", row.clock_offset_ns},
@@ -98,12 +172,17 @@ class RowWriter {
                                      {"values", values}});
     }
     context_.out() << row.time_ns << '\t' << row.tick;
-    for (const auto& [path, value] : row.values) context_.out() << '\t' << value;
+    auto next = row.values.begin();  // in the order of the paths
+    for (const std::string& path : paths_) {
+      const bool is_ours = next != row.values.end() && next->first == path;
+      context_.out() << '\t' << (is_ours ? (next++)->second : "-");
+    }
     context_.out() << '\n';
   }
 
   Context& context_;
   const WatchOptions& options_;
+  const std::vector<std::string> paths_;
   std::uint64_t printed_ = 0;
 };
 
@@ -121,39 +200,28 @@ Result<ExitCode> Watch(Context& context, const WatchOptions& options) {
   tendon::os::HoldTerminationSignals();
   const auto client = context.Client();
   if (!client) return client.error();
-  std::vector<RowPrinter::Wanted> wanted;
-  auto subscription = SubscriptionFor((*client)->catalog(), options.paths, wanted);
-  if (!subscription) return subscription.error();
-  subscription->rows = ChoiceOf(options);
+  const auto columns = ColumnsThatFit((*client)->catalog(), options.paths);
+  if (!columns) return columns.error();
 
-  const auto printer = std::make_shared<RowPrinter>(wanted);
-  const auto id = (*client)->telemetry().Subscribe(*subscription, printer);
+  Watching watching((*client)->telemetry(), columns->tables, ChoiceOf(options));
   const auto begin = std::chrono::steady_clock::now();
-  RowWriter writer(context, options);
+  RowWriter writer(context, options, columns->paths);
   bool wants_more = true;
   bool interrupted = false;
   while (wants_more && !interrupted) {
     interrupted = tendon::os::TerminationAsked(20ms);
-    auto rows = printer->Take();
-    if (options.is_latest && !rows.empty()) rows.erase(rows.begin(), rows.end() - 1);
-    for (const PrintedRow& row : rows) {
+    for (const PrintedRow& row : watching.Take(options.is_latest)) {
       wants_more = writer.Write(row);
       if (!wants_more) break;
     }
     context.out().flush();
-    if (const auto mistake = printer->mistake()) {
-      (*client)->telemetry().Unsubscribe(id);
-      return *mistake;
-    }
-    if (const std::string complaint = printer->TakeComplaint(); !complaint.empty()) {
-      context.err() << "gcm: " << Plain(complaint) << '\n';
-    }
+    const auto mistake = watching.mistake();  // what has led to it is complained of first
+    watching.Complain(context.err());
+    if (mistake) return *mistake;
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
     if (options.seconds > 0.0 && passed.count() >= options.seconds) wants_more = false;
   }
-  const tendon::RowCounts counts = (*client)->telemetry().CountsOf(id);
-  (*client)->telemetry().Unsubscribe(id);
-  if (context.out().good()) Summarize(writer, counts, context.err());
+  if (context.out().good()) Summarize(writer, watching.counts(), context.err());
   return interrupted ? program::kInterrupted : program::kOk;
 }
 
@@ -172,10 +240,12 @@ std::vector<Verb> DataVerbs() {
          return [path](Context& context) { return Get(context, *path); };
        }},
       {"watch",
-       "print every row of columns of a state table: ns, tick, values",
+       "print every row of columns of state tables: ns, tick, values",
        [](CLI::App& app) -> Verb::Run {
          auto options = std::make_shared<WatchOptions>();
-         Names(app.add_option("paths", options->paths, "columns or parts of them, of one table"),
+         Names(app.add_option("paths", options->paths,
+                              "columns, also with * and **, or a part of each (.position[0]); "
+                              "each table has rows of its own, with - for the columns of others"),
                WordKind::kColumn)
              ->required();
          app.add_option("--hz", options->rate, "at most so many rows a second (default: all)")
@@ -189,7 +259,7 @@ std::vector<Verb> DataVerbs() {
              ->transform(CLI::Validator(&program::TransformDuration, ""));
          return [options](Context& context) { return Watch(context, *options); };
        },
-       {"gcm watch robot/arm/state.Joints --hz 5",
+       {"gcm watch robot/arm/state.Joints --hz 5", "gcm watch 'robot/*/state.*' --for 10s",
         "gcm --json watch robot/arm/state.Joints.position[0] --count 100"}},
   };
 }

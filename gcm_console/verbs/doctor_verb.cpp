@@ -161,6 +161,11 @@ class Doctor {
     const auto& process = entry.process;
     const std::string what = "process " + process.name;
     const std::string place = "on " + process.host + ", pid " + std::to_string(process.pid);
+    if (process.state == tendon::ProcessState::kStarting) {
+      Bad(what, place + ", is starting: it has not joined yet",
+          "wait, or end it: gcm kill " + process.name);
+      return;
+    }
     if (!IsPresent(process)) {
       Bad(what, std::string(ToString(process.state)) + ": " + process.reason,
           "start it again: lcm --name " + process.name);

@@ -1,6 +1,7 @@
 #include <gcm_console/report.h>
 #include <gcm_console/verb.h>
 #include <tendon/gcm/diagnosis.h>
+#include <tendon/gcm/text/leftover_text.h>
 
 #include <CLI/CLI.hpp>
 #include <chrono>
@@ -91,6 +92,11 @@ Result<std::chrono::microseconds> RoundTrip(Context& context, const std::string&
                                                                begin);
 }
 
+Result<tendon::ConnectionCounts> Served(Context& context, const Diagnosis& diagnosis) {
+  return context.Ask<tendon::ConnectionCounts>(
+      [&](tendon::GcmClient& client, auto handler) { client.GetServed(diagnosis.wire, handler); });
+}
+
 void Print(const Diagnosis& diagnosis, std::ostream& out) {
   out << ToString(diagnosis.wire.required) << " -> " << ToString(diagnosis.wire.provided) << '\n';
   int number = 0;
@@ -102,9 +108,16 @@ void Print(const Diagnosis& diagnosis, std::ostream& out) {
     for (const auto& detail : step.details) out << "         " << Plain(detail) << '\n';
     if (!step.fix.empty()) out << "         fix: " << Plain(step.fix) << '\n';
   }
+  for (const std::string& line : LeftoverTexts(diagnosis)) out << "  " << Plain(line) << '\n';
   if (diagnosis.failure || diagnosis.is_connected) return;
   out << "  next: gcm connect " << ToString(diagnosis.wire.required) << ' '
       << ToString(diagnosis.wire.provided) << '\n';
+}
+
+const char* WordOf(tendon::Remainder::Verdict verdict) {
+  using Verdict = tendon::Remainder::Verdict;
+  if (verdict == Verdict::kUnknown) return "unknown";
+  return verdict == Verdict::kNothing ? "nothing" : "something";
 }
 
 ordered_json ToJson(const Diagnosis& diagnosis) {
@@ -116,10 +129,17 @@ ordered_json ToJson(const Diagnosis& diagnosis) {
     steps.push_back(
         {{"verdict", verdict}, {"text", step.text}, {"details", step.details}, {"fix", step.fix}});
   }
+  ordered_json remainders = ordered_json::array();
+  for (const auto& one : diagnosis.remainders) {
+    remainders.push_back(
+        {{"process", one.process}, {"left", WordOf(one.verdict)}, {"text", one.text}});
+  }
   return {{"required", ToString(diagnosis.wire.required)},
           {"provided", ToString(diagnosis.wire.provided)},
           {"connected", diagnosis.is_connected},
-          {"steps", std::move(steps)}};
+          {"kept", IsKept(diagnosis)},
+          {"steps", std::move(steps)},
+          {"rolled_back", std::move(remainders)}};
 }
 
 struct Ends {
@@ -142,6 +162,7 @@ Result<ExitCode> Explain(Context& context, const Ends& ends) {
   if (!diagnosis->failure) {
     AddRoundTrip(*diagnosis, RoundTrip(context, provided->process));
   }
+  if (!diagnosis->is_connected) AddRemainders(*diagnosis, catalog, Served(context, *diagnosis));
   if (context.settings().json) {
     context.PrintJson(ToJson(*diagnosis));
   } else {

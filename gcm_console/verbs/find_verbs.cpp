@@ -1,14 +1,19 @@
+#include <gcm_console/catalogue/find_term.h>
 #include <gcm_console/catalogue/things.h>
+#include <gcm_console/graph/dot.h>
 #include <gcm_console/graph/svg.h>
 #include <gcm_console/report.h>
+#include <gcm_console/screen/asking_turns.h>
 #include <gcm_console/verb.h>
-#include <tendon/base/path.h>
+#include <tendon/gcm/lookup.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cctype>
+#include <chrono>
+#include <condition_variable>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <nlohmann/json.hpp>
 
 namespace console {
@@ -41,6 +46,41 @@ std::string StatesOf(const tendon::ProcessEntry& entry) {
   return text.empty() ? "no components" : "components: " + text;
 }
 
+/// Why connections do not stand, and for how long, in the words of their process.
+using Waits = std::map<tendon::InterfaceName, std::string>;
+
+/// Of those that the processes tell soon; no more are asked about than at one time.
+Waits AskForWaits(tendon::GcmClient& client, const Catalog& catalog) {
+  constexpr std::chrono::milliseconds kSoon(500);
+  struct Answers {
+    std::mutex mutex;
+    std::condition_variable changed;
+    std::size_t missing = 0;
+    Waits waits;
+  };
+  std::vector<tendon::InterfaceName> broken;
+  for (const auto& one : catalog.connections()) {
+    const auto* owner = catalog.FindProcess(one.required.process);
+    const bool can_tell = owner != nullptr && IsPresent(owner->process);
+    if (one.state != tendon::ConnectionState::kActive && can_tell) broken.push_back(one.required);
+  }
+  const auto asked = AskingTurns().Begin(broken, tendon::SteadyClock().Now());
+  const auto answers = std::make_shared<Answers>();
+  answers->missing = asked.size();
+  for (const auto& one : asked) {
+    client.GetCounts(one, [answers, required = one](const auto& counts) {
+      const std::scoped_lock lock(answers->mutex);
+      --answers->missing;
+      const bool is_told = !counts && counts.error().code == ErrorCode::kFailed;
+      if (is_told) answers->waits.emplace(required, counts.error().message);
+      answers->changed.notify_all();
+    });
+  }
+  std::unique_lock lock(answers->mutex);
+  answers->changed.wait_for(lock, kSoon, [&] { return answers->missing == 0; });
+  return answers->waits;
+}
+
 /// A row of the one table in which everything is, and what is wrong at all.
 struct StatusRow {
   std::string kind;
@@ -49,7 +89,7 @@ struct StatusRow {
   std::string detail;
 };
 
-std::vector<StatusRow> StatusRows(const Catalog& catalog, Health& health) {
+std::vector<StatusRow> StatusRows(const Catalog& catalog, const Waits& waits, Health& health) {
   std::vector<StatusRow> rows;
   for (const auto& [name, entry] : catalog.processes()) {
     const auto& process = entry.process;
@@ -69,10 +109,11 @@ std::vector<StatusRow> StatusRows(const Catalog& catalog, Health& health) {
   for (const auto& connection : catalog.connections()) {
     ++health.connections;
     health.wrong += connection.state == tendon::ConnectionState::kActive ? 0 : 1;
+    const auto wait = waits.find(connection.required);
+    const std::string& why = wait == waits.end() ? connection.reason : wait->second;
     rows.push_back({"connection", ToString(connection.required),
                     std::string(ToString(connection.state)),
-                    "-> " + ToString(connection.provided) +
-                        (connection.reason.empty() ? "" : ": " + connection.reason)});
+                    "-> " + ToString(connection.provided) + (why.empty() ? "" : ": " + why)});
   }
   return rows;
 }
@@ -86,7 +127,8 @@ Result<ExitCode> Status(Context& context) {
   const auto client = context.Client();
   if (!client) return client.error();
   Health health;
-  const auto rows = StatusRows((*client)->catalog(), health);
+  const Catalog catalog = (*client)->catalog();
+  const auto rows = StatusRows(catalog, AskForWaits(**client, catalog), health);
   if (context.settings().json) {
     ordered_json all = ordered_json::array();
     for (const auto& [kind, name, state, detail] : rows) {
@@ -108,84 +150,27 @@ Result<ExitCode> Status(Context& context) {
   return program::kOk;
 }
 
-std::string Lower(std::string text) {
-  for (char& letter : text) {
-    letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  }
-  return text;
-}
-
-/// A pattern where it has a star, else any part, in upper or lower case.
-bool Fits(const std::string& wanted, const std::string& text) {
-  if (wanted.find('*') != std::string::npos) return tendon::MatchesGlob(wanted, text);
-  return Lower(text).find(Lower(wanted)) != std::string::npos;
-}
-
-bool FitsTerm(const std::string& term, const Thing& thing) {
-  if (term.starts_with("type:")) return !thing.type.empty() && Fits(term.substr(5), thing.type);
-  if (term.starts_with("state:")) return !thing.state.empty() && Fits(term.substr(6), thing.state);
-  if (term.starts_with("host:")) return Fits(term.substr(5), thing.host);
-  return Fits(term, thing.path);
-}
-
-Result<void> CheckTerm(const std::string& term) {
-  static const std::vector<std::string> kKeys = {"type", "state", "host"};
-  const auto colon = term.find(':');
-  if (colon == std::string::npos) return {};
-  const std::string key = term.substr(0, colon);
-  if (std::find(kKeys.begin(), kKeys.end(), key) != kKeys.end()) return {};
-  const std::string near = tendon::DidYouMean(key, kKeys);
-  return Error{ErrorCode::kInvalid, "'" + term + "': there is no '" + key + ":'" + near +
-                                        (near.empty() ? "; " : " ") +
-                                        "known are type:, state: and host:"};
-}
-
-Result<ExitCode> Find(Context& context, const std::vector<std::string>& terms) {
-  for (const std::string& term : terms) {
-    if (auto known = CheckTerm(term); !known) return known.error();
+Result<ExitCode> Find(Context& context, const std::vector<std::string>& words) {
+  std::vector<FindTerm> terms;
+  for (const std::string& word : words) {
+    const auto term = FindTerm::Parse(word);
+    if (!term) return term.error();
+    terms.push_back(*term);
   }
   const auto client = context.Client();
   if (!client) return client.error();
   auto things = ThingsIn((*client)->catalog());
-  std::erase_if(things, [&](const Thing& thing) {
-    return !std::all_of(terms.begin(), terms.end(),
-                        [&](const std::string& term) { return FitsTerm(term, thing); });
+  std::erase_if(things, [&terms](const Thing& thing) {
+    return !std::ranges::all_of(terms, [&](const FindTerm& term) { return term.Fits(thing); });
   });
   if (things.empty()) {
     std::string all;
-    for (const std::string& term : terms) all += (all.empty() ? "" : " ") + term;
+    for (const std::string& word : words) all += (all.empty() ? "" : " ") + word;
     return Error{ErrorCode::kNotFound,
                  "nothing fits '" + all + "'; gcm ls -R lists everything there is"};
   }
   PrintThings(context, things);
   return program::kOk;
-}
-
-std::string Quoted(const std::string& text) { return "\"" + Plain(text) + "\""; }
-
-/// A component's node.
-std::string NodeOf(const tendon::InterfaceName& end) {
-  return Quoted(end.process + "/" + end.component);
-}
-
-/// For Graphviz: `gcm graph --dot | dot -Tsvg`.
-void PrintDot(const Catalog& catalog, std::ostream& out) {
-  out << "digraph system {\n  rankdir=LR;\n  node [shape=box];\n";
-  for (const auto& [name, entry] : catalog.processes()) {
-    out << "  subgraph " << Quoted("cluster_" + name) << " {\n    label=" << Quoted(name) << ";\n";
-    for (const auto& [component, description] : entry.components) {
-      out << "    " << NodeOf({name, component, ""}) << " [label=" << Quoted(component) << "];\n";
-    }
-    out << "  }\n";
-  }
-  for (const auto& connection : catalog.connections()) {
-    const bool is_active = connection.state == tendon::ConnectionState::kActive;
-    out << "  " << NodeOf(connection.required) << " -> " << NodeOf(connection.provided)
-        << " [label="
-        << Quoted(connection.required.interface + " -> " + connection.provided.interface)
-        << (is_active ? "" : ", style=dashed") << "];\n";
-  }
-  out << "}\n";
 }
 
 /// Each component with what it uses, and what nobody is connected to.
@@ -254,12 +239,14 @@ std::vector<Verb> FindVerbs() {
        [](CLI::App& app) -> Verb::Run {
          auto terms = std::make_shared<std::vector<std::string>>();
          app.add_option("expression", *terms,
-                        "a part of a path, or all of it with * and **; type:, state: or host: with "
-                        "the same; all of them must fit")
+                        "a part of a path, or all of it with * and **, or a regular "
+                        "/expression/; type:, state:, host: or proc: with the same; ! turns one "
+                        "around; all of them must fit")
              ->required();
          return [terms](Context& context) { return Find(context, *terms); };
        },
-       {"gcm find Joints", "gcm find '**/Control.*' type:arm.*", "gcm find state:faulted"}},
+       {"gcm find Joints", "gcm find '**/Control.*' type:arm.*", "gcm find '/Get|Set/' type:cmd",
+        "gcm find state:faulted", "gcm find type:required 'state:!active'"}},
       {"graph",
        "show which component uses which",
        &PrepareGraph,

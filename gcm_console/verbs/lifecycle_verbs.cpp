@@ -143,6 +143,10 @@ Result<void> Kill(Context& context, const std::string& process) {
 Result<void> CheckForget(const Catalog& catalog, const std::string& process) {
   const auto entry = LookUpProcess(catalog, process);
   if (!entry) return entry.error();
+  if ((*entry)->process.state == tendon::ProcessState::kStarting) {
+    return Error{ErrorCode::kFailed,
+                 "process '" + process + "' is starting; only one that is gone can be forgotten"};
+  }
   if (!IsPresent((*entry)->process)) return {};
   return Error{ErrorCode::kFailed,
                "process '" + process + "' is there; only one that is gone can be forgotten"};

@@ -55,7 +55,7 @@ class PlotListener final : public tendon::RowSink {
     channels_.clear();
     curves_.clear();
     complaint_.clear();
-    for (const auto& [path, column] : wanted_) {
+    for (const auto& [path, column, is_found] : wanted_) {
       const auto channel = tendon::FindChannel(columns.at(column), path.field);
       if (!channel) {
         mistake_ = Error{channel.error().code, ToString(path) + ": " + channel.error().message};
@@ -203,14 +203,20 @@ Result<ExitCode> Plot(Context& context, const PlotOptions& options) {
   tendon::os::HoldTerminationSignals();
   const auto client = context.Client();
   if (!client) return client.error();
-  std::vector<RowPrinter::Wanted> wanted;
-  auto subscription = SubscriptionFor((*client)->catalog(), options.paths, wanted);
-  if (!subscription) return subscription.error();
+  const auto choice = ColumnsThatFit((*client)->catalog(), options.paths);
+  if (!choice) return choice.error();
+  const auto& tables = choice->tables;
+  if (tables.size() > 1) {
+    return Error{tendon::ErrorCode::kInvalid,
+                 "'" + ToString(tables[1].wanted.front().path) + "' is in another table than '" +
+                     ToString(tables.front().wanted.front().path) + "'; plot one table at a time"};
+  }
+  auto [subscription, wanted] = tables.front();
   const int columns = context.columns() > 0 ? context.columns() : kUsualColumns;
   const std::chrono::duration<double> dot(options.window / (2.0 * columns));
-  subscription->rows.period = std::chrono::duration_cast<std::chrono::nanoseconds>(dot);
+  subscription.rows.period = std::chrono::duration_cast<std::chrono::nanoseconds>(dot);
   const auto listener = std::make_shared<PlotListener>(wanted, options.window);
-  const auto id = (*client)->telemetry().Subscribe(*subscription, listener);
+  const auto id = (*client)->telemetry().Subscribe(subscription, listener);
   const auto ended = Collect(context, *listener, options);
   (*client)->telemetry().Unsubscribe(id);
   if (!ended) return ended;

@@ -39,6 +39,9 @@ tendon::Result<program::ExitCode> Serve(Context& context, const std::string& fan
       !fan_out.empty() && !place) {
     return tendon::Error{place.error().code, "--fan-out: " + place.error().message};
   }
+  if (auto own = program::CheckOwnPort("--fan-out", fan_out, settings.gcm); !own) {
+    return own.error();
+  }
   auto middleware = program::MakeMiddleware(settings.network);
   if (!middleware) return middleware.error();
   auto manager =

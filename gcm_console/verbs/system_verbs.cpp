@@ -163,27 +163,15 @@ Result<SystemFile> SecondOf(Context& context, const DiffWords& words) {
   return SystemOf((*client)->catalog(), "").file;
 }
 
-std::size_t ThreadsIn(const SystemFile& system) {
-  std::size_t count = 0;
-  for (const auto& process : system.processes) {
-    for (const auto& component : process.components) count += component.thread ? 1 : 0;
-  }
-  return count;
-}
-
 Result<ExitCode> Diff(Context& context, const DiffWords& words) {
   const auto first = tendon::ReadSystemFile(words.first);
   if (!first) return first.error();
   const auto second = SecondOf(context, words);
   if (!second) return second.error();
-  const bool runs = words.second.empty();
-  const auto threads = runs ? tendon::Threads::kUnknownInSecond : tendon::Threads::kKnown;
-  const SystemComparison comparison = CompareSystems(*first, *second, threads);
+  const auto starts =
+      words.second.empty() ? tendon::Starts::kUnknownInSecond : tendon::Starts::kKnown;
+  const SystemComparison comparison = CompareSystems(*first, *second, starts);
   Print(comparison, context);
-  if (const std::size_t count = ThreadsIn(*first); runs && count > 0) {
-    context.err() << "gcm: not compared, for what runs does not tell it: the \"thread\" of "
-                  << Counted(count, "component") << '\n';
-  }
   return comparison.differences.empty() ? program::kOk : program::kRefused;
 }
 

@@ -80,9 +80,6 @@ void Arrange(std::vector<TaskFigures>& tasks, const TopOptions& options) {
 }
 
 void Arrange(std::vector<ConnectionFigures>& connections, const TopOptions& options) {
-  std::erase_if(connections, [&](const ConnectionFigures& one) {
-    return (one.required + " " + one.provided).find(options.filter) == std::string::npos;
-  });
   SortBy(options.sort_connections, kConnectionOrders, connections);
 }
 
@@ -183,18 +180,25 @@ nlohmann::ordered_json JsonOf(const std::vector<TaskFigures>& tasks) {
   return all;
 }
 
-/// Once all figures are known, or have had the time for it.
+std::vector<TaskFigures> LookAt(TaskFeed& feed, const TopOptions& /*options*/) {
+  return feed.Look();
+}
+
+std::vector<ConnectionFigures> LookAt(ConnectionFeed& feed, const TopOptions& options) {
+  return feed.Look(options.filter);
+}
+
+/// Once all figures are known that can be, or have had the time for it.
 template <typename Feed>
 Result<ExitCode> PrintOnce(Context& context, tendon::GcmClient& client, const TopOptions& options,
                            const char* what) {
   const auto deadline = std::chrono::steady_clock::now() + 2s;
   Feed feed(client);
-  auto all = feed.Look();
-  const auto is_known = [](const auto& one) { return one.is_known; };
-  while (!std::all_of(all.begin(), all.end(), is_known) &&
-         std::chrono::steady_clock::now() < deadline) {
+  auto all = LookAt(feed, options);
+  const auto is_awaited = [](const auto& one) { return one.is_awaited; };
+  while (std::ranges::any_of(all, is_awaited) && std::chrono::steady_clock::now() < deadline) {
     if (tendon::os::TerminationAsked(20ms)) return program::kInterrupted;
-    all = feed.Look();
+    all = LookAt(feed, options);
   }
   Arrange(all, options);
   if (!context.settings().json) {
@@ -284,9 +288,9 @@ ExitCode ShowAlways(Context& context, tendon::GcmClient& client, TopOptions opti
       return PictureOf(processes, all, what, options, keys, layout);
     };
     const bool is_of_connections = options.shows_connections;
-    screen.Show(
-        is_of_connections ? draw(connections.Look(), "connection") : draw(tasks.Look(), "task"),
-        is_of_connections ? kConnectionKeyLine : kKeyLine, tendon::os::TerminalRows());
+    screen.Show(is_of_connections ? draw(LookAt(connections, options), "connection")
+                                  : draw(tasks.Look(), "task"),
+                is_of_connections ? kConnectionKeyLine : kKeyLine, tendon::os::TerminalRows());
     if (const auto key = keyboard.NextKey(200ms)) Press(*key, keys, options);
     screen.PauseIfAsked(keyboard);
     if (tendon::os::TerminationAsked(0ms)) return program::kInterrupted;

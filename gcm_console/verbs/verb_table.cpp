@@ -15,6 +15,7 @@ struct Group {
 constexpr Group kGroups[] = {
     {"look", &FindVerbs},       //
     {"look", &LookVerbs},       //
+    {"look", &ShowVerbs},       //
     {"look", &TopVerbs},        //
     {"data", &DataVerbs},       //
     {"data", &EventVerbs},      //

@@ -85,6 +85,10 @@ class PortContract : public Contract {
   Host::Guest guest_;
 };
 
+/// For kinds that end a message that does not come to its end: plain Ice does not, see
+/// docs/dependencies.md.
+class UnfinishedContract : public PortContract {};
+
 /// Two channels that shook hands, unless a test does so itself.
 class ChannelContract : public Contract {
  protected:

@@ -22,6 +22,8 @@ INSTANTIATE_TEST_SUITE_P(Plain, LinkContract, kKinds, NameOfKind);
 INSTANTIATE_TEST_SUITE_P(Plain, AddressContract, kKinds, NameOfKind);
 INSTANTIATE_TEST_SUITE_P(Plain, LifetimeContract, kKinds, NameOfKind);
 INSTANTIATE_TEST_SUITE_P(Plain, PortContract, testing::Values(Kind{"tcp", MakeTcp}), NameOfKind);
+INSTANTIATE_TEST_SUITE_P(Plain, UnfinishedContract, testing::Values(Kind{"tcp", MakeTcp}),
+                         NameOfKind);
 INSTANTIATE_TEST_SUITE_P(Plain, ExposureContract, testing::Values(Kind{"tcp", MakeTcp}),
                          NameOfKind);
 INSTANTIATE_TEST_SUITE_P(Plain, CookieContract, kKinds, NameOfKind);

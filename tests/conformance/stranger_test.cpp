@@ -49,6 +49,16 @@ class Stranger {
     Bytes buffer(4096);
     return EventuallyTrue([&] { return !os::ReceiveSome(socket_, buffer); });
   }
+  /// The same while it says these, byte by byte.
+  bool IsTurnedAwayBefore(const Bytes& end) {
+    Bytes buffer(4096);
+    std::size_t said = 0;
+    return EventuallyTrue([&] {
+             if (said < end.size()) Say({end[said++]});
+             return said == end.size() || !os::ReceiveSome(socket_, buffer);
+           }) &&
+           said < end.size();
+  }
 
  private:
   os::Socket socket_;
@@ -178,6 +188,20 @@ TEST_P(PortContract, SilenceAndHalfAHeaderAreTurnedAwayInTimeAndQuietLinksAreNot
   EXPECT_EQ(guest_.link->Send(FrameOf(1)), Status::kQueued);
   EXPECT_TRUE(recorder->WaitForFrames(1));
   EXPECT_TRUE(Open(std::make_shared<Recorder>()));
+}
+
+TEST_P(UnfinishedContract, SingleBytesNowAndThenGainNoTime) {
+  Host host(Host::Guests::kStrangers);
+  const auto recorder = std::make_shared<Recorder>();
+  ASSERT_NO_FATAL_FAILURE(Meet(host, recorder));
+  guest_.link->Admit();
+
+  // All of it would take a minute.
+  EXPECT_TRUE(Stranger(listener_->address()).IsTurnedAwayBefore(StrangersFrame(1, 0)));
+
+  EXPECT_EQ(recorder->closed(), 0);
+  EXPECT_EQ(guest_.link->Send(FrameOf(1)), Status::kQueued);
+  EXPECT_TRUE(recorder->WaitForFrames(1));
 }
 
 }  // namespace

@@ -22,6 +22,7 @@ sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
 from free_port import free_port
 
 PATIENCE = 60  # s, for a machine that is busy
+ALL_ACTIVE = r"\A(.*\tactive\t.*\n)+\Z"
 STEP = re.compile(r"^```sh\n(?P<block>.*?)^```|^<!-- eventually: (?P<command>.*?) => (?P<pattern>.*?) -->", re.M | re.S)
 
 
@@ -54,7 +55,7 @@ class Place:
         listed = words[words.index("--name") + 1] if "--name" in words else ""
         self.eventually("gcm ls", f"^{listed}.*alive" if listed else "")
         if listed and "--system" in words:
-            self.eventually(f"gcm ls {listed}", "active")
+            self.eventually(f"gcm ls {listed}", ALL_ACTIVE)
 
     def eventually(self, line, pattern):
         deadline = time.monotonic() + PATIENCE

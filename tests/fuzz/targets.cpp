@@ -2,6 +2,7 @@
 
 #include <tendon/middleware/frame.h>
 #include <tendon/middleware/handshake/handshake.h>
+#include <tendon/middleware/requests/reply_batch.h>
 #include <tendon/payload/fingerprint.h>
 #include <tendon/payload/json.h>
 #include <tendon/payload/plot_channel.h>
@@ -73,6 +74,12 @@ void ReadFrames(Bytes bytes, tendon::Handshake::Role role) {
     const Bytes inner = bytes.subspan(tendon::FrameHeader::kSize, header->size);
     const std::vector<std::byte> body(inner.begin(), inner.end());  // a sanitizer sees its end
     (void)tendon::ReadRefusal(body, "peer");
+    if (tendon::IsReplyBatch(body)) {
+      Bytes rest = body;
+      while (tendon::TakeReply(rest)) {
+      }
+      Require(rest.empty(), "a batch of answers is whole");
+    }
     const auto step = handshake.Take(*header, body);
     if (!step) return;
     Require(!step->peer, "who does not know the cookie is refused");

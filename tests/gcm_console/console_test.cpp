@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 #include <thread>
 
@@ -246,6 +247,79 @@ TEST_F(ConsoleTest, WatchPrintsWhateverAPathNames) {
   EXPECT_EQ(none.out, "");
 }
 
+/// What it has printed so far, without a line that is not at its end.
+std::istringstream LinesOf(const Program& program) {
+  const std::string out = program.out();
+  return std::istringstream(out.substr(0, out.rfind('\n') + 1));
+}
+
+TEST_F(ConsoleTest, WatchPrintsEachTablesRowsOfAllColumnsThatFit) {
+  const std::string arm = "robot/arm/state.Joints.position[0]";
+  const std::string flange = "desk/supervisor/state.Flange";
+  Program watch({Binary("gcm"), "--gcm", address, "watch", "robot/*/state.Joints.position[0]", arm,
+                 "**/state.Flange"});
+  std::set<std::size_t> seen;  // which of the two columns has a value
+  ASSERT_TRUE(EventuallyTrue([&] {
+    std::istringstream lines = LinesOf(watch);
+    for (std::string line; std::getline(lines, line);) {
+      std::istringstream cells(line);
+      std::vector<std::string> row;
+      for (std::string cell; std::getline(cells, cell, '\t');) row.push_back(cell);
+      EXPECT_EQ(row.size(), 4U) << line;
+      EXPECT_EQ(std::count(row.begin(), row.end(), "-"), 1) << line;
+      seen.insert(row.back() == "-" ? 0 : 1);
+    }
+    return seen.size() == 2;
+  })) << watch.out()
+      << watch.err();
+
+  Program lines({Binary("gcm"), "--gcm", address, "--jsonl", "watch", arm, flange});
+  std::set<std::string> paths;
+  EXPECT_TRUE(EventuallyTrue([&] {
+    std::istringstream all = LinesOf(lines);
+    for (std::string line; std::getline(all, line);) {
+      const json row = json::parse(line);
+      EXPECT_EQ(row["values"].size(), 1U) << line;
+      paths.insert(row["values"].begin().key());
+    }
+    return paths == std::set<std::string>{arm, flange};
+  })) << lines.out()
+      << lines.err();
+}
+
+TEST_F(ConsoleTest, WatchLeavesOutWhereAGlobFindsNoSuchPart) {
+  const Outcome some = Gcm({"--jsonl", "watch", "robot/*/state.*.position[0]", "--count", "2"});
+  EXPECT_EQ(some.exit_code, program::kOk) << some.err;
+  EXPECT_THAT(some.err, HasSubstr("gcm: robot/arm/state.Refused.position[0]: there is no field "
+                                  "'position'\n"));
+  std::istringstream lines(some.out);
+  for (std::string line; std::getline(lines, line);) {
+    EXPECT_TRUE(json::parse(line)["values"].contains("robot/arm/state.Joints.position[0]")) << line;
+  }
+
+  const Outcome none = Gcm({"watch", "robot/arm/state.*.positio"});
+  EXPECT_EQ(none.exit_code, program::kNotFound);
+  EXPECT_THAT(none.err, HasSubstr("gcm: robot/arm/state.Joints.positio: there is no field"));
+  EXPECT_THAT(none.err, testing::EndsWith("gcm: no column that fits has that part\n"));
+}
+
+TEST_F(ConsoleTest, WatchSaysThatAStarIsForColumnsOnly) {
+  const Outcome refused = Gcm({"watch", "robot/arm/state.Joints.*"});
+
+  EXPECT_EQ(refused.exit_code, program::kUsage);
+  EXPECT_EQ(refused.err,
+            "gcm: 'robot/arm/state.Joints.*': a * stands for columns, not for parts of one; name "
+            "the part, or take all of it: robot/arm/state.Joints\n");
+}
+
+TEST_F(ConsoleTest, WatchSaysThatAGlobFitsNoColumn) {
+  const Outcome none = Gcm({"watch", "robot/*/state.Jonts"});
+
+  EXPECT_EQ(none.exit_code, program::kNotFound);
+  EXPECT_EQ(none.err,
+            "gcm: no column fits 'robot/*/state.Jonts'; list them with: gcm ls -R --type state\n");
+}
+
 TEST_F(ConsoleTest, CandidatesAreTheInterfacesThatFitAndThoseThatNearlyDo) {
   const Outcome listed = Gcm({"candidates", "desk/teleoperation/Robot"});
   EXPECT_EQ(listed.exit_code, program::kOk) << listed.err;
@@ -275,6 +349,9 @@ TEST_F(ConsoleTest, ExplainGoesThroughSevenSteps) {
   EXPECT_EQ(bad.exit_code, program::kIncompatible) << bad.out;
   EXPECT_THAT(bad.out, HasSubstr("\n  4 BAD signatures match: "));
   EXPECT_THAT(bad.out, HasSubstr("\n  5 -   "));
+  EXPECT_THAT(bad.out, HasSubstr("\n  rolled back: nothing of it is left in desk\n"));
+  EXPECT_THAT(possible.out, HasSubstr("  rolled back: nothing of it is left in robot\n"));
+  EXPECT_THAT(good.out, testing::Not(HasSubstr("rolled back")));
 
   const json document = json::parse(Gcm({"explain", "desk/supervisor/Robot", "--json"}).out);
   EXPECT_EQ(document["steps"].size(), 7U);

@@ -1,3 +1,4 @@
+#include <gcm_console/screen/asking_turns.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <program/exit_code.h>
@@ -29,6 +30,33 @@ TEST_F(LookTest, StatusIsOneScreenOfWhatThereIsAndWhatIsWrong) {
   robot->Signal(SIGKILL);
   ASSERT_TRUE(EventuallySays({"status"}, "process\trobot\tlost\t"));
   EXPECT_THAT(Gcm({"status"}).err, HasSubstr("not as it should be"));
+  EXPECT_TRUE(EventuallySays({"status"},
+                             "connection\tdesk/supervisor/Robot\tpending\t"
+                             "-> robot/arm/Control: the connection of "
+                             "desk/supervisor/Robot is pending for "));
+}
+
+TEST_F(LookTest, StatusAsksAProcessAboutSomeConnectionsAndKnowsTheOthersByTheGcm) {
+  const auto is_told = [](const std::string& out) {
+    std::size_t count = 0;
+    for (std::size_t at = 0; (at = out.find(" is pending for ", at)) != out.npos; ++at) ++count;
+    return count;
+  };
+  const std::size_t most = console::AskingTurns::kMostOfOne;
+  for (std::size_t i = 0; i <= most; ++i) {
+    const std::string component = "desk/waiting_" + std::to_string(i);
+    ASSERT_EQ(Gcm({"create", "Teleoperation", component}).exit_code, program::kOk);
+    (void)Gcm({"connect", component + "/Robot", "nowhere/arm/Control"});
+  }
+
+  const auto asks_no_more = [&] {
+    const std::string out = Gcm({"status"}).out;
+    EXPECT_LE(is_told(out), most) << out;
+    EXPECT_THAT(out, HasSubstr("connection\tdesk/waiting_" + std::to_string(most) +
+                               "/Robot\tpending\t-> nowhere/arm/Control"));
+    return is_told(out) == most;
+  };
+  EXPECT_TRUE(EventuallyTrue(asks_no_more));
 }
 
 TEST_F(LookTest, APipeIsColouredWhereThatIsWanted) {

@@ -229,19 +229,33 @@ TEST_F(SavedSystemTest, SaysWhatIsToBeStartedAndDoesTheRestOnlyWhenTold) {
   EXPECT_THAT(Gcm({"show", "desk/supervisor/Robot"}).out, HasSubstr("pending"));
 }
 
-TEST_F(SavedSystemTest, WhatIsNotComparedIsSaid) {
+TEST_F(SavedSystemTest, ThreadsAndWhatRunsAfterThemAreSavedAndRestored) {
   const std::string file = Saved();
   json wanted = json::parse(home.Read("saved.json"));
-  wanted["processes"][1]["components"][0]["thread"] = {{"lock_memory", true}};
+  json& desk_parts = wanted["processes"][0]["components"];
+  ASSERT_EQ(desk_parts[2]["name"], "teleoperation");
+  EXPECT_EQ(desk_parts[2]["thread"], (json{{"policy", "normal"}}));
+  desk_parts[2]["thread"]["spin"] = 1e-5;
+  desk_parts[2]["runs_after"] = "supervisor";
+  desk_parts[2].erase("period");  // it is the supervisor's
   home.Write("threads.json", wanted.dump());
 
-  const Outcome with_running = Gcm({"diff", InHome("threads.json")});
-  EXPECT_EQ(with_running.exit_code, program::kOk);
-  EXPECT_EQ(with_running.err,
-            "gcm: not compared, for what runs does not tell it: the \"thread\" of 1 component\n");
-  const Outcome with_file = Gcm({"diff", InHome("threads.json"), file});
-  EXPECT_EQ(with_file.exit_code, program::kRefused);
-  EXPECT_THAT(with_file.out, testing::StartsWith("~ component robot/arm: thread {"));
+  const Outcome differs = Gcm({"diff", InHome("threads.json")});
+  EXPECT_EQ(differs.exit_code, program::kRefused);
+  EXPECT_THAT(differs.out, testing::StartsWith("~ component desk/teleoperation: thread {"));
+  EXPECT_THAT(differs.out, HasSubstr("; runs_after supervisor -> none\n"));
+  EXPECT_THAT(Gcm({"plan", InHome("threads.json")}).out,
+              HasSubstr("create desk/teleoperation (Teleoperation of teleoperation, which runs "
+                        "after supervisor)\n"));
+  const Outcome applied = Gcm({"apply", InHome("threads.json"), "--yes"});
+  EXPECT_EQ(applied.exit_code, program::kOk) << applied.out << applied.err;
+  ExpectSaysNothing({"diff", InHome("threads.json")});
+  ExpectSaysNothing({"apply", InHome("threads.json")});
+  EXPECT_EQ(Gcm({"save", InHome("again.json")}).exit_code, program::kOk);  // a new file
+  EXPECT_EQ(json::parse(home.Read("again.json"))["processes"], wanted["processes"]);
+
+  EXPECT_EQ(Gcm({"apply", file, "--yes"}).exit_code, program::kOk);
+  ExpectSaysNothing({"diff", file});
 }
 
 TEST_F(SavedSystemTest, JsonSaysTheSame) {

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <program/exit_code.h>
+#include <tendon/base/os/process.h>
 
 #include <algorithm>
 #include <csignal>
@@ -96,6 +97,32 @@ TEST_F(UsageTest, ASecondGcmOnOnePortIsToldWhoHasIt) {
                         " (gcm); use the GCM that is there, or give --gcm another port");
 }
 
+TEST_F(UsageTest, OnePortForTwoPurposesIsRefused) {
+  ExpectOneSentence(Typed({"serve", "--fan-out", "localhost:" + port}), program::kUsage,
+                    "--fan-out and --gcm are both " + address +
+                        ", but a port is for one program; give --fan-out another one");
+}
+
+TEST_F(UsageTest, AHistoryThatCannotBeKeptIsSaidAtTheStart) {
+  const Program served({Binary("gcm"), "--gcm", address, "serve"},
+                       {{"XDG_STATE_HOME", "/proc/nowhere"}});
+
+  EXPECT_TRUE(EventuallyTrue([&] {
+    return served.err().find("history is off: cannot write /proc/") != std::string::npos;
+  })) << served.err();
+  EXPECT_THAT(served.err(), HasSubstr("until this GCM ends; make the folder writable, or name "
+                                      "another one with XDG_STATE_HOME"));
+  EXPECT_TRUE(EventuallyTrue([&] { return served.out().starts_with("GCM at "); }));
+}
+
+TEST_F(UsageTest, RunningAsRootIsSaid) {
+  if (!tendon::os::RunsAsRoot()) GTEST_SKIP() << "only root can try: its warning was not seen";
+
+  StartGcm();
+
+  EXPECT_THAT(gcm->err(), HasSubstr("runs as root, which a GCM does not need"));
+}
+
 TEST_F(UsageTest, AnAddressThatIsNoneIsRefused) {
   for (const char* bad : {"127.0.0.1:abc", "127.0.0.1:65536", "127.0.0.1:-1", "127.0.0.1:0"}) {
     ExpectOneSentence(Typed({"--gcm", bad, "ls"}), program::kUsage, "expected 1..65535");
@@ -103,6 +130,8 @@ TEST_F(UsageTest, AnAddressThatIsNoneIsRefused) {
   for (const char* bad : {"127.0.0.1:abc", "127.0.0.1:65536", "127.0.0.1:-1"}) {
     ExpectOneSentence(Typed({"--gcm", bad, "serve"}), program::kUsage, "expected 0..65535");
   }
+  ExpectOneSentence(Typed({"--gcm", "127.0.0.1:abc", "ls"}), program::kUsage,
+                    "port 'abc': expected 1..65535");
   ExpectOneSentence(Typed({"--gcm", "::1:10", "ls"}), program::kUsage, "in brackets");
   ExpectOneSentence(Typed({"--gcm", ":10705", "ls"}), program::kUsage, "expected a host");
 }

@@ -117,6 +117,20 @@ TEST_F(LcmTest, EndsWhenToldAndSaysGoodBye) {
   EXPECT_TRUE(EventuallySays({"ls"}, "robot\tleft"));
 }
 
+TEST_F(LcmTest, EndsWhenToldWithThreadsThatSleepAsLongAsTheyMay) {
+  StartGcm();
+  const std::string system = Write(R"({"version": 1, "name": "idle", "processes": [
+      {"name": "robot", "components": [
+        {"name": "arm", "class": "SimulatedArm", "library": "simulated_arm",
+         "thread": {"timer_slack": 0.1}}]}]})");
+  const auto lcm = StartLcm("robot", system);
+  ASSERT_TRUE(EventuallySays({"ls", "robot"}, "arm\tactive")) << lcm->err();
+
+  lcm->Signal(SIGTERM);
+
+  EXPECT_EQ(lcm->Wait(), program::kOk) << lcm->err();
+}
+
 TEST_F(LcmTest, EndsWhenToldWhileItStartsItsComponents) {
   StartGcm();
   const std::string gate = (home.path() / "gate").string();

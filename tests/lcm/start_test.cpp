@@ -62,9 +62,15 @@ TEST_F(LcmStart, ABadName) {
 
 TEST_F(LcmStart, AnAddressThatCannotBeListenedAt) {
   StartGcm();
-  ExpectRefused({"--name", "robot", "--listen", address}, program::kRefused,
-                address + " is in use by pid " + std::to_string(gcm->pid()) +
+  const std::string taken = "127.0.0.1:" + std::to_string(FreePort());
+  const Program other({Binary("gcm"), "--gcm", taken, "serve"});
+  ASSERT_TRUE(EventuallyTrue([&] { return other.out().starts_with("GCM at "); })) << other.err();
+  ExpectRefused({"--name", "robot", "--listen", taken}, program::kRefused,
+                taken + " is in use by pid " + std::to_string(other.pid()) +
                     " (gcm); give --listen another port, or 0 for a free one");
+  ExpectRefused({"--name", "robot", "--listen", "localhost:" + port}, program::kUsage,
+                "--listen and --gcm are both " + address +
+                    ", but a port is for one program; give --listen another one");
   ExpectRefused({"--name", "robot", "--listen", "192.0.2.1:0"}, program::kDenied, "--insecure");
   ExpectRefused({"--name", "robot", "--listen", "127.0.0.1:abc"}, program::kUsage,
                 "port 'abc': expected 0..65535");
@@ -144,6 +150,9 @@ TEST_F(LcmStart, WhatTheFileSaysOfAComponentThatCannotHaveIt) {
   ExpectFileRefused(with(R"("class": "SimulatedArm", "library": "simulated_arm",
                             "thread": {"priority": 7})"),
                     "system.json: line 3, column 29: processes[0].components[0].thread: ");
+  ExpectFileRefused(with(R"("class": "SimulatedArm", "library": "simulated_arm",
+                            "thread": {"timer_slack": 3600})"),
+                    "timer slack must be 1 ns..100 ms, got 3600000000000 ns");
 }
 
 }  // namespace

@@ -4,8 +4,8 @@ import unittest
 
 from tendon import Invalid
 from tendon.middleware.frame import (HEADER_SIZE, MAGIC, MAX_FRAME_SIZE, MAX_STRANGERS_FRAME_SIZE,
-                                     PROTOCOL_VERSION, Header, Pieces, claimed_size, read_frame,
-                                     write_frame)
+                                     MAX_REPLIES, MAX_REPLIES_SIZE, PROTOCOL_VERSION, Header,
+                                     Pieces, claimed_size, read_frame, read_replies, write_frame)
 
 HEADER = Header(type=0x201, request=5, handle=9)
 FRAME = write_frame(HEADER, b"body")
@@ -58,6 +58,28 @@ class InPieces(unittest.TestCase):
             with self.subTest(pieces=pieces), self.assertRaises(Invalid):
                 for data, is_end in pieces:
                     whole.add(data, is_end)
+
+
+def batch(*replies):
+    """A batch of answers, each with its request and the size that it claims to have."""
+    return b"".join(struct.pack("<QI", request, size) + answer
+                    for request, size, answer in replies)
+
+
+class Replies(unittest.TestCase):
+    def test_come_in_order(self):
+        self.assertEqual(read_replies(batch((7, 2, b"ab"), (2**64 - 1, 0, b""), (1, 1, b"c"))),
+                         [(7, b"ab"), (2**64 - 1, b""), (1, b"c")])
+        self.assertEqual(len(read_replies(batch((1, 0, b"")) * MAX_REPLIES)), MAX_REPLIES)
+
+    def test_that_are_malformed_are_refused(self):
+        whole = batch((7, 2, b"ab"), (8, 3, b"def"))
+        too_many = batch((1, 0, b"")) * (MAX_REPLIES + 1)
+        too_large = batch((1, MAX_REPLIES_SIZE, bytes(MAX_REPLIES_SIZE)))
+        for body in (b"", whole[:-1], whole + b"\0", whole[:11], batch((7, 2**32 - 1, b"ab")),
+                     too_many, too_large):
+            with self.subTest(body=body[:40]), self.assertRaises(Invalid):
+                read_replies(body)
 
 
 if __name__ == "__main__":

@@ -2,6 +2,7 @@
 import contextlib
 import os
 import pathlib
+import struct
 import tempfile
 import threading
 import time
@@ -23,7 +24,7 @@ from tendon.processes import Processes
 PATIENCE = 60  # s, for a machine that is busy
 COOKIE = 0x1f
 IDENTITY = Ice.Identity("tendon", "")
-ECHO, REFUSE, IGNORE, TELL, HANG_UP, TALK_NONSENSE, TALK_NO_ICE = range(0x1000, 0x1007)
+ECHO, REFUSE, IGNORE, TELL, HANG_UP, TALK_NONSENSE, TALK_NO_ICE, GATHER = range(0x1000, 0x1008)
 
 # Parameters of `frame` that claim more than is there; some kill the code that Ice generates.
 NO_ICE = [b"", b"\x06\0\0\0\x01\x01", b"\x07\0\0\0\x01\x01\x05",
@@ -43,6 +44,7 @@ class Acceptor(Ice.openModule("tendon").Endpoint):
         self.pieces = Pieces()
         self.pieces.limit = MAX_FRAME_SIZE
         self.begun = bytearray()
+        self.gathered = b""
         self.taken = self.told_taken = 0
         self.communicator = Ice.initialize()
         adapter = self.communicator.createObjectAdapterWithEndpoints("a", "tcp -h 127.0.0.1 -p 0")
@@ -88,6 +90,10 @@ class Acceptor(Ice.openModule("tendon").Endpoint):
             send(MessageType.WELCOME, b"\0")
         elif header.type == ECHO:
             send(MessageType.REPLY, body)
+        elif header.type == GATHER:  # all answers together, with the one that has a body
+            self.gathered += struct.pack("<QI", header.request, len(body)) + body
+            if body:
+                send(MessageType.REPLIES, self.gathered, request=0)
         elif header.type == REFUSE:
             send(MessageType.REFUSAL, messages.encode("Error", {"code": "FAILED", "message": "no"}))
         elif header.type == TELL:
@@ -169,6 +175,12 @@ class OverIce(unittest.TestCase):
         link.request(ECHO, b"", PATIENCE)  # after all that was told
         self.assertEqual(self.acceptor.taken, self.acceptor.told_taken)
 
+    def test_answers_may_come_together(self):
+        link = self.link()
+        others = [link.start(GATHER, b"", None) for _ in range(3)]
+        self.assertEqual(link.request(GATHER, b"last", PATIENCE), b"last")
+        self.assertEqual([asked.answer.result(0) for asked in others], [b""] * 3)
+
     def test_no_answer_in_time_is_told_and_the_link_goes_on(self):
         link = self.link()
         with self.assertRaisesRegex(TimedOut, "^acceptor did not answer within 10 ms; outcome unk"):
@@ -215,7 +227,8 @@ class OverIce(unittest.TestCase):
         other_version = write_frame(Header(MessageType.REPLY, 2, 0, PROTOCOL_VERSION + 1), b"")
         no_part = write_frame(Header(MessageType.PART, 0, 1), b"nonsense" * 4)
         taken = write_frame(Header(MessageType.PARTS_TAKEN), bytes(range(8)))
-        for nonsense in (b"nonsense", greeting, other_version, no_part, taken):
+        no_replies = write_frame(Header(MessageType.REPLIES), bytes(11))
+        for nonsense in (b"nonsense", greeting, other_version, no_part, taken, no_replies):
             with self.subTest(nonsense=nonsense), self.assertRaises(Unreachable):
                 self.link().request(TALK_NONSENSE, nonsense, PATIENCE)
 

@@ -5,7 +5,8 @@ import unittest
 from tendon import Invalid, TimedOut, Unreachable, messages
 from tendon.messages import MessageType
 from tendon.middleware.frame import HEADER_SIZE, MAX_BODY_SIZE, Header, read_frame, write_frame
-from tendon.middleware.parts import PART_SIZE, PARTS_AHEAD, PartAssembly, PartSender
+from tendon.middleware.parts import (LEAST_PART_SIZE, MAX_PART_SIZE, PART_SIZE, PARTS_AHEAD,
+                                     PartAssembly, PartSender)
 
 PATIENCE = 60  # s, for a machine that is busy
 BODY = bytes(range(256)) * 4096
@@ -28,9 +29,19 @@ class Assembly(unittest.TestCase):
             self.assertEqual(assembly.add(number, PARTS[-1]), (Header(0x201, 5), BODY))
         self.assertEqual(assembly.taken, 2 * len(FRAME))
 
+    def test_parts_may_have_any_size_from_the_least_on(self):
+        assembly = PartAssembly()
+        self.assertIsNone(assembly.add(1, FRAME[:MAX_PART_SIZE]))
+        end = MAX_PART_SIZE + LEAST_PART_SIZE
+        self.assertIsNone(assembly.add(1, FRAME[MAX_PART_SIZE:end]))
+        rest = FRAME[end:]
+        for start in range(0, len(rest), MAX_PART_SIZE):
+            whole = assembly.add(1, rest[start:start + MAX_PART_SIZE])
+        self.assertEqual(whole, (Header(0x201, 5), BODY))
+
     def test_what_is_no_part_is_refused(self):
-        for parts in ([b"nonsense" * PART_SIZE], [PARTS[0][:-1]], [PARTS[0] + b"\0"],
-                      [PARTS[0], PARTS[1][:-1]], [*PARTS[:-1], PARTS[-1] + b"\0"],
+        for parts in ([b"nonsense" * PART_SIZE], [FRAME[:LEAST_PART_SIZE - 1]],
+                      [FRAME[:MAX_PART_SIZE + 1]], [PARTS[0], b""], [*PARTS[:-1], PARTS[-1] + b"\0"],
                       [header_of(MAX_BODY_SIZE + 1) + bytes(PART_SIZE - HEADER_SIZE)]):
             assembly = PartAssembly()
             with self.subTest(sizes=list(map(len, parts))), self.assertRaises(Invalid):

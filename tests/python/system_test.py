@@ -94,8 +94,9 @@ class InTheDemoSystem(unittest.TestCase):
             cls.place.run(process, ROOT / "resources/systems/demo.json")
         cls.system = cls.place.connect()
         cls.addClassCleanup(cls.system.close)
-        for process, component in (("robot", "arm"), ("desk", "teleoperation"),
-                                   ("desk", "supervisor"), ("desk", "old_arm")):
+        for process, component in (("robot", "arm"), ("robot", "host_monitor"),
+                                   ("desk", "teleoperation"), ("desk", "supervisor"),
+                                   ("desk", "old_arm")):
             cls.system.wait_until(
                 lambda system, who=(process, component): is_active(system, *who), PATIENCE)
 

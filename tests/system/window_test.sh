@@ -20,6 +20,7 @@ main() {
   address=127.0.0.1:$(free_port)
   start gcm-gui "$bin/gcm-gui" --listen "$address" --describe-ui "$RUN_FOLDER/ui.json"
   wait_until "the GCM in the window" "$bin/gcm" --gcm "$address" ls
+  shows_around
   start_lcm robot
   start_lcm desk
   wait_until "the catalogue" ui wait 'facts["processes"].keys() == {"gcm", "robot", "desk"}' 1
@@ -32,6 +33,14 @@ main() {
   heals_after_a_kill
   passed "the longest event handler took $(ui show 'facts["longestHandlerMs"]') ms of processor time"
   survives_its_gcm
+}
+
+shows_around() {
+  wait_until "the tour" ui wait '"tour.card" in widgets' 1
+  wait_until "the keyboard" has_keyboard gcm-gui
+  ui key Right Escape
+  ui wait '"tour.card" not in widgets'
+  passed "the first window shows around, until Escape"
 }
 
 start_lcm() {
@@ -94,8 +103,14 @@ heals_after_a_kill() {
 # The first window hosts the GCM; another one joins it, and stays when it goes.
 survives_its_gcm() {
   viewer() { python3 "$TENDON_ROOT/tools/ui.py" "$RUN_FOLDER/viewer.json" "$@"; }
-  start viewer "$bin/gcm-gui" --gcm "$address" --describe-ui "$RUN_FOLDER/viewer.json"
+  echo '{"version": 1, "plots": [{"window": 30, "curves": [{"path": "robot/arm/state.Joints.position[1]",' \
+    '"unit": "rad"}]}]}' >"$RUN_FOLDER/mine.plots.json"
+  start viewer "$bin/gcm-gui" --gcm "$address" --layout "$RUN_FOLDER/mine.plots.json" \
+    --describe-ui "$RUN_FOLDER/viewer.json"
   wait_until "the second window" viewer wait "$robot_wire"'["state"] == "active"' 1
+  viewer wait '"tour.card" not in widgets'
+  viewer wait 'facts["curves"]["robot/arm/state.Joints.position[1]"]["rows"] > 100'
+  passed "the second window shows nobody around, and begins with its layout"
   kill_hard gcm-gui
   viewer wait 'not facts["gcmConnected"] and "lostBanner" in widgets'
   viewer wait 'facts["processes"].keys() == {"gcm", "robot", "desk"}'

@@ -56,7 +56,15 @@ void LogDeferred(LogTime time, LogLevel level, std::string_view source, std::str
   Sinks& sinks = TheSinks();
   std::string line(source);
   line.append(": ").append(message);
-  sinks.console->log(time, {}, ToSpdlog(level), line);
+  // To the sinks themselves: the level of the logger has been asked before, or must not be.
+  const spdlog::details::log_msg record(time, {}, sinks.console->name(), ToSpdlog(level), line);
+  for (const auto& sink : sinks.console->sinks()) {
+    try {
+      sink->log(record);
+    } catch (const std::exception&) {
+      // Who logs is not told that nobody reads it.
+    }
+  }
   const std::scoped_lock lock(sinks.mutex);
   for (const LogSink& sink : sinks.others) sink(level, source, message);
 }

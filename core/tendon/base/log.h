@@ -52,7 +52,7 @@ class DeferLogging {
   LogDeferral* before_;
 };
 
-/// Log() with a record that was put aside.
+/// Log() with a record that was put aside, or that no level may hide: it is not dropped.
 void LogDeferred(LogTime time, LogLevel level, std::string_view source, std::string_view message);
 
 }  // namespace tendon

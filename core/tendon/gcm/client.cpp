@@ -337,6 +337,13 @@ void GcmClient::GetCounts(const InterfaceName& required,
       });
 }
 
+void GcmClient::GetServed(const message::Wire& wire,
+                          std::function<void(Result<ConnectionCounts>)> handler) {
+  implementation_->timer().Post([this, wire, done = implementation_->Guarded(std::move(handler))] {
+    implementation_->caller().GetServed(wire, done);
+  });
+}
+
 void GcmClient::GetFill(const std::string& process, const std::string& component,
                         std::function<void(Result<MailboxFill>)> handler) {
   implementation_->timer().Post(

@@ -49,7 +49,8 @@ class GcmClient {
   /// to break, to make, and where that fails to make again what was there.
   static constexpr int kOrdersOfAReplacement = 3;
 
-  /// Undo() may take `timeout` so many times: to make a component, connect, start and suspend it.
+  /// Undo() may take `timeout` so many times. However many components are to run again, the GCM
+  /// gives all orders within five times it; the last is to stop them where one does not.
   static constexpr int kOrdersOfAnUndo = 6;
 
   /// Steer() may take `timeout` so many times: to be done, and to be heard of.
@@ -121,6 +122,9 @@ class GcmClient {
   /// where it does not stand.
   void GetCounts(const InterfaceName& required,
                  std::function<void(Result<ConnectionCounts>)> handler);
+  /// What the process of the provided interface has of a connection to another process: its
+  /// capacity and lost events. kNotFound where it has none.
+  void GetServed(const message::Wire& wire, std::function<void(Result<ConnectionCounts>)> handler);
   /// How full the mailboxes of a component are.
   void GetFill(const std::string& process, const std::string& component,
                std::function<void(Result<MailboxFill>)> handler);

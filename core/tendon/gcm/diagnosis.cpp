@@ -29,7 +29,14 @@ class Examination {
     diagnosis_.steps.push_back({Verdict::kBad, text, fix, std::move(details)});
     diagnosis_.failure = Error{code, text + (fix.empty() ? "" : "; " + fix)};
   }
-  void SetConnected() { diagnosis_.is_connected = true; }
+  /// Where the required side is there, which alone knows it: as the catalogue says.
+  void SetConnected(const Catalog& catalog) {
+    const message::Wire& wire = diagnosis_.wire;
+    const ProcessEntry* owner = catalog.FindProcess(wire.required.process);
+    const auto* now = catalog.FindConnection(wire.required);
+    diagnosis_.is_connected = owner != nullptr && IsPresent(owner->process) && now != nullptr &&
+                              now->provided == wire.provided;
+  }
 
   Diagnosis Take() && {
     while (diagnosis_.steps.size() < kSteps.size()) {
@@ -49,7 +56,6 @@ void CheckAbsent(const Catalog& catalog, const message::Wire& wire, const Error&
   if (provider != nullptr && IsPresent(provider->process)) {
     examination.Good("process " + wire.provided.process + " is there");
   }
-  examination.SetConnected();
   examination.Bad(
       missing.code, missing.message,
       "start it: the connection is made when it comes; or take it back: gcm disconnect " +
@@ -87,10 +93,7 @@ void CheckComponents(const ComponentDescription& required, const ComponentDescri
 void CheckFree(const Catalog& catalog, const message::Wire& wire, Examination& examination) {
   const auto* connection = catalog.FindConnection(wire.required);
   if (connection == nullptr) return examination.Good(ToString(wire.required) + " is free");
-  if (connection->provided == wire.provided) {
-    examination.SetConnected();
-    return examination.Good("the connection is wanted");
-  }
+  if (connection->provided == wire.provided) return examination.Good("the connection is wanted");
   examination.Bad(ErrorCode::kExists,
                   ToString(wire.required) + " is connected to " + ToString(connection->provided),
                   "disconnect it first: gcm disconnect " + ToString(wire.required));
@@ -141,6 +144,39 @@ void CheckConnection(const Catalog& catalog, const message::Wire& wire, Examinat
                   "disconnect it: gcm disconnect " + ToString(wire.required));
 }
 
+Remainder LeftAtRequired(const Catalog& catalog, const message::Wire& wire) {
+  using Kind = Remainder::Verdict;
+  const std::string& process = wire.required.process;
+  const ProcessEntry* entry = catalog.FindProcess(process);
+  if (entry == nullptr || !IsPresent(entry->process)) {
+    return {process, Kind::kUnknown, "not known, for process '" + process + "' is not there"};
+  }
+  const auto* other = catalog.FindConnection(wire.required);
+  const std::string nothing = "nothing of it is left in " + process;
+  if (other == nullptr) return {process, Kind::kNothing, nothing};
+  return {process, Kind::kNothing,
+          nothing + ", where " + wire.required.component + "/" + wire.required.interface +
+              " is connected to " + ToString(other->provided)};
+}
+
+Remainder LeftAtProvider(const Catalog& catalog, const message::Wire& wire,
+                         const Result<ConnectionCounts>& served) {
+  using Kind = Remainder::Verdict;
+  const std::string& process = wire.provided.process;
+  if (!served && served.error().code != ErrorCode::kNotFound) {
+    return {process, Kind::kUnknown,
+            "not known of " + process + ", which does not tell: " + served.error().message};
+  }
+  const auto* other = catalog.FindConnection(wire.required);
+  const bool serves_another = other != nullptr && other->provided.process == process;
+  if (!served || serves_another) {
+    return {process, Kind::kNothing, "nothing of it is left in " + process};
+  }
+  return {process, Kind::kSomething,
+          process + " still serves " + ToString(wire.required) +
+              ", which asks for nothing; it ends with the link between the two"};
+}
+
 /// The better one is the smaller.
 auto RankOf(const Candidate& candidate) {
   const Compatibility& how = candidate.compatibility;
@@ -154,6 +190,7 @@ Result<Diagnosis> Diagnose(const Catalog& catalog, const message::Wire& wire) {
   if (!required) return required.error();
   const auto provided = LookUpProvided(catalog, wire.provided);
   Examination examination(wire);
+  examination.SetConnected(catalog);
   if (!provided) {
     const auto* connection = catalog.FindConnection(wire.required);
     if (connection == nullptr || connection->provided != wire.provided) return provided.error();
@@ -186,6 +223,15 @@ void AddRoundTrip(Diagnosis& diagnosis, const Result<std::chrono::microseconds>&
   }
   diagnosis.failure = round_trip.error();
   step = {Verdict::kBad, round_trip.error().message, "look at " + process + ", which may hang", {}};
+}
+
+void AddRemainders(Diagnosis& diagnosis, const Catalog& catalog,
+                   const Result<ConnectionCounts>& served) {
+  const message::Wire& wire = diagnosis.wire;
+  if (diagnosis.is_connected) return;
+  diagnosis.remainders = {LeftAtRequired(catalog, wire)};
+  if (wire.provided.process == wire.required.process) return;
+  diagnosis.remainders.push_back(LeftAtProvider(catalog, wire, served));
 }
 
 Result<std::vector<Candidate>> RankCandidates(const Catalog& catalog,

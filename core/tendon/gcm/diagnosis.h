@@ -24,12 +24,24 @@ struct DiagnosisStep {
   bool operator==(const DiagnosisStep&) const = default;
 };
 
+/// What is left of a connection that does not stand in one of its two processes.
+struct Remainder {
+  enum class Verdict { kNothing, kSomething, kUnknown };
+
+  std::string process;
+  Verdict verdict = Verdict::kUnknown;
+  std::string text;  ///< "nothing of it is left in robot"
+
+  bool operator==(const Remainder&) const = default;
+};
+
 /// Why a connection stands, or does not: the same seven steps in the console and in the window.
 struct Diagnosis {
   message::Wire wire;
-  std::vector<DiagnosisStep> steps;  ///< all seven; those behind a bad one were not reached
-  std::optional<Error> failure;      ///< of the step that is bad
-  bool is_connected = false;         ///< as the wire says; else it could be, if nothing is bad
+  std::vector<DiagnosisStep> steps;   ///< all seven; those behind a bad one were not reached
+  std::optional<Error> failure;       ///< of the step that is bad
+  bool is_connected = false;          ///< as the wire says; else it could be, if nothing is bad
+  std::vector<Remainder> remainders;  ///< of both processes, where it does not stand and was asked
 };
 
 /// Checks what the catalogue knows: processes, components, that the required interface is free,
@@ -40,6 +52,12 @@ Result<Diagnosis> Diagnose(const Catalog& catalog, const message::Wire& wire);
 /// The last step, which a catalogue cannot know: how long the provider's process took to answer, or
 /// why it did not. Does nothing where an earlier step is bad.
 void AddRoundTrip(Diagnosis& diagnosis, const Result<std::chrono::microseconds>& round_trip);
+
+/// Whether both processes are rid of a connection that was refused, or has failed: what the
+/// catalogue says of the required side, and what GcmClient::GetServed() has heard from the
+/// provider. Does nothing where the connection is wanted, so that its required side goes on trying.
+void AddRemainders(Diagnosis& diagnosis, const Catalog& catalog,
+                   const Result<ConnectionCounts>& served);
 
 /// A provided interface that a required one might be connected to.
 struct Candidate {

@@ -2,6 +2,7 @@
 #include <tendon/base/os/file.h>
 #include <tendon/gcm/history.h>
 #include <tendon/payload/json.h>
+#include <tendon/payload/json/strict_json.h>
 
 #include <algorithm>
 #include <fstream>
@@ -13,17 +14,17 @@
 namespace tendon {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Ordered = nlohmann::ordered_json;
 
 std::string LineOf(const message::HistoryEntry& step) {
-  Json line;
+  Ordered line;
   line["id"] = step.id;
   line["verb"] = step.verb;
   if (step.life.process.empty()) {
     line["required"] = ToString(step.wire.required);
     line["provided"] = ToString(step.wire.provided);
   } else {
-    line["life"] = Json::parse(ToJson(step.life));
+    line["life"] = Ordered::parse(ToJson(step.life));
   }
   if (step.verb == "replace") line["former"] = ToString(step.former);
   line["who"] = step.who;
@@ -32,11 +33,11 @@ std::string LineOf(const message::HistoryEntry& step) {
   if (step.is_unknown) line["unknown"] = true;
   if (step.undone) line["undone"] = true;
   if (step.passed_over) line["passed over"] = true;
-  return line.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return line.dump(-1, ' ', false, Ordered::error_handler_t::replace) + "\n";
 }
 
-/// Throws Json::exception where it is not such a line.
-std::optional<message::HistoryEntry> StepOf(const Json& line) {
+/// Throws Ordered::exception where it is not such a line.
+std::optional<message::HistoryEntry> StepOf(const Ordered& line) {
   message::HistoryEntry step;
   step.id = line.at("id").get<std::uint64_t>();
   step.verb = line.at("verb").get<std::string>();
@@ -68,25 +69,48 @@ std::optional<message::HistoryEntry> StepOf(const Json& line) {
 constexpr const char* kUndo = "undo";
 constexpr const char* kPassOver = "pass over";
 
-void MarkIn(std::vector<message::HistoryEntry>& steps, std::uint64_t id, std::string_view what) {
-  for (message::HistoryEntry& step : steps) {
-    if (step.id == id) (what == kUndo ? step.undone : step.passed_over) = true;
+using Undos = std::map<std::uint64_t, UndoMark>;
+
+std::string MarkLine(std::uint64_t id, const char* what, const UndoMark& by) {
+  Ordered line = {{what, id}};
+  if (!by.who.empty()) {
+    line["who"] = by.who;
+    line["when"] = by.when;
   }
+  return line.dump(-1, ' ', false, Ordered::error_handler_t::replace) + "\n";
+}
+
+/// False where there is no such step.
+bool MarkIn(std::vector<message::HistoryEntry>& steps, std::uint64_t id, std::string_view what) {
+  bool is_known = false;
+  for (message::HistoryEntry& step : steps) {
+    if (step.id != id) continue;
+    (what == kUndo ? step.undone : step.passed_over) = true;
+    is_known = true;
+  }
+  return is_known;
 }
 
 /// Adds the line to what is known; false where it does not read.
-bool ReadLine(std::string_view text, std::vector<message::HistoryEntry>& steps) {
+bool ReadLine(std::string_view text, std::vector<message::HistoryEntry>& steps, Undos& undos) {
   try {
-    const Json line = Json::parse(text);
+    const auto parsed = ParseOrderedJson(text);
+    if (!parsed) return false;
+    const Ordered& line = *parsed;
     for (const char* mark : {kUndo, kPassOver}) {
       if (!line.contains(mark)) continue;
-      MarkIn(steps, line.at(mark).get<std::uint64_t>(), mark);
+      const auto id = line.at(mark).get<std::uint64_t>();
+      const bool is_known = MarkIn(steps, id, mark);
+      if (line.contains("who")) {
+        UndoMark by{line.at("who").get<std::string>(), line.at("when").get<std::int64_t>()};
+        if (is_known) undos[id] = std::move(by);
+      }
       return true;
     }
     auto step = StepOf(line);
     if (step) steps.push_back(std::move(*step));
     return step.has_value();
-  } catch (const Json::exception&) {
+  } catch (const Ordered::exception&) {
     return false;
   }
 }
@@ -101,9 +125,21 @@ std::string ToString(const message::HistoryEntry& step) {
   return step.verb + " " + ToString(step.wire.required) + " " + ToString(step.wire.provided);
 }
 
-History::History(std::filesystem::path file) : file_(std::move(file)) { Load(); }
+History::History(std::filesystem::path file) : file_(std::move(file)) {
+  Load();
+  writer_.Post([this] { Probe(); });
+}
 
 History::~History() { Close(); }
+
+void History::Probe() const {
+  const auto writable = os::CheckWritable(file_);
+  if (writable) return;
+  Log(LogLevel::kWarning, "gcm",
+      "history is off: " + writable.error().message +
+          "; steps are known, and can be undone, until this GCM ends; make the folder writable, or "
+          "name another one with XDG_STATE_HOME");
+}
 
 void History::Load() {
   std::ifstream stream(file_, std::ios::binary);
@@ -114,7 +150,8 @@ void History::Load() {
   std::size_t unreadable = 0;
   std::size_t begin = 0;
   for (std::size_t end = text.find('\n'); end != text.npos; end = text.find('\n', begin)) {
-    if (!ReadLine(std::string_view(text).substr(begin, end - begin), steps_)) ++unreadable;
+    const auto line = std::string_view(text).substr(begin, end - begin);
+    if (!ReadLine(line, steps_, undos_)) ++unreadable;
     begin = end + 1;
   }
   if (unreadable > 0) {
@@ -141,13 +178,18 @@ void History::Keep(message::HistoryEntry step, std::size_t bytes) {
     if (steps_.size() - gone <= kMaxSteps && all_bytes_ <= kMaxBytes) break;
     all_bytes_ -= bytes_.front();
     bytes_.pop_front();
+    undos_.erase(steps_[gone].id);
   }
   steps_.erase(steps_.begin(), steps_.begin() + static_cast<std::ptrdiff_t>(gone));
 }
 
 std::string History::Text() const {
   std::string text;
-  for (const auto& step : steps_) text += LineOf(step);
+  for (const auto& step : steps_) {
+    text += LineOf(step);
+    const auto undo = undos_.find(step.id);
+    if (undo != undos_.end()) text += MarkLine(step.id, kUndo, undo->second);
+  }
   return text;
 }
 
@@ -176,14 +218,16 @@ std::uint64_t History::Record(message::HistoryEntry step, Done done) {
   return last_id_;
 }
 
-void History::MarkUndone(std::uint64_t id, Done done) { Mark(id, kUndo, std::move(done)); }
+void History::MarkUndone(std::uint64_t id, Done done, const UndoMark& by) {
+  Mark(id, kUndo, std::move(done), by);
+}
 
 void History::MarkPassedOver(std::uint64_t id, Done done) { Mark(id, kPassOver, std::move(done)); }
 
-void History::Mark(std::uint64_t id, const char* what, Done done) {
+void History::Mark(std::uint64_t id, const char* what, Done done, const UndoMark& by) {
   const std::scoped_lock lock(mutex_);
-  MarkIn(steps_, id, what);
-  unwritten_.push_back({Json{{what, id}}.dump() + "\n", std::move(done)});
+  if (MarkIn(steps_, id, what) && !by.who.empty()) undos_[id] = by;
+  unwritten_.push_back({MarkLine(id, what, by), std::move(done)});
   writer_.Post([this] { Write(); });
 }
 
@@ -210,6 +254,12 @@ void History::Write() {
 message::History History::steps() const {
   const std::scoped_lock lock(mutex_);
   return {steps_};
+}
+
+UndoMark History::undo_of(std::uint64_t id) const {
+  const std::scoped_lock lock(mutex_);
+  const auto found = undos_.find(id);
+  return found == undos_.end() ? UndoMark() : found->second;
 }
 
 std::optional<message::HistoryEntry> History::last() const {

@@ -235,6 +235,10 @@ bool IsPresent(const ProcessDescription& process) {
 
 Result<void> RequirePresent(const ProcessDescription& process) {
   if (IsPresent(process)) return {};
+  if (process.state == ProcessState::kStarting) {
+    return Error{ErrorCode::kFailed,
+                 "process '" + process.name + "' is starting; try again when it has joined"};
+  }
   const std::string state = process.state == ProcessState::kLeft ? "has left" : "is lost";
   const std::string reason = process.reason.empty() ? "" : " (" + process.reason + ")";
   return Error{ErrorCode::kFailed,

@@ -57,7 +57,7 @@ Result<InterfaceName> LookUpConnected(const Catalog& catalog, const std::string&
 /// Whether the process can be talked to: it is there, if perhaps a little late.
 [[nodiscard]] bool IsPresent(const ProcessDescription& process);
 
-/// kFailed, "process 'robot' is lost (reason)", unless it is present.
+/// kFailed, "process 'robot' is lost (reason)" or "is starting", unless it is present.
 Result<void> RequirePresent(const ProcessDescription& process);
 
 }  // namespace tendon

@@ -117,8 +117,9 @@ struct LifeStep {
   std::string component;  ///< empty: of the process itself, which was started
   std::string class_name;
   std::string library;
-  std::string configuration;                            ///< "create", "configure": that it has now
-  std::string former;                                   ///< "configure", "remove": that it had
+  std::string configuration;  ///< "create", "configure": that it has now
+  /// "configure", "remove": that it had; "stop": who ended with it, as followers.h has it.
+  std::string former;
   std::string thread;                                   ///< "remove": as LifeOrder has it
   std::string leader;                                   ///< "remove": likewise
   ComponentState state = ComponentState::kConstructed;  ///< before

@@ -42,6 +42,17 @@ ComponentState DesiredFor(ComponentState state) {
   return state;
 }
 
+/// What differs from the defaults, and the policy.
+OrderedJson JsonOf(const ThreadOptions& thread) {
+  const OrderedJson all = OrderedJson::parse(ToJson(thread));
+  const OrderedJson defaults = OrderedJson::parse(ToJson(ThreadOptions()));
+  OrderedJson json;
+  for (const auto& [key, value] : all.items()) {
+    if (key == "policy" || value != defaults.at(key)) json[key] = value;
+  }
+  return json;
+}
+
 OrderedJson JsonOf(const SystemFile::Component& component) {
   OrderedJson json;
   json["name"] = component.name;
@@ -52,7 +63,8 @@ OrderedJson JsonOf(const SystemFile::Component& component) {
     json["configuration"] = OrderedJson::parse(component.configuration);
   }
   if (component.period > 0.0) json["period"] = component.period;
-  if (component.thread) json["thread"] = OrderedJson::parse(ToJson(*component.thread));
+  if (component.thread) json["thread"] = JsonOf(*component.thread);
+  if (!component.runs_after.empty()) json["runs_after"] = component.runs_after;
   const ComponentState desired = DesiredFor(component.state);
   if (desired != ComponentState::kActive) json["state"] = ToString(desired);
   AddComment(json, component.comment);
@@ -129,7 +141,7 @@ Result<std::string> ReadSystemText(const fs::path& path) {
   }
   if (reason) return Refused(path, reason.message());
   if (status.type() != fs::file_type::regular) return Refused(path, "is no regular file");
-  return ReadBytes(path);
+  return os::ReadUnchanged(path, [&path] { return ReadBytes(path); });
 }
 
 Result<SystemFile> ReadSystemFile(const fs::path& path) {

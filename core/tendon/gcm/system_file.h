@@ -33,13 +33,14 @@ namespace tendon {
 ///     }
 ///
 /// A component may also have "configuration" (what its constructor is given), "period" (s, which
-/// its class has chosen: to compare, not to set), "thread" (fields of ThreadOptions), and "state":
-/// "active" unless it says "suspended", "finished" or "constructed". A "class" of null is that of a
-/// component which its own program makes. A process with "start", such as {"restart": "on-failure"}
-/// or {}, which is to restart never, is an `lcm` that the GCM starts on its own host. Everything
-/// may have a "comment". What a component may have may be missing, and so may "connections" and
-/// "layout". After which other one a component runs is no part of a file: programs and
-/// configurations say that.
+/// its class has chosen: to compare, not to set), "thread" (fields of ThreadOptions), "runs_after"
+/// (a task of its process, in whose thread and cycle it runs), and "state": "active" unless it says
+/// "suspended", "finished" or "constructed". One that has "thread", but not "runs_after", runs in a
+/// thread of its own; one that has neither runs as its class chooses. A "class" of null is that of
+/// a component which its own program makes. A process with "start", such as {"restart":
+/// "on-failure"} or {}, which is to restart never, is an `lcm` that the GCM starts on its own host.
+/// Everything may have a "comment". What a component may have may be missing, and so may
+/// "connections" and "layout".
 struct SystemFile {
   /// One to make, and how.
   struct Component {
@@ -49,9 +50,13 @@ struct SystemFile {
     std::string configuration;  ///< JSON text for the class to check, or empty for its defaults
     double period = 0.0;        ///< s; 0 where it is not known, or has none
     std::optional<ThreadOptions> thread{};
+    std::string runs_after{};  ///< the component after which it runs, or empty
     /// The desired one of kDesirable; any, where it was taken from what runs.
     ComponentState state = ComponentState::kActive;
     std::string comment{};
+
+    /// Whether it is known in which thread it runs.
+    [[nodiscard]] bool tells_thread() const { return thread || !runs_after.empty(); }
 
     bool operator==(const Component&) const = default;
   };

@@ -1,5 +1,6 @@
 #include <tendon/base/printable.h>
 #include <tendon/gcm/system/file_object.h>
+#include <tendon/gcm/system/leaders.h>
 #include <tendon/gcm/system/system_index.h>
 #include <tendon/gcm/system_file.h>
 #include <tendon/payload/json.h>
@@ -9,6 +10,7 @@
 #include <array>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <utility>
 
 namespace tendon {
@@ -31,7 +33,7 @@ std::optional<ThreadOptions> ReadThread(const FileObject& object, const std::str
   const auto options = FromJson<ThreadOptions>(merged.dump());
   if (!options) Refuse(place, options.error().message);
   try {
-    CheckThreadOptions(*options, task);
+    CheckThreadRanges(*options, task);  // the file may be for another machine
   } catch (const ConfigurationError& mistake) {
     Refuse(place, mistake.what());
   }
@@ -63,7 +65,7 @@ ComponentState ReadState(const FileObject& object) {
 /// null: its own program makes it, and nobody else can.
 std::string ReadClass(const FileObject& object) {
   if (object.Get("class").is_null()) {
-    for (const char* key : {"library", "configuration", "thread"}) {
+    for (const char* key : {"library", "configuration", "thread", "runs_after"}) {
       if (object.Find(key) == nullptr) continue;
       Refuse(object.Place(key),
              "a component without a class is made by its own program, which "
@@ -75,9 +77,9 @@ std::string ReadClass(const FileObject& object) {
 }
 
 SystemFile::Component ReadComponent(const Json& json, const std::string& place) {
-  const FileObject object(
-      json, place,
-      {"name", "class", "library", "configuration", "period", "thread", "state", "comment"});
+  const FileObject object(json, place,
+                          {"name", "class", "library", "configuration", "period", "thread",
+                           "runs_after", "state", "comment"});
   SystemFile::Component component;
   component.name = object.Name("name", "component");
   component.class_name = ReadClass(object);
@@ -91,9 +93,28 @@ SystemFile::Component ReadComponent(const Json& json, const std::string& place) 
   }
   component.period = object.Period("period");
   component.thread = ReadThread(object, component.name);
+  if (object.Find("runs_after") != nullptr) {
+    component.runs_after = object.Name("runs_after", "component");
+  }
   component.state = ReadState(object);
   component.comment = object.Comment();
   return component;
+}
+
+/// That each one runs after another one of the process, and none after itself in the end.
+void CheckLeaders(const std::vector<SystemFile::Component>& components, const FileObject& process) {
+  std::vector<std::string> names;
+  for (const auto& one : components) names.push_back(one.name);
+  const std::set<std::string> known(names.begin(), names.end());
+  for (std::size_t i = 0; i < components.size(); ++i) {
+    const std::string& leader = components[i].runs_after;
+    if (leader.empty() || known.contains(leader)) continue;
+    Refuse(process.Place("components") + "[" + std::to_string(i) + "].runs_after",
+           "the process has no component '" + leader + "'" + DidYouMean(leader, names));
+  }
+  if (const std::string ring = FindRingIn(components); !ring.empty()) {
+    Refuse(process.Place("components"), "runs_after leads around in a ring: " + ring);
+  }
 }
 
 /// Of a process that the GCM starts, as an `lcm`.
@@ -113,6 +134,7 @@ SystemFile::Process ReadProcess(const Json& json, const std::string& place) {
     process.components.push_back(ReadComponent(element, at));
     names.Add(process.components.back().name, at + ".name");
   });
+  CheckLeaders(process.components, object);
   if (const Json* start = object.Find("start")) process.start = ReadStart(*start, object);
   const auto is_made_by_its_program = [](const auto& one) { return one.class_name.empty(); };
   if (process.start && std::ranges::any_of(process.components, is_made_by_its_program)) {

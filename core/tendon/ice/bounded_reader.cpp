@@ -2,13 +2,10 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cstring>
 #include <limits>
 
 namespace tendon::ice {
 namespace {
-
-constexpr std::uint8_t kLongSize = 255;
 
 void AppendInt(std::int32_t value, Bytes& bytes) {
   const auto raw = std::as_bytes(std::span(&value, 1));
@@ -16,37 +13,6 @@ void AppendInt(std::int32_t value, Bytes& bytes) {
 }
 
 }  // namespace
-
-std::optional<std::uint8_t> BoundedReader::ReadByte() {
-  const auto bytes = ReadBytes(1);
-  if (!bytes) return std::nullopt;
-  return std::to_integer<std::uint8_t>(bytes->front());
-}
-
-std::optional<std::int32_t> BoundedReader::ReadInt() {
-  std::int32_t value = 0;
-  const auto bytes = ReadBytes(sizeof(value));
-  if (!bytes) return std::nullopt;
-  std::memcpy(&value, bytes->data(), sizeof(value));
-  return value;
-}
-
-std::optional<std::size_t> BoundedReader::ReadSize() {
-  const auto first = ReadByte();
-  if (!first) return std::nullopt;
-  if (*first < kLongSize)
-    return *first <= rest_.size() ? std::optional<std::size_t>(*first) : std::nullopt;
-  const auto size = ReadInt();
-  if (!size || *size < 0 || static_cast<std::size_t>(*size) > rest_.size()) return std::nullopt;
-  return static_cast<std::size_t>(*size);
-}
-
-std::optional<std::span<const std::byte>> BoundedReader::ReadBytes(std::size_t size) {
-  if (size > rest_.size()) return std::nullopt;
-  const auto bytes = rest_.first(size);
-  rest_ = rest_.subspan(size);
-  return bytes;
-}
 
 std::optional<std::span<const std::byte>> ReadOnlyParameter(
     std::span<const std::byte> encapsulation) {
@@ -66,6 +32,7 @@ std::optional<std::span<const std::byte>> ReadOnlyParameter(
 
 void WriteOnlyParameter(std::span<const std::byte> parameter, Bytes& encapsulation) {
   constexpr std::size_t kHeader = 6;
+  constexpr std::size_t kLongSize = BoundedReader::kLongSize;
   const std::size_t prefix = parameter.size() < kLongSize ? 1 : 5;
   const std::size_t total = kHeader + prefix + parameter.size();
   assert(total <= std::numeric_limits<std::int32_t>::max());
@@ -74,8 +41,7 @@ void WriteOnlyParameter(std::span<const std::byte> parameter, Bytes& encapsulati
   AppendInt(static_cast<std::int32_t>(total), encapsulation);
   encapsulation.push_back(std::byte{1});
   encapsulation.push_back(std::byte{1});
-  encapsulation.push_back(
-      static_cast<std::byte>(std::min<std::size_t>(parameter.size(), kLongSize)));
+  encapsulation.push_back(static_cast<std::byte>(std::min(parameter.size(), kLongSize)));
   if (prefix > 1) AppendInt(static_cast<std::int32_t>(parameter.size()), encapsulation);
   encapsulation.insert(encapsulation.end(), parameter.begin(), parameter.end());
 }

@@ -3,9 +3,9 @@
 #include <tendon/middleware/frame.h>
 
 #include <cstdint>
+#include <cstring>
 #include <optional>
 #include <span>
-#include <string>
 
 namespace tendon::ice {
 
@@ -15,12 +15,36 @@ class BoundedReader {
  public:
   explicit BoundedReader(std::span<const std::byte> bytes) : rest_(bytes) {}
 
-  std::optional<std::uint8_t> ReadByte();
-  std::optional<std::int32_t> ReadInt();
+  std::optional<std::uint8_t> ReadByte() {
+    const auto bytes = ReadBytes(1);
+    if (!bytes) return std::nullopt;
+    return std::to_integer<std::uint8_t>(bytes->front());
+  }
+  std::optional<std::int32_t> ReadInt() {
+    std::int32_t value = 0;
+    const auto bytes = ReadBytes(sizeof value);
+    if (!bytes) return std::nullopt;
+    std::memcpy(&value, bytes->data(), sizeof value);
+    return value;
+  }
   /// A byte, or 255 and an int; never more than what is left.
-  std::optional<std::size_t> ReadSize();
-  std::optional<std::span<const std::byte>> ReadBytes(std::size_t size);
+  std::optional<std::size_t> ReadSize() {
+    const auto first = ReadByte();
+    if (!first) return std::nullopt;
+    const std::optional<std::int32_t> size = *first < kLongSize ? *first : ReadInt();
+    if (!size || *size < 0 || static_cast<std::size_t>(*size) > rest_.size()) return std::nullopt;
+    return static_cast<std::size_t>(*size);
+  }
+  std::optional<std::span<const std::byte>> ReadBytes(std::size_t size) {
+    if (size > rest_.size()) return std::nullopt;
+    const auto bytes = rest_.first(size);
+    rest_ = rest_.subspan(size);
+    return bytes;
+  }
   [[nodiscard]] bool AtEnd() const { return rest_.empty(); }
+
+  /// What the byte is where an int says the size.
+  static constexpr std::uint8_t kLongSize = 255;
 
  private:
   std::span<const std::byte> rest_;

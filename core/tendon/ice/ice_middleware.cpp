@@ -235,6 +235,8 @@ class IceMiddleware final : public Middleware {
 }  // namespace
 }  // namespace ice
 
+std::string IceVersion() { return ICE_STRING_VERSION; }
+
 std::unique_ptr<Middleware> MakeIceMiddleware(Exposure exposure) {
   return std::make_unique<ice::IceMiddleware>(exposure, nullptr);
 }

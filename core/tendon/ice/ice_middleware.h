@@ -4,6 +4,7 @@
 #include <tendon/security/credentials.h>
 
 #include <memory>
+#include <string>
 
 namespace tendon {
 
@@ -17,5 +18,8 @@ std::unique_ptr<Middleware> MakeIceMiddleware(Exposure exposure);
 /// the same CA. The list of the revoked is read anew for each link. kDenied, kNotFound or kInvalid
 /// where one's own certificate is not good.
 Result<std::unique_ptr<Middleware>> MakeIceMiddleware(const Credentials& credentials);
+
+/// Of the Ice that this was built with: "3.7.8".
+std::string IceVersion();
 
 }  // namespace tendon

@@ -1,7 +1,9 @@
 #include <tendon/base/os/socket.h>
 #include <tendon/ice/bounded_reader.h>
 #include <tendon/ice/links.h>
+#include <tendon/ice/outgoing_message.h>
 #include <tendon/ice/tls.h>
+#include <tendon/middleware/body.h>
 
 #include <algorithm>
 #include <utility>
@@ -41,6 +43,28 @@ Ends EndsOf(const Ice::Connection& connection) {
   return {};
 }
 
+/// What is thrown at the peer while it answers; empty where the link broke, or is about to.
+std::string FailureOfPeer(const Ice::Exception& why) {
+  if (const auto* unknown = dynamic_cast<const Ice::UnknownException*>(&why)) {
+    return unknown->unknown;
+  }
+  return dynamic_cast<const Ice::RequestFailedException*>(&why) != nullptr ? why.what() : "";
+}
+
+/// Instead of an answer to `question`.
+Bytes RefusalOf(const FrameHeader& question, const std::string& peer, const std::string& failure) {
+  const Bytes body = EncodeBody(Error{
+      ErrorCode::kFailed, peer + " failed while it answered: " + failure + "; outcome unknown"});
+  FrameHeader header;
+  header.version = question.version;
+  header.type = MessageType::kRefusal;
+  header.request = question.request;
+  header.size = static_cast<std::uint32_t>(body.size());
+  Bytes refusal;
+  WriteFrame(header, body, refusal);
+  return refusal;
+}
+
 /// Of a link that is about to be closed.
 bool IsUnheard(const std::string& local, const std::string& peer) {
   const auto here = ParseAddress(local, 1);
@@ -75,13 +99,12 @@ IceLink::IceLink(std::shared_ptr<Ice::Connection> connection, std::uint64_t door
 Status IceLink::Send(std::span<const std::byte> frame) {
   if (!ReadWholeFrame(frame)) return Status::kInvalid;
   const std::scoped_lock sending(sending_);
-  if (const Status may = MaySend(frame.size()); !may) return may;
-  while (frame.size() > kMaxMessageSize) {
-    const Status sent = SendMessage("part", frame.first(kMaxMessageSize));
+  std::size_t whole = frame.size();
+  for (; frame.size() > kMaxMessageSize; frame = frame.subspan(kMaxMessageSize), whole = 0) {
+    const Status sent = Begin(oneway_, "part", frame.first(kMaxMessageSize), whole);
     if (!sent) return sent;
-    frame = frame.subspan(kMaxMessageSize);
   }
-  return SendMessage("frame", frame);
+  return Begin(oneway_, "frame", frame, whole);
 }
 
 /// A two-way call of Ice, which brings the answer with it if there is one at once: no thread has to
@@ -89,78 +112,63 @@ Status IceLink::Send(std::span<const std::byte> frame) {
 /// Ice would not close the connection of a peer that has vanished.
 Status IceLink::Ask(std::span<const std::byte> frame) {
   if (door_ != 0 || frame.size() > kMaxMessageSize) return Send(frame);
-  if (!ReadWholeFrame(frame)) return Status::kInvalid;
+  const auto header = ReadWholeFrame(frame);
+  if (!header) return Status::kInvalid;
   const std::scoped_lock sending(sending_);
-  if (const Status may = MaySend(frame.size()); !may) return may;
-  return Invoke(
-      two_way_, "ask", frame,
-      [self = shared_from_this(), size = frame.size()](
-          bool /*ok*/, const std::pair<const Ice::Byte*, const Ice::Byte*>& answer) {
-        self->OnSent(size);
-        self->OnAnswer(std::as_bytes(std::span(answer.first, answer.second)));
-      },
-      nullptr);
+  return Begin(two_way_, "ask", frame, frame.size(), *header);
 }
 
-Status IceLink::MaySend(std::size_t size) {
-  const std::scoped_lock lock(mutex_);
-  if (reason_) return Status::kNotConnected;
-  return unsent_ != 0 && unsent_ + size > kSendWindow ? Status::kQueueFull : Status::kQueued;
-}
-
-Status IceLink::SendMessage(const std::string& operation, std::span<const std::byte> bytes) {
-  return Invoke(oneway_, operation, bytes, nullptr,
-                [self = shared_from_this(), size = bytes.size()](bool /*at once*/) {
-                  self->OnSent(size);
-                  self->OnReturned(0);
-                });
-}
-
-/// Either of the two must call OnSent(), where they are called.
-template <typename Answered, typename Sent>
-Status IceLink::Invoke(const std::shared_ptr<Ice::ObjectPrx>& peer, const std::string& operation,
-                       std::span<const std::byte> bytes, Answered answered, Sent sent) {
-  const std::size_t size = bytes.size();
-  {
-    const std::scoped_lock lock(mutex_);
-    unsent_ += size;
-  }
-  thread_local Bytes parameters;
-  WriteOnlyParameter(bytes, parameters);
-  const auto* begin = reinterpret_cast<const Ice::Byte*>(parameters.data());
-  const std::pair<const Ice::Byte*, const Ice::Byte*> range{begin, begin + parameters.size()};
-  const auto failed = [self = shared_from_this(), size](const std::exception_ptr& /*why*/) {
-    self->OnSent(size);
-  };
+/// One message; `whole` is the size of a frame that begins with it, or 0 where it goes on; with
+/// the header of what asks.
+Status IceLink::Begin(const std::shared_ptr<Ice::ObjectPrx>& peer, const std::string& operation,
+                      std::span<const std::byte> bytes, std::size_t whole,
+                      const std::optional<FrameHeader>& question) {
+  const auto message =
+      std::make_shared<OutgoingMessage>(peer, shared_from_this(), bytes.size(), question);
+  if (const Status may = Enter(bytes.size(), whole); !may) return may;
   try {
-    peer->ice_invokeAsync(operation, Ice::OperationMode::Normal, range, answered, failed, sent);
+    message->Send(operation, bytes);
   } catch (const Ice::Exception&) {
-    OnSent(size);
+    OnNotSent(bytes.size());
     return Status::kNotConnected;
   }
   return Status::kQueued;
 }
 
+/// The rest of a frame goes the way of its beginning: whoever was told kQueued hears no other word,
+/// though the peer may have ended the link because of what has come so far.
+Status IceLink::Enter(std::size_t size, std::size_t whole) {
+  const std::scoped_lock lock(mutex_);
+  if (whole != 0) {
+    if (reason_) return Status::kNotConnected;
+    if (unsent_ != 0 && unsent_ + whole > kSendWindow) return Status::kQueueFull;
+  }
+  unsent_ += size;
+  return Status::kQueued;
+}
+
 void IceLink::OnSent(std::size_t size) {
+  OnNotSent(size);
+  returned_.Set(0);
+}
+
+void IceLink::OnNotSent(std::size_t size) {
   const std::scoped_lock lock(mutex_);
   unsent_ -= size;
 }
 
-bool IceLink::MayReturn() {
-  constexpr std::size_t kMostReturned = std::size_t{1} << 20U;
-  const std::scoped_lock lock(mutex_);
-  return returned_ < kMostReturned;
-}
-
-void IceLink::OnReturned(std::size_t size) {
-  const std::scoped_lock lock(mutex_);
-  returned_ = size == 0 ? 0 : returned_ + size;
+void IceLink::OnFailed(std::size_t size, const std::optional<FrameHeader>& question,
+                       const Ice::Exception& why) {
+  OnNotSent(size);
+  const std::string failure = question ? FailureOfPeer(why) : std::string();
+  if (!failure.empty()) Deliver(RefusalOf(*question, peer_, failure), Piece::kWhole);
 }
 
 bool IceLink::StartClosing(const Error& reason) {
   const std::scoped_lock lock(mutex_);
   if (reason_) return false;
   reason_ = reason;
+  limit_.Set(0);
   return true;
 }
 
@@ -188,7 +196,7 @@ void IceLink::SetHandler(std::shared_ptr<LinkHandler> handler) {
 void IceLink::Admit() {
   {
     const std::scoped_lock lock(mutex_);
-    limit_ = kMaxFrameSize;
+    if (!reason_) limit_.Set(kMaxFrameSize);
   }
   connection_->setHeartbeatCallback(nullptr);
 }
@@ -196,47 +204,48 @@ void IceLink::Admit() {
 void IceLink::CheckAdmission() {
   constexpr std::chrono::seconds kPatience(3);
   if (door_ == 0 || SteadyClock().Now() - since_ < kPatience) return;
-  {
-    const std::scoped_lock lock(mutex_);
-    if (limit_ == kMaxFrameSize) return;
-  }
+  if (limit_.Get() == kMaxFrameSize) return;
   Fail({ErrorCode::kTimeout, peer_ + " connected and did not say who it is for 3 s"});
 }
 
-/// Nothing where it is closed, and nothing is heard from it any more.
-std::optional<std::size_t> IceLink::LimitOfOpen() {
-  const std::scoped_lock lock(mutex_);
-  return reason_ ? std::nullopt : std::optional(limit_);
-}
-
-bool IceLink::DeliverWhole(std::span<const std::byte> frame, Bytes* answer) {
+bool IceLink::DeliverAsked(std::span<const std::byte> frame, Bytes& answer) {
+  constexpr std::size_t kMostReturned = std::size_t{1} << 20U;
   const std::scoped_lock delivery(delivery_);
-  const auto limit = LimitOfOpen();
-  if (!limit) return true;
-  if (!ReadWholeFrame(frame) || frame.size() > *limit) return false;
+  const std::size_t limit = limit_.Get();
+  if (limit == 0) return true;
+  if (!ReadWholeFrame(frame) || frame.size() > limit) return false;
   if (!handler_) return true;
-  answer != nullptr ? handler_->OnAsked(frame, *answer) : handler_->OnFrame(frame);
+  const std::size_t returned = returned_.Get();
+  if (returned >= kMostReturned) {
+    handler_->OnFrame(frame);
+    return true;
+  }
+  handler_->OnAsked(frame, answer);
+  // What is sent meanwhile may set it to 0, which goes unnoticed: rather too much is counted.
+  if (!answer.empty()) returned_.Set(returned_.Get() + answer.size());
   return true;
 }
 
-void IceLink::OnAnswer(std::span<const std::byte> answer) {
+void IceLink::OnAnswer(std::size_t size, std::span<const std::byte> answer) {
+  OnNotSent(size);
   const auto frame = ReadOnlyParameter(answer);
-  if (frame && (frame->empty() || DeliverWhole(*frame, nullptr))) return;
+  if (frame && (frame->empty() || Deliver(*frame, Piece::kWhole))) return;
   Fail(NoFrame(peer_));
 }
 
-bool IceLink::Deliver(std::span<const std::byte> bytes, bool is_end) {
+bool IceLink::Deliver(std::span<const std::byte> bytes, Piece piece) {
   const std::scoped_lock delivery(delivery_);
-  const auto limit = LimitOfOpen();
-  if (!limit) return true;
-  if (!is_end || !begun_.empty()) {
-    if (!AddPart(bytes, *limit)) return false;
-    if (!is_end) return true;
+  const std::size_t limit = limit_.Get();
+  if (limit == 0) return true;
+  const bool completes = piece == Piece::kEnd && !begun_.empty();
+  if (piece == Piece::kPart || completes) {
+    if (!AddPart(bytes, limit)) return false;
+    if (!completes) return true;
     bytes = begun_;
   }
-  if (!ReadWholeFrame(bytes) || bytes.size() > *limit) return false;
+  if (!ReadWholeFrame(bytes) || bytes.size() > limit) return false;
   if (handler_) handler_->OnFrame(bytes);
-  Bytes().swap(begun_);
+  if (completes) Bytes().swap(begun_);
   return true;
 }
 

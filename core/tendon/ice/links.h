@@ -2,6 +2,7 @@
 
 #include <Ice/Ice.h>
 #include <tendon/base/clock.h>
+#include <tendon/lockfree/flag.h>
 #include <tendon/middleware/middleware.h>
 
 #include <condition_variable>
@@ -21,7 +22,7 @@ inline constexpr std::size_t kMaxMessageSize = std::size_t{256} << 10U;
 
 class Links;
 
-/// One connection of Ice, either end of it. Callbacks of Ice hold it by shared pointers only.
+/// One connection of Ice, either end of it. What Ice calls back holds it by shared pointers only.
 class IceLink final : public Link, public std::enable_shared_from_this<IceLink> {
  public:
   /// `door` names the listener that accepted it, or is 0.
@@ -39,34 +40,39 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
 
   /// Before the first frame is delivered.
   void SetHandler(std::shared_ptr<LinkHandler> handler);
-  /// One message: a frame, or the end of one, or a part of it that is not the end. False where it
-  /// makes no frame that the peer may send.
-  bool Deliver(std::span<const std::byte> bytes, bool is_end);
-  /// A whole frame, which answers what was asked here; or where `answer` is not null asks, and that
-  /// gets the answer, if there is one yet. Likewise.
-  bool DeliverWhole(std::span<const std::byte> frame, Bytes* answer);
-  /// Whether an answer may go back with the call that asked. Ice does not tell when such a one has
-  /// left, and keeps as many as there are: beyond 1 MiB, answers go by Send() and its window.
-  bool MayReturn();
-  /// So many bytes do; 0: something behind all of them has left.
-  void OnReturned(std::size_t size);
+  /// What a message is of a frame: a part that is not the end; the end, or all of one that was not
+  /// begun; all of one, whether another was begun or not.
+  enum class Piece { kPart, kEnd, kWhole };
+  /// One message. False where it makes no frame that the peer may send.
+  bool Deliver(std::span<const std::byte> bytes, Piece piece);
+  /// A whole frame that asks, and gets the answer, if there is one yet, where that may go back with
+  /// the call. Ice does not tell when such a one has left, and keeps as many as there are: beyond 1
+  /// MiB, answers go by Send() and its window. Likewise.
+  bool DeliverAsked(std::span<const std::byte> frame, Bytes& answer);
   /// Closes because of what the peer did, after answering it.
   void Fail(const Error& reason);
   void CloseAtOnce();
 
+  // One of these for each message that was begun, of the size it had.
+
+  /// It has left, and so has what was returned before.
+  void OnSent(std::size_t size);
+  /// It has not, or its answer is missing: `question` is refused where the peer has thrown.
+  void OnFailed(std::size_t size, const std::optional<FrameHeader>& question,
+                const Ice::Exception& why);
+  /// It was answered: with one parameter, a frame or nothing.
+  void OnAnswer(std::size_t size, std::span<const std::byte> answer);
+
  private:
   friend class Links;
 
-  Status MaySend(std::size_t size);
-  Status SendMessage(const std::string& operation, std::span<const std::byte> bytes);
-  template <typename Answered, typename Sent>
-  Status Invoke(const std::shared_ptr<Ice::ObjectPrx>& peer, const std::string& operation,
-                std::span<const std::byte> bytes, Answered answered, Sent sent);
-  void OnAnswer(std::span<const std::byte> answer);
+  Status Begin(const std::shared_ptr<Ice::ObjectPrx>& peer, const std::string& operation,
+               std::span<const std::byte> bytes, std::size_t whole,
+               const std::optional<FrameHeader>& question = std::nullopt);
+  Status Enter(std::size_t size, std::size_t whole);
+  void OnNotSent(std::size_t size);
   bool AddPart(std::span<const std::byte> bytes, std::size_t limit);
   bool StartClosing(const Error& reason);
-  void OnSent(std::size_t size);
-  [[nodiscard]] std::optional<std::size_t> LimitOfOpen();
   /// Closes the link when it was accepted too long ago without being admitted.
   void CheckAdmission();
   /// The connection is gone, whatever the cause.
@@ -90,8 +96,9 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
   std::mutex mutex_;
   std::optional<Error> reason_;  // why it is closed, or about to be
   std::size_t unsent_ = 0;       // bytes; those of what was asked, until that is answered
-  std::size_t returned_ = 0;     // bytes, since something was last sent
-  std::size_t limit_ = kMaxStrangersFrameSize;
+
+  Published<std::size_t> limit_{kMaxStrangersFrameSize};  // of a frame; 0 once it is closed
+  Published<std::size_t> returned_;  // bytes, since something was last sent; or more
 };
 
 /// The links of one communicator. Thread-safe.

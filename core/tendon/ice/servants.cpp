@@ -1,7 +1,10 @@
+#include <Ice/Incoming.h>
 #include <tendon/ice/bounded_reader.h>
 #include <tendon/ice/servants.h>
 
 #include <algorithm>
+#include <array>
+#include <span>
 #include <string_view>
 
 namespace tendon::ice {
@@ -9,11 +12,13 @@ namespace {
 
 constexpr std::string_view kTypes[] = {"::Ice::Object", "::tendon::Endpoint"};
 
-std::vector<Ice::Byte> EncodeNothing() { return {6, 0, 0, 0, 1, 1}; }
-
-std::vector<Ice::Byte> EncodeBool(bool value) {
-  return {7, 0, 0, 0, 1, 1, static_cast<Ice::Byte>(value ? 1 : 0)};
-}
+// As parameters.
+constexpr std::array kNothing{std::byte{6}, std::byte{0}, std::byte{0},
+                              std::byte{0}, std::byte{1}, std::byte{1}};
+constexpr std::array kNo{std::byte{7}, std::byte{0}, std::byte{0}, std::byte{0},
+                         std::byte{1}, std::byte{1}, std::byte{0}};
+constexpr std::array kYes{std::byte{7}, std::byte{0}, std::byte{0}, std::byte{0},
+                          std::byte{1}, std::byte{1}, std::byte{1}};
 
 /// The peer reads it where it waits for an answer. (Ice asks for a file and a line.)
 [[noreturn]] void CutOff(IceLink& link, const std::string& what) {
@@ -21,23 +26,15 @@ std::vector<Ice::Byte> EncodeBool(bool value) {
   throw Ice::MarshalException("tendon", 0, what);
 }
 
-std::vector<Ice::Byte> EncodeSequence(std::span<const std::byte> sequence) {
-  thread_local Bytes encoded;
-  WriteOnlyParameter(sequence, encoded);
-  const auto* begin = reinterpret_cast<const Ice::Byte*>(encoded.data());
-  return {begin, begin + encoded.size()};
-}
-
-/// What goes back at once: nothing, or one message. Holds until this thread asks again.
-std::span<const std::byte> Ask(IceLink& link, std::span<const std::byte> frame, bool is_two_way) {
+/// What goes back at once, as a parameter: nothing, or one frame. Holds until this thread asks
+/// again.
+std::span<const std::byte> Ask(IceLink& link, std::span<const std::byte> frame) {
   thread_local Bytes answer;
+  thread_local Bytes encoded;
   answer.clear();
-  const bool may_return = is_two_way && link.MayReturn();
-  if (!link.DeliverWhole(frame, may_return ? &answer : nullptr)) {
-    CutOff(link, NoFrame(link.peer()).message);
-  }
-  if (!answer.empty()) link.OnReturned(answer.size());
-  return answer;
+  if (!link.DeliverAsked(frame, answer)) CutOff(link, NoFrame(link.peer()).message);
+  WriteOnlyParameter(answer, encoded);
+  return encoded;
 }
 
 bool IsA(std::span<const std::byte> type) {
@@ -47,14 +44,25 @@ bool IsA(std::span<const std::byte> type) {
 
 }  // namespace
 
-bool EndpointServant::ice_invoke(std::pair<const Ice::Byte*, const Ice::Byte*> parameters,
-                                 std::vector<Ice::Byte>& answer, const Ice::Current& current) {
+bool EndpointServant::_iceDispatch(IceInternal::Incoming& incoming, const Ice::Current& current) {
+  const Ice::Byte* begin = nullptr;
+  Ice::Int size = 0;
+  incoming.readParamEncaps(begin, size);
+  const auto parameters = std::as_bytes(std::span(begin, static_cast<std::size_t>(size)));
+  const auto answer = Dispatch(parameters, current);
+  incoming.writeParamEncaps(reinterpret_cast<const Ice::Byte*>(answer.data()),
+                            static_cast<Ice::Int>(answer.size()), true);
+  return true;
+}
+
+/// Its answer, which a oneway does not get. Holds until this thread dispatches again.
+std::span<const std::byte> EndpointServant::Dispatch(std::span<const std::byte> parameters,
+                                                     const Ice::Current& current) {
   const auto link = LinkOf(current.con);
   if (!link) {
     throw Ice::ObjectNotExistException("tendon", 0, current.id, current.facet, current.operation);
   }
-  if (current.requestId != 0) answer = EncodeNothing();
-  if (current.operation == "ice_ping") return true;
+  if (current.operation == "ice_ping") return kNothing;
   const bool is_frame = current.operation == "frame";
   const bool is_part = current.operation == "part";
   const bool is_ask = current.operation == "ask";
@@ -62,17 +70,15 @@ bool EndpointServant::ice_invoke(std::pair<const Ice::Byte*, const Ice::Byte*> p
     throw Ice::OperationNotExistException("tendon", 0, current.id, current.facet,
                                           current.operation);
   }
-  const auto parameter =
-      ReadOnlyParameter(std::as_bytes(std::span(parameters.first, parameters.second)));
+  const auto parameter = ReadOnlyParameter(parameters);
   if (!parameter) CutOff(*link, "the parameters of '" + current.operation + "' are malformed");
-  if (is_ask) {
-    answer = EncodeSequence(Ask(*link, *parameter, current.requestId != 0));
-  } else if (!is_frame && !is_part) {
-    answer = EncodeBool(IsA(*parameter));
-  } else if (!link->Deliver(*parameter, is_frame)) {
-    CutOff(*link, NoFrame(link->peer()).message);
-  }
-  return true;
+  using Piece = IceLink::Piece;
+  const bool is_two_way = current.requestId != 0;
+  if (is_ask && is_two_way) return Ask(*link, *parameter);
+  if (current.operation == "ice_isA") return IsA(*parameter) ? kYes : kNo;
+  const Piece piece = is_ask ? Piece::kWhole : is_part ? Piece::kPart : Piece::kEnd;
+  if (!link->Deliver(*parameter, piece)) CutOff(*link, NoFrame(link->peer()).message);
+  return kNothing;
 }
 
 std::shared_ptr<IceLink> EndpointServant::LinkOf(

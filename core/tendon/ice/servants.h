@@ -3,22 +3,22 @@
 #include <Ice/Ice.h>
 #include <tendon/ice/links.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <utility>
-#include <vector>
 
 namespace tendon::ice {
 
 /// The endpoint of slice/tendon.ice, dispatched by hand: hands each frame to the link of the
 /// connection it came on.
-class EndpointServant : public Ice::BlobjectArray {
+class EndpointServant : public Ice::Object {
  public:
   explicit EndpointServant(std::shared_ptr<Links> links) : links_(std::move(links)) {}
 
-  bool ice_invoke(std::pair<const Ice::Byte*, const Ice::Byte*> parameters,
-                  std::vector<Ice::Byte>& answer, const Ice::Current& current) override;
+  bool _iceDispatch(IceInternal::Incoming& incoming, const Ice::Current& current) override;
 
  protected:
   /// The link of a connection; null where there is none.
@@ -27,6 +27,9 @@ class EndpointServant : public Ice::BlobjectArray {
   [[nodiscard]] const std::shared_ptr<Links>& links() const { return links_; }
 
  private:
+  std::span<const std::byte> Dispatch(std::span<const std::byte> parameters,
+                                      const Ice::Current& current);
+
   const std::shared_ptr<Links> links_;
 };
 

@@ -3,25 +3,25 @@
 #include <tendon/lockfree/atomics.h>
 
 #include <atomic>
-#include <cassert>
 #include <cstdint>
 
 namespace tendon {
 
 /// A pointer that one thread uses in its calls while another replaces it and must know when the old
-/// object is no longer in use. The calling side pays two plain stores; the replacing side pays for
-/// both with a barrier through the whole process.
+/// object is no longer in use. The calling side pays three plain stores; the replacing side pays
+/// for both with a barrier through the whole process.
 ///
 /// Thread safety: Calls by one thread (nested ones too); Exchange() and Get() by other threads, one
 /// at a time, never from inside a call, for which they would wait for ever.
 ///
-/// The in-call word counts up when the outermost call begins (odd) and ends (even):
-///  - the call makes the word odd, then loads the pointer;
+/// The in-call word says which object the thread uses:
+///  - the call says that it uses one, then loads the pointer, then says which. Where calls that are
+///    nested use different ones it is left at that it uses some;
 ///  - the exchange stores the pointer, then reads the word. The process barrier between stands for
 ///    a full fence in the call as well: either the exchange sees the call, or the call sees the new
 ///    pointer;
-///  - a word that was odd and has changed belongs to a later call, which has the new pointer. So a
-///    thread that calls without a break cannot hold the exchange up.
+///  - whoever uses the new object does not hold the exchange up, however long: neither a thread
+///    that calls without a break nor a call that waits for somebody.
 template <typename T, typename Atomics = StdAtomics>
 class GuardedPointer {
  public:
@@ -34,14 +34,14 @@ class GuardedPointer {
    public:
     explicit Call(GuardedPointer& guarded) noexcept
         : guarded_(guarded), before_(guarded.in_call_.load(std::memory_order_relaxed)) {  // its own
-      guarded_.in_call_.store(before_ | 1U, std::memory_order_release);                   // (B)
-      Atomics::CompilerFence();  // with (C) a full fence: odd before the pointer is loaded
+      guarded_.in_call_.store(kSomeObject, std::memory_order_release);
+      Atomics::CompilerFence();  // with (C) a full fence: told before the pointer is loaded
       object_ = guarded_.pointer_.load(std::memory_order_acquire);  // pairs with (A)
+      const std::uintptr_t word = WordOf(object_);
+      const bool is_only_one = before_ == kNoObject || before_ == word;
+      guarded_.in_call_.store(is_only_one ? word : kSomeObject, std::memory_order_release);  // (B)
     }
-    ~Call() {
-      // Where it was even, the next even one; a nested call leaves it odd. Without a branch.
-      guarded_.in_call_.store(before_ + 2 * (~before_ & 1U), std::memory_order_release);  // (B)
-    }
+    ~Call() { guarded_.in_call_.store(before_, std::memory_order_release); }  // (B)
     Call(const Call&) = delete;
     Call& operator=(const Call&) = delete;
 
@@ -50,12 +50,12 @@ class GuardedPointer {
 
    private:
     GuardedPointer& guarded_;
-    std::uint64_t before_;  // the in-call word
+    std::uintptr_t before_;  // the in-call word
     T* object_;
   };
 
   /// Makes `next` the object of all further calls, waits until no call uses the old one, and
-  /// returns that: the caller may free it. Takes microseconds, and as long as the current call.
+  /// returns that: the caller may free it. Takes microseconds, and as long as a call that uses it.
   T* Exchange(T* next) noexcept {
     T* const old = Get();
     TryExchange(next, SteadyTime::max());
@@ -67,21 +67,29 @@ class GuardedPointer {
   bool TryExchange(T* next, SteadyTime deadline) noexcept {
     pointer_.store(next, std::memory_order_release);  // (A) publishes the object
     Atomics::ProcessBarrier();                        // (C)
-    const std::uint64_t seen = in_call_.load(std::memory_order_acquire);  // pairs with (B)
-    if (seen % 2 == 0) return true;
-    for (unsigned looks = 0; in_call_.load(std::memory_order_acquire) == seen; ++looks) {  // (B)
+    for (unsigned looks = 0;; ++looks) {
+      const std::uintptr_t word = in_call_.load(std::memory_order_acquire);  // pairs with (B)
+      if (word == kNoObject || word == WordOf(next)) return true;
       if (deadline != SteadyTime::max() && Atomics::Now() >= deadline) return false;
       Atomics::Pause(looks);
     }
-    return true;
   }
 
   /// For the side that replaces.
   [[nodiscard]] T* Get() const noexcept { return pointer_.load(std::memory_order_acquire); }
 
  private:
+  // No word of an object is like these, for objects are aligned.
+  static constexpr std::uintptr_t kNoObject = 0;
+  static constexpr std::uintptr_t kSomeObject = 1;  // not known which, or different ones
+
+  static std::uintptr_t WordOf(T* object) noexcept {
+    static_assert(alignof(T) >= 4);
+    return reinterpret_cast<std::uintptr_t>(object) | 2U;
+  }
+
   typename Atomics::template Atomic<T*> pointer_;
-  typename Atomics::template Atomic<std::uint64_t> in_call_{0};  // stored by the calling thread
+  typename Atomics::template Atomic<std::uintptr_t> in_call_{kNoObject};  // stored by who calls
 };
 
 }  // namespace tendon

@@ -14,13 +14,14 @@ namespace tendon {
 /// Thread safety: Calls by any threads (nested ones too); Exchange() and Get() by one thread at a
 /// time, never from inside a call.
 ///
-/// Calls are counted in one of two places, which the exchange swaps, so that those that begin while
-/// it waits do not hold it up. It waits until it has seen each place at zero: a call that has the
-/// old pointer was counted before the pointer changed, and stays so until it ends.
+/// Calls are counted in one of two places. Which one belongs to the object is said in the lowest
+/// bit of the pointer to it, and changes with each exchange. A call counts, then looks at the
+/// pointer again; where that has changed it begins anew. So all that stay counted in the old place
+/// use the old object, and the exchange waits for them alone.
 template <typename T, typename Atomics = StdAtomics>
 class SharedGuardedPointer {
  public:
-  explicit SharedGuardedPointer(T* initial = nullptr) noexcept : pointer_(initial) {}
+  explicit SharedGuardedPointer(T* initial = nullptr) noexcept : pointer_(WordOf(initial, 0)) {}
   SharedGuardedPointer(const SharedGuardedPointer&) = delete;
   SharedGuardedPointer& operator=(const SharedGuardedPointer&) = delete;
 
@@ -28,45 +29,61 @@ class SharedGuardedPointer {
   class [[nodiscard]] Call {
    public:
     explicit Call(SharedGuardedPointer& guarded) noexcept
-        : running_(guarded.running_[guarded.place_.load(std::memory_order_relaxed)]) {
-      running_.fetch_add(1, std::memory_order_relaxed);
-      Atomics::Fence(std::memory_order_seq_cst);  // pairs with (C): counted, then loaded
-      object_ = guarded.pointer_.load(std::memory_order_acquire);  // pairs with (A)
+        : guarded_(guarded), word_(guarded.pointer_.load(std::memory_order_relaxed)) {
+      while (true) {
+        running().fetch_add(1, std::memory_order_relaxed);
+        Atomics::Fence(std::memory_order_seq_cst);  // pairs with (C): counted, then loaded
+        const std::uintptr_t word = guarded_.pointer_.load(std::memory_order_acquire);  // (A)
+        if (word == word_) return;
+        running().fetch_sub(1, std::memory_order_release);
+        word_ = word;
+      }
     }
-    ~Call() { running_.fetch_sub(1, std::memory_order_release); }  // (B) done with the object
+    ~Call() { running().fetch_sub(1, std::memory_order_release); }  // (B) done with the object
     Call(const Call&) = delete;
     Call& operator=(const Call&) = delete;
 
     /// May be null.
-    [[nodiscard]] T* get() const noexcept { return object_; }
+    [[nodiscard]] T* get() const noexcept { return ObjectOf(word_); }
 
    private:
-    typename Atomics::template Atomic<std::uint32_t>& running_;
-    T* object_;
+    typename Atomics::template Atomic<std::uint32_t>& running() const noexcept {
+      return guarded_.running_[PlaceOf(word_)];
+    }
+
+    SharedGuardedPointer& guarded_;
+    std::uintptr_t word_;
   };
 
   /// Makes `next` the object of all further calls, waits until no call uses the old one, and
-  /// returns that: the caller may free it. As long as the longest current call.
+  /// returns that: the caller may free it. As long as the longest call that uses it.
   T* Exchange(T* next) noexcept {
-    T* const old = pointer_.load(std::memory_order_relaxed);
-    pointer_.store(next, std::memory_order_release);  // (A) publishes the object
-    Atomics::Fence(std::memory_order_seq_cst);        // (C) the pointer is out, then calls are seen
-    const std::size_t first = place_.load(std::memory_order_relaxed);
-    for (const std::size_t place : {first, 1 - first}) {
-      place_.store(1 - place, std::memory_order_relaxed);
-      for (unsigned looks = 0; running_[place].load(std::memory_order_acquire) != 0; ++looks) {
-        Atomics::Pause(looks);  // the load above pairs with (B)
-      }
+    const std::uintptr_t old = pointer_.load(std::memory_order_relaxed);
+    const std::size_t place = PlaceOf(old);
+    pointer_.store(WordOf(next, 1 - place), std::memory_order_release);  // (A) publishes the object
+    Atomics::Fence(std::memory_order_seq_cst);  // (C) the pointer is out, then calls are seen
+    for (unsigned looks = 0; running_[place].load(std::memory_order_acquire) != 0; ++looks) {
+      Atomics::Pause(looks);  // the load above pairs with (B)
     }
-    return old;
+    return ObjectOf(old);
   }
 
   /// For the side that replaces.
-  [[nodiscard]] T* Get() const noexcept { return pointer_.load(std::memory_order_acquire); }
+  [[nodiscard]] T* Get() const noexcept {
+    return ObjectOf(pointer_.load(std::memory_order_acquire));
+  }
 
  private:
-  typename Atomics::template Atomic<T*> pointer_;
-  typename Atomics::template Atomic<std::size_t> place_{0};
+  static std::uintptr_t WordOf(T* object, std::size_t place) noexcept {
+    static_assert(alignof(T) >= 2);
+    return reinterpret_cast<std::uintptr_t>(object) | place;
+  }
+  static std::size_t PlaceOf(std::uintptr_t word) noexcept { return word & 1U; }
+  static T* ObjectOf(std::uintptr_t word) noexcept {
+    return reinterpret_cast<T*>(word & ~std::uintptr_t{1});
+  }
+
+  typename Atomics::template Atomic<std::uintptr_t> pointer_;  // and the place
   std::array<typename Atomics::template Atomic<std::uint32_t>, 2> running_{};
 };
 

@@ -4,6 +4,7 @@
 #include <tendon/interface/description.h>
 #include <tendon/payload/shared_list.h>
 #include <tendon/task/component_state.h>
+#include <tendon/task/thread_options.h>
 
 #include <chrono>
 #include <cstdint>
@@ -42,6 +43,10 @@ struct ComponentDescription {
   std::int64_t fault_time = 0;  ///< since when, ns since 1970 (for people); 0 while it is not
   std::string warning;          ///< what is wrong though it is active: "missed 8 x 10 ms"
   double period = 0.0;          ///< s; 0 where it has none
+  /// How its own thread runs, or would if it ran after no other: one, or none where it never has a
+  /// thread of its own.
+  std::vector<ThreadOptions> thread{};
+  std::string leader{};  ///< the component after which it runs, or empty
   SharedList<ProvidedDescription> provided;
   SharedList<RequiredDescription> required;
   SharedList<TableDescription> tables;
@@ -135,6 +140,8 @@ inline constexpr auto tendon::kPayload<tendon::ComponentDescription> = tendon::D
     tendon::Field{"fault_time", &tendon::ComponentDescription::fault_time, "ns"},
     tendon::Field{"warning", &tendon::ComponentDescription::warning},
     tendon::Field{"period", &tendon::ComponentDescription::period, "s"},
+    tendon::Field{"thread", &tendon::ComponentDescription::thread},
+    tendon::Field{"leader", &tendon::ComponentDescription::leader},
     tendon::Field{"provided", &tendon::ComponentDescription::provided},
     tendon::Field{"required", &tendon::ComponentDescription::required},
     tendon::Field{"tables", &tendon::ComponentDescription::tables});

@@ -333,9 +333,17 @@ ComponentDescription LocalManager::Describe(const Entry& entry) const {
       .fault_time = std::chrono::nanoseconds(component.fault_time().time_since_epoch()).count(),
       .warning = watchdog_.WarningOf(component),
       .period = component.period(),
+      .thread = {},
+      .leader = {},
       .provided = component.provided(),
       .required = component.required(),
       .tables = {}};
+  if (const auto* task = dynamic_cast<const ThreadedTask*>(&component)) {
+    description.thread.push_back(task->thread_options());
+  }
+  if (const auto* task = dynamic_cast<const Task*>(&component); task && task->leader()) {
+    description.leader = task->leader()->name();
+  }
   for (const StateTable* table : component.tables()) {
     TableDescription described{.name = table->name(), .length = table->length(), .columns = {}};
     for (const auto& column : table->columns()) {

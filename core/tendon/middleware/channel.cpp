@@ -1,9 +1,10 @@
 #include <tendon/base/log.h>
 #include <tendon/middleware/channel.h>
-#include <tendon/middleware/handover.h>
 #include <tendon/middleware/parts/large_in_hand.h>
 #include <tendon/middleware/parts/repeated_sign.h>
 #include <tendon/middleware/requests/asked.h>
+#include <tendon/middleware/requests/awaited_answer.h>
+#include <tendon/middleware/requests/gathered_replies.h>
 
 #include <cassert>
 #include <utility>
@@ -20,8 +21,6 @@ struct CallFromMiddleware {
   CallFromMiddleware& operator=(const CallFromMiddleware&) = delete;
   ~CallFromMiddleware() { --calls_from_middleware; }
 };
-
-std::string NumberOf(MessageType type) { return std::to_string(static_cast<unsigned>(type)); }
 
 /// Where it cannot be known: on this machine, which is the stricter.
 bool IsOnThisMachine(const Link& link) {
@@ -49,21 +48,6 @@ Error WhyNotSent(Status status, const std::string& peer, std::size_t size) {
 }
 
 }  // namespace
-
-void ChannelHandler::OnOpen(const std::shared_ptr<Channel>& /*channel*/, const Hello& /*peer*/) {}
-
-void ChannelHandler::OnRequest(const std::shared_ptr<Channel>& /*channel*/,
-                               const FrameHeader& header, std::span<const std::byte> /*body*/,
-                               Responder responder) {
-  responder.Refuse(
-      {ErrorCode::kNotFound, "message " + NumberOf(header.type) + " is not understood here"});
-}
-
-void ChannelHandler::OnNotice(const std::shared_ptr<Channel>& /*channel*/,
-                              const FrameHeader& /*header*/, std::span<const std::byte> /*body*/) {}
-
-void ChannelHandler::OnClosed(const std::shared_ptr<Channel>& /*channel*/,
-                              const Error& /*reason*/) {}
 
 Channel::Channel(Key /*only from here*/, Hello mine, std::shared_ptr<ChannelHandler> handler,
                  std::shared_ptr<Link> link, Strangers strangers)
@@ -117,6 +101,7 @@ Result<void> Channel::Greet(const std::shared_ptr<Link>& link, SteadyTime deadli
   (void)Send(MessageType::kHello, 1, 0, greeting);  // refused: it will hear OnClosed()
   lock.lock();
   if (!changed_.wait_until(lock, deadline, [&] { return greeted_ || reason_; })) {
+    is_open_.Set(false);
     reason_ = Error{ErrorCode::kTimeout, link->peer() +
                                              " accepted the connection but did not "
                                              "answer; is it a program of Tendon?"};
@@ -133,19 +118,17 @@ void Channel::OnFrame(std::span<const std::byte> frame) {
   const auto header = ReadWholeFrame(frame);
   assert(header);
   const auto body = frame.subspan(FrameHeader::kSize);
+  if (!is_open()) return OnFirst(*header, body);
+  OnMessage(*header, body);
+  Resume();
+}
+
+/// Of what comes before the peer is known, and of what comes too late.
+void Channel::OnFirst(const FrameHeader& header, std::span<const std::byte> body) {
   std::unique_lock lock(mutex_);
   if (reason_ || !link_) return;
-  const Stage stage = stage_;
   lock.unlock();
-  switch (stage) {
-    case Stage::kGreeting:
-      return CallGuarded(link_->peer(), [&] { OnGreeting(*header, body); });
-    case Stage::kOpen:
-      OnMessage(*header, body);
-      return Resume();
-    case Stage::kClosed:
-      return;
-  }
+  CallGuarded(link_->peer(), [&] { OnGreeting(header, body); });
 }
 
 void Channel::OnAsked(std::span<const std::byte> frame, Bytes& answer) {
@@ -169,7 +152,7 @@ void Channel::Opened(Hello peer) {
   {
     const std::scoped_lock lock(mutex_);
     peer_ = std::move(peer);
-    stage_ = Stage::kOpen;
+    is_open_.Set(!reason_);
   }
   CallGuarded(peer_.name, [&] { handler_->OnOpen(shared_from_this(), peer_); });
   const std::scoped_lock lock(mutex_);
@@ -181,6 +164,7 @@ void Channel::Fail(const Error& reason) {
   std::shared_ptr<Link> link;
   {
     const std::scoped_lock lock(mutex_);
+    is_open_.Set(false);
     if (!reason_) reason_ = reason;
     link = link_;
     changed_.notify_all();
@@ -188,13 +172,19 @@ void Channel::Fail(const Error& reason) {
   if (link) link->Close();
 }
 
+bool Channel::IsInOurVersion(const FrameHeader& header) {
+  if (header.version == mine_.protocol_version) return true;
+  Fail({ErrorCode::kInvalid, peer_.name + " changed its protocol version"});
+  return false;
+}
+
 void Channel::OnMessage(const FrameHeader& header, std::span<const std::byte> body) {
-  if (header.version != mine_.protocol_version) {
-    return Fail({ErrorCode::kInvalid, peer_.name + " changed its protocol version"});
-  }
+  if (!IsInOurVersion(header)) return;
   switch (header.type) {
     case MessageType::kReply:
       return requests_.OnAnswer(header.request, Bytes(body.begin(), body.end()));
+    case MessageType::kReplies:
+      return OnReplies(body);
     case MessageType::kRefusal:
       return requests_.OnAnswer(header.request, ReadRefusal(body, peer_.name));
     case MessageType::kHello:
@@ -216,30 +206,43 @@ void Channel::OnMessage(const FrameHeader& header, std::span<const std::byte> bo
   });
 }
 
+/// Nothing of a batch is believed that is not whole.
+void Channel::OnReplies(std::span<const std::byte> body) {
+  if (!IsReplyBatch(body)) {
+    return Fail({ErrorCode::kInvalid, peer_.name + " sent answers that are malformed"});
+  }
+  while (const auto one = TakeReply(body)) {
+    requests_.OnAnswer(one->request, Bytes(one->answer.begin(), one->answer.end()));
+  }
+}
+
 void Channel::OnPart(const FrameHeader& header, std::span<const std::byte> part) {
   using Progress = PartAssembly::Progress;
-  Bytes frame;
+  PartAssembly::Frame frame;
   Progress progress = Progress::kNonsense;
   CallGuarded(peer_.name, [&] { progress = assembly_.Add(header.handle, part, frame); });
   taken_.Set(assembly_.taken());
   last_part_.Set(SteadyClock().Now());
   if (progress == Progress::kMoreToCome) return;
-  const auto whole = ReadFrameHeader(frame, kMaxBodySize + FrameHeader::kSize);
-  if (!whole || whole->type == MessageType::kPart || whole->type == MessageType::kPartsTaken) {
+  if (progress == Progress::kNonsense) {
     return Fail({ErrorCode::kInvalid, peer_.name + " sent parts of what is no message"});
   }
   TellTaken();
-  HandleLarge(*whole, std::span(frame).subspan(FrameHeader::kSize));
+  HandleLarge(std::move(frame));
 }
 
 /// Who handles it may take a while: the peer, which this thread does not answer meanwhile, is told
-/// again and again how much was taken.
-void Channel::HandleLarge(const FrameHeader& header, std::span<const std::byte> body) {
-  constexpr std::size_t kSoonHandled = std::size_t{4} << 20U;
-  if (body.size() < kSoonHandled) return OnMessage(header, body);
-  const LargeInHand mark;
-  const RepeatedSign sign(peer_.name, [this] { SendTaken(); });
-  OnMessage(header, body);
+/// again and again how much was taken. An answer is left to who has asked, and not copied again.
+void Channel::HandleLarge(PartAssembly::Frame frame) {
+  std::optional<LargeInHand> mark;
+  std::optional<RepeatedSign> sign;
+  if (frame.body.size() >= LargeInHand::kLeast) {
+    mark.emplace();
+    sign.emplace(peer_.name, [this] { SendTaken(); });
+  }
+  const FrameHeader& header = frame.header;
+  if (header.type != MessageType::kReply) return OnMessage(header, frame.body);
+  if (IsInOurVersion(header)) requests_.OnAnswer(header.request, std::move(frame.body));
 }
 
 void Channel::OnPartsTaken(std::span<const std::byte> body) {
@@ -271,7 +274,7 @@ void Channel::OnClosed(const Error& reason) {
   const CallFromMiddleware mark;
   const std::string peer = PeerName();
   std::unique_lock lock(mutex_);
-  stage_ = Stage::kClosed;
+  is_open_.Set(false);
   if (!reason_) reason_ = reason;
   const Error why = *reason_;
   changed_.notify_all();
@@ -316,18 +319,39 @@ Status Channel::SendPiece(const FrameHeader& header, std::span<const std::byte> 
 /// Leaves an answer to whoever has asked; false where it must be sent.
 bool Channel::Return(std::uint64_t request, std::span<const std::byte> body) {
   Bytes* const answer = Asked::AnswerTo(request, *this);
-  if (answer == nullptr || FrameHeader::kSize + body.size() > kMaxPieceSize) return false;
+  if (answer == nullptr || parts_.MustTake(kOwnLane, FrameHeader::kSize + body.size())) {
+    return false;
+  }
   WriteFrame(HeaderOf(MessageType::kReply, request, 0, body.size()), body, *answer);
   return true;
 }
 
 void Channel::SendReply(std::uint64_t request, std::span<const std::byte> body, Lane lane) {
-  if (lane == kOwnLane && Return(request, body)) return;
+  const bool is_alone = lane == kOwnLane;
+  if (is_alone && (Return(request, body) || GatheredReplies::Keep(*this, request, body))) return;
+  SendReplyAlone(request, body, lane);
+}
+
+void Channel::SendReplyAlone(std::uint64_t request, std::span<const std::byte> body, Lane lane) {
   const Status sent = Send(MessageType::kReply, request, 0, body, lane);
   if (sent || sent == Status::kNotConnected) return;
   const Error why = WhyNotSent(sent, PeerName(), body.size());
   Log(LogLevel::kWarning, "channel", "an answer was lost: " + why.message);
   SendRefusal(request, why);
+}
+
+/// Where the link has no room for all, some may find it.
+void Channel::SendReplies(const ReplyBatch& batch) {
+  bool is_sent = false;
+  if (batch.replies() > 1) {
+    CallGuarded("answers", [&] {
+      is_sent = Send(MessageType::kReplies, 0, 0, batch.body(), kOwnLane) == Status::kQueued;
+    });
+  }
+  std::span<const std::byte> rest = is_sent ? std::span<const std::byte>() : batch.body();
+  while (const auto one = TakeReply(rest)) {
+    CallGuarded("answer", [&] { SendReplyAlone(one->request, one->answer, kOwnLane); });
+  }
 }
 
 void Channel::SendRefusal(std::uint64_t request, const Error& error) {
@@ -347,7 +371,10 @@ Lane Channel::NewLane() {
 
 void Channel::Request(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
                       std::chrono::milliseconds timeout, ReplyHandler handler, Lane lane) {
-  Start(type, handle, body, timeout, std::move(handler), lane, &Link::Send);
+  const std::uint64_t request = is_open() ? requests_.Add(timeout, handler) : 0;
+  if (request == 0) return handler(WhyNotSent(Status::kNotConnected, PeerName(), body.size()));
+  const Status sent = Send(type, request, handle, body, lane);
+  if (!sent) requests_.Finish(request, WhyNotSent(sent, PeerName(), body.size()));
 }
 
 Status Channel::TryRequest(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
@@ -388,28 +415,14 @@ Result<Bytes> Channel::Await(MessageType type, std::uint32_t handle,
   if (IsThreadOfMiddleware()) {
     return Error{ErrorCode::kFailed, "a call to " + PeerName() + " would wait for its own thread"};
   }
-  const auto answer = std::make_shared<Handover<Result<Bytes>>>();
   const SteadyTime deadline = SteadyClock().Now() + timeout;
-  const std::uint64_t request = Start(
-      type, handle, body, timeout,
-      [answer](Result<Bytes> outcome) { answer->Give(std::move(outcome)); }, lane, way);
-  if (auto outcome = answer->WaitUntil(deadline)) return *std::move(outcome);
-  const Error none = NoAnswer(PeerName(), timeout);
-  requests_.Finish(request, none);
-  return none;
-}
-
-std::uint64_t Channel::Start(MessageType type, std::uint32_t handle,
-                             std::span<const std::byte> body, std::chrono::milliseconds timeout,
-                             ReplyHandler handler, Lane lane, Way way) {
-  const std::uint64_t request = is_open() ? requests_.Add(timeout, handler) : 0;
-  if (request == 0) {
-    handler(WhyNotSent(Status::kNotConnected, PeerName(), body.size()));
-    return 0;
-  }
-  const Status sent = Send(type, request, handle, body, lane, way);
-  if (!sent) requests_.Finish(request, WhyNotSent(sent, PeerName(), body.size()));
-  return request;
+  AwaitedAnswer answer(requests_);
+  const Status sent = is_open() && answer.number() != 0
+                          ? Send(type, answer.number(), handle, body, lane, way)
+                          : Status(Status::kNotConnected);
+  if (!sent) return WhyNotSent(sent, PeerName(), body.size());
+  if (auto outcome = answer.WaitUntil(deadline)) return *std::move(outcome);
+  return NoAnswer(PeerName(), timeout);
 }
 
 void Channel::Expire(SteadyTime now) {
@@ -419,11 +432,6 @@ void Channel::Expire(SteadyTime now) {
 
 void Channel::Close() {
   Fail({ErrorCode::kUnreachable, "the connection was closed by this program"});
-}
-
-bool Channel::is_open() const {
-  const std::scoped_lock lock(mutex_);
-  return stage_ == Stage::kOpen && !reason_;
 }
 
 std::string Channel::peer_address() const {

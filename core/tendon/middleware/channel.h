@@ -3,6 +3,7 @@
 #include <tendon/base/clock.h>
 #include <tendon/lockfree/flag.h>
 #include <tendon/middleware/body.h>
+#include <tendon/middleware/channel_handler.h>
 #include <tendon/middleware/handshake/handshake.h>
 #include <tendon/middleware/hello.h>
 #include <tendon/middleware/middleware.h>
@@ -11,6 +12,7 @@
 #include <tendon/middleware/parts/part_sender.h>
 #include <tendon/middleware/parts/payload_limit.h>
 #include <tendon/middleware/requests/pending_requests.h>
+#include <tendon/middleware/requests/reply_batch.h>
 #include <tendon/middleware/requests/responder.h>
 
 #include <chrono>
@@ -25,31 +27,6 @@
 #include <utility>
 
 namespace tendon {
-
-/// What one end of a channel does with what arrives; called in a thread of the middleware, one at a
-/// time for a channel. Must not block. What it throws is logged, and the request refused.
-class ChannelHandler {
- public:
-  ChannelHandler() = default;
-  ChannelHandler(const ChannelHandler&) = delete;
-  ChannelHandler& operator=(const ChannelHandler&) = delete;
-  virtual ~ChannelHandler() = default;
-
-  /// The peer's Hello was accepted; requests may follow. Before Channel::Open() returns.
-  virtual void OnOpen(const std::shared_ptr<Channel>& channel, const Hello& peer);
-
-  /// Unless overridden, refuses. The body is valid during the call.
-  virtual void OnRequest(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
-                         std::span<const std::byte> body, Responder responder);
-
-  /// Unless overridden, does nothing. The body is valid during the call.
-  virtual void OnNotice(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
-                        std::span<const std::byte> body);
-
-  /// Exactly once, last, also when the handshake failed: for every link that stood. The channel
-  /// forgets the handler afterwards.
-  virtual void OnClosed(const std::shared_ptr<Channel>& channel, const Error& reason);
-};
 
 /// Two-way talk with one peer process, on one link, after both said Hello: notices, which are one
 /// way, and requests, which are answered exactly once.
@@ -127,7 +104,8 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   /// Idempotent; may be called from a handler, which hears OnClosed() later.
   void Close();
 
-  [[nodiscard]] bool is_open() const;
+  /// Wait-free.
+  [[nodiscard]] bool is_open() const { return is_open_.Get(); }
   /// The peer's Hello; empty before OnOpen().
   [[nodiscard]] const Hello& peer() const { return peer_; }
   [[nodiscard]] std::string peer_address() const;
@@ -142,8 +120,8 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
           Strangers strangers);
 
  private:
+  friend class GatheredReplies;
   friend class Responder;
-  enum class Stage { kGreeting, kOpen, kClosed };
   /// How a frame goes to the link.
   using Way = Status (Link::*)(std::span<const std::byte> frame);
 
@@ -152,13 +130,16 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   void OnClosed(const Error& reason) override;
 
   Result<void> Greet(const std::shared_ptr<Link>& link, SteadyTime deadline);
+  void OnFirst(const FrameHeader& header, std::span<const std::byte> body);
   void OnGreeting(const FrameHeader& header, std::span<const std::byte> body);
+  [[nodiscard]] bool IsInOurVersion(const FrameHeader& header);
   void OnMessage(const FrameHeader& header, std::span<const std::byte> body);
+  void OnReplies(std::span<const std::byte> body);
   void OnPart(const FrameHeader& header, std::span<const std::byte> part);
   void OnPartsTaken(std::span<const std::byte> body);
   void TellTaken();
   void SendTaken();
-  void HandleLarge(const FrameHeader& header, std::span<const std::byte> body);
+  void HandleLarge(PartAssembly::Frame frame);
   void Resume();
   void Opened(Hello peer);
   void Fail(const Error& reason);
@@ -171,9 +152,9 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
                    Way way = &Link::Send);
   bool Return(std::uint64_t request, std::span<const std::byte> body);
   void SendReply(std::uint64_t request, std::span<const std::byte> body, Lane lane);
+  void SendReplyAlone(std::uint64_t request, std::span<const std::byte> body, Lane lane);
+  void SendReplies(const ReplyBatch& batch);
   void SendRefusal(std::uint64_t request, const Error& error);
-  std::uint64_t Start(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
-                      std::chrono::milliseconds timeout, ReplyHandler handler, Lane lane, Way way);
   Status TryStart(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
                   std::chrono::milliseconds timeout, ReplyHandler handler, Lane lane, Way way);
   Result<Bytes> Await(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
@@ -193,11 +174,12 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   Published<SteadyTime> last_part_;
   std::mutex telling_;
 
+  Flag is_open_;  // from the end of the handshake on, while there is no reason_
+
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::shared_ptr<Link> link_;
-  Hello peer_;  // constant from kOpen on
-  Stage stage_ = Stage::kGreeting;
+  Hello peer_;            // constant since it is open
   bool greeted_ = false;  // after OnOpen()
   Lane last_lane_ = kCommonLane;
   std::optional<Error> reason_;  // why it is closed, or about to be

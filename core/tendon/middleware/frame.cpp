@@ -19,6 +19,10 @@ void WriteFrame(const FrameHeader& header, std::span<const std::byte> body, Byte
   if (!body.empty()) std::memcpy(frame.data() + FrameHeader::kSize, body.data(), body.size());
 }
 
+void WriteHeader(const FrameHeader& header, std::span<std::byte, FrameHeader::kSize> place) {
+  std::memcpy(place.data(), &header, FrameHeader::kSize);
+}
+
 std::optional<FrameHeader> ReadFrameHeader(std::span<const std::byte> bytes, std::size_t limit) {
   if (bytes.size() < FrameHeader::kSize) return std::nullopt;
   FrameHeader header;

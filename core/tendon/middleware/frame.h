@@ -20,6 +20,7 @@ enum class MessageType : std::uint16_t {
   kProof = 6,
   kPart = 7,        ///< the next bytes of a frame too large for one piece; `handle` tells which
   kPartsTaken = 8,  ///< u64: bytes of parts that have been taken since the link stands
+  kReplies = 9,     ///< answers several requests: a ReplyBatch
   // Those of the layers above have the messages.h of their folders: proxy from 0x100 on, process
   // from 0x200, gcm from 0x300.
 };
@@ -35,7 +36,7 @@ struct FrameHeader {
 
   static constexpr std::uint32_t kMagic = 0x4e444e54;  // "TNDN"
   /// Raised when a message or what it means changes: a body says nothing of the fields it has.
-  static constexpr std::uint16_t kProtocolVersion = 5;
+  static constexpr std::uint16_t kProtocolVersion = 6;
   static constexpr std::size_t kSize = 24;
 };
 
@@ -46,6 +47,9 @@ inline constexpr std::size_t kMaxStrangersFrameSize = std::size_t{64} << 10U;
 
 /// Header and body in one piece of memory; replaces the content of `frame`, keeps its capacity.
 void WriteFrame(const FrameHeader& header, std::span<const std::byte> body, Bytes& frame);
+
+/// The header alone, to where a frame begins that lies in memory already.
+void WriteHeader(const FrameHeader& header, std::span<std::byte, FrameHeader::kSize> place);
 
 /// Reads the header at the front of `bytes`; nothing where they are too few, begin with another
 /// magic number or claim a frame of over `limit` bytes. Says nothing of the version.

@@ -25,6 +25,7 @@ class ProcessHost {
   [[nodiscard]] virtual Component* LookUpComponent(const std::string& name) const = 0;
   virtual ConnectionId NewConnectionId() = 0;
   // Any thread.
+  /// Of one of this process, or of another one that is served here.
   [[nodiscard]] virtual Result<ConnectionCounts> LookUpCounts(const InterfaceName&) const = 0;
   [[nodiscard]] virtual Result<MailboxFill> LookUpFill(const std::string& component) const = 0;
   /// A connection has changed.

@@ -12,16 +12,17 @@ namespace tendon {
 /// How a process is doing, as the GCM sees it.
 enum class ProcessState : std::int32_t {
   kAlive,
-  kSuspect,  ///< has missed renewals of its lease
-  kLost,     ///< its connection broke or its lease ran out; its description is kept as a tombstone
-  kLeft,     ///< said good-bye; kept as a tombstone too
+  kSuspect,   ///< has missed renewals of its lease
+  kLost,      ///< its connection broke or its lease ran out; its description is kept as a tombstone
+  kLeft,      ///< said good-bye; kept as a tombstone too
+  kStarting,  ///< the GCM has started its program, which has not joined yet
 };
 
 template <>
-inline constexpr auto kPayload<ProcessState> =
-    DescribeEnum("tendon.ProcessState", Enumerator{"alive", ProcessState::kAlive},
-                 Enumerator{"suspect", ProcessState::kSuspect},
-                 Enumerator{"lost", ProcessState::kLost}, Enumerator{"left", ProcessState::kLeft});
+inline constexpr auto kPayload<ProcessState> = DescribeEnum(
+    "tendon.ProcessState", Enumerator{"alive", ProcessState::kAlive},
+    Enumerator{"suspect", ProcessState::kSuspect}, Enumerator{"lost", ProcessState::kLost},
+    Enumerator{"left", ProcessState::kLeft}, Enumerator{"starting", ProcessState::kStarting});
 
 [[nodiscard]] std::string_view ToString(ProcessState state) noexcept;
 

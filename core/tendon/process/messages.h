@@ -32,7 +32,7 @@ inline constexpr auto kRowsEnded =
 // From a viewer that wants the newest row only: it has taken the last, the next may be sent.
 inline constexpr auto kRowTaken = static_cast<MessageType>(0x206);  // notice: empty; frame's handle
 // From a viewer: as kOpenInterface, but without functions. What follows is as in proxy/messages.h:
-// kEvents, kEventsLost and kInterfaceClosed from the process, kCloseInterface from the viewer.
+// kTimedEvents, kEventsLost and kInterfaceClosed from the process, kCloseInterface from the viewer.
 inline constexpr auto kListen =
     static_cast<MessageType>(0x207);  // request: OpenInterface -> InterfaceOpened
 
@@ -42,7 +42,8 @@ inline constexpr auto kGetCounts =
 inline constexpr auto kGetFill =
     static_cast<MessageType>(0x209);  // request: GetFill -> MailboxFill
 
-/// By the interface's name, which is that of the required side.
+/// By the interface's name, which is that of the required side. Asked of the process of the
+/// provided side it tells of that end alone: its capacity and its lost events.
 struct GetCounts {
   InterfaceName required;
 };

@@ -278,7 +278,16 @@ Result<ProvidedInterface*> Process::LookUpProvided(const InterfaceName& interfac
 Component* Process::LookUpComponent(const std::string& component) const { return Find(component); }
 
 Result<ConnectionCounts> Process::LookUpCounts(const InterfaceName& required) const {
-  return Counts(required);
+  if (required.process.empty() || required.process == name()) return Counts(required);
+  for (const ComponentProxy& client : parts_->context().proxies.all()) {
+    if (client.process != required.process || client.component != required.component) continue;
+    for (const auto& proxy : client.required) {
+      if (proxy->interface().name() != required.interface) continue;
+      return ConnectionCounts{.capacity = proxy->capacity(), .lost_events = proxy->lost_events()};
+    }
+  }
+  return Error{ErrorCode::kNotFound,
+               "process '" + name() + "' serves nothing to " + ToString(required)};
 }
 
 Result<MailboxFill> Process::LookUpFill(const std::string& component) const {

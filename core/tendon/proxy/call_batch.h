@@ -1,8 +1,10 @@
 #pragma once
 
+#include <tendon/base/clock.h>
 #include <tendon/middleware/frame.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -16,9 +18,11 @@ namespace tendon {
 class CallBatch {
  public:
   /// Bytes that a call takes beside its argument, at most.
-  static constexpr std::size_t kOverhead = 16;
+  static constexpr std::size_t kOverhead = 24;
 
   void Add(std::uint32_t handle, std::span<const std::byte> argument);
+  /// Behind the argument, and counted in its size, comes i64: `time` in ns on our steady clock.
+  void AddTimed(std::uint32_t handle, std::span<const std::byte> argument, SteadyTime time);
   void Clear();
 
   [[nodiscard]] bool empty() const { return calls_ == 0; }
@@ -26,6 +30,9 @@ class CallBatch {
   [[nodiscard]] const Bytes& body() const { return body_; }
 
  private:
+  /// Room for an argument of that size.
+  std::byte* AddHead(std::uint32_t handle, std::size_t size);
+
   std::size_t calls_ = 0;
   Bytes body_;
 };
@@ -46,6 +53,19 @@ void ForEachCall(std::span<const std::byte> body, Visitor visit) {
     const std::size_t padded = (std::size_t{size} + 7) / 8 * 8;
     body = body.subspan(std::min(padded, body.size()));
   }
+}
+
+/// The same for calls with times: `visit(handle, argument, time)`, on the other's steady clock.
+/// Those too short for one are left out.
+template <typename Visitor>
+void ForEachTimedCall(std::span<const std::byte> body, Visitor visit) {
+  ForEachCall(body, [&visit](std::uint32_t handle, std::span<const std::byte> timed) {
+    std::int64_t time = 0;
+    if (timed.size() < sizeof time) return;
+    const std::size_t size = timed.size() - sizeof time;
+    std::memcpy(&time, timed.data() + size, sizeof time);
+    visit(handle, timed.first(size), SteadyTime(std::chrono::nanoseconds(time)));
+  });
 }
 
 }  // namespace tendon

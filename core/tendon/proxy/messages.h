@@ -31,6 +31,8 @@ inline constexpr auto kEvents = static_cast<MessageType>(0x110);
 inline constexpr auto kCredit = static_cast<MessageType>(0x111);  // notice: Credit
 // notice: Error; the provided interface is gone
 inline constexpr auto kInterfaceClosed = static_cast<MessageType>(0x112);
+// notice, to who listens from outside: as kEvents, each value as AddTimed() puts it
+inline constexpr auto kTimedEvents = static_cast<MessageType>(0x113);
 // From both.
 inline constexpr auto kEventsLost = static_cast<MessageType>(0x120);  // notice: EventsLost
 

@@ -103,7 +103,9 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
     if (!record) return {};
     std::uint64_t call = 0;
     const Status entered = Host::Contain(nullptr, [&]() -> Status {  // memory may be short
-      Outbox::Question question = QuestionOf(0, {in.begin(), in.end()});
+      Outbox::Question question = QuestionOf(0, {});
+      question.argument.reserve(in.size() + sizeof(std::uint64_t));  // for its time behind it
+      question.argument.assign(in.begin(), in.end());
       call = question.call = callers_->Enter(*record, deadline);
       (void)callers_->Start(*record);  // its caller, this one, has not left
       outbox_.SendAtOnce(turn, std::move(question));
@@ -278,7 +280,11 @@ Status Outbox::Ask(Question& question, Manner manner) {
       },
       lane_);
   body.resize(size);
-  if (!asked) question.callers->NotSent(question.call);
+  if (asked == Status(Status::kQueueFull)) {
+    question.callers->NotSent(question.call);
+  } else if (!asked) {
+    question.callers->Refuse(question.call, asked);
+  }
   return asked;
 }
 

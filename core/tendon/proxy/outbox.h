@@ -2,6 +2,7 @@
 
 #include <tendon/interface/inbox.h>
 #include <tendon/interface/offer.h>
+#include <tendon/interface/required_interface.h>
 #include <tendon/lockfree/counter.h>
 #include <tendon/lockfree/flag.h>
 #include <tendon/middleware/channel.h>
@@ -32,6 +33,9 @@ class Outbox {
   /// at most.
   Outbox(std::shared_ptr<Channel> channel, MessageType type, Wakeup<>& wakeup,
          std::string interface, std::uint64_t credit = kAnyNumber);
+
+  /// Before the first call: each is sent with the time of the event that `source` handles by it.
+  void SendTimesOf(const RequiredInterface& source) { times_of_ = &source; }
 
   /// Where the calls wait; it has one mailbox.
   [[nodiscard]] Inbox& inbox() { return inbox_; }
@@ -83,7 +87,8 @@ class Outbox {
   // Network thread, out of Send(): the next call.
 
   void Take(std::uint32_t handle, std::span<const std::byte> argument) {
-    batch_.Add(handle, argument);
+    if (times_of_ == nullptr) return batch_.Add(handle, argument);
+    batch_.AddTimed(handle, argument, times_of_->event_time());
   }
   void Take(Question question) { question_ = std::move(question); }
 
@@ -102,6 +107,7 @@ class Outbox {
   const Lane lane_;
   Wakeup<>& wakeup_;
   RefusedPayloads refused_payloads_;
+  const RequiredInterface* times_of_ = nullptr;
   Flag is_open_{true};
   Inbox inbox_;
   const std::uint64_t credit_;

@@ -40,29 +40,23 @@ class Waiter {
   const bool waits_;
 };
 
-/// As kWait is answered.
-void Answer(Status status, const Bytes& result, Responder& responder) {
-  Bytes answer;
-  if (status) answer = result;
-  AppendStatus(status, answer);
-  responder.Reply(answer, kOwnLane);
-}
-
 }  // namespace
 
 RequiredInterfaceProxy::RequiredInterfaceProxy(std::shared_ptr<NetworkThread> thread,
                                                std::shared_ptr<Channel> channel,
-                                               const message::OpenInterface& open)
+                                               const message::OpenInterface& open, Events events)
     : thread_(std::move(thread)),
       channel_(std::move(channel)),
       handle_(open.handle),
       capacity_(open.capacity),
-      outbox_(channel_, message::kEvents, thread_->wakeup(), ToString(open.provided)),
+      outbox_(channel_, events == Events::kTimed ? message::kTimedEvents : message::kEvents,
+              thread_->wakeup(), ToString(open.provided)),
       loss_report_(channel_, handle_),
       interface_(open.description.name, &outbox_.inbox()),
       quick_in_a_row_(
           std::make_unique<Published<std::uint8_t>[]>(open.description.functions.size())),
       ended_(thread_->LendWakeup()) {
+  if (events == Events::kTimed) outbox_.SendTimesOf(interface_);
   for (const MemberDescription& function : open.description.functions) {
     functions_.push_back(std::make_unique<FunctionProxy>(interface_, function));
     function_names_.push_back(function.name);
@@ -147,18 +141,19 @@ void RequiredInterfaceProxy::OnWait(std::size_t function, std::span<const std::b
   if (!timeout || function >= functions_.size() || !CanBeAwaited(functions_[function]->kind())) {
     return responder.Refuse({ErrorCode::kInvalid, "no such command in " + interface_.name()});
   }
-  BegunCalls::Begun begun;
-  begun.since = SteadyClock().Now();
-  begun.deadline = begun.since + *timeout;
   const Waiter waiter(responder.is_asked_here() && IsQuick(function));
-  begun.is_told = !waiter.waits();
-  begun.done = DoneOf(function, begun.since, std::move(responder));
+  const SteadyTime now = SteadyClock().Now();
+  BegunCalls::Begun begun{.since = now,
+                          .deadline = now + *timeout,
+                          .is_told = !waiter.waits(),
+                          .function = function,
+                          .responder = std::move(responder)};
   std::unique_lock waiting(waiting_, std::defer_lock);
   if (!begun.is_told) waiting.lock();
   const Status status = functions_[function]->Begin(
       question, answer_, begun.is_told ? thread_->wakeup() : *ended_, begun.command, begun.call);
   CountReceived();
-  if (status != Status(Status::kQueued)) return begun.done(status, answer_);
+  if (status != Status(Status::kQueued)) return OnEnd(begun, status, answer_, now);
   Await(std::move(begun));
 }
 
@@ -177,7 +172,7 @@ void RequiredInterfaceProxy::NoteTime(std::size_t function, std::chrono::nanosec
 void RequiredInterfaceProxy::Await(BegunCalls::Begun begun) {
   std::unique_lock lock(mutex_);
   // Closed meanwhile: it is executed, or it is dropped.
-  if (connection_ == nullptr) return begun.done(Status::kOutcomeUnknown, {});
+  if (connection_ == nullptr) return OnEnd(begun, Status::kOutcomeUnknown, answer_, begun.since);
   bool has_ended = false;
   if (!begun.is_told) {
     lock.unlock();  // and waiting_ is locked: it is not closed before this is over
@@ -194,14 +189,13 @@ void RequiredInterfaceProxy::Await(BegunCalls::Begun begun) {
   thread_->Notify();
 }
 
-BegunCalls::Done RequiredInterfaceProxy::DoneOf(std::size_t function, SteadyTime since,
-                                                Responder responder) {
-  return [this, function, since, shared = std::make_shared<Responder>(std::move(responder))](
-             Status status, const Bytes& result) {
-    NoteTime(function, SteadyClock().Now() - since);
-    const bool can_be_sent = CanBeSent(function, result);
-    Answer(can_be_sent ? status : Status::kFailed, result, *shared);
-  };
+void RequiredInterfaceProxy::OnEnd(BegunCalls::Begun& begun, Status status, Bytes& result,
+                                   SteadyTime now) {
+  NoteTime(begun.function, now - begun.since);
+  if (!CanBeSent(begun.function, result)) status = Status::kFailed;
+  if (!status) result.clear();
+  AppendStatus(status, result);
+  begun.responder.Reply(result, kOwnLane);
 }
 
 void RequiredInterfaceProxy::OnEventsLost(const message::EventsLost& events) {

@@ -21,11 +21,14 @@ namespace tendon {
 /// Stands in for a required interface of another process, for one connection: it is connected to a
 /// provided interface here as any other. Calls that arrive are made in the middleware's thread;
 /// events wait here until the network thread sends them.
-class RequiredInterfaceProxy final : public NetworkJob {
+class RequiredInterfaceProxy final : public NetworkJob, private BegunCalls::Owner {
  public:
+  /// Whether events are sent as kEvents or, with the time when they were raised, as kTimedEvents.
+  enum class Events { kPlain, kTimed };
+
   /// ConfigurationError where the description makes no sense.
   RequiredInterfaceProxy(std::shared_ptr<NetworkThread> thread, std::shared_ptr<Channel> channel,
-                         const message::OpenInterface& open);
+                         const message::OpenInterface& open, Events events = Events::kPlain);
 
   [[nodiscard]] RequiredInterface& interface() { return interface_; }
   /// Of the other end.
@@ -67,8 +70,7 @@ class RequiredInterfaceProxy final : public NetworkJob {
   void Await(BegunCalls::Begun begun);
   [[nodiscard]] bool IsQuick(std::size_t function) const;
   void NoteTime(std::size_t function, std::chrono::nanoseconds took);
-  [[nodiscard]] BegunCalls::Done DoneOf(std::size_t function, SteadyTime since,
-                                        Responder responder);
+  void OnEnd(BegunCalls::Begun& begun, Status status, Bytes& result, SteadyTime now) override;
   [[nodiscard]] bool IsAccepting() const;
   [[nodiscard]] std::string Fault() const;
   [[nodiscard]] bool IsUrgent(const message::Credit& credit) const;
@@ -97,7 +99,7 @@ class RequiredInterfaceProxy final : public NetworkJob {
   bool is_watched_ = false;  // the network thread looks for progress
   message::Credit told_;
   SteadyTime owed_since_{};  // at the latest
-  BegunCalls begun_;
+  BegunCalls begun_{*this};
 };
 
 }  // namespace tendon

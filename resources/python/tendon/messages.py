@@ -23,6 +23,7 @@ class MessageType(enum.IntEnum):
     PROOF = 6
     PART = 7
     PARTS_TAKEN = 8
+    REPLIES = 9
     # To a process.
     GET_SCHEMAS = 0x200
     CALL_MEMBER = 0x201

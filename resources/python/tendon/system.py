@@ -52,7 +52,7 @@ class System:
         self.close()
 
     def processes(self) -> list[Description]:
-        """Each with name, state ("alive", "suspect", "lost", "left"), host, pid, address ..."""
+        """Each with name, state ("alive", "suspect", "lost", "left", "starting"), host, pid, address ..."""
         return [one.description for one in self._gcm.fresh().processes.values()]
 
     def components(self, process: str) -> list[Description]:

@@ -1,19 +1,26 @@
 // The other end of the measurements between processes: the GCM, a process "robot" that has joined
 // it, and raw Ice. Prints where they are reached, in the order of RemoteSystem::Addresses, and runs
-// until it is killed.
+// until it is killed. At SIGUSR1 it begins the middlewares of others and prints where those are.
 
+#include <benchmarks/remote/rivals/rival.h>
 #include <benchmarks/remote/robot.h>
 #include <tendon/gcm/global_manager.h>
 #include <tendon/ice/ice_middleware.h>
 #include <tendon/process/process.h>
-#include <unistd.h>
 
 #include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <iostream>
+#include <memory>
+#include <vector>
 
 int main() {
   using namespace tendon;
+  sigset_t begin_rivals;
+  sigemptyset(&begin_rivals);
+  sigaddset(&begin_rivals, SIGUSR1);
+  pthread_sigmask(SIG_BLOCK, &begin_rivals, nullptr);  // of all threads, which inherit it
   const auto gcm =
       GlobalManager::Start(MakeIceMiddleware(Exposure::kLoopbackOnly), {.address = "127.0.0.1:0"});
   if (!gcm) return EXIT_FAILURE;
@@ -26,5 +33,13 @@ int main() {
   const benchmark::RawIceServer raw;
   std::cout << (*gcm)->address() << ' ' << process.address() << ' ' << raw.address() << ' '
             << raw.address_of_one_thread() << std::endl;
-  while (true) pause();
+  std::vector<std::unique_ptr<benchmark::RivalServer>> rivals;
+  for (int signal = 0; sigwait(&begin_rivals, &signal) == 0;) {
+    for (const auto& rival : benchmark::Rivals()) {
+      if (!rival.missing.empty()) continue;
+      rivals.push_back(rival.serve());
+      std::cout << rivals.back()->address() << ' ';
+    }
+    std::cout << std::endl;
+  }
 }

@@ -23,14 +23,6 @@ double NanosecondsEachOf(std::uint64_t times, Work work) {
   return NanosecondsEach(1, [&](std::uint64_t) { work(); }) / static_cast<double>(times);
 }
 
-double Read(RemoteSystem& system, std::uint64_t reads) {
-  Message joints{};
-  return NanosecondsEach(reads, [&](std::uint64_t) {
-    Require(static_cast<bool>(system.desk().get_joints(joints)), "the robot is not read");
-    Use(joints);
-  });
-}
-
 double ReadRaw(RawIce& raw, std::uint64_t reads) {
   Message joints{};
   return NanosecondsEach(reads, [&](std::uint64_t) {
@@ -88,7 +80,7 @@ std::vector<Case> ReadCases(const Effort& effort, const TheSystem& system) {
   const std::uint64_t reads = effort.Times(200);
   const std::uint64_t images = effort.Times(8);
   const auto between = [&](const Run& run) { return Between(system, run); };
-  const auto read = between([=](auto& both) { return Read(both, reads); });
+  const auto read = between([=](auto& both) { return ReadJoints(both, reads); });
   return {
       {.id = "R1",
        .what = "remote read / raw Ice two-way, 64 B",
@@ -169,6 +161,14 @@ std::vector<Case> WaitingCallCases(const Effort& effort, const TheSystem& system
 }
 
 }  // namespace
+
+double ReadJoints(RemoteSystem& system, std::uint64_t reads) {
+  Message joints{};
+  return NanosecondsEach(reads, [&](std::uint64_t) {
+    Require(static_cast<bool>(system.desk().get_joints(joints)), "the robot is not read");
+    Use(joints);
+  });
+}
 
 std::vector<Case> RemoteCases(const Effort& effort, const TheSystem& system) {
   std::vector<Case> all;

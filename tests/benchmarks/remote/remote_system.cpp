@@ -3,6 +3,7 @@
 #include <tendon/base/os/process.h>
 #include <tendon/ice/ice_middleware.h>
 
+#include <csignal>
 #include <cstdlib>
 #include <ctime>
 #include <sstream>
@@ -45,6 +46,24 @@ std::map<std::string, std::string> RemoteSystem::environment() const {
   return {{"XDG_RUNTIME_DIR", folder}, {"XDG_STATE_HOME", folder}};
 }
 
+RivalClient& RemoteSystem::rival(const std::string& id) {
+  if (rivals_.empty()) BeginRivals();
+  return *rivals_.at(id);
+}
+
+void RemoteSystem::BeginRivals() {
+  const std::size_t said = peer_->out().size();
+  peer_->Signal(SIGUSR1);
+  Require(
+      EventuallyTrue([&] { return peer_->out().size() > said && peer_->out().ends_with('\n'); }),
+      "the other process does not begin the other middlewares");
+  std::istringstream addresses(peer_->out().substr(said));
+  for (const Rival& rival : Rivals()) {
+    std::string address;
+    if (rival.missing.empty() && addresses >> address) rivals_[rival.id] = rival.reach(address);
+  }
+}
+
 ProcessOptions RemoteSystem::Options() const {
   return {.middleware = MakeIceMiddleware(Exposure::kLoopbackOnly), .gcm = addresses_.gcm};
 }
@@ -80,7 +99,8 @@ std::vector<Case> NetworkCases(const Effort& effort) {
     return **made;
   };
   std::vector<Case> all;
-  for (const auto& make : {RemoteCases, StreamCases, JoiningCases, CatalogueCases, QueryCases}) {
+  for (const auto& make :
+       {RemoteCases, RivalCases, StreamCases, JoiningCases, CatalogueCases, QueryCases}) {
     for (Case& one : make(effort, system)) all.push_back(std::move(one));
   }
   return all;

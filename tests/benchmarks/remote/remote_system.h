@@ -3,6 +3,7 @@
 #include <benchmarks/case.h>
 #include <benchmarks/measurement.h>
 #include <benchmarks/remote/raw_ice.h>
+#include <benchmarks/remote/rivals/rival.h>
 #include <benchmarks/remote/robot.h>
 #include <support/folder.h>
 #include <support/program.h>
@@ -36,6 +37,9 @@ class RemoteSystem {
   /// Where one thread dispatches over there, not one of a pool.
   [[nodiscard]] RawIce& raw_of_one_thread() { return *raw_of_one_thread_; }
 
+  /// Another middleware, which is begun at both ends when it is first asked for.
+  [[nodiscard]] RivalClient& rival(const std::string& id);
+
   /// How the next process here takes part.
   [[nodiscard]] ProcessOptions Options() const;
   /// What programs must know that take part.
@@ -50,6 +54,7 @@ class RemoteSystem {
 
  private:
   bool IsConnected();
+  void BeginRivals();
 
   const test::Folder folder_;  // what programs keep for their user
   std::unique_ptr<Program> peer_;
@@ -58,6 +63,7 @@ class RemoteSystem {
   Desk* desk_ = nullptr;
   std::unique_ptr<RawIce> raw_;
   std::unique_ptr<RawIce> raw_of_one_thread_;
+  std::map<std::string, std::unique_ptr<RivalClient>> rivals_;  // by id, once they are begun
   int names_ = 0;
 };
 
@@ -70,11 +76,15 @@ using TheSystem = std::function<RemoteSystem&()>;
 /// What keeps both processes busy.
 Subject Between(const TheSystem& system, std::function<double(RemoteSystem&)> run);
 
+/// What one read of the robot takes.
+double ReadJoints(RemoteSystem& system, std::uint64_t reads);
+
 /// Throws where `done` is false: there is nothing to measure then.
 void Require(bool done, const char* what);
 
 // The cases, by what they are about.
 std::vector<Case> RemoteCases(const Effort& effort, const TheSystem& system);
+std::vector<Case> RivalCases(const Effort& effort, const TheSystem& system);
 std::vector<Case> StreamCases(const Effort& effort, const TheSystem& system);
 std::vector<Case> JoiningCases(const Effort& effort, const TheSystem& system);
 std::vector<Case> CatalogueCases(const Effort& effort, const TheSystem& system);

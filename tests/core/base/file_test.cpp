@@ -101,11 +101,54 @@ TEST_F(FileTest, WhatIsNoFileIsNotReplaced) {
   EXPECT_EQ(CountIn(folder_.path()), 1);
 }
 
+TEST_F(FileTest, WhetherItCanBeWrittenIsTriedWithoutATrace) {
+  EXPECT_TRUE(os::CheckWritable(file_));
+  EXPECT_EQ(CountIn(folder_.path()), 0);
+  folder_.Write("file", "old");
+  EXPECT_TRUE(os::CheckWritable(file_));
+  EXPECT_EQ(Content(), "old");
+  EXPECT_EQ(CountIn(folder_.path()), 1);
+
+  const auto none = os::CheckWritable(folder_.path() / "none" / "file");
+  ASSERT_FALSE(none);
+  EXPECT_EQ(none.error().message, "cannot write " + (folder_.path() / "none" / "file").string() +
+                                      ": No such file or directory");
+  EXPECT_FALSE(os::CheckWritable("/proc/file"));
+}
+
 TEST_F(FileTest, ADiskThatIsFullIsAnErrorThatNamesTheFile) {
   const auto written = os::AppendDurably("/dev/full", "text");
 
   ASSERT_FALSE(written);
   EXPECT_EQ(written.error().message, "cannot write /dev/full: No space left on device");
+}
+
+TEST_F(FileTest, AFileThatChangesWhileItIsReadIsReadAgain) {
+  folder_.Write("file", "old");
+  int reads = 0;
+
+  const auto read = os::ReadUnchanged(file_, [&]() -> Result<std::string> {
+    const std::string half = Content();
+    if (++reads == 1) folder_.Write("file", "the new");
+    return half;
+  });
+
+  ASSERT_TRUE(read);
+  EXPECT_EQ(*read, "the new");
+  EXPECT_EQ(reads, 2);
+}
+
+TEST_F(FileTest, AFileThatNeverRestsIsNotRead) {
+  folder_.Write("file", "");
+
+  const auto read = os::ReadUnchanged(file_, [&]() -> Result<std::string> {
+    folder_.Write("file", Content() + "x");
+    return Content();
+  });
+
+  ASSERT_FALSE(read);
+  EXPECT_EQ(read.error().message,
+            file_.string() + ": is changed while it is read; try again when it is written");
 }
 
 }  // namespace

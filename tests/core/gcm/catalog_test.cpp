@@ -195,12 +195,18 @@ TEST(Catalog, TheContentHashSeesEachKindOfContent) {
   process.state = ProcessState::kSuspect;
   auto component = test::Teleoperation();
   component.state = ComponentState::kFaulted;
+  auto follower = test::Teleoperation();
+  follower.leader = "arm";
+  auto threaded = test::Teleoperation();
+  threaded.thread = {ThreadOptions()};
   auto connection = catalog.connections().front();
   connection.state = ConnectionState::kFailed;
 
   const Fingerprint before = catalog.ContentHash();
   EXPECT_NE(changed({.kind = Kind::kProcess, .processes = {process}}), before);
-  EXPECT_NE(changed({.kind = Kind::kComponent, .components = {component}}), before);
+  for (const ComponentDescription& one : {component, follower, threaded}) {
+    EXPECT_NE(changed({.kind = Kind::kComponent, .components = {one}}), before);
+  }
   EXPECT_NE(changed({.kind = Kind::kConnection, .connections = {connection}}), before);
   EXPECT_NE(changed({.kind = Kind::kConnectionRemoved, .connection = connection.id}), before);
   EXPECT_NE(changed({.kind = Kind::kProcessRemoved}), before);

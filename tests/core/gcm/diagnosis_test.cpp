@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 #include <tendon/gcm/diagnosis.h>
+#include <tendon/gcm/text/leftover_text.h>
 #include <tests/core/gcm/samples.h>
 
 namespace tendon {
@@ -175,6 +176,71 @@ TEST_F(DiagnosisTest, OfAConnectionThatWaitsForWhatNobodyHasSeenSaysThat) {
   const Diagnosis diagnosis = Examine(to_component);
   ExpectBad(diagnosis, 2, ErrorCode::kNotFound, "no component 'robot/arn'; did you mean 'arm'?");
   EXPECT_TRUE(diagnosis.is_connected);
+}
+
+TEST_F(DiagnosisTest, OfARefusedConnectionBothProcessesAreRid) {
+  Diagnosis diagnosis = Examine({kWire.required, {"robot", "fake", "Control"}});
+  using Left = Remainder::Verdict;
+  const Error none{ErrorCode::kNotFound, "serves nothing"};
+
+  AddRemainders(diagnosis, catalog_, none);
+
+  EXPECT_EQ(diagnosis.remainders,
+            (std::vector<Remainder>{{"desk", Left::kNothing, "nothing of it is left in desk"},
+                                    {"robot", Left::kNothing, "nothing of it is left in robot"}}));
+  EXPECT_EQ(LeftoverTexts(diagnosis),
+            (std::vector<std::string>{"rolled back: nothing of it is left in desk",
+                                      "rolled back: nothing of it is left in robot"}));
+
+  AddRemainders(diagnosis, catalog_, ConnectionCounts{});
+  EXPECT_EQ(diagnosis.remainders[1].verdict, Left::kSomething);
+  AddRemainders(diagnosis, catalog_, Error{ErrorCode::kTimeout, "no answer"});
+  EXPECT_EQ(diagnosis.remainders[1].verdict, Left::kUnknown);
+  EXPECT_EQ(diagnosis.remainders[1].text, "not known of robot, which does not tell: no answer");
+
+  Connect(ConnectionState::kActive);  // to another one there
+  AddRemainders(diagnosis, catalog_, ConnectionCounts{});
+  EXPECT_EQ(diagnosis.remainders[0].text,
+            "nothing of it is left in desk, where teleoperation/Robot is connected to "
+            "robot/arm/Control");
+  EXPECT_EQ(diagnosis.remainders[1].verdict, Left::kNothing);
+}
+
+TEST_F(DiagnosisTest, NothingIsLeftOverOfAConnectionThatIsWanted) {
+  Connect(ConnectionState::kPending, "robot did not answer");
+  Diagnosis diagnosis = Examine();
+
+  AddRemainders(diagnosis, catalog_, ConnectionCounts{});
+
+  EXPECT_TRUE(diagnosis.remainders.empty());
+  EXPECT_EQ(LeftoverTexts(diagnosis),
+            std::vector<std::string>{"kept: desk makes it as soon as it can"});
+  Connect(ConnectionState::kActive);
+  EXPECT_TRUE(LeftoverTexts(Examine()).empty());
+
+  robot_.state = ProcessState::kLost;
+  Enter(robot_);
+  Diagnosis lost = Examine();
+  AddRemainders(lost, catalog_, Error{ErrorCode::kUnreachable, "lost"});
+  EXPECT_EQ(LeftoverTexts(lost), std::vector<std::string>{"kept: desk makes it as soon as it can"});
+}
+
+TEST_F(DiagnosisTest, OfAConnectionWhoseOwnProcessIsLostNobodyKnowsWhatIsLeft) {
+  Connect(ConnectionState::kActive);
+  EXPECT_FALSE(IsKept(Examine()));
+  desk_.state = ProcessState::kLost;
+  Apply({.kind = Kind::kProcess, .process = "desk", .processes = {desk_}});
+  Diagnosis diagnosis = Examine();
+
+  AddRemainders(diagnosis, catalog_, Error{ErrorCode::kNotFound, "serves nothing"});
+
+  EXPECT_FALSE(IsKept(diagnosis));
+  EXPECT_EQ(LeftoverTexts(diagnosis),
+            (std::vector<std::string>{"rolled back: not known, for process 'desk' is not there",
+                                      "rolled back: nothing of it is left in robot"}));
+  robot_.state = ProcessState::kLost;
+  Enter(robot_);
+  EXPECT_FALSE(IsKept(Examine()));
 }
 
 TEST_F(DiagnosisTest, CandidatesAreRankedByHowMuchFits) {

@@ -1,5 +1,7 @@
 #include <tendon/base/os/process.h>
 #include <tendon/payload/codec.h>
+#include <tendon/proxy/call_batch.h>
+#include <tendon/proxy/messages.h>
 #include <tests/core/gcm/fake_process.h>
 
 #include <functional>
@@ -33,6 +35,13 @@ class FakeProcess::State final : public ChannelHandler, public std::enable_share
       responder.Answer(Result(SchemasOf(*DecodeBody<message::GetSchemas>(body))));
     } else if (header.type == message::kCallMember) {
       responder.Answer(Result(Call(*DecodeBody<message::CallMember>(body))));
+    } else if (header.type == message::kPing) {
+      responder.Answer(Result(Clock()));
+    } else if (header.type == message::kListen) {
+      const std::scoped_lock lock(mutex);
+      listener = channel;
+      listener_handle = DecodeBody<message::OpenInterface>(body)->handle;
+      responder.Answer(Result(message::InterfaceOpened{.handle = 1, .accepting = true}));
     }
   }
 
@@ -135,6 +144,13 @@ class FakeProcess::State final : public ChannelHandler, public std::enable_share
     return schemas;
   }
 
+  message::Pong Clock() {
+    const std::scoped_lock lock(mutex);
+    ++clock_requests;
+    const SteadyTime now = SteadyClock().Now() + clock_ahead;
+    return {.time = std::chrono::nanoseconds(now.time_since_epoch()).count()};
+  }
+
   message::Called Call(const message::CallMember& call) {
     const std::scoped_lock lock(mutex);
     message::Called called;
@@ -169,6 +185,10 @@ class FakeProcess::State final : public ChannelHandler, public std::enable_share
   std::optional<Responder> kept;
   std::optional<Joints> goal;
   int schema_requests = 0;
+  int clock_requests = 0;
+  std::chrono::nanoseconds clock_ahead{0};
+  std::shared_ptr<Channel> listener;
+  std::uint32_t listener_handle = 0;
   std::vector<std::pair<std::function<void(Responder)>, Responder>> delayed;
 };
 
@@ -203,6 +223,11 @@ void FakeProcess::Remove(const std::string& component) {
     state_->components.erase(component);
   }
   Report({{.kind = Kind::kComponentRemoved, .component = component}});
+}
+
+void FakeProcess::Advertise(const std::string& address) {
+  const std::scoped_lock lock(state_->mutex);
+  state_->description.address = address;
 }
 
 void FakeProcess::Know(const Schema& schema) {
@@ -279,6 +304,20 @@ Status FakeProcess::SendLog(const message::LogRecords& records) {
   return channel ? channel->Notify(message::kLogRecords, 0, records) : Status::kNotConnected;
 }
 
+void FakeProcess::SetClockAhead(std::chrono::nanoseconds ahead) {
+  const std::scoped_lock lock(state_->mutex);
+  state_->clock_ahead = ahead;
+}
+
+void FakeProcess::Raise(double value, SteadyTime when) {
+  Bytes body;
+  Encode(value, body);
+  CallBatch batch;
+  const std::scoped_lock lock(state_->mutex);
+  batch.AddTimed(state_->listener_handle + 1, body, when);
+  static_cast<void>(state_->listener->Notify(message::kTimedEvents, 0, batch.body()));
+}
+
 void FakeProcess::set_manners(Manners manners) {
   const std::scoped_lock lock(state_->mutex);
   state_->manners = manners;
@@ -315,6 +354,11 @@ std::optional<Joints> FakeProcess::goal() const {
 int FakeProcess::schema_requests() const {
   const std::scoped_lock lock(state_->mutex);
   return state_->schema_requests;
+}
+
+int FakeProcess::clock_requests() const {
+  const std::scoped_lock lock(state_->mutex);
+  return state_->clock_requests;
 }
 
 }  // namespace tendon::test

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <tendon/base/clock.h>
 #include <tendon/gcm/messages.h>
 #include <tendon/middleware/channel.h>
 #include <tendon/process/messages.h>
@@ -43,6 +44,8 @@ class FakeProcess {
   /// Before Join(): what it has. Afterwards it reports.
   void Add(const ComponentDescription& component);
   void Remove(const std::string& component);
+  /// Where viewers and other processes are to look for it, instead of where it listens.
+  void Advertise(const std::string& address);
   /// A type of its own, which it tells to who asks.
   void Know(const Schema& schema);
 
@@ -55,6 +58,11 @@ class FakeProcess {
   void Report(const std::vector<CatalogChange>& changes);
   Status SendLog(const message::LogRecords& records);
 
+  /// What it says of its steady clock, to who listens to its events.
+  void SetClockAhead(std::chrono::nanoseconds ahead);
+  /// The first event of the last who has listened, with that time.
+  void Raise(double value, SteadyTime when);
+
   void set_manners(Manners manners);
   [[nodiscard]] const ProcessDescription& description() const;
   [[nodiscard]] std::vector<message::Wiring> orders() const;
@@ -64,6 +72,7 @@ class FakeProcess {
   /// The last argument of MoveTo.
   [[nodiscard]] std::optional<Joints> goal() const;
   [[nodiscard]] int schema_requests() const;
+  [[nodiscard]] int clock_requests() const;
 
  private:
   class State;

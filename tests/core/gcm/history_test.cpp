@@ -3,9 +3,12 @@
 #include <tendon/base/log.h>
 #include <tendon/gcm/history.h>
 #include <tests/support/folder.h>
+#include <tests/support/wait.h>
 
 #include <fstream>
 #include <future>
+#include <memory>
+#include <mutex>
 
 namespace tendon {
 namespace {
@@ -49,6 +52,39 @@ TEST(History, KnowsItsStepsAfterARestart) {
 
   EXPECT_EQ(again.steps().entries, steps);
   EXPECT_EQ(again.last(), steps[57]);
+}
+
+TEST(History, KnowsWhoHasUndoneAStepAfterARestart) {
+  const test::Folder folder;
+  const auto file = folder.path() / "history.jsonl";
+  {
+    History history(file);
+    history.MarkUndone(Record(history, Step(0)).id, [] {}, {.who = "gcm \"undo\"\n", .when = 7});
+    history.MarkUndone(Record(history, Step(1)).id, [] {});
+  }
+  folder.Write("history.jsonl", folder.Read("history.jsonl") + "{\"id\"");  // so that it is mended
+
+  for (int restart = 0; restart < 2; ++restart) {
+    const History again(file);
+    EXPECT_EQ(again.undo_of(1).who, "gcm \"undo\"\n");
+    EXPECT_EQ(again.undo_of(1).when, 7);
+    EXPECT_EQ(again.undo_of(2).who, "");
+    EXPECT_EQ(again.last(), std::nullopt);
+  }
+  EXPECT_EQ(folder.Read("history.jsonl").find("{\"id\"\n"), std::string::npos);
+}
+
+TEST(History, KnowsNobodyWhoHasUndoneAStepThatIsNotThere) {
+  const test::Folder folder;
+  const auto file = folder.path() / "h";
+  folder.Write("h", R"({"undo":7,"who":"gcm undo","when":3})"
+                    "\n");
+  History history(file);
+  EXPECT_EQ(history.undo_of(7).who, "");
+
+  history.MarkUndone(8, [] {}, {.who = "gcm undo", .when = 4});
+
+  EXPECT_EQ(history.undo_of(8).who, "");
 }
 
 TEST(History, KnowsWhatWasReplacedAfterARestart) {
@@ -179,9 +215,29 @@ TEST(History, WhatCannotBeWrittenIsLoggedAndStillKnown) {
   History history("/proc/nowhere/history");
 
   const auto step = Record(history, Step(0));
+  history.Close();
 
   EXPECT_NE(logged->find("cannot write /proc/nowhere/history"), std::string::npos) << *logged;
   EXPECT_EQ(history.last(), step);
+}
+
+TEST(History, OfAFolderThatTakesNoFileIsSaidToBeOffFromTheStart) {
+  const auto logged = std::make_shared<std::string>();  // the sink outlives this test
+  const auto mutex = std::make_shared<std::mutex>();
+  AddLogSink([logged, mutex](LogLevel, std::string_view, std::string_view text) {
+    const std::scoped_lock lock(*mutex);
+    *logged += text;
+  });
+
+  const History history("/proc/elsewhere/history");
+
+  EXPECT_TRUE(EventuallyTrue([&] {
+    const std::scoped_lock lock(*mutex);
+    return logged->find(
+               "history is off: cannot write /proc/elsewhere/history: No such file or "
+               "directory; steps are known, and can be undone, until this GCM ends") !=
+           std::string::npos;
+  }));
 }
 
 TEST(History, AWriteThatFailedHalfwaySpoilsNoLaterLine) {

@@ -25,5 +25,10 @@ TEST(JsonField, SaysWhereThePathLeavesTheValue) {
   }
 }
 
+TEST(JsonField, OfAValueThatIsNestedTooDeepIsAnError) {
+  EXPECT_EQ(client::JsonField(std::string(100'000, '['), "[0]").error().message,
+            "nesting deeper than 64");
+}
+
 }  // namespace
 }  // namespace tendon

@@ -24,6 +24,12 @@ inline RawMessage WithEncapsulation(std::int64_t size) {
   return Request().Int(size).Byte(1).Byte(1).Byte(0);
 }
 
+/// A proxy for a parameter: those of another host, for whoever would call back.
+inline RawMessage WithProxy(std::int64_t endpoints) {
+  RawMessage request = Request().Int(32).Byte(1).Byte(1).String("tendon").String("").Byte(0);
+  return request.Int(0).Int(0x00010001).Size(endpoints).Text("evil");
+}
+
 /// Requests that are wrong in every way known to hurt programs of Ice, by name.
 inline std::map<std::string, Bytes> Attacks() {
   const auto message = [](RawMessage::Type type) { return RawMessage(type); };
@@ -47,6 +53,7 @@ inline std::map<std::string, Bytes> Attacks() {
         request().String("tendon").String("").Size(size).Finished();
     attacks["contexts: " + std::to_string(size)] =
         request().String("tendon").String("").Byte(0).String("frame").Byte(0).Size(size).Finished();
+    attacks["a proxy of so many endpoints: " + std::to_string(size)] = WithProxy(size).Finished();
     attacks["compressed from " + std::to_string(size)] =
         RawMessage(RawMessage::kRequest, 2).Int(size).Text("BZh91AY&SYjunkjunkjunk").Finished();
   }

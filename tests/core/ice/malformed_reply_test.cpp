@@ -17,8 +17,10 @@ using conformance::Recorder;
 
 constexpr std::int64_t kHuge = 0x7fffffff;
 
-/// An answer to the first request of a connection.
-RawMessage Reply(unsigned status) { return RawMessage(RawMessage::kReply).Int(1).Byte(status); }
+/// An answer to one request of a connection, the first unless told.
+RawMessage Reply(unsigned status, int request = 1) {
+  return RawMessage(RawMessage::kReply).Int(request).Byte(status);
+}
 
 std::map<std::string, Bytes> Replies() {
   std::map<std::string, Bytes> replies;
@@ -41,10 +43,23 @@ std::map<std::string, Bytes> Replies() {
   return replies;
 }
 
-/// Accepts one connection, says that it speaks Ice, awaits the first request and answers it so.
+/// Returns when a request names it; heartbeats may come before.
+void AwaitOperation(const os::Socket& socket, const std::string& name) {
+  const std::string wanted = static_cast<char>(name.size()) + name;
+  std::string last(wanted.size(), '\0');
+  while (last != wanted) {
+    const Bytes one = ReceiveAll(socket, 1);
+    if (one.empty()) return;  // it has hung up
+    last = last.substr(1) + static_cast<char>(one[0]);
+  }
+}
+
+/// Accepts one connection, says that it speaks Ice, awaits the first request and answers it so;
+/// the first `ask` likewise, where there is another answer.
 class LyingServer {
  public:
-  explicit LyingServer(Bytes reply) : thread_([this, reply = std::move(reply)] { Serve(reply); }) {}
+  explicit LyingServer(Bytes reply, Bytes next = {})
+      : thread_([this, reply = std::move(reply), next = std::move(next)] { Serve(reply, next); }) {}
   LyingServer(const LyingServer&) = delete;
   LyingServer& operator=(const LyingServer&) = delete;
   ~LyingServer() { thread_.join(); }
@@ -52,12 +67,16 @@ class LyingServer {
   [[nodiscard]] std::string address() const { return os::LocalAddress(listening_); }
 
  private:
-  void Serve(const Bytes& reply) {
+  void Serve(const Bytes& reply, const Bytes& next) {
     os::Socket socket;
     EventuallyTrue([&] { return os::Accept(listening_, socket) == os::Accepted::kOne; });
     SendAll(socket, RawMessage(RawMessage::kValidate).Finished());
     (void)ReceiveAll(socket, 40);  // at least most of the ping
     SendAll(socket, reply);
+    if (!next.empty()) {
+      AwaitOperation(socket, "ask");
+      SendAll(socket, next);
+    }
     (void)ReceiveAll(socket, std::size_t{1} << 20U);  // until the client hangs up
   }
 
@@ -89,6 +108,34 @@ TEST(MalformedReply, TheClientGetsAnErrorOrALinkAndLivesOn) {
   const auto listener = server->Listen("127.0.0.1:0", host.accept());
   ASSERT_TRUE(listener);
   EXPECT_TRUE(client->Open((*listener)->address(), std::make_shared<Recorder>(), kPatience));
+}
+
+TEST(MalformedReply, AnAnswerThatThePeerFailsToMakeIsARefusalAtOnce) {
+  const auto client = MakeIceMiddleware(Exposure::kLoopbackOnly);
+  for (const Bytes& failure :
+       {Reply(7, 2).String("std::bad_alloc").Finished(),
+        Reply(2, 2).String("tendon").String("").Byte(0).String("ask").Finished()}) {
+    LyingServer liar(Reply(0).Int(6).Byte(1).Byte(1).Finished(), failure);
+    std::promise<FrameHeader> heard;
+    const auto recorder = std::make_shared<Recorder>(
+        [&](std::span<const std::byte> frame) { heard.set_value(*ReadWholeFrame(frame)); });
+    const auto link = client->Open(liar.address(), recorder, kPatience);
+    ASSERT_TRUE(link) << link.error().message;
+    FrameHeader question;
+    question.request = 4711;
+    Bytes frame;
+    WriteFrame(question, {}, frame);
+
+    ASSERT_EQ((*link)->Ask(frame), Status(Status::kQueued));
+
+    auto refusal = heard.get_future();
+    ASSERT_EQ(refusal.wait_for(kPatience), std::future_status::ready);
+    const FrameHeader header = refusal.get();
+    EXPECT_EQ(header.type, MessageType::kRefusal);
+    EXPECT_EQ(header.request, 4711U);
+    (*link)->Close();
+    EXPECT_TRUE(recorder->WaitForClosed());
+  }
 }
 
 TEST(MalformedReply, AServerThatNeverAnswersThePingTimesOut) {

@@ -5,8 +5,11 @@
 
 #include <array>
 #include <atomic>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace tendon {
@@ -35,6 +38,60 @@ TYPED_TEST(AnyGuardedPointer, GivesTheOldObjectForTheNew) {
   EXPECT_EQ(guarded.Get(), &second);
   const typename TypeParam::Call call(guarded);
   EXPECT_EQ(call.get(), &second);
+}
+
+/// Between the two steps of an exchange, somebody calls.
+struct WithACallBetween : StdAtomics {
+  static inline std::function<void()> call;
+
+  static void Fence(std::memory_order order) noexcept {
+    StdAtomics::Fence(order);
+    if (call) std::exchange(call, nullptr)();
+  }
+  static void ProcessBarrier() noexcept {
+    if (call) std::exchange(call, nullptr)();
+    StdAtomics::ProcessBarrier();
+  }
+};
+
+/// The call is still under way when the exchange returns.
+template <typename Guarded>
+int* ObjectOfACallThatBeginsMeanwhile(Guarded& guarded, int& next) {
+  std::optional<typename Guarded::Call> call;
+  WithACallBetween::call = [&] { call.emplace(guarded); };
+  guarded.Exchange(&next);
+  return call->get();
+}
+
+TEST(GuardedPointer, AnExchangeDoesNotWaitForACallThatUsesTheNewObject) {
+  int first = 1;
+  int second = 2;
+  GuardedPointer<int, WithACallBetween> guarded(&first);
+
+  EXPECT_EQ(ObjectOfACallThatBeginsMeanwhile(guarded, second), &second);
+}
+
+TEST(SharedGuardedPointer, AnExchangeDoesNotWaitForACallThatUsesTheNewObject) {
+  int first = 1;
+  int second = 2;
+  SharedGuardedPointer<int, WithACallBetween> guarded(&first);
+
+  EXPECT_EQ(ObjectOfACallThatBeginsMeanwhile(guarded, second), &second);
+}
+
+TEST(GuardedPointer, AnObjectThatComesBackDoesNotFreeTheOneOfANestedCall) {
+  int first = 1;
+  int second = 2;
+  GuardedPointer<int> guarded(&first);
+  const GuardedPointer<int>::Call outer(guarded);
+  EXPECT_FALSE(guarded.TryExchange(&second, SteadyTime::min()));
+  {
+    const GuardedPointer<int>::Call inner(guarded);
+    ASSERT_EQ(inner.get(), &second);
+
+    EXPECT_FALSE(guarded.TryExchange(&first, SteadyTime::min()));
+  }
+  EXPECT_TRUE(guarded.TryExchange(&first, SteadyTime::min()));
 }
 
 TEST(GuardedPointer, AnExchangeWithADeadlineGivesUpWhileACallUsesTheOldObject) {

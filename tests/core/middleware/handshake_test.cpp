@@ -16,6 +16,8 @@ Hello HelloOf(const std::string& name, std::uint64_t cookie = kCookie) {
   return {.instance = 3, .name = name, .session = name == "desk" ? 99U : 0U, .cookie = cookie};
 }
 
+const std::string kOurs = std::to_string(FrameHeader::kProtocolVersion);
+
 FrameHeader HeaderOf(MessageType type, std::uint16_t version = FrameHeader::kProtocolVersion) {
   FrameHeader header;
   header.type = type;
@@ -158,8 +160,9 @@ TEST(Handshake, AnotherVersionIsRefusedBeforeItsBodyIsRead) {
 
   const auto judged = talk.acceptor.Take(HeaderOf(MessageType::kHello, 9), Bytes(5));
 
-  EXPECT_EQ(judged.error(), (Error{ErrorCode::kIncompatible,
-                                   "robot speaks protocol 5, this program 9: update robot"}));
+  EXPECT_EQ(judged.error(),
+            (Error{ErrorCode::kIncompatible,
+                   "robot speaks protocol " + kOurs + ", this program 9: update robot"}));
 }
 
 TEST(Handshake, WhatIsOutOfTurnIsInvalid) {
@@ -175,7 +178,7 @@ TEST(Handshake, WhatIsOutOfTurnIsInvalid) {
 }
 
 TEST(Handshake, TheRefusalOfAnotherVersionIsReadAllTheSame) {
-  const Error refusal{ErrorCode::kIncompatible, "robot speaks protocol 9, this program 5: update"};
+  const Error refusal{ErrorCode::kIncompatible, "robot speaks protocol 9, this program 6: update"};
   Talk talk;
   (void)talk.opener.Greet();
 
@@ -191,7 +194,7 @@ TEST(Handshake, AChallengeInAnotherVersionIsRefusedHere) {
   const auto judged = talk.opener.Take(HeaderOf(MessageType::kChallenge, 9), Bytes(5));
 
   EXPECT_EQ(judged.error().message,
-            "127.0.0.1:10705 speaks protocol 9, this program 5: update this program");
+            "127.0.0.1:10705 speaks protocol 9, this program " + kOurs + ": update this program");
 }
 
 }  // namespace

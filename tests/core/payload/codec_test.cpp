@@ -5,7 +5,11 @@
 #include <tests/core/payload/random_value.h>
 #include <tests/core/payload/sample_types.h>
 
+#include <bit>
+#include <cstdint>
 #include <initializer_list>
+#include <limits>
+#include <vector>
 
 namespace tendon {
 namespace {
@@ -89,6 +93,37 @@ TEST(Codec, ADurationIsCutToWhatTheReceiverCounts) {
   ASSERT_TRUE(Decode(Encoded(nanoseconds(1'999'999)), decoded));
   EXPECT_EQ(decoded.count(), 1);
   EXPECT_FALSE(Decode(Encoded(std::chrono::seconds(33)), decoded));
+}
+
+/// What is no number, or hardly one, arrives bit by bit as it was.
+template <typename Number, typename Word>
+void ExpectEveryBitKept() {
+  using Limits = std::numeric_limits<Number>;
+  const auto payload_of_nan = static_cast<Word>(std::bit_cast<Word>(Limits::quiet_NaN()) | 0x1234U);
+  const std::vector<Number> odd{Limits::quiet_NaN(),
+                                -Limits::quiet_NaN(),
+                                Limits::signaling_NaN(),
+                                Limits::infinity(),
+                                -Limits::infinity(),
+                                Limits::denorm_min(),
+                                -Limits::denorm_min(),
+                                Number(-0.0),
+                                Limits::max(),
+                                Limits::lowest(),
+                                std::bit_cast<Number>(payload_of_nan)};
+  std::vector<Number> decoded;
+
+  ASSERT_TRUE(Decode(Encoded(odd), decoded));
+
+  ASSERT_EQ(decoded.size(), odd.size());
+  for (std::size_t i = 0; i < odd.size(); ++i) {
+    EXPECT_EQ(std::bit_cast<Word>(decoded[i]), std::bit_cast<Word>(odd[i])) << i;
+  }
+}
+
+TEST(Codec, ANumberKeepsEveryBitAlsoWhereItIsNone) {
+  ExpectEveryBitKept<double, std::uint64_t>();
+  ExpectEveryBitKept<float, std::uint32_t>();
 }
 
 TEST(Codec, TheSizeOfAFixedTypeIsAConstant) {

@@ -72,7 +72,9 @@ class WatchOver : public testing::Test {
  protected:
   WatchOver() {
     network_->SetFilter([this](std::span<const std::byte> frame) {
-      if (tendon::ReadFrameHeader(frame, frame.size())->type != tendon::message::kPing) return true;
+      const MessageType type = tendon::ReadFrameHeader(frame, frame.size())->type;
+      if (type == MessageType::kPart && is_slow_) Carry(frame.size());
+      if (type != tendon::message::kPing) return true;
       ++asked_;
       return !are_lost_;
     });
@@ -100,6 +102,11 @@ class WatchOver : public testing::Test {
     });
   }
 
+  /// As a line of 100 kB a second does; who sends stands for all that waits behind it.
+  static void Carry(std::size_t bytes) {
+    std::this_thread::sleep_for(bytes * std::chrono::microseconds(10));
+  }
+
   /// Not closed, as far as this machine lets anybody show signs of life in time.
   testing::AssertionResult IsKept() const {
     return channel_->is_open() || stalls_.has_stood_still() ? testing::AssertionSuccess()
@@ -109,6 +116,7 @@ class WatchOver : public testing::Test {
   const tendon::test::StallMeter stalls_;
   std::atomic<int> asked_ = 0;
   std::atomic<bool> are_lost_ = false;
+  std::atomic<bool> is_slow_ = false;
   const std::shared_ptr<LoopbackNetwork> network_ = std::make_shared<LoopbackNetwork>();
   LoopbackMiddleware server_{network_};
   LoopbackMiddleware client_{network_};
@@ -137,6 +145,17 @@ TEST_F(WatchOver, PartsOfLargeMessagesThatAreTakenAreSignsOfLife) {
 
   EXPECT_TRUE(IsKept());
   EXPECT_TRUE(EventuallyTrue([&] { return !channel_->is_open(); })) << "they have ended";
+}
+
+TEST_F(WatchOver, ALineIsNotGivenUpThatTakesLongForALargeMessage) {
+  are_lost_ = true;
+  is_slow_ = true;
+
+  const Bytes large(tendon::kMaxPieceSize);
+  ASSERT_EQ(channel_->Notify(tendon::message::kCommands, 0, large), Status::kQueued);
+
+  EXPECT_TRUE(EventuallyTrue([&] { return handler_->heard() == 1 || !channel_->is_open(); }));
+  EXPECT_TRUE(IsKept());
 }
 
 TEST_F(WatchOver, WhoTakesLongToHandleALargeMessageIsNotTakenForOneThatHangs) {
@@ -193,7 +212,7 @@ TEST(LargeInHand, WhatIsDoneSoonExcusesNobody) {
   EXPECT_TRUE(EventuallyTrue(leaves_no_trace)) << "unless this machine took its time";
 }
 
-/// A process without components.
+/// A process without components; or with one that has always got another large configuration.
 class Empty final : public tendon::ProcessHost, public tendon::MembershipDelegate {
  public:
   using Lock = std::unique_lock<std::recursive_mutex>;
@@ -221,7 +240,14 @@ class Empty final : public tendon::ProcessHost, public tendon::MembershipDelegat
   tendon::ConnectionId NewConnectionId() override { return {}; }
   void StructureChanged() const override {}
 
-  [[nodiscard]] tendon::ProcessContent content() const override { return {}; }
+  [[nodiscard]] tendon::ProcessContent content() const override {
+    if (!is_large) return {};
+    tendon::ComponentDescription component;
+    component.name = "cloud";
+    component.configuration = '"' + std::string(tendon::kMaxPieceSize, 'x') + '"';
+    component.warning = std::to_string(++asked);
+    return {.components = {component}, .connections = {}};
+  }
   void OnPeers(const std::vector<tendon::ProcessDescription>& /*processes*/) override {}
   void OnFanOut(const std::string& /*address*/) override {}
   void MakeConnection(
@@ -241,6 +267,9 @@ class Empty final : public tendon::ProcessHost, public tendon::MembershipDelegat
       std::function<void(const tendon::Result<tendon::message::Classes>&)> done) override {
     done(Nothing());
   }
+
+  std::atomic<bool> is_large = false;
+  mutable std::atomic<int> asked = 0;
 
  private:
   static tendon::Error Nothing() { return {tendon::ErrorCode::kNotFound, "there is nothing"}; }
@@ -281,7 +310,10 @@ class Lease : public testing::Test {
   Lease() {
     network_->SetFilter([this](std::span<const std::byte> frame) {
       const MessageType type = tendon::ReadFrameHeader(frame, frame.size())->type;
-      if (type == tendon::message::kRenew) ++renewals_;
+      if (type == tendon::message::kRenew) {
+        ++renewals_;
+        if (are_renewals_lost_) return false;
+      }
       return !are_answers_lost_ || type != MessageType::kReply;
     });
     auto gcm = tendon::GlobalManager::Start(std::make_shared<LoopbackMiddleware>(network_),
@@ -308,6 +340,7 @@ class Lease : public testing::Test {
 
   const tendon::test::StallMeter stalls_;
   std::atomic<int> renewals_ = 0;
+  std::atomic<bool> are_renewals_lost_ = false;
   std::atomic<bool> are_answers_lost_ = false;
   const tendon::test::Folder folder_;
   const std::shared_ptr<LoopbackNetwork> network_ = std::make_shared<LoopbackNetwork>();
@@ -335,6 +368,24 @@ TEST_F(Lease, IsRenewedWhileTheNetworkThreadCopiesWhatIsLarge) {
   EXPECT_TRUE(EventuallyTrue([&] { return state() == tendon::ProcessState::kAlive; }));
   copying.End();
   context_.network->Remove(copying);
+}
+
+TEST_F(Lease, IsNotGivenUpByEitherEndWhileALargeMessageIsOnItsWay) {
+  host_.is_large = true;
+  are_renewals_lost_ = true;
+
+  const int before = renewals_;
+  int reported = before;
+  EXPECT_TRUE(EventuallyTrue([&] {
+    if (renewals_ > reported) member_->ReportSoon();
+    reported = renewals_;
+    return !member_->is_joined() || renewals_ >= before + kRenewals;
+  }));
+
+  EXPECT_TRUE(member_->is_joined() || stalls_.has_stood_still());
+  EXPECT_TRUE(state() != tendon::ProcessState::kLost || stalls_.has_stood_still());
+  host_.is_large = false;
+  EXPECT_TRUE(EventuallyTrue([&] { return !member_->is_joined(); })) << "nothing more is renewed";
 }
 
 TEST_F(Lease, IsNotGivenUpWhileTheAnswersMayWaitBehindALargeMessage) {

@@ -34,6 +34,31 @@ TEST(CallBatch, IsReadAsItWasWritten) {
   }
 }
 
+TEST(CallBatch, WithTimesIsReadAsItWasWritten) {
+  struct TimedCall {
+    std::uint32_t handle;
+    Bytes argument;
+    tendon::SteadyTime time;
+    bool operator==(const TimedCall&) const = default;
+  };
+  const std::vector<TimedCall> calls{
+      {7, Filled(3, 1), tendon::SteadyTime(std::chrono::nanoseconds(5))},
+      {8, {}, tendon::SteadyTime(std::chrono::nanoseconds(-6))}};
+  CallBatch batch;
+  for (const TimedCall& call : calls) batch.AddTimed(call.handle, call.argument, call.time);
+  batch.Add(9, Filled(7, 1));  // too short for a time
+
+  std::vector<TimedCall> read;
+  tendon::ForEachTimedCall(
+      batch.body(),
+      [&](std::uint32_t handle, std::span<const std::byte> argument, tendon::SteadyTime time) {
+        read.push_back({handle, Bytes(argument.begin(), argument.end()), time});
+      });
+
+  EXPECT_EQ(batch.calls(), 3U);
+  EXPECT_EQ(read, calls);
+}
+
 TEST(CallBatch, ThatIsCutOffGivesItsWholeCalls) {
   CallBatch batch;
   batch.Add(1, Filled(8, 1));

@@ -244,6 +244,20 @@ TEST_F(InterfaceProxies, AWaitEndsWithTheLinkWhetherItWasSentOrNot) {
   EXPECT_EQ(push.Wait(2, std::chrono::seconds(20)), Status(Status::kNotConnected));
 }
 
+TEST_F(InterfaceProxies, AWaitThatTheLinkRefusesEndsAtOnceWhoeverSendsIt) {
+  channel->Close();
+  EXPECT_EQ(push.Wait(1, std::chrono::seconds(20)), Status(Status::kNotConnected));
+
+  thread->Remove(*client_end->proxy);
+  EXPECT_EQ(push(2), Status(Status::kQueued));
+  auto status =
+      std::async(std::launch::async, [this] { return push.Wait(3, std::chrono::seconds(20)); });
+  ASSERT_TRUE(EventuallyTrue([this] { return client_connection->waiting() == 2; }));
+  thread->Add(*client_end->proxy);
+
+  EXPECT_EQ(status.get(), Status(Status::kNotConnected));
+}
+
 TEST_F(InterfaceProxies, AWaitThatIsNotAnsweredEndsAtItsDeadline) {
   server_end->is_silent = true;
 

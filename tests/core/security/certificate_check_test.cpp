@@ -1,7 +1,14 @@
 #include <gmock/gmock.h>
+#include <tendon/security/authority_folder.h>
 #include <tendon/security/certificate_check.h>
+#include <tendon/security/openssl/trusted_authority.h>
+
+#include <atomic>
+#include <thread>
+#include <vector>
 
 #include "core/security/authority.h"
+#include "support/wait.h"
 
 namespace tendon {
 namespace {
@@ -153,6 +160,33 @@ TEST_F(CertificateCheckTest, AKeyInPlaceOfACertificateIsNotRepeated) {
 
   ExpectBad(ErrorCode::kInvalid, "holds a private key");
   EXPECT_EQ(Check().error().message.find("BEGIN"), std::string::npos);
+}
+
+TEST_F(CertificateCheckTest, ManyMayAskWhileTheAuthorityChanges) {
+  openssl::TrustedAuthority issuer(folder);
+  const auto pem = ReadSmallFile(out / "robot.crt");
+  ASSERT_TRUE(pem.ok());
+  std::atomic<int> asked = 0;
+  std::atomic<int> malformed = 0;
+  std::vector<std::jthread> askers;
+  for (int i = 0; i < 3; ++i) {
+    askers.emplace_back([&](const std::stop_token& end) {
+      while (!end.stop_requested()) {
+        const auto checked = CheckShownCertificate(*pem, issuer, Now());
+        if (!checked && checked.error().code != ErrorCode::kDenied) ++malformed;
+        ++asked;
+      }
+    });
+  }
+  ASSERT_TRUE(EventuallyTrue([&] { return asked > 0; }));
+
+  ASSERT_TRUE(authority->Revoke("robot").ok());
+
+  const auto checked = CheckShownCertificate(*pem, issuer, Now());
+  EXPECT_FALSE(checked.ok()) << "it was revoked";
+  askers.clear();
+  EXPECT_EQ(malformed, 0);
+  EXPECT_FALSE(CheckShownCertificate(*pem, issuer, Now()).ok());
 }
 
 }  // namespace

@@ -1,3 +1,4 @@
+#include <gcm_console/graph/dot.h>
 #include <gcm_console/graph/svg.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -5,6 +6,7 @@
 #include <tests/core/gcm/samples.h>
 
 #include <algorithm>
+#include <clocale>
 #include <csignal>
 #include <regex>
 #include <sstream>
@@ -90,11 +92,8 @@ bool IsBalanced(const std::string& text) {
   return open.empty() && begins == std::count(text.begin(), text.end(), '>');
 }
 
-TEST(SheetOf, NothingIsCutOffOrBehindAnother) {
-  const Sheet sheet = SheetOf(Chain(4).catalog());
-
-  ASSERT_EQ(sheet.processes.size(), 4U);
-  ASSERT_EQ(sheet.nodes.size(), 12U);
+/// Nothing is cut off, or behind another.
+void ExpectRoomForAll(const Sheet& sheet) {
   const Rect all{0, 0, sheet.size.width, sheet.size.height};
   for (const auto& process : sheet.processes) {
     EXPECT_TRUE(IsWithin(process.rect, all)) << process.name;
@@ -113,6 +112,118 @@ TEST(SheetOf, NothingIsCutOffOrBehindAnother) {
       EXPECT_TRUE(&other == &node || !DoOverlap(node.rect, other.rect)) << node.path;
     }
   }
+}
+
+TEST(SheetOf, NothingIsCutOffOrBehindAnother) {
+  const Sheet sheet = SheetOf(Chain(4).catalog());
+
+  ASSERT_EQ(sheet.processes.size(), 4U);
+  ASSERT_EQ(sheet.nodes.size(), 12U);
+  ExpectRoomForAll(sheet);
+}
+
+/// Shown in a line downwards, in a small measure.
+console::Places InALine(const Sheet& sheet) {
+  console::Places places;
+  double y = -50;
+  for (const auto& process : sheet.processes) {
+    const double top = y;
+    y += 4;
+    for (const SheetNode& node : sheet.nodes) {
+      if (!node.path.starts_with(process.name + "/")) continue;
+      places[node.path] = {-7, y, 20, 10};
+      y += 12;
+    }
+    places[process.name] = {-9, top, 24, y - top};
+    y += 3;
+  }
+  return places;
+}
+
+TEST(SheetOf, EverythingStandsAsItIsShownElsewhere) {
+  const Chain chain(3);
+  const console::Places shown = InALine(SheetOf(chain.catalog()));
+
+  const Sheet sheet = SheetOf(chain.catalog(), shown);
+
+  ExpectRoomForAll(sheet);
+  EXPECT_EQ(sheet.wires.size(), 6U);
+  for (const SheetNode& node : sheet.nodes) {
+    EXPECT_EQ(node.rect.x, sheet.nodes.front().rect.x) << node.path;
+    EXPECT_EQ(node.rect.width, sheet.nodes.front().rect.width) << node.path;
+    for (const SheetNode& other : sheet.nodes) {
+      EXPECT_EQ(node.rect.y < other.rect.y, shown.at(node.path).y < shown.at(other.path).y);
+    }
+  }
+}
+
+TEST(SheetOf, WhatIsShownAtABorderPullsNothingFarApart) {
+  const Chain chain(2);
+  console::Places shown = InALine(SheetOf(chain.catalog()));
+  const Sheet usual = SheetOf(chain.catalog(), shown);
+  for (auto& [name, rect] : shown) {
+    const bool is_node = name.find('/') != std::string::npos;
+    if (!is_node) rect = {rect.x + 1.9, rect.y + 3.9, rect.width - 3.8, rect.height - 5.8};
+  }
+
+  const Sheet sheet = SheetOf(chain.catalog(), shown);
+
+  ExpectRoomForAll(sheet);
+  EXPECT_LE(sheet.size.width, 5 * usual.size.width);
+  EXPECT_LE(sheet.size.height, 5 * usual.size.height);
+}
+
+TEST(SheetOf, WhereSomethingIsNotShownElsewhereItStandsInColumns) {
+  const Chain chain(2);
+  const Sheet columns = SheetOf(chain.catalog());
+  console::Places shown = InALine(columns);
+  shown.erase(shown.begin());
+
+  const Sheet sheet = SheetOf(chain.catalog(), shown);
+
+  EXPECT_EQ(sheet.nodes.back().rect, columns.nodes.back().rect);
+}
+
+/// The first of these languages that is here, if any is.
+class CommaLocale {
+ public:
+  CommaLocale() {
+    for (const char* const name : {"de_DE.UTF-8", "fr_FR.UTF-8", "de_AT.UTF-8", "nl_NL.UTF-8"}) {
+      if (std::setlocale(LC_NUMERIC, name) != nullptr) break;
+    }
+  }
+  CommaLocale(const CommaLocale&) = delete;
+  CommaLocale& operator=(const CommaLocale&) = delete;
+  ~CommaLocale() { std::setlocale(LC_NUMERIC, before_.c_str()); }
+
+ private:
+  const std::string before_ = std::setlocale(LC_NUMERIC, nullptr);
+};
+
+TEST(PrintDot, WhatIsArrangedHasItsPlaceInEveryLanguage) {
+  const Chain chain(1);
+  Sheet sheet;
+  sheet.size = {400, 300.5};
+  sheet.processes = {{.name = "process_0", .rect = {24, 64, 200.25, 100}}};
+  sheet.nodes = {{.path = "process_0/component_with_a_long_name_0", .rect = {44.5, 104, 108, 36}}};
+  std::ostringstream out;
+
+  {
+    const CommaLocale german;
+    console::PrintDot(chain.catalog(), sheet, out);
+  }
+
+  EXPECT_THAT(out.str(), HasSubstr("layout=nop;"));
+  EXPECT_THAT(out.str(), HasSubstr("    bb=\"24.000000,136.500000,224.250000,236.500000\";"));
+  EXPECT_THAT(out.str(), HasSubstr(", fixedsize=true, width=1.500000, height=0.500000, "
+                                   "pos=\"98.500000,178.500000\"]"));
+}
+
+TEST(PrintDot, WhatIsNotArrangedHasNoPlace) {
+  const Chain chain(2);
+  std::ostringstream plain;
+  console::PrintDot(chain.catalog(), plain);
+  EXPECT_THAT(plain.str(), testing::Not(HasSubstr("pos=")));
 }
 
 TEST(SheetOf, AClientIsRightOfItsProvider) {

@@ -149,6 +149,17 @@ TEST_F(OutputTest, EveryDocumentFitsItsSchema) {
   EXPECT_EQ(schemas, documents);
 }
 
+TEST_F(OutputTest, TheFiguresOfConnectionsFitTheSchemaOfTop) {
+  const Outcome top = Gcm({"--json", "top", "--connections"});
+  ASSERT_EQ(top.exit_code, program::kOk) << top.err;
+  const json value = json::parse(top.out, nullptr, false);
+
+  EXPECT_EQ(MisfitOf(value, SchemaIn(std::string(TENDON_JSON_SCHEMAS) + "/look/top.json")), "");
+  ASSERT_EQ(value["connections"].size(), 1U);
+  EXPECT_EQ(value["connections"][0]["required"], "desk/supervisor/Robot");
+  EXPECT_FALSE(value.contains("tasks"));
+}
+
 TEST(MisfitOf, SaysWhereAValueIsWrong) {
   const json schema = json::parse(R"({"type": "object", "required": ["a"], "properties":
       {"a": {"type": "array", "items": {"type": "string"}}}, "additionalProperties": false})");

@@ -123,6 +123,39 @@ TEST_F(SetVerbTest, EachMistakeHasASentence) {
   EXPECT_EQ(Gcm({"set", "robot/arm", "noise", "0", "--read-only"}).exit_code, program::kDenied);
 }
 
+TEST_F(SetVerbTest, OfManyAtOnceNoneLosesWhatAnotherHasSet) {
+  std::vector<std::unique_ptr<Program>> persons;
+  const std::vector<std::string> parameters{"bandwidth", "noise", "home[1]", "home[2]"};
+  for (const std::string& parameter : parameters) {
+    persons.push_back(std::make_unique<Program>(Program::Words{Binary("gcm"), "--gcm", address,
+                                                               "--timeout", kPatience, "set",
+                                                               "robot/arm", parameter, "0.25"}));
+  }
+
+  std::vector<int> exit_codes;
+  for (const auto& person : persons) exit_codes.push_back(person->Wait().value_or(-1));
+
+  int done = 0;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const int exit_code = exit_codes[i];
+    const std::string err = persons[i]->err();
+    const std::string now = Set({parameters[i]}).out;
+    if (exit_code == program::kOk) {
+      ++done;
+      EXPECT_THAT(now, HasSubstr("\t0.25\t"));
+      continue;
+    }
+    // A component is made anew for each change, and is not there for a moment.
+    const bool is_made_anew = err.find("no component 'robot/arm'") != std::string::npos;
+    EXPECT_EQ(exit_code, is_made_anew ? program::kNotFound : program::kRefused);
+    EXPECT_THAT(err, testing::AnyOf(HasSubstr("was changed meanwhile"),
+                                    HasSubstr("is being changed by another request"),
+                                    HasSubstr("no component 'robot/arm'")));
+    EXPECT_THAT(now, testing::Not(HasSubstr("\t0.25\t")));
+  }
+  EXPECT_GE(done, 1);
+}
+
 TEST_F(SetVerbTest, TheNamesOfParametersAreCompleted) {
   const auto complete = [this](const std::string& word) {
     return RunProgram({Binary("gcm"), "complete", "--gcm", address, "set", "robot/arm", word}).out;

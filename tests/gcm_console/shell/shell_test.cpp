@@ -52,6 +52,23 @@ TEST_F(ShellTest, TakesVerbsAndGoesThroughTheSystem) {
   EXPECT_EQ(terminal.program().Wait(), program::kOk);
 }
 
+TEST_F(ShellTest, WhoTypesMayShortenNamesAndIsToldWhatIsMeant) {
+  Terminal terminal(Command(), Environment());
+  ASSERT_TRUE(terminal.Shows("gcm> "));
+  terminal.Type("status\r");  // until the catalogue is here
+  ASSERT_TRUE(terminal.Shows("all is well\r\ngcm> ")) << terminal.seen();
+
+  terminal.Type("get r/a/s.J.position[0]\r");
+  EXPECT_TRUE(terminal.Shows("gcm: r/a/s.J.position[0] is robot/arm/state.Joints.position[0]\r\n"))
+      << terminal.seen();
+  terminal.Type("show d/nothing\r");
+  EXPECT_TRUE(terminal.Shows("no process 'd'")) << terminal.seen();
+}
+
+TEST_F(ShellTest, AScriptNamesAllInFull) {
+  EXPECT_THAT(Script("get r/a/s.J.position[0]\n").err, HasSubstr("no process 'r'"));
+}
+
 TEST_F(ShellTest, TabCompletesVerbsAndPathsFromTheLiveCatalogue) {
   Terminal terminal(Command(), Environment());
   ASSERT_TRUE(terminal.Shows("gcm> "));

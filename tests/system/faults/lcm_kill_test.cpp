@@ -77,7 +77,7 @@ TEST_P(LcmKill, AProgramThatAComponentHasStartedKeepsNoPort) {
   ASSERT_NO_FATAL_FAILURE(StartGcm());
   ASSERT_NO_FATAL_FAILURE(StartViewer());
   robot_ = MakeLcm("robot", {"--listen", port});
-  ASSERT_TRUE(EventuallyIs("robot", ProcessState::kAlive)) << robot_->err();
+  ASSERT_TRUE(EventuallyActive("robot", "ledger")) << robot_->err();
   const Outcome spawned = Gcm({"call", "robot/ledger/Control.Spawn"});
   ASSERT_EQ(spawned.exit_code, 0) << spawned.err;
   const pid_t child = std::stoi(spawned.out);

@@ -70,6 +70,16 @@ class LogWatch final : public tendon::GcmListener {
   std::map<std::string, Heard> heard_;
 };
 
+/// In the one of its records that tells of the most.
+unsigned long long MostSuppressed(const LogWatch::Heard& raver) {
+  const std::string told = "suppressed ";
+  unsigned long long most = 0;
+  for (const std::string& text : raver.texts) {
+    if (text.starts_with(told)) most = std::max(most, std::stoull(text.substr(told.size())));
+  }
+  return most;
+}
+
 class Overload : public FaultTest {
  protected:
   [[nodiscard]] std::unique_ptr<tendon::GcmClient> MakeViewer(
@@ -157,8 +167,10 @@ TEST_P(Overload, AStormOfRecordsDrownsNobodyElse) {
   const auto log = std::make_shared<LogWatch>();
   const auto viewer = MakeViewer(log);
   viewer->WatchLog();
+  const Stopwatch since_start;
   robot_ = MakeLcm("noisy");
   ASSERT_TRUE(Eventually([&] { return log->Of("calm").texts.size() >= 100; })) << Gcm({"ls"}).out;
+  ASSERT_TRUE(Eventually([&] { return MostSuppressed(log->Of("raver")) > 1000; }));
 
   EXPECT_EQ(Gcm({"ls"}).exit_code, 0) << "the console is usable";
   EXPECT_EQ(Gcm({"log"}).exit_code, 0);
@@ -167,9 +179,7 @@ TEST_P(Overload, AStormOfRecordsDrownsNobodyElse) {
   std::vector<std::int64_t> delays = calm.delays;
   std::sort(delays.begin(), delays.end());
   const auto raves = log->Of("raver").texts;
-  const auto told = std::find_if(raves.begin(), raves.end(), [](const std::string& text) {
-    return text.starts_with("suppressed ");
-  });
+  const auto seconds = static_cast<std::size_t>(1 + since_start.milliseconds() / 1000);
   Tell(std::to_string(calm.texts.size()) + " calm records, the middle one heard after " +
        std::to_string(delays[delays.size() / 2]) + " ms, the last after " +
        std::to_string(delays.back()) + " ms; beside " + std::to_string(raves.size()) +
@@ -177,10 +187,10 @@ TEST_P(Overload, AStormOfRecordsDrownsNobodyElse) {
   for (std::size_t i = 0; i < calm.texts.size(); ++i) {
     ASSERT_EQ(calm.texts[i], std::to_string(i + 1)) << "none is missing";
   }
-  EXPECT_LE(static_cast<double>(delays[delays.size() / 2]), 100 * Slowness());
-  ASSERT_NE(told, raves.end());
-  EXPECT_GT(std::stoull(told->substr(std::string("suppressed ").size())), 1000U) << *told;
-  EXPECT_LE(raves.size(), 2000U);
+  if (!MachineStoodStill()) {
+    EXPECT_LE(static_cast<double>(delays[delays.size() / 2]), 100 * Slowness());
+  }
+  EXPECT_LE(raves.size(), 200 + 200 * seconds);
   ExpectNeverLost("noisy");
 }
 

@@ -43,8 +43,10 @@ TEST_P(Payloads, AnEditedTypeIsRefusedAtConnectAndTheFirstDifferenceIsNamed) {
   ASSERT_NO_FATAL_FAILURE(StartViewer());
   const Lcm wrist = MakeLcm("wrist");
   const Lcm hand = MakeLcm("hand");
-  ASSERT_TRUE(EventuallyIs("wrist", tendon::ProcessState::kAlive)) << wrist->err();
-  ASSERT_TRUE(EventuallyIs("hand", tendon::ProcessState::kAlive)) << hand->err();
+  ASSERT_TRUE(EventuallyActive("wrist", "sensor")) << wrist->err();
+  for (const std::string& edit : Edits()) {
+    ASSERT_TRUE(EventuallyActive("hand", edit)) << hand->err();
+  }
   const std::string provided = "wrist/sensor/Force";
 
   for (const auto& [edit, difference] : differences) {
@@ -79,6 +81,8 @@ TEST_P(Payloads, AGiantIsSentUpToTheLimitAndBeyondItRefusedWhereItWouldBeSent) {
   const Lcm shop = MakeLcm("shop");
   const tendon::InterfaceName parcels("shop", "sender", "Parcels");
   ASSERT_TRUE(EventuallyIn(parcels, ConnectionState::kActive)) << shop->err() << post->err();
+  ASSERT_TRUE(EventuallyActive("post", "receiver")) << post->err();
+  ASSERT_TRUE(EventuallyActive("shop", "sender")) << shop->err();
   const std::size_t changes = watch_->connection_changes();
   const auto send = [&](std::size_t encoded) {
     return Gcm({"call", "shop/sender/Control.Send", std::to_string(encoded - 4)}).out;

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdint>
 #include <string>
 #include <system_error>
 
@@ -102,6 +103,19 @@ void Settle(const fs::path& file) {
   if (descriptor.get() >= 0) static_cast<void>(fsync(descriptor.get()));
 }
 
+/// What tells a file from what it was before.
+struct Stamp {
+  std::uintmax_t size = 0;
+  fs::file_time_type written;
+
+  bool operator==(const Stamp&) const = default;
+};
+
+Stamp StampOf(const fs::path& file) {
+  std::error_code ignored;  // one that is gone has changed
+  return {fs::file_size(file, ignored), fs::last_write_time(file, ignored)};
+}
+
 }  // namespace
 
 Result<void> AppendDurably(const fs::path& file, std::string_view text) {
@@ -128,6 +142,29 @@ Result<void> ReplaceDurably(const fs::path& file, std::string_view text) {
   if (!WriteAll(next.descriptor(), text) || !next.TakePlaceOf(*target)) return Failure(file);
   Settle(*target);
   return {};
+}
+
+Result<void> CheckWritable(const fs::path& file) {
+  const auto target = TargetOf(file);
+  if (!target) return target.error();
+  const bool may_write = faccessat(AT_FDCWD, target->c_str(), W_OK, AT_EACCESS) == 0;
+  if (!may_write && errno != ENOENT) return Failure(file);
+  const NextFile probe(*target, kMode);
+  if (probe.descriptor() < 0 || !WriteAll(probe.descriptor(), "probe\n")) return Failure(file);
+  return {};
+}
+
+Result<std::string> ReadUnchanged(const fs::path& file,
+                                  const std::function<Result<std::string>()>& read) {
+  constexpr int kMostTries = 10;
+  for (int i = 0; i < kMostTries; ++i) {
+    const Stamp before = StampOf(file);
+    auto text = read();
+    if (StampOf(file) == before) return text;
+  }
+  return Error{ErrorCode::kFailed, file.string() +
+                                       ": is changed while it is read; try again when "
+                                       "it is written"};
 }
 
 }  // namespace tendon::os

@@ -89,6 +89,11 @@ void Caller::GetCounts(const InterfaceName& required, Handler<ConnectionCounts> 
              std::move(handler));
 }
 
+void Caller::GetServed(const message::Wire& wire, Handler<ConnectionCounts> handler) {
+  AskProcess(wire.provided.process, message::kGetCounts, message::GetCounts{wire.required},
+             std::move(handler));
+}
+
 void Caller::GetFill(const std::string& process, const std::string& component,
                      Handler<MailboxFill> handler) {
   AskProcess(process, message::kGetFill, message::GetFill{component}, std::move(handler));

@@ -5,6 +5,7 @@
 #include <tendon/gcm/client/process_links.h>
 #include <tendon/payload/fingerprint.h>
 #include <tendon/payload/schema.h>
+#include <tendon/process/membership_messages.h>
 #include <tendon/process/messages.h>
 
 #include <chrono>
@@ -33,6 +34,7 @@ class Caller final : public std::enable_shared_from_this<Caller> {
             Handler<std::string> handler);
   void GetSchema(const std::string& process, Fingerprint fingerprint, Handler<Schema> handler);
   void GetCounts(const InterfaceName& required, Handler<ConnectionCounts> handler);
+  void GetServed(const message::Wire& wire, Handler<ConnectionCounts> handler);
   void GetFill(const std::string& process, const std::string& component,
                Handler<MailboxFill> handler);
   /// Types by the processes that know them, for FindSchema(). No process is waited for much longer

@@ -56,12 +56,29 @@ void EventFeed::Pursue(const SharedListening& listening) {
                  const auto self = weak.lock();
                  if (!self) return;
                  if (!channel) return self->Fail(listening, attempt, channel.error());
-                 self->Ask(listening, *channel, attempt);
+                 const auto ask = [weak, listening, channel = *channel,
+                                   attempt](const Result<SharedClock>& clock) {
+                   const auto still = weak.lock();
+                   if (!still) return;
+                   if (!clock) return still->Fail(listening, attempt, clock.error());
+                   still->Ask(listening, channel, *clock, attempt);
+                 };
+                 self->ClockOf(*channel)->WhenKnown(ask);  // so that no event is without a time
                });
 }
 
+/// One for all that listen there.
+EventFeed::SharedClock EventFeed::ClockOf(const std::shared_ptr<Channel>& channel) {
+  const std::scoped_lock lock(mutex_);
+  std::erase_if(clocks_, [](const auto& one) { return one.second.expired(); });
+  std::weak_ptr<SourceClock>& known = clocks_[channel.get()];
+  SharedClock clock = known.lock();
+  if (!clock) known = clock = std::make_shared<SourceClock>(timer_, channel, timeout_);
+  return clock;
+}
+
 void EventFeed::Ask(const SharedListening& listening, const std::shared_ptr<Channel>& channel,
-                    std::uint32_t attempt) {
+                    const SharedClock& clock, std::uint32_t attempt) {
   const EventSubscription& wanted = listening->wanted();
   const auto events = look_up_(wanted);
   if (!events) return Fail(listening, attempt, events.error());
@@ -78,7 +95,8 @@ void EventFeed::Ask(const SharedListening& listening, const std::shared_ptr<Chan
           .handle = attempt,
           .capacity = wanted.capacity},
       timeout_,
-      [weak = weak_from_this(), listening, channel, attempt, events = *events](const auto& answer) {
+      [weak = weak_from_this(), listening, channel, clock, attempt,
+       events = *events](const auto& answer) {
         const auto self = weak.lock();
         if (!self) return;
         if (!answer) {
@@ -88,7 +106,7 @@ void EventFeed::Ask(const SharedListening& listening, const std::shared_ptr<Chan
           if (answer.error().code == ErrorCode::kTimeout) channel->Close();
           return;
         }
-        if (listening->Stand(attempt, channel, answer->handle, events)) return;
+        if (listening->Stand(attempt, {channel, answer->handle, clock}, events)) return;
         self->Take({channel.get(), attempt});
         (void)channel->Notify(message::kCloseInterface, answer->handle, Bytes());
       });
@@ -104,11 +122,13 @@ void EventFeed::Fail(const SharedListening& listening, std::uint32_t attempt, co
 
 void EventFeed::OnNotice(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
                          std::span<const std::byte> body) {
-  if (header.type == message::kEvents) {
-    ForEachCall(body, [&](std::uint32_t handle, std::span<const std::byte> value) {
-      const auto [listening, attempt] = Find(channel.get(), handle);
-      if (listening && handle > attempt) listening->Raise(attempt, handle - attempt - 1, value);
-    });
+  if (header.type == message::kTimedEvents) {
+    ForEachTimedCall(body,
+                     [&](std::uint32_t handle, std::span<const std::byte> value, SteadyTime there) {
+                       const auto [listening, attempt] = Find(channel.get(), handle);
+                       if (!listening || handle <= attempt) return;
+                       listening->Raise(attempt, handle - attempt - 1, value, there);
+                     });
   } else if (header.type == message::kEventsLost) {
     const auto [listening, attempt] = Find(channel.get(), header.handle);
     const auto lost = DecodeBody<message::EventsLost>(body);

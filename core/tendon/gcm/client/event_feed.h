@@ -45,8 +45,10 @@ class EventFeed final : public ChannelHandler, public std::enable_shared_from_th
   using Key = std::pair<const Channel*, std::uint32_t>;
 
   void Pursue(const SharedListening& listening);
+  using SharedClock = std::shared_ptr<SourceClock>;
+  SharedClock ClockOf(const std::shared_ptr<Channel>& channel);
   void Ask(const SharedListening& listening, const std::shared_ptr<Channel>& channel,
-           std::uint32_t attempt);
+           const SharedClock& clock, std::uint32_t attempt);
   void Fail(const SharedListening& listening, std::uint32_t attempt, const Error& reason);
   /// Whose number it is, or that of one of its events, and the attempt that it belongs to.
   std::pair<SharedListening, std::uint32_t> Find(const Channel* channel, std::uint32_t handle);
@@ -60,6 +62,7 @@ class EventFeed final : public ChannelHandler, public std::enable_shared_from_th
   std::mutex mutex_;
   std::map<Id, SharedListening> listenings_;
   std::map<Key, SharedListening> standing_;
+  std::map<const Channel*, std::weak_ptr<SourceClock>> clocks_;
   Id last_id_ = 0;
   std::uint32_t next_handle_ = 1;
 };

@@ -1,5 +1,6 @@
 #include <tendon/base/name.h>
 #include <tendon/gcm/client/json_field.h>
+#include <tendon/payload/json/strict_json.h>
 
 #include <charconv>
 #include <nlohmann/json.hpp>
@@ -29,8 +30,9 @@ const Json* Element(const Json& list, std::string_view step) {
 
 Result<std::string> JsonField(const std::string& json, const std::string& field) {
   if (field.empty()) return json;
-  const Json whole = Json::parse(json, nullptr, /*allow_exceptions=*/false);
-  const Json* value = &whole;
+  const auto whole = ParseOrderedJson(json);
+  if (!whole) return whole.error();
+  const Json* value = &*whole;
   std::string_view rest = field;
   while (!rest.empty()) {
     std::string_view step = rest.substr(0, rest.find_first_of(".[", 1));

@@ -12,12 +12,11 @@ bool Listening::Try(std::uint32_t attempt) {
   return true;
 }
 
-bool Listening::Stand(std::uint32_t attempt, std::shared_ptr<Channel> channel, std::uint32_t handle,
+bool Listening::Stand(std::uint32_t attempt, Place place,
                       const std::vector<MemberDescription>& events) {
   const std::scoped_lock lock(mutex_);
   if (!sink_ || attempt_ != attempt) return false;
-  channel_ = std::move(channel);
-  handle_ = handle;
+  place_ = std::move(place);
   lost_.assign(wanted_.events.size(), 0);
   interruption_.reset();
   sink_->OnListening(events);
@@ -28,7 +27,7 @@ bool Listening::Fail(std::uint32_t attempt, const Error& reason) {
   const std::scoped_lock lock(mutex_);
   if (attempt_ != attempt) return false;
   attempt_ = 0;
-  channel_.reset();
+  place_ = {};
   if (!sink_) return false;
   if (interruption_ != reason) sink_->OnStale(reason);
   interruption_ = reason;
@@ -38,19 +37,22 @@ bool Listening::Fail(std::uint32_t attempt, const Error& reason) {
 void Listening::End() {
   const std::scoped_lock lock(mutex_);
   sink_.reset();
-  if (channel_) (void)channel_->Notify(message::kCloseInterface, handle_, Bytes());
-  channel_.reset();
+  if (place_.channel) {
+    (void)place_.channel->Notify(message::kCloseInterface, place_.handle, Bytes());
+  }
+  place_ = {};
 }
 
-void Listening::Raise(std::uint32_t attempt, std::size_t event, std::span<const std::byte> value) {
+void Listening::Raise(std::uint32_t attempt, std::size_t event, std::span<const std::byte> value,
+                      SteadyTime there) {
   const std::scoped_lock lock(mutex_);
-  if (!channel_ || attempt_ != attempt || event >= wanted_.events.size()) return;
-  sink_->OnEvent(event, value);
+  if (!place_.channel || attempt_ != attempt || event >= wanted_.events.size()) return;
+  sink_->OnEvent(event, value, place_.clock->Here(there));
 }
 
 void Listening::Lose(std::uint32_t attempt, const message::EventsLost& events) {
   const std::scoped_lock lock(mutex_);
-  if (!channel_ || attempt_ != attempt) return;
+  if (!place_.channel || attempt_ != attempt) return;
   for (std::size_t i = 0; i < std::min(lost_.size(), events.lost.size()); ++i) {
     if (events.lost[i] <= lost_[i]) continue;
     sink_->OnEventsLost(i, events.lost[i] - std::exchange(lost_[i], events.lost[i]));

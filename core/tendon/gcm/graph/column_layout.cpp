@@ -18,25 +18,47 @@ struct Interval {
   double bottom;
 };
 
-bool IsFree(const std::vector<Interval>& taken, double y, double height, double gap) {
-  return y >= 0 && std::none_of(taken.begin(), taken.end(), [&](const Interval& t) {
-           return y < t.bottom + gap && t.top < y + height + gap;
-         });
-}
+/// What is taken of a column, from above; nothing overlaps.
+class Column {
+ public:
+  void Take(const Interval& interval) {
+    const auto place =
+        std::lower_bound(taken_.begin(), taken_.end(), interval.top,
+                         [](const Interval& other, double top) { return other.top < top; });
+    taken_.insert(place, interval);
+  }
 
-double NearestFree(const std::vector<Interval>& taken, double wanted, double height, double gap) {
-  std::vector<double> candidates{std::max(0.0, wanted), 0.0};
-  for (const Interval& t : taken) {
-    candidates.push_back(t.bottom + gap);
-    candidates.push_back(t.top - gap - height);
+  [[nodiscard]] bool empty() const { return taken_.empty(); }
+  [[nodiscard]] double bottom() const { return taken_.empty() ? 0 : taken_.back().bottom; }
+
+  /// Where something of `height` can stand, as near as can be; of two places the upper one. Linear
+  /// in what is taken.
+  [[nodiscard]] double NearestFree(double wanted, double height, double gap) const {
+    double best = -1;
+    const auto offer = [&](double y) {
+      const bool is_nearer = best < 0 || std::abs(y - wanted) < std::abs(best - wanted);
+      if (is_nearer && IsFree(y, height, gap)) best = y;
+    };
+    offer(std::max(0.0, wanted));
+    if (best >= 0) return best;
+    offer(0);
+    for (const Interval& taken : taken_) {
+      offer(taken.top - gap - height);
+      offer(taken.bottom + gap);
+    }
+    return best;
   }
-  double best = -1;
-  for (const double y : candidates) {
-    if (!IsFree(taken, y, height, gap)) continue;
-    if (best < 0 || std::abs(y - wanted) < std::abs(best - wanted)) best = y;
+
+ private:
+  [[nodiscard]] bool IsFree(double y, double height, double gap) const {
+    const auto next = std::upper_bound(
+        taken_.begin(), taken_.end(), y,
+        [gap](double from, const Interval& other) { return from < other.bottom + gap; });
+    return y >= 0 && (next == taken_.end() || next->top >= y + height + gap);
   }
-  return best;
-}
+
+  std::vector<Interval> taken_;
+};
 
 }  // namespace
 
@@ -46,19 +68,18 @@ struct ColumnLayout::Plan {
   std::vector<int> layers;  // -1 for loose ones
   std::vector<std::optional<Place>> places;
   int column_count = 1;
+  std::vector<Column> columns{};
 
-  [[nodiscard]] std::vector<Interval> Taken(int column) const {
-    std::vector<Interval> taken;
-    for (const auto& place : places) {
-      if (place && place->column == column) taken.push_back({place->y, place->y + place->height});
-    }
-    return taken;
+  void Put(std::size_t block, const Place& place) {
+    places[block] = place;
+    column_count = std::max(column_count, place.column + 1);
+    ColumnAt(place.column).Take({place.y, place.y + place.height});
   }
 
-  [[nodiscard]] double Bottom(int column) const {
-    double bottom = 0;
-    for (const Interval& interval : Taken(column)) bottom = std::max(bottom, interval.bottom);
-    return bottom;
+  Column& ColumnAt(int column) {
+    const auto index = static_cast<std::size_t>(column);
+    if (index >= columns.size()) columns.resize(index + 1);
+    return columns[index];
   }
 
   /// The middle of those peers that have a place already; nothing when none has.
@@ -114,11 +135,9 @@ void ColumnLayout::KeepPlaces(Plan& plan) const {
     Place place = place_of(i);
     place.height = plan.blocks[i].size.height;
     // One above that has grown pushes it down, no further than it must.
-    for (const Interval& above : plan.Taken(place.column)) {
-      if (place.y < above.bottom + spacing_.rows) place.y = above.bottom + spacing_.rows;
-    }
-    plan.column_count = std::max(plan.column_count, place.column + 1);
-    plan.places[i] = place;
+    const Column& column = plan.ColumnAt(place.column);
+    if (!column.empty()) place.y = std::max(place.y, column.bottom() + spacing_.rows);
+    plan.Put(i, place);
   }
 }
 
@@ -147,8 +166,8 @@ void ColumnLayout::PlaceLayered(Plan& plan) const {
     const auto middle = plan.PeersMiddle(i);
     const double wanted = middle ? *middle - height / 2 : 0;
     const int column = plan.layers[i];
-    const double y = NearestFree(plan.Taken(column), wanted, height, spacing_.rows);
-    plan.places[i] = Place{plan.layers[i], column, y, height};
+    const double y = plan.ColumnAt(column).NearestFree(wanted, height, spacing_.rows);
+    plan.Put(i, Place{plan.layers[i], column, y, height});
   }
 }
 
@@ -167,12 +186,11 @@ void ColumnLayout::PlaceLoose(Plan& plan) const {
   for (const std::size_t i : order) {
     int column = 0;
     for (int other = 1; other < columns; ++other) {
-      if (plan.Bottom(other) < plan.Bottom(column)) column = other;
+      if (plan.ColumnAt(other).bottom() < plan.ColumnAt(column).bottom()) column = other;
     }
-    const double bottom = plan.Bottom(column);
+    const double bottom = plan.ColumnAt(column).bottom();
     const double y = bottom == 0 ? 0 : bottom + spacing_.rows;
-    plan.column_count = std::max(plan.column_count, column + 1);
-    plan.places[i] = Place{-1, column, y, plan.blocks[i].size.height};
+    plan.Put(i, Place{-1, column, y, plan.blocks[i].size.height});
   }
 }
 

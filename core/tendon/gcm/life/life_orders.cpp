@@ -1,8 +1,11 @@
+#include <tendon/base/clock.h>
+#include <tendon/gcm/life/followers.h>
 #include <tendon/gcm/life/life_orders.h>
 #include <tendon/gcm/life/life_plan.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/text/wall_time.h>
 #include <tendon/process/ask.h>
+#include <tendon/process/life/configuration_base.h>
 
 #include <algorithm>
 
@@ -12,6 +15,11 @@ namespace {
 using message::LifeOrder;
 using message::LifeOutcome;
 using std::chrono::milliseconds;
+using std::chrono::nanoseconds;
+
+/// An undo gives its orders within so many times what one may take. Whoever asked waits once more
+/// as long (GcmClient::kOrdersOfAnUndo): for the stop of what shall not run.
+constexpr int kOrdersOfAChain = 5;
 
 std::string PathOf(const LifeOrder& order) {
   return order.component.empty() ? order.process : order.process + "/" + order.component;
@@ -37,6 +45,12 @@ Error Unknown(const LifeOrder& order, const Error& why) {
                                    "; see: gcm show " + PathOf(order)};
 }
 
+/// Those that the undo of a step lets run again beside its own component.
+std::vector<std::string> StoppedWith(const message::HistoryEntry& step) {
+  const bool is_stop = step.verb == ToString(LifeVerb::kStop);
+  return is_stop ? FollowersOf(step.life) : std::vector<std::string>();
+}
+
 }  // namespace
 
 LifeOrders::LifeOrders(Parts parts, Locked locked, milliseconds timeout)
@@ -52,6 +66,9 @@ void LifeOrders::Steer(const LifeOrder& order, const std::string& who, Done<None
   }
   const auto claimed = is_stop ? std::move(done) : Claim(path, std::move(done));
   if (!claimed) return;
+  if (auto checked = CheckConfiguration(order); !checked) {
+    return Answer(claimed, Result<None>(checked.error()));
+  }
   message::HistoryEntry entry{.verb = std::string(ToString(order.verb)),
                               .life = StepOf(catalog, order),
                               .who = who,
@@ -59,6 +76,30 @@ void LifeOrders::Steer(const LifeOrder& order, const std::string& who, Done<None
   GiveOrder(order, [locked = locked_, entry = std::move(entry), claimed](const auto& outcome) {
     locked([&](LifeOrders& self) { self.Record(entry, outcome, claimed); });
   });
+}
+
+/// Whether it is still as it was when the order was made, or who has changed it. The process checks
+/// it once more, for it may know better.
+Result<void> LifeOrders::CheckConfiguration(const LifeOrder& order) const {
+  const auto* now = parts_.registry.catalog().FindComponent(order.process, order.component);
+  if (order.verb != LifeVerb::kConfigure || now == nullptr) return {};
+  UndoMark last;  // who has changed it last: by a step, or by an undo of one
+  std::string made;
+  for (const message::HistoryEntry& step : parts_.history.steps().entries) {
+    const message::LifeStep& life = step.life;
+    const bool is_ours = step.verb == ToString(LifeVerb::kConfigure) &&
+                         life.process == order.process && life.component == order.component;
+    if (!is_ours) continue;
+    const UndoMark change =
+        step.undone ? parts_.history.undo_of(step.id) : UndoMark{step.who, step.when};
+    if (std::max(change.when, step.when) < last.when) continue;
+    last = change;
+    made = step.undone ? life.former : life.configuration;
+  }
+  const bool is_its_doing = !last.who.empty() && made == now->configuration;
+  const std::string by =
+      is_its_doing ? " by " + last.who + " at " + WallTimeText(last.when) : std::string();
+  return CheckBase(order, now->configuration, by);
 }
 
 /// What was done, or may have been, is a step; answers once it is kept.
@@ -71,7 +112,7 @@ void LifeOrders::Record(message::HistoryEntry entry, const Result<LifeOutcome>& 
   entry.is_unknown = !outcome && IsSilence(outcome.error());
   const bool is_step = !entry.life.process.empty() && (outcome || entry.is_unknown);
   if (!is_step) return Answer(done, answer);
-  if (outcome) AddOutcome(*outcome, entry.life);
+  if (outcome) AddOutcome(*outcome, entry);
   entry.when = WallTime();
   parts_.history.Record(std::move(entry), [done, answer] { done(answer); });
 }
@@ -81,15 +122,19 @@ void LifeOrders::Undo(const message::HistoryEntry& step, std::chrono::nanosecond
   const message::LifeStep& life = step.life;
   const auto checked = CheckUndo(parts_.registry.catalog(), step);
   if (!checked) return Answer(std::move(done), Result<None>(checked.error()));
-  const auto claimed = Claim({life.process, life.component}, std::move(done));
+  auto claimed = Claim({life.process, life.component}, std::move(done));
+  for (const std::string& follower : StoppedWith(step)) {
+    if (claimed) claimed = Claim({life.process, follower}, claimed);
+  }
   if (!claimed) return;
   UndoPlan plan = PlanUndo(step, patience);
-  const auto start = [locked = locked_, then = std::move(plan.then),
+  const SteadyTime until = SteadyClock().Now() + kOrdersOfAChain * Longest(PatienceOf(patience));
+  const auto start = [locked = locked_, then = std::move(plan.then), until,
                       claimed](const auto& connected) {
     if (!connected || then.empty()) return claimed(connected);
-    locked([&](LifeOrders& self) { self.GiveAll(then, claimed); });
+    locked([&](LifeOrders& self) { self.RunAgain(then, until, claimed); });
   };
-  GiveAll(std::move(plan.first),
+  GiveAll(std::move(plan.first), until,
           [connect = std::move(connect), start, claimed](const auto& done_so_far) {
             if (!done_so_far) return claimed(done_so_far);
             connect(start);
@@ -165,8 +210,7 @@ void LifeOrders::GiveOrder(LifeOrder order, LifeDone done) {
   if (auto checked = CheckTarget(parts_.registry.catalog(), order); !checked) {
     return Answer(std::move(done), Result<LifeOutcome>(checked.error()));
   }
-  if (order.patience <= milliseconds(0)) order.patience = timeout_ * 2 / 3;
-  order.patience = std::min<std::chrono::nanoseconds>(order.patience, std::chrono::hours(1));
+  order.patience = PatienceOf(order.patience);
   order.id = ++last_id_;
   given_[order.id] = {.path = {order.process, order.component}, .verb = order.verb};
   const auto heard = [locked = locked_, order, done = std::move(done)](Result<LifeOutcome> obeyed) {
@@ -177,17 +221,25 @@ void LifeOrders::GiveOrder(LifeOrder order, LifeDone done) {
     }
     done(std::move(obeyed));
   };
-  // Before the one who asked gives up, who waits twice as long as it may take.
-  const auto patience = std::chrono::ceil<milliseconds>(order.patience);
-  const milliseconds longest = patience + std::min(timeout_, patience / 2);
-  Give<LifeOutcome>(message::kLife, order.process, order, longest, heard);
+  Give<LifeOutcome>(message::kLife, order.process, order, Longest(order.patience), heard);
 }
 
-/// One after the other, up to the first that fails. One that is to rest after its start, and does
-/// not, is stopped.
-void LifeOrders::GiveAll(std::vector<LifeOrder> orders, Done<None> done) {
+nanoseconds LifeOrders::PatienceOf(nanoseconds asked) const {
+  if (asked <= nanoseconds(0)) return timeout_ * 2 / 3;
+  return std::min<nanoseconds>(asked, std::chrono::hours(1));
+}
+
+/// Until the order counts as not answered: before the one who asked gives up, who waits twice as
+/// long as it may take.
+milliseconds LifeOrders::Longest(nanoseconds patience) const {
+  const auto most = std::chrono::ceil<milliseconds>(patience);
+  return most + std::min(timeout_, most / 2);
+}
+
+/// One after the other, up to the first that fails, or for which no time is left.
+void LifeOrders::GiveAll(std::vector<LifeOrder> orders, SteadyTime until, Done<None> done) {
   if (orders.empty()) return Answer(std::move(done), Result<None>(None{}));
-  const LifeOrder first = orders.front();
+  LifeOrder first = orders.front();
   const auto claim = busy_.find({first.process, first.component});
   if (first.verb == LifeVerb::kStart && claim != busy_.end() && claim->second) {
     return Answer(
@@ -195,23 +247,40 @@ void LifeOrders::GiveAll(std::vector<LifeOrder> orders, Done<None> done) {
         Result<None>(Error{ErrorCode::kFailed, PathOf(first) + " was ordered to stop meanwhile, so "
                                                                "it is not started"}));
   }
+  const auto patience = PatienceWithin(PatienceOf(first.patience), until - SteadyClock().Now());
+  if (!patience) {
+    return Answer(std::move(done),
+                  Result<None>(Error{ErrorCode::kTimeout, "no time was left to " +
+                                                              std::string(ToString(first.verb)) +
+                                                              " " + PathOf(first)}));
+  }
+  first.patience = *patience;
   orders.erase(orders.begin());
-  GiveOrder(first, [locked = locked_, rest = std::move(orders), first,
-                    done](const Result<LifeOutcome>& obeyed) {
+  GiveOrder(first, [locked = locked_, rest = std::move(orders), until, done](const auto& obeyed) {
     if (!obeyed) return done(obeyed.error());
     if (rest.empty()) return done(None{});
-    locked([&](LifeOrders& self) {
-      if (first.verb != LifeVerb::kStart) return self.GiveAll(rest, done);
-      self.GiveAll(rest, [locked = self.locked_, first, done](const Result<None>& rests) {
-        if (rests) return done(rests);
-        LifeOrder stop = first;
-        stop.verb = LifeVerb::kStop;
-        locked([&](LifeOrders& again) {
-          again.GiveOrder(stop, [done, rests](const auto& /*stopped*/) { done(rests); });
-        });
-      });
-    });
+    locked([&](LifeOrders& self) { self.GiveAll(rest, until, done); });
   });
+}
+
+/// The first starts the one after which the others run: where one of these fails, it is stopped,
+/// and they end with it.
+void LifeOrders::RunAgain(std::vector<LifeOrder> orders, SteadyTime until, Done<None> done) {
+  const LifeOrder leader = orders.front();
+  orders.erase(orders.begin());
+  const auto take_back = [locked = locked_, leader, done](const Result<None>& others) {
+    if (others) return done(others);
+    LifeOrder stop = leader;
+    stop.verb = LifeVerb::kStop;
+    locked([&](LifeOrders& self) {
+      self.GiveOrder(stop, [done, others](const auto& /*stopped*/) { done(others); });
+    });
+  };
+  GiveAll({leader}, until,
+          [locked = locked_, others = std::move(orders), until, done, take_back](const auto& runs) {
+            if (!runs) return done(runs);
+            locked([&](LifeOrders& self) { self.GiveAll(others, until, take_back); });
+          });
 }
 
 }  // namespace tendon::server

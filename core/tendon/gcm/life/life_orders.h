@@ -1,5 +1,6 @@
 #pragma once
 
+#include <tendon/base/clock.h>
 #include <tendon/gcm/history.h>
 #include <tendon/gcm/server/outbox.h>
 #include <tendon/gcm/server/registry.h>
@@ -69,13 +70,17 @@ class LifeOrders {
 
   template <typename T>
   void Answer(Done<T> done, Result<T> result);
+  [[nodiscard]] Result<void> CheckConfiguration(const message::LifeOrder& order) const;
   Done<None> Claim(const Path& path, Done<None> done);
   void PassOnStop(const Path& path);
   template <typename T, Message Body>
   void Give(MessageType type, const std::string& process, const Body& body,
             std::chrono::milliseconds longest, Done<T> done);
   void GiveOrder(message::LifeOrder order, LifeDone done);
-  void GiveAll(std::vector<message::LifeOrder> orders, Done<None> done);
+  [[nodiscard]] std::chrono::nanoseconds PatienceOf(std::chrono::nanoseconds asked) const;
+  [[nodiscard]] std::chrono::milliseconds Longest(std::chrono::nanoseconds patience) const;
+  void GiveAll(std::vector<message::LifeOrder> orders, SteadyTime until, Done<None> done);
+  void RunAgain(std::vector<message::LifeOrder> orders, SteadyTime until, Done<None> done);
   void Record(message::HistoryEntry entry, const Result<message::LifeOutcome>& outcome,
               const Done<None>& done);
 

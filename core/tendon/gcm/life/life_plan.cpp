@@ -1,6 +1,9 @@
+#include <tendon/gcm/life/followers.h>
 #include <tendon/gcm/life/life_plan.h>
 #include <tendon/gcm/lookup.h>
+#include <tendon/process/life/configuration_base.h>
 
+#include <algorithm>
 #include <optional>
 #include <string_view>
 
@@ -131,7 +134,9 @@ LifeStep StepOf(const Catalog& catalog, const LifeOrder& order) {
   step.class_name = before->class_name;
   step.library = before->library;
   step.state = before->state;
-  step.former = before->configuration;
+  step.former = order.verb == LifeVerb::kStop
+                    ? FollowersText(catalog, order.process, order.component)
+                    : before->configuration;
   if (order.verb != LifeVerb::kRemove) return step;
   for (const ConnectionDescription& one : catalog.connections()) {
     const auto is_ours = [&](const InterfaceName& end) {
@@ -144,14 +149,16 @@ LifeStep StepOf(const Catalog& catalog, const LifeOrder& order) {
   return step;
 }
 
-void AddOutcome(const message::LifeOutcome& outcome, LifeStep& step) {
+void AddOutcome(const message::LifeOutcome& outcome, HistoryEntry& entry) {
+  LifeStep& step = entry.life;
   step.state = outcome.state;
   step.class_name = outcome.class_name;
   step.library = outcome.library;
   step.thread = outcome.thread;
   step.leader = outcome.leader;
   step.configuration = outcome.configuration;
-  step.former = outcome.former;
+  const bool has_followers = entry.verb == ToString(LifeVerb::kStop);
+  if (!has_followers) step.former = outcome.former;
 }
 
 Result<void> CheckUndo(const Catalog& catalog, const HistoryEntry& step) {
@@ -174,13 +181,20 @@ Result<void> CheckUndo(const Catalog& catalog, const HistoryEntry& step) {
     const bool rests = *after == ComponentState::kFinished && !IsRunning(now->state) &&
                        now->state != ComponentState::kFaulted;
     if (now->state != *after && !rests) return Changed(life, "is " + state + " since");
-    return {};
+    return *after == ComponentState::kFinished ? CheckFollowers(catalog, life) : Result<void>();
   }
   if (step.verb == ToString(LifeVerb::kConfigure) && now->configuration != life.configuration) {
     return Changed(life, "has another configuration since");
   }
   if (IsRunning(now->state)) return Changed(life, "is " + state + " since; stop it first");
   return {};
+}
+
+std::optional<std::chrono::nanoseconds> PatienceWithin(std::chrono::nanoseconds patience,
+                                                       std::chrono::nanoseconds left) {
+  const std::chrono::nanoseconds most = left * 2 / 3;
+  if (most < std::chrono::milliseconds(1)) return std::nullopt;
+  return std::min(patience, most);
 }
 
 UndoPlan PlanUndo(const HistoryEntry& step, std::chrono::nanoseconds patience) {
@@ -207,6 +221,7 @@ UndoPlan PlanUndo(const HistoryEntry& step, std::chrono::nanoseconds patience) {
   } else if (step.verb == ToString(LifeVerb::kConfigure)) {
     order.verb = LifeVerb::kConfigure;
     order.configuration = life.former;
+    order.based_on = BaseOf(life.configuration);
     plan.first.push_back(order);
   } else if (step.verb == ToString(LifeVerb::kStart)) {
     const bool was_suspended = life.state == ComponentState::kSuspended;
@@ -216,7 +231,7 @@ UndoPlan PlanUndo(const HistoryEntry& step, std::chrono::nanoseconds patience) {
     order.verb = LifeVerb::kStart;
     plan.then.push_back(order);
   } else if (step.verb == ToString(LifeVerb::kStop)) {
-    AddOrdersInto(life.state, order, plan.then);
+    plan.then = OrdersToRunAgain(life, order);
   }
   return plan;
 }

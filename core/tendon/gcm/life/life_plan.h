@@ -6,6 +6,7 @@
 #include <tendon/gcm/messages.h>
 
 #include <chrono>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,7 +31,7 @@ Result<std::vector<Path>> LookUpComponents(const Catalog& catalog, const std::st
 [[nodiscard]] message::LifeStep StepOf(const Catalog& catalog, const message::LifeOrder& order);
 
 /// Completes the step by what the process says was there before, and how it understood the order.
-void AddOutcome(const message::LifeOutcome& outcome, message::LifeStep& step);
+void AddOutcome(const message::LifeOutcome& outcome, message::HistoryEntry& step);
 
 /// Whether the component is still as the step left it.
 Result<void> CheckUndo(const Catalog& catalog, const message::HistoryEntry& step);
@@ -41,6 +42,11 @@ struct UndoPlan {
   std::vector<message::LifeOrder> first;
   std::vector<message::LifeOrder> then;
 };
+
+/// That of an order which is to be answered within `left`, half as long again as it may take; none
+/// where there is no time for it.
+[[nodiscard]] std::optional<std::chrono::nanoseconds> PatienceWithin(
+    std::chrono::nanoseconds patience, std::chrono::nanoseconds left);
 
 /// `patience` is that for each order; they are meant for the instance that made the step.
 [[nodiscard]] UndoPlan PlanUndo(const message::HistoryEntry& step,

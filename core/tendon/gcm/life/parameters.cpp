@@ -2,6 +2,7 @@
 #include <tendon/base/printable.h>
 #include <tendon/gcm/life/parameters.h>
 #include <tendon/payload/json.h>
+#include <tendon/payload/json/strict_json.h>
 #include <tendon/payload/schema.h>
 
 #include <charconv>
@@ -27,12 +28,15 @@ Result<Whole> WholeOf(const ClassDescription& of, const std::string& told) {
   if (schema->is_none()) {
     return Error{ErrorCode::kNotFound, "class '" + of.name + "' takes no configuration"};
   }
-  Whole whole{*std::move(schema), Ordered::object(), Ordered::parse(of.defaults, nullptr, false)};
-  if (!told.empty()) whole.told = Ordered::parse(told, nullptr, false);
-  if (!whole.told.is_object() || !whole.value.is_object()) {
-    return Error{ErrorCode::kInvalid,
-                 "class '" + of.name + "' has a configuration that is no JSON"};
-  }
+  const auto refuse = [&of](const std::string& why) {
+    return Error{ErrorCode::kInvalid, "class '" + of.name + "' has a configuration that " + why};
+  };
+  const auto defaults = ParseOrderedJson(of.defaults);
+  if (!defaults) return refuse("cannot be read: " + defaults.error().message);
+  const auto given = ParseOrderedJson(told.empty() ? "{}" : told);
+  if (!given) return refuse("cannot be read: " + given.error().message);
+  if (!given->is_object() || !defaults->is_object()) return refuse("is no JSON object");
+  Whole whole{*std::move(schema), *given, *defaults};
   whole.value.merge_patch(whole.told);
   return whole;
 }
@@ -133,18 +137,21 @@ Result<Part> Find(Whole& whole, const std::vector<Step>& steps) {
 
 /// What a person types; a text needs no quotes.
 Result<Ordered> ValueOf(const Schema& schema, const std::string& name, const std::string& typed) {
-  Ordered value = Ordered::parse(typed, nullptr, false);
+  const auto parsed = ParseOrderedJson(typed);
   const bool is_word =
       schema.kind() == Schema::Kind::kString || schema.kind() == Schema::Kind::kEnum;
-  if (is_word && !value.is_string()) value = typed;
+  const bool is_meant_as_it_is = is_word && !(parsed && parsed->is_string());
+  if (!parsed && !is_meant_as_it_is) {
+    return Error{ErrorCode::kInvalid, name + ": expected " + schema.TypeName() + " as JSON, got '" +
+                                          Printable(typed, 64) + "': " + parsed.error().message};
+  }
+  Ordered value = is_meant_as_it_is ? Ordered(typed) : *parsed;
   try {
     (void)value.dump();
   } catch (const Ordered::exception&) {
     return Error{ErrorCode::kInvalid, name + ": '" + Printable(typed, 64) + "' is no UTF-8"};
   }
-  if (!value.is_discarded()) return value;
-  return Error{ErrorCode::kInvalid, name + ": expected " + schema.TypeName() + " as JSON, got '" +
-                                        Printable(typed, 64) + "'"};
+  return value;
 }
 
 /// Puts the part into what the class is told: no more than that, but lists as wholes.

@@ -127,11 +127,11 @@ void Orders::Undo(const message::WhichStep& which, const std::string& who,
   if (const auto checked = CheckUndo(*step); !checked) {
     return Answer(std::move(done), Result<message::HistoryEntry>(checked.error()));
   }
-  const auto finish = [locked = locked_, step = *step, done](const auto& outcome) {
-    locked([&](Orders& orders) { orders.FinishUndo(step, OutcomeOf(outcome), done); });
+  const auto finish = [locked = locked_, step = *step, who, done](const auto& outcome) {
+    locked([&](Orders& orders) { orders.FinishUndo(step, who, OutcomeOf(outcome), done); });
   };
   if (IsOfProcess(*step)) return parts_.supervisor.Undo(*step, which.patience, finish);
-  if (IsOfLife(*step)) return UndoLife(*step, which.patience, std::move(done));
+  if (IsOfLife(*step)) return UndoLife(*step, which.patience, finish);
   const InterfaceName& required = step->wire.required;
   if (step->verb == "connect") {
     Break(required, finish);
@@ -140,7 +140,7 @@ void Orders::Undo(const message::WhichStep& which, const std::string& who,
   } else if (parts_.registry.catalog().FindConnection(required) == nullptr) {
     Make(step->wire, finish);
   } else {  // a late process has undone it
-    FinishUndo(*step, {}, done);
+    FinishUndo(*step, who, {}, done);
   }
 }
 
@@ -367,14 +367,11 @@ void Orders::GiveBreak(const InterfaceName& required, Done<None> done) {
 }
 
 void Orders::UndoLife(const message::HistoryEntry& step, std::chrono::nanoseconds patience,
-                      Done<message::HistoryEntry> done) {
+                      const Done<None>& done) {
   const auto connect = [locked = locked_, step](const Done<None>& connected) {
     locked([&](Orders& orders) { orders.MakeAgain(step, connected); });
   };
-  const auto undone = [locked = locked_, step, done = std::move(done)](const auto& outcome) {
-    locked([&](Orders& orders) { orders.FinishUndo(step, OutcomeOf(outcome), done); });
-  };
-  parts_.life.Undo(step, patience, connect, undone);
+  parts_.life.Undo(step, patience, connect, done);
 }
 
 /// The connections of a component that is there again. Where one cannot be made again, the
@@ -428,14 +425,15 @@ Result<void> Orders::CheckUndo(const message::HistoryEntry& step) const {
   return checked ? checked : CannotUndoNow(step, checked.error().message);
 }
 
-void Orders::FinishUndo(message::HistoryEntry step, const Result<void>& outcome,
-                        Done<message::HistoryEntry> done) {
+void Orders::FinishUndo(message::HistoryEntry step, const std::string& who,
+                        const Result<void>& outcome, Done<message::HistoryEntry> done) {
   if (!outcome) {
     return Answer(std::move(done),
                   Result<message::HistoryEntry>(CannotUndo(step, outcome.error())));
   }
   step.undone = true;
-  parts_.history.MarkUndone(step.id, [step, done = std::move(done)] { done(step); });
+  parts_.history.MarkUndone(step.id, [step, done = std::move(done)] { done(step); },
+                            {.who = who, .when = WallTime()});
 }
 
 }  // namespace tendon::server

@@ -97,10 +97,10 @@ class Orders {
 
   [[nodiscard]] Result<message::HistoryEntry> Newest(const message::WhichStep& which) const;
   void UndoLife(const message::HistoryEntry& step, std::chrono::nanoseconds patience,
-                Done<message::HistoryEntry> done);
+                const Done<None>& done);
   void MakeAgain(const message::HistoryEntry& step, const Done<None>& done);
   [[nodiscard]] Result<void> CheckUndo(const message::HistoryEntry& step) const;
-  void FinishUndo(message::HistoryEntry step, const Result<void>& outcome,
+  void FinishUndo(message::HistoryEntry step, const std::string& who, const Result<void>& outcome,
                   Done<message::HistoryEntry> done);
 
   Parts parts_;

@@ -18,6 +18,8 @@ std::string_view Words(ProcessState state) {
       return "is lost";
     case ProcessState::kLeft:
       return "has left";
+    case ProcessState::kStarting:
+      return "is starting";
   }
   return "?";
 }
@@ -28,7 +30,8 @@ void LogProcesses(const std::vector<CatalogChange>& changes) {
   for (const CatalogChange& change : changes) {
     if (change.kind != CatalogChange::Kind::kProcess) continue;
     const ProcessDescription& process = change.processes.front();
-    const bool well = process.state == ProcessState::kAlive || process.state == ProcessState::kLeft;
+    const bool well =
+        process.state != ProcessState::kSuspect && process.state != ProcessState::kLost;
     const std::string reason = process.reason.empty() ? "" : ": " + process.reason;
     Log(well ? LogLevel::kInfo : LogLevel::kWarning, "gcm",
         "process '" + process.name + "' " + std::string(Words(process.state)) + reason);

@@ -3,6 +3,7 @@
 #include <tendon/gcm/server/intake.h>
 #include <tendon/gcm/server/registry.h>
 #include <tendon/gcm/text/wall_time.h>
+#include <tendon/middleware/channel.h>
 
 #include <algorithm>
 
@@ -95,6 +96,7 @@ Result<Registry::Admission> Registry::Join(message::Join join, Session held,
                                  .health = {},
                                  .told = {}};
   tombstones_.erase(join.process.name);
+  expected_.erase(join.process.name);
   Enter(join, now);
   return admission;
 }
@@ -191,6 +193,30 @@ void Registry::End(Session session, ProcessState state, const std::string& reaso
   SuspendConnections(name);
 }
 
+void Registry::Expect(const std::string& process, std::int64_t pid) {
+  if (FindByName(process) != nullptr) return;
+  const auto* const before = catalog_.FindProcess(process);
+  ProcessDescription starting{.name = process};
+  if (before != nullptr) starting.instance = before->process.instance;
+  if (!expected_.contains(process)) {
+    expected_[process] = before == nullptr ? std::nullopt : std::optional(before->process);
+  }
+  starting.host = os::HostName();
+  starting.pid = pid;
+  starting.state = ProcessState::kStarting;
+  starting.since = WallTime();
+  Apply({.kind = Kind::kProcess, .process = process, .processes = {starting}});
+}
+
+void Registry::GiveUp(const std::string& process) {
+  const auto found = expected_.find(process);
+  if (found == expected_.end()) return;
+  const std::optional<ProcessDescription> before = std::move(found->second);
+  expected_.erase(found);
+  if (!before) return Remove(process);
+  Apply({.kind = Kind::kProcess, .process = process, .processes = {*before}});
+}
+
 bool Registry::Explain(const std::string& process, const std::string& reason) {
   const auto* const entry = catalog_.FindProcess(process);
   if (entry == nullptr || IsPresent(entry->process)) return false;
@@ -207,6 +233,10 @@ Result<void> Registry::Forget(const std::string& process) {
     return Error{ErrorCode::kFailed,
                  "process '" + process + "' is there; only one that is gone can be forgotten"};
   }
+  if (expected_.contains(process)) {
+    return Error{ErrorCode::kFailed,
+                 "process '" + process + "' is starting; only one that is gone can be forgotten"};
+  }
   Remove(process);
   return {};
 }
@@ -216,7 +246,9 @@ std::vector<std::shared_ptr<Channel>> Registry::Tick() {
   Forgive(now);
   std::vector<std::pair<Session, std::chrono::nanoseconds>> given_up;
   for (const auto& [session, member] : members_) {
-    const auto silence = now - member.renewed;
+    // The renewal may wait behind a large message.
+    const SteadyTime last_part = member.channel ? member.channel->last_part() : SteadyTime();
+    const auto silence = now - std::max(member.renewed, last_part);
     if (silence >= leases_.lost_after) {
       given_up.emplace_back(session, silence);
     } else if (silence >= leases_.suspect_after) {
@@ -248,7 +280,9 @@ void Registry::ClearTombstones(SteadyTime now) {
   for (const auto& [name, since] : tombstones_) {
     if (now - since >= leases_.tombstone_for) old.push_back(name);
   }
-  for (const std::string& name : old) Remove(name);
+  for (const std::string& name : old) {
+    if (!expected_.contains(name)) Remove(name);
+  }
 }
 
 const ProcessDescription* Registry::FindMember(Session session) const {

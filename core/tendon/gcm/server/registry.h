@@ -56,6 +56,13 @@ class Registry {
   Result<void> TakeHealth(Session session, const message::Health& health);
   /// The process becomes a tombstone. Nothing happens when the membership is over.
   void End(Session session, ProcessState state, const std::string& reason);
+  /// The program of a process is started, or, with its pid, was: until that joins, the catalogue
+  /// has it as starting, with what it had before. Nothing happens where there is a member of that
+  /// name.
+  void Expect(const std::string& process, std::int64_t pid);
+  /// It does not come: the catalogue has what it had before, if it had anything. Nothing happens
+  /// where the process is not expected.
+  void GiveUp(const std::string& process);
   /// Says more of why a process is gone; false where there is no tombstone of it.
   bool Explain(const std::string& process, const std::string& reason);
   /// Removes a tombstone; kNotFound, or kFailed for a process that is there.
@@ -110,6 +117,8 @@ class Registry {
   DescriptionPool pool_;
   std::map<Session, Member> members_;
   std::map<std::string, SteadyTime> tombstones_;  // since when
+  /// Starting, with what the catalogue had before.
+  std::map<std::string, std::optional<ProcessDescription>> expected_;
   HandBacks hand_backs_;
   bool look_for_hand_backs_ = false;
   std::vector<CatalogChange> changes_;

@@ -1,13 +1,9 @@
 #include <tendon/base/log.h>
-#include <tendon/base/os/process.h>
 #include <tendon/base/printable.h>
-#include <tendon/gcm/lookup.h>
-#include <tendon/gcm/server/intake.h>
 #include <tendon/gcm/server/process_news.h>
 #include <tendon/gcm/server/server.h>
 #include <tendon/gcm/text/audit_object.h>
 #include <tendon/process/access/guarded_handler.h>
-#include <tendon/process/ask.h>
 #include <tendon/process/telemetry/fan_out_messages.h>
 
 #include <map>
@@ -17,15 +13,6 @@ namespace tendon::server {
 namespace {
 
 constexpr std::chrono::milliseconds kTick(100);
-
-/// Of the program at the other end.
-std::string NameOf(const Channel& channel) { return Printable(channel.peer().name, 64); }
-
-/// Whether what it logs is in the book already: a window that hosts a GCM is a process as well.
-bool IsOwn(const ProcessDescription& process) {
-  return process.name == kGcmName && process.pid == os::ProcessId() &&
-         process.host == os::HostName();
-}
 
 /// Answers whatever the result is of.
 auto AnswerOf(const std::shared_ptr<Responder>& responder) {
@@ -52,7 +39,7 @@ class Server::Peer final : public GuardedHandler {
   void OnAllowedNotice(const std::shared_ptr<Channel>& /*channel*/, const FrameHeader& header,
                        std::span<const std::byte> body) override {
     if (header.type == message::kReport) server_->Report(*this, body);
-    if (header.type == message::kLogRecords) server_->TakeLog(*this, body);
+    if (header.type == message::kLogRecords) server_->TakeLog(session, body);
   }
 
   void OnClosed(const std::shared_ptr<Channel>& channel, const Error& reason) override {
@@ -69,6 +56,8 @@ class Server::Peer final : public GuardedHandler {
  private:
   const std::shared_ptr<Server> server_;
 };
+
+std::string Server::NameOf(const Channel& channel) { return Printable(channel.peer().name, 64); }
 
 Server::Server(Options options)
     : options_(std::move(options)),
@@ -128,28 +117,9 @@ void Server::Tick() {
   });
 }
 
-/// In an action of the outbox; also sends watchers what their links had no room for.
-void Server::WriteOwnLog() {
-  auto records = own_log_.Take(LogQueue::kCapacity, SteadyClock().Now());
-  for (message::LogRecord& record : records) log_book_.AddOwn(std::move(record));
-  log_book_.PumpAll();
-}
-
 void Server::KeepTicking() {
   Tick();
   worker_.PostAfter(kTick, [this] { KeepTicking(); });
-}
-
-/// Decides under the lock, then publishes and sends what follows from it.
-template <typename Action>
-void Server::Locked(Action&& action) {
-  {
-    const std::scoped_lock lock(mutex_);
-    if (stopped_) return;
-    action();
-    Publish();
-  }
-  outbox_.Flush();
 }
 
 void Server::Publish() {
@@ -187,13 +157,6 @@ void Server::SendPeers() {
       peers_owed_ = true;
     });
   }
-}
-
-/// Under the lock.
-template <typename T>
-void Server::Answer(const Request& request, Result<T> result) {
-  outbox_.Add(
-      [responder = request.responder, result = std::move(result)] { responder->Answer(result); });
 }
 
 Server::Serve Server::ServeOf(MessageType type) {
@@ -309,7 +272,7 @@ void Server::Steer(const Request& request) {
   const auto order = DecodeBody<message::LifeOrder>(request.body);
   if (!order) return request.responder->Refuse(order.error());
   Locked([&] {
-    supervisor_->NoteOrder(*order);
+    supervisor_->NoteChange(order->process);
     life_->Steer(*order, NameOf(*request.channel), AnswerOf(request.responder));
   });
 }
@@ -365,45 +328,6 @@ void Server::Forget(const Request& request) {
   Locked([&] { Answer(request, registry_.Forget(forget->process)); });
 }
 
-void Server::WatchLog(const Request& request) {
-  const auto watch = DecodeBody<message::WatchLog>(request.body);
-  if (!watch) return request.responder->Refuse(watch.error());
-  const bool goes_on = watch->gcm_instance == options_.instance;
-  Locked([&] {
-    outbox_.Add([this, channel = request.channel, responder = request.responder,
-                 after = goes_on ? watch->after : 0] {
-      if (!channel->is_open()) return;
-      message::LogWatched watched = log_book_.Watch(channel, after);
-      watched.gcm_instance = options_.instance;
-      responder->Answer(Result(watched));
-      log_book_.Pump();
-    });
-  });
-}
-
-void Server::SetLogLevel(const Request& request) {
-  const auto order = DecodeBody<message::SetLogLevel>(request.body);
-  if (!order) return request.responder->Refuse(order.error());
-  Locked([&] {
-    const auto entry = LookUpProcess(registry_.catalog(), order->process);
-    if (!entry) return Answer<None>(request, entry.error());
-    const auto present = RequirePresent((*entry)->process);
-    if (!present) return Answer(request, present);
-    outbox_.Add([this, channel = registry_.ChannelOf(order->process), order = *order,
-                 who = NameOf(*request.channel), responder = request.responder] {
-      Ask<None>(worker_, channel, message::kSetLogLevel, order, options_.order_timeout,
-                [order, who, responder](const auto& done) {
-                  if (done) {
-                    Log(LogLevel::kInfo, "gcm",
-                        who + " has set the log level of process '" + order.process + "' to " +
-                            std::string(ToString(order.level)));
-                  }
-                  responder->Answer(done);
-                });
-    });
-  });
-}
-
 void Server::Report(const Peer& peer, std::span<const std::byte> body) {
   auto report = DecodeBody<message::Report>(body);
   Locked([&] {
@@ -412,22 +336,6 @@ void Server::Report(const Peer& peer, std::span<const std::byte> body) {
     if (reported) return;
     outbox_.Add([text = reported.error().message] {
       Log(LogLevel::kWarning, "gcm", "a report was not understood: " + text);
-    });
-  });
-}
-
-void Server::TakeLog(const Peer& peer, std::span<const std::byte> body) {
-  if (body.size() > message::kLargestLogBatch) return;
-  auto batch = DecodeBody<message::LogRecords>(body);
-  if (!batch) return Log(LogLevel::kWarning, "gcm", "not understood: " + batch.error().message);
-  TakeIn(*batch);
-  Locked([&] {
-    const ProcessDescription* process = registry_.FindMember(peer.session);
-    if (process == nullptr || IsOwn(*process)) return;
-    outbox_.Add([this, name = process->name, instance = process->instance,
-                 records = *std::move(batch)]() mutable {
-      log_book_.Add(name, instance, std::move(records));
-      log_book_.Pump();
     });
   });
 }

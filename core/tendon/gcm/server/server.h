@@ -62,6 +62,7 @@ class Server final : public std::enable_shared_from_this<Server> {
     std::shared_ptr<Responder> responder;  ///< shared, for std::function wants to be copied
   };
 
+  /// Decides under the lock, then publishes and sends what follows from it.
   template <typename Action>
   void Locked(Action&& action);
   template <typename Part>
@@ -71,6 +72,9 @@ class Server final : public std::enable_shared_from_this<Server> {
   void SendPeers();
   void KeepTicking();
   void WriteOwnLog();
+
+  /// Of the program at the other end.
+  static std::string NameOf(const Channel& channel);
 
   /// Each serves one type of request.
   using Serve = void (Server::*)(const Request&);
@@ -96,9 +100,11 @@ class Server final : public std::enable_shared_from_this<Server> {
   void WatchLog(const Request& request);
   void SetLogLevel(const Request& request);
   void Report(const Peer& peer, std::span<const std::byte> body);
-  void TakeLog(const Peer& peer, std::span<const std::byte> body);
+  /// `session` is looked at under the lock.
+  void TakeLog(const Session& session, std::span<const std::byte> body);
   void Closed(Peer& peer, const SharedChannel& channel, const Error& reason);
 
+  /// Under the lock.
   template <typename T>
   void Answer(const Request& request, Result<T> result);
 
@@ -122,5 +128,22 @@ class Server final : public std::enable_shared_from_this<Server> {
     own_log_.Add(level, source, text);
   }};
 };
+
+template <typename Action>
+void Server::Locked(Action&& action) {
+  {
+    const std::scoped_lock lock(mutex_);
+    if (stopped_) return;
+    action();
+    Publish();
+  }
+  outbox_.Flush();
+}
+
+template <typename T>
+void Server::Answer(const Request& request, Result<T> result) {
+  outbox_.Add(
+      [responder = request.responder, result = std::move(result)] { responder->Answer(result); });
+}
 
 }  // namespace tendon::server

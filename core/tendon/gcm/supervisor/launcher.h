@@ -50,7 +50,8 @@ class Launcher {
   virtual Result<std::shared_ptr<StartedProcess>> Start(const Order& order) = 0;
   /// Of the process that was started last under that name.
   virtual Traces TracesOf(const std::string& process) = 0;
-  /// Keeps the log of one that runs from growing for ever; to be called often.
+  /// Keeps the log of one that runs from growing for ever; to be called often. What goes wrong is
+  /// said once, and again when it went well in between.
   virtual void ShortenLog(const std::string& process) = 0;
 };
 

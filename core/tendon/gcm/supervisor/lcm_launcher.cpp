@@ -1,3 +1,4 @@
+#include <tendon/base/log.h>
 #include <tendon/base/os/loading/child_process.h>
 #include <tendon/base/printable.h>
 #include <tendon/gcm/supervisor/lcm_launcher.h>
@@ -92,7 +93,13 @@ Result<std::shared_ptr<StartedProcess>> LcmLauncher::Start(const Order& order) {
     words.insert(words.end(), {"--system", file.string()});
   }
   const fs::path log = FileOf(order.process, ".log");
-  fs::rename(log, FileOf(order.process, ".log.1"), reason);
+  const fs::path former = FileOf(order.process, ".log.1");
+  fs::rename(log, former, reason);
+  if (reason && reason != std::errc::no_such_file_or_directory) {
+    Log(LogLevel::kWarning, "gcm",
+        "the former log of process '" + order.process + "', " + log.string() + ", is not kept as " +
+            former.string() + ": " + reason.message());
+  }
   shortened_.erase(order.process);
   auto program = os::BackgroundProgram::Start(launch_.program, words, log);
   if (!program) return program.error();
@@ -106,15 +113,33 @@ Traces LcmLauncher::TracesOf(const std::string& process) {
   return {words, log.string()};
 }
 
-/// The process appends to its file, wherever that ends.
+/// The process appends to its file, wherever that ends. A log that cannot be kept is cut all the
+/// same, also where the disk is full, for else it would grow for ever.
 void LcmLauncher::ShortenLog(const std::string& process) {
   std::error_code reason;
   const fs::path log = FileOf(process, ".log");
   const std::uintmax_t size = fs::file_size(log, reason);
   if (reason || size <= launch_.longest_log) return;
-  fs::copy_file(log, FileOf(process, ".log.1"), fs::copy_options::overwrite_existing, reason);
-  fs::resize_file(log, 0, reason);  // also where the disk is full
-  shortened_.insert(process);
+  const fs::path former = FileOf(process, ".log.1");
+  fs::copy_file(log, former, fs::copy_options::overwrite_existing, reason);
+  const std::string not_kept = reason ? "not kept as " + former.string() + " (" + reason.message() +
+                                            "), so what it said is lost"
+                                      : "";
+  fs::resize_file(log, 0, reason);
+  const std::string not_cut = reason ? "not cut (" + reason.message() + "), so it grows" : "";
+  if (!reason) shortened_.insert(process);
+  const std::string both = not_kept.empty() || not_cut.empty() ? "" : "; ";
+  Complain(process, not_kept + both + not_cut);
+}
+
+/// Once for as long as it is the same.
+void LcmLauncher::Complain(const std::string& process, const std::string& what) {
+  const bool is_new = what != std::exchange(complaints_[process], what);
+  if (what.empty() || !is_new) return;
+  Log(LogLevel::kWarning, "gcm",
+      "the log of process '" + process + "', " + FileOf(process, ".log").string() +
+          ", has become too long and is " + what +
+          "; make room there, or see who may write in that folder");
 }
 
 }  // namespace tendon::server

@@ -4,6 +4,7 @@
 #include <tendon/gcm/supervisor/launcher.h>
 
 #include <filesystem>
+#include <map>
 #include <set>
 #include <string>
 
@@ -24,13 +25,15 @@ class LcmLauncher final : public Launcher {
   void ShortenLog(const std::string& process) override;
 
  private:
+  void Complain(const std::string& process, const std::string& what);
   [[nodiscard]] std::filesystem::path FileOf(const std::string& process,
                                              const std::string& ending) const;
 
   const Launch launch_;
   const std::string gcm_;
   const std::filesystem::path folder_;
-  std::set<std::string> shortened_;  // whose former log is its own
+  std::set<std::string> shortened_;                // whose former log is its own
+  std::map<std::string, std::string> complaints_;  // the last of each process; "": all is well
 };
 
 }  // namespace tendon::server

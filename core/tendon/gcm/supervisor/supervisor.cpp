@@ -78,17 +78,6 @@ void Supervisor::NoteChange(const std::string& process) {
   if (child != children_.end()) child->second.is_changed = true;
 }
 
-void Supervisor::NoteOrder(const message::LifeOrder& order) {
-  NoteChange(order.process);
-  const auto child = children_.find(order.process);
-  if (child == children_.end() || order.verb != LifeVerb::kCreate) return;
-  const Catalog& catalog = parts_.registry.catalog();
-  if (catalog.FindComponent(order.process, order.component) != nullptr) return;  // it is refused
-  child->second.threads.erase(order.component);
-  const auto thread = FromJson<ThreadOptions>(order.thread);
-  if (!order.thread.empty() && thread) child->second.threads[order.component] = *thread;
-}
-
 Result<void> Supervisor::CheckUndo(const message::HistoryEntry& step) const {
   const std::string& process = step.life.process;
   if (auto ours = CheckKill(process); !ours) return ours;
@@ -169,6 +158,7 @@ void Supervisor::Launch(const std::string& process, Child& child) {
   child.phase = Phase::kStarting;
   child.is_changed = false;
   child.reproach.clear();
+  parts_.registry.Expect(process, 0);
   const Launcher::Order order{process, child.patience, child.system};
   worker_.Post([launcher = parts_.launcher, locked = locked_, order] {
     const auto program =
@@ -180,6 +170,11 @@ void Supervisor::Launch(const std::string& process, Child& child) {
 void Supervisor::Begin(const std::string& process,
                        const Result<std::shared_ptr<StartedProcess>>& program) {
   Child& child = children_.at(process);  // which nobody ends in the meantime
+  if (program) {
+    parts_.registry.Expect(process, (*program)->pid());
+  } else {
+    parts_.registry.GiveUp(process);
+  }
   if (!program && child.is_known) return Drop(process, program.error().message);
   if (!program) {
     Answer(child.done, program.error());
@@ -199,6 +194,7 @@ void Supervisor::LookAfter(const std::string& process, Child& child) {
     if (const auto end = child.program->Ended()) {
       child.end = *end;
       child.phase = Phase::kEnded;
+      parts_.registry.GiveUp(process);  // where it has not joined
     }
   }
   const bool is_over = parts_.clock.Now() >= child.until;
@@ -286,7 +282,7 @@ void Supervisor::StartAgain(const std::string& process, Child& child, const std:
                              " times within a minute; when it is mended: gcm apply");
   }
   Tell(process, how + "; it is started again in " + std::to_string(pause->count()) + " ms");
-  if (child.is_changed || !child.system) child.system = SystemWith(process, child);
+  if (child.is_changed || !child.system) child.system = SystemWith(process);
   child.phase = Phase::kPausing;
   child.until = now + *pause;
 }
@@ -310,16 +306,10 @@ bool Supervisor::IsMember(const std::string& process, const Child& child) const 
 }
 
 /// All that was known of the process before it ended; nothing where that is nothing.
-std::optional<SystemFile> Supervisor::SystemWith(const std::string& process,
-                                                 const Child& child) const {
-  SystemFile system = SystemOf(parts_.registry.catalog(), process, Gone::kIncluded).file;
-  for (SystemFile::Process& one : system.processes) {
-    if (one.name != process) continue;
-    for (SystemFile::Component& component : one.components) {
-      const auto thread = child.threads.find(component.name);
-      if (thread != child.threads.end()) component.thread = thread->second;
-    }
-    return system;
+std::optional<SystemFile> Supervisor::SystemWith(const std::string& process) const {
+  const SystemFile system = SystemOf(parts_.registry.catalog(), process, Gone::kIncluded).file;
+  for (const SystemFile::Process& one : system.processes) {
+    if (one.name == process) return system;
   }
   return std::nullopt;
 }

@@ -50,12 +50,8 @@ class Supervisor {
   /// Nothing is started any more; what runs is left alone.
   void Stop() { worker_.Stop(); }
 
-  // So that a process that is started again has what it had.
-
-  /// A component of the process is perhaps changed.
+  /// A component of the process is perhaps changed: started again, it is to have what it had.
   void NoteChange(const std::string& process);
-  /// The same; and of one that is made the catalogue does not tell all.
-  void NoteOrder(const message::LifeOrder& order);
 
   /// Whether the process that a step has started is still ours, and has nothing in it.
   [[nodiscard]] Result<void> CheckUndo(const message::HistoryEntry& step) const;
@@ -88,8 +84,7 @@ class Supervisor {
     bool is_changed = false;   ///< since it was started
     std::string reproach{};    ///< why it had to be ended
     RestartSchedule schedule{};
-    std::optional<SystemFile> system{};              ///< with what it was started
-    std::map<std::string, ThreadOptions> threads{};  ///< of its components
+    std::optional<SystemFile> system{};  ///< with what it was started
   };
 
   void Start(const message::ProcessOrder& order, const std::string& who, Done done);
@@ -108,8 +103,7 @@ class Supervisor {
   void Drop(const std::string& process, const std::string& how);
   void Tell(const std::string& process, const std::string& what);
   [[nodiscard]] bool IsMember(const std::string& process, const Child& child) const;
-  [[nodiscard]] std::optional<SystemFile> SystemWith(const std::string& process,
-                                                     const Child& child) const;
+  [[nodiscard]] std::optional<SystemFile> SystemWith(const std::string& process) const;
   void Answer(Done done, Result<None> result);
 
   Parts parts_;

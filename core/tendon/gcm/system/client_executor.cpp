@@ -65,9 +65,9 @@ Result<void> ClientExecutor::Execute(const PlanStep& step) {
     case Kind::kRemove:
       return Steer(LifeVerb::kRemove, step);
     case Kind::kStartProcess:
-      return Wait<void>(GcmClient::kOrdersOfAProcess * timeout_ + kLonger, [&](auto handler) {
-        client_.SteerProcess({.process = step.process, .restart = step.restart}, handler);
-      });
+      return SteerProcess(ProcessVerb::kStart, step);
+    case Kind::kEndProcess:
+      return SteerProcess(ProcessVerb::kKill, step);
     case Kind::kConfigure:
       return Steer(LifeVerb::kConfigure, step);
     case Kind::kCreate:
@@ -136,6 +136,14 @@ bool ClientExecutor::IsMadeByOthers(const message::Wire& wire, ErrorCode refusal
   return false;
 }
 
+Result<void> ClientExecutor::SteerProcess(ProcessVerb verb, const PlanStep& step) {
+  return Wait<void>(GcmClient::kOrdersOfAProcess * timeout_ + kLonger, [&](auto handler) {
+    message::ProcessOrder order{.verb = verb, .process = step.process};
+    if (verb == ProcessVerb::kStart) order.restart = step.restart;
+    client_.SteerProcess(std::move(order), handler);
+  });
+}
+
 Result<void> ClientExecutor::Steer(LifeVerb verb, const PlanStep& step) {
   message::LifeOrder order{.verb = verb,
                            .process = step.process,
@@ -145,9 +153,11 @@ Result<void> ClientExecutor::Steer(LifeVerb verb, const PlanStep& step) {
     order.class_name = step.component.class_name;
     order.library = step.component.library;
     if (step.component.thread) order.thread = ToJson(*step.component.thread);
+    order.leader = step.component.runs_after;
   }
   if (verb == LifeVerb::kCreate || verb == LifeVerb::kConfigure) {
     order.configuration = step.component.configuration;
+    order.based_on = step.based_on;
   }
   const auto made = Wait<void>(GcmClient::kOrdersOfALife * timeout_ + kLonger,
                                [&](auto handler) { client_.Steer(order, handler); });

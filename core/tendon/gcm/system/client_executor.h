@@ -9,7 +9,8 @@
 namespace tendon {
 
 /// Carries out steps by asking a GCM for them. Refuses a step of a process that was started anew
-/// since it was planned, and the start of a component that lacks a connection which it needs.
+/// since it was planned, that of a configuration which was changed since, and the start of a
+/// component that lacks a connection which it needs.
 class ClientExecutor final : public PlanExecutor {
  public:
   /// The client gives up each request after `timeout` by itself, and outlives the executor. So long
@@ -24,6 +25,7 @@ class ClientExecutor final : public PlanExecutor {
   [[nodiscard]] Result<void> AwaitConnections(const PlanStep& step) const;
   Result<void> Connect(const PlanStep& step);
   [[nodiscard]] bool IsMadeByOthers(const message::Wire& wire, ErrorCode refusal) const;
+  Result<void> SteerProcess(ProcessVerb verb, const PlanStep& step);
   Result<void> Steer(LifeVerb verb, const PlanStep& step);
   Result<void> StartSuspended(const PlanStep& step);
 

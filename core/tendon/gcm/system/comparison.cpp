@@ -27,8 +27,8 @@ void AddChange(std::string& changes, const std::string& name, const std::string&
 
 class Comparer {
  public:
-  Comparer(const SystemFile& first, const SystemFile& second, Threads threads)
-      : first_(first), second_(second), threads_(threads) {}
+  Comparer(const SystemFile& first, const SystemFile& second, Starts starts)
+      : first_(first), second_(second), starts_(starts) {}
 
   SystemComparison Run() {
     for (const auto& process : first_.processes) CompareProcess(process);
@@ -54,7 +54,7 @@ class Comparer {
   void CompareProcess(const SystemFile::Process& process) {
     const auto* other = second_index_.FindProcess(process.name);
     if (other == nullptr) return AddWhole(Kind::kMissing, process);
-    if (threads_ == Threads::kKnown && process.start != other->start) {
+    if (starts_ == Starts::kKnown && process.start != other->start) {
       Add(Kind::kChanged, "process " + process.name,
           "start " + TextOf(process.start) + " -> " + TextOf(other->start));
     } else {
@@ -67,7 +67,7 @@ class Comparer {
         Add(Kind::kMissing, begin + component.name);
         continue;
       }
-      const std::string changes = ChangesOf(component, *same, threads_);
+      const std::string changes = ChangesOf(component, *same);
       if (changes.empty()) {
         ++comparison_.equal;
       } else {
@@ -104,7 +104,7 @@ class Comparer {
 
   const SystemFile& first_;
   const SystemFile& second_;
-  const Threads threads_;
+  const Starts starts_;
   const SystemIndex first_index_{first_};
   const SystemIndex second_index_{second_};
   SystemComparison comparison_;
@@ -112,13 +112,11 @@ class Comparer {
 
 }  // namespace
 
-SystemComparison CompareSystems(const SystemFile& first, const SystemFile& second,
-                                Threads threads) {
-  return Comparer(first, second, threads).Run();
+SystemComparison CompareSystems(const SystemFile& first, const SystemFile& second, Starts starts) {
+  return Comparer(first, second, starts).Run();
 }
 
-std::string ChangesOf(const SystemFile::Component& first, const SystemFile::Component& second,
-                      Threads threads) {
+std::string ChangesOf(const SystemFile::Component& first, const SystemFile::Component& second) {
   std::string changes;
   if (first.class_name != second.class_name) {
     AddChange(changes, "class", OrNone(first.class_name), OrNone(second.class_name));
@@ -133,10 +131,11 @@ std::string ChangesOf(const SystemFile::Component& first, const SystemFile::Comp
   if (has_periods && first.period != second.period) {
     AddChange(changes, "period", SecondsText(first.period), SecondsText(second.period));
   }
-  const ThreadOptions thread = first.thread.value_or(ThreadOptions());
-  const ThreadOptions other_thread = second.thread.value_or(ThreadOptions());
-  if (threads == Threads::kKnown && thread != other_thread) {
-    AddChange(changes, "thread", ToJson(thread), ToJson(other_thread));
+  if (first.thread && second.thread && *first.thread != *second.thread) {
+    AddChange(changes, "thread", ToJson(*first.thread), ToJson(*second.thread));
+  }
+  if (!HasSameLeader(first, second)) {
+    AddChange(changes, "runs_after", OrNone(first.runs_after), OrNone(second.runs_after));
   }
   if (!IsSameDesire(first.state, second.state)) {
     AddChange(changes, "state", std::string(ToString(first.state)),
@@ -151,6 +150,15 @@ bool IsSameDesire(ComponentState one, ComponentState other) {
 
 bool IsSameLibrary(const SystemFile::Component& one, const SystemFile::Component& other) {
   return one.library.empty() || other.library.empty() || one.library == other.library;
+}
+
+bool HasSameLeader(const SystemFile::Component& one, const SystemFile::Component& other) {
+  return !one.tells_thread() || !other.tells_thread() || one.runs_after == other.runs_after;
+}
+
+bool IsSameThread(const SystemFile::Component& one, const SystemFile::Component& other) {
+  const bool is_told = one.thread && other.thread;
+  return HasSameLeader(one, other) && (!is_told || *one.thread == *other.thread);
 }
 
 bool IsSameJson(const std::string& one, const std::string& other) {

@@ -29,26 +29,33 @@ struct SystemComparison {
   std::size_t equal = 0;  ///< processes, components and connections without a difference
 };
 
-/// Whether the second of two systems says how the threads of its components run, and who starts its
-/// processes.
-enum class Threads {
-  kKnown,            ///< it is a file: what it does not mention has the defaults
-  kUnknownInSecond,  ///< it runs, and does not tell: they are not compared
+/// Whether the second of two systems says who starts its processes.
+enum class Starts {
+  kKnown,            ///< it is a file
+  kUnknownInSecond,  ///< it runs, and does not tell: that is not compared
 };
 
 /// Of everything that makes a system what it is: comments, layout and name do not. Of the states
-/// those in which nothing runs are one. A period or a library that one of the two does not mention
-/// is no difference.
+/// those in which nothing runs are one. A period, a library or a thread that one of the two does
+/// not mention is no difference.
 [[nodiscard]] SystemComparison CompareSystems(const SystemFile& first, const SystemFile& second,
-                                              Threads threads);
+                                              Starts starts);
 
 /// "class SimulatedArm -> LegacyArm; state active -> suspended"; empty where they are the same.
 [[nodiscard]] std::string ChangesOf(const SystemFile::Component& first,
-                                    const SystemFile::Component& second, Threads threads);
+                                    const SystemFile::Component& second);
 
 /// Whether both are of the same library, or one does not say which.
 [[nodiscard]] bool IsSameLibrary(const SystemFile::Component& one,
                                  const SystemFile::Component& other);
+
+/// Whether both run after the same other one, or none, or one does not say how it runs.
+[[nodiscard]] bool HasSameLeader(const SystemFile::Component& one,
+                                 const SystemFile::Component& other);
+
+/// The same, and in threads of the same options.
+[[nodiscard]] bool IsSameThread(const SystemFile::Component& one,
+                                const SystemFile::Component& other);
 
 /// Whether a component in the one state is as wanted by the other.
 [[nodiscard]] bool IsSameDesire(ComponentState one, ComponentState other);

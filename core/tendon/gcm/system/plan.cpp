@@ -1,8 +1,10 @@
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/system/comparison.h>
+#include <tendon/gcm/system/leaders.h>
 #include <tendon/gcm/system/plan.h>
 #include <tendon/gcm/system/running_system.h>
 #include <tendon/gcm/system/start_order.h>
+#include <tendon/process/life/configuration_base.h>
 
 #include <algorithm>
 #include <map>
@@ -22,12 +24,33 @@ bool IsMadeByItsProgram(const SystemFile::Component& component) {
   return component.class_name.empty();
 }
 
+/// Whether it stays as it is but for its state.
+bool IsSameInParts(const SystemFile::Component& wanted, const SystemFile::Component& now) {
+  return wanted.class_name == now.class_name && IsSameLibrary(wanted, now) &&
+         IsSameThread(wanted, now) && IsSameJson(wanted.configuration, now.configuration);
+}
+
 ComponentPath OwnerOf(const InterfaceName& name) { return {name.process, name.component}; }
 
 std::string TextOf(const ComponentPath& path) { return path.first + "/" + path.second; }
 
 std::string TextOf(const message::Wire& wire) {
   return ToString(wire.required) + " -> " + ToString(wire.provided);
+}
+
+/// The same for the components of steps.
+void PutLeadersFirst(std::vector<PlanStep>& steps) {
+  std::map<ComponentPath, PlanStep> by_path;
+  std::vector<ComponentPath> order;
+  for (PlanStep& step : steps) {
+    order.emplace_back(step.process, step.component.name);
+    by_path.emplace(order.back(), std::move(step));
+  }
+  tendon::PutLeadersFirst(order, [&by_path](const ComponentPath& path) {
+    return by_path.at(path).component.runs_after;
+  });
+  steps.clear();
+  for (const ComponentPath& path : order) steps.push_back(std::move(by_path.at(path)));
 }
 
 /// Steps are put into one list for each kind, and strung together in the end.
@@ -38,16 +61,26 @@ class Planner {
     for (const auto& [name, entry] : catalog.processes()) {
       for (const auto& [id, one] : entry.connections) connections_.emplace(one.required, &one);
     }
+    for (const auto& process : wanted.processes) {
+      for (const auto& one : process.components) {
+        leads_.emplace(process.name, LeaderOf({process.name, one.name}));
+      }
+    }
   }
 
   Plan Run() {
+    for (const auto& process : wanted_.processes) FindUnsettled(process);
     for (const auto& process : wanted_.processes) PlanProcess(process);
     PlanDisconnects();
     for (const auto& [required, provided, comment] : wanted_.connections) {
       PlanConnection({required, provided});
     }
-    plan_.untouched = CompareSystems(wanted_, running_.file, Threads::kUnknownInSecond).equal;
+    plan_.untouched = CompareSystems(wanted_, running_.file, Starts::kUnknownInSecond).equal;
     AddRests();
+    PutLeadersFirst(makings_);
+    std::ranges::reverse(removals_);
+    PutLeadersFirst(removals_);  // the other way round: followers go before them
+    std::ranges::reverse(removals_);
     for (auto* part : {&disconnects_, &removals_, &births_, &makings_, &connects_}) {
       plan_.steps.insert(plan_.steps.end(), part->begin(), part->end());
     }
@@ -58,6 +91,7 @@ class Planner {
  private:
   void PlanProcess(const SystemFile::Process& process) {
     const auto* running = running_index_.FindProcess(process.name);
+    if (running == nullptr && IsStarting(process.name)) return Await(process.name);
     if (running == nullptr) return process.start ? PlanBirth(process) : Miss(process);
     for (const auto& component : running->components) {
       const ComponentPath path(process.name, component.name);
@@ -76,6 +110,30 @@ class Planner {
     }
   }
 
+  /// Those that cannot stay as they are, for they run after one that goes, or is made anew: with
+  /// followers none can.
+  void FindUnsettled(const SystemFile::Process& process) {
+    const auto* running = catalog_.FindProcess(process.name);
+    if (running == nullptr || running_index_.FindProcess(process.name) == nullptr) return;
+    std::multimap<std::string, const ComponentDescription*> followers;
+    std::vector<std::string> unsettled;
+    for (const auto& [name, component] : running->components) {
+      followers.emplace(component.leader, &component);
+      const auto* wanted = wanted_index_.FindComponent(process.name, name);
+      const auto* now = running_index_.FindComponent(process.name, name);
+      if (wanted == nullptr || !IsSameInParts(*wanted, *now)) unsettled.push_back(name);
+    }
+    while (!unsettled.empty()) {
+      const std::string leader = std::move(unsettled.back());
+      unsettled.pop_back();
+      const auto [begin, end] = followers.equal_range(leader);
+      for (auto follower = begin; follower != end; ++follower) {
+        const std::string& name = follower->second->name;
+        if (unsettled_.emplace(process.name, name).second) unsettled.push_back(name);
+      }
+    }
+  }
+
   /// The GCM starts it; what it had before it was lost counts no more.
   void PlanBirth(const SystemFile::Process& process) {
     born_.insert(process.name);
@@ -88,6 +146,18 @@ class Planner {
 
   [[nodiscard]] bool IsAbsent(const std::string& process) const {
     return running_index_.FindProcess(process) == nullptr && !born_.contains(process);
+  }
+
+  [[nodiscard]] bool IsStarting(const std::string& process) const {
+    const auto* entry = catalog_.FindProcess(process);
+    return entry != nullptr && entry->process.state == ProcessState::kStarting;
+  }
+
+  void Await(const std::string& process) {
+    const std::int64_t pid = catalog_.FindProcess(process)->process.pid;
+    plan_.obstacles.push_back("process '" + process + "' is starting" +
+                              (pid == 0 ? "" : " (pid " + std::to_string(pid) + ")") +
+                              "; plan again when it has joined");
   }
 
   void Miss(const SystemFile::Process& process) {
@@ -145,12 +215,6 @@ class Planner {
   }
 
   void PlanMaking(Kind kind, const ComponentPath& path, const SystemFile::Component& component) {
-    if (component.thread && kind == Kind::kConfigure) {
-      plan_.obstacles.push_back(TextOf(path) +
-                                " keeps the thread that it has, whatever the file says of that; "
-                                "to make it anew: gcm rm " +
-                                TextOf(path) + ", and plan again");
-    }
     made_.insert(path);
     makings_.push_back(StepOf(kind, path, component));
     PlanState(path, component, ComponentState::kConstructed);
@@ -158,31 +222,56 @@ class Planner {
 
   void PlanChange(const ComponentPath& path, const SystemFile::Component& component,
                   const SystemFile::Component& now) {
-    const bool is_other_class =
-        component.class_name != now.class_name || !IsSameLibrary(component, now);
-    if (!is_other_class && IsSameJson(component.configuration, now.configuration)) {
+    const bool is_another = component.class_name != now.class_name ||
+                            !IsSameLibrary(component, now) || !IsSameThread(component, now) ||
+                            unsettled_.contains(path);
+    if (!is_another && IsSameJson(component.configuration, now.configuration)) {
       const bool has_periods = component.period > 0.0 && now.period > 0.0;
       if (has_periods && component.period != now.period) {
         plan_.obstacles.push_back(TextOf(path) + " has another period than the file says (" +
-                                  ChangesOf(component, now, Threads::kUnknownInSecond) +
+                                  ChangesOf(component, now) +
                                   "), which its class has chosen; save the file again, or see "
                                   "whether its configuration has one");
       }
       return PlanState(path, component, now.state);
     }
     if (IsMadeByItsProgram(component) || IsMadeByItsProgram(now)) {
-      plan_.obstacles.push_back(TextOf(path) +
-                                " cannot become what the file says, for its own program "
-                                "makes it: " +
-                                ChangesOf(now, component, Threads::kUnknownInSecond));
+      const std::string changes = ChangesOf(now, component);
+      plan_.obstacles.push_back(
+          TextOf(path) +
+          (changes.empty()
+               ? " runs after one that is to go or to be made anew, and its own program alone "
+                 "can make it anew with that; stop that program first"
+               : " cannot become what the file says, for its own program makes it: " + changes));
       return;
     }
-    if (is_other_class) {
+    if (is_another) {
       PlanRemoval(path, now);
-      return PlanMaking(Kind::kCreate, path, component);
+      return PlanMaking(Kind::kCreate, path, WithThreadOf(path, now, component));
     }
     if (IsRunning(now.state)) PlanRest(Kind::kStop, path, now);
     PlanMaking(Kind::kConfigure, path, component);
+    const auto* told = catalog_.FindComponent(path.first, path.second);
+    makings_.back().based_on = BaseOf(told->configuration);
+  }
+
+  /// As the file has it, or as it is now where that does not tell.
+  [[nodiscard]] std::string LeaderOf(const ComponentPath& path) const {
+    const auto* wanted = wanted_index_.FindComponent(path.first, path.second);
+    if (wanted != nullptr && wanted->tells_thread()) return wanted->runs_after;
+    const auto* now = running_index_.FindComponent(path.first, path.second);
+    return now == nullptr ? std::string() : now->runs_after;
+  }
+
+  /// As the file has it, and in the thread that it has now where the file does not tell.
+  [[nodiscard]] SystemFile::Component WithThreadOf(const ComponentPath& path,
+                                                   const SystemFile::Component& now,
+                                                   SystemFile::Component component) const {
+    if (component.tells_thread() || component.class_name != now.class_name) return component;
+    component.thread = now.thread;
+    const bool stays = wanted_index_.FindComponent(path.first, now.runs_after) != nullptr;
+    if (stays) component.runs_after = now.runs_after;
+    return component;
   }
 
   void PlanState(const ComponentPath& path, const SystemFile::Component& component,
@@ -262,16 +351,23 @@ class Planner {
       const auto step = starts_.find(OwnerOf(required));
       if (step != starts_.end()) step->second.needs.push_back({required, provided});
     }
-    for (const ComponentPath& path : StartOrder(wanted_)) {
+    std::vector<PlanStep> suspends;
+    std::vector<ComponentPath> order = StartOrder(wanted_);
+    tendon::PutLeadersFirst(order, [this](const ComponentPath& path) { return LeaderOf(path); });
+    for (const ComponentPath& path : order) {
       const auto step = starts_.find(path);
       if (step == starts_.end()) continue;
       const auto lack = lacks_.find(path);
       if (lack == lacks_.end()) {
-        plan_.steps.push_back(step->second);
+        PlanStep& start = plan_.steps.emplace_back(step->second);
+        if (start.kind != Kind::kStartSuspended || !leads_.contains(path)) continue;
+        start.kind = Kind::kStart;  // nobody starts after one that is suspended
+        suspends.push_back(StepOf(Kind::kSuspend, path, start.component));
       } else {
         plan_.obstacles.push_back(TextOf(path) + " is not started, for it lacks " + lack->second);
       }
     }
+    plan_.steps.insert(plan_.steps.end(), suspends.begin(), suspends.end());
   }
 
   const Catalog& catalog_;
@@ -289,59 +385,15 @@ class Planner {
   std::vector<PlanStep> connects_;
   std::map<ComponentPath, PlanStep> starts_;
   std::set<std::string> born_;                  // processes that are started
+  std::set<ComponentPath> leads_;               // others run after them
+  std::set<ComponentPath> unsettled_;           // by those they run after
   std::set<ComponentPath> removed_;             // some of them are made again
   std::set<ComponentPath> made_;                // or made anew
   std::set<ComponentPath> missing_;             // of their own programs
   std::map<ComponentPath, std::string> lacks_;  // why not to start it
 };
 
-std::string Origin(const SystemFile::Component& component) {
-  const std::string from = component.library.empty() ? "" : " of " + component.library;
-  return " (" + component.class_name + from + ")";
-}
-
 }  // namespace
-
-std::string_view ToString(PlanStep::Kind kind) {
-  switch (kind) {
-    case Kind::kStop:
-      return "stop";
-    case Kind::kSuspend:
-      return "suspend";
-    case Kind::kDisconnect:
-      return "disconnect";
-    case Kind::kRemove:
-      return "remove";
-    case Kind::kStartProcess:
-      return "start-process";
-    case Kind::kConfigure:
-      return "configure";
-    case Kind::kCreate:
-      return "create";
-    case Kind::kConnect:
-      return "connect";
-    case Kind::kReplace:
-      return "replace";
-    case Kind::kStart:
-      return "start";
-    case Kind::kStartSuspended:
-      return "start-suspended";
-  }
-  return "?";
-}
-
-std::string ToString(const PlanStep& step) {
-  std::string text(ToString(step.kind));
-  if (step.process.empty()) return text + " " + TextOf(step.wire);
-  if (step.kind == Kind::kStartProcess) {
-    return "start process " + step.process + " (restart " + std::string(ToString(step.restart)) +
-           ")";
-  }
-  const std::string path = step.process + "/" + step.component.name;
-  if (step.kind == Kind::kStartSuspended) return "start " + path + ", then suspend it";
-  text += " " + path;
-  return step.kind == Kind::kCreate ? text + Origin(step.component) : text;
-}
 
 bool Plan::TakesAway() const {
   return std::any_of(steps.begin(), steps.end(),
@@ -350,6 +402,23 @@ bool Plan::TakesAway() const {
 
 Plan MakePlan(const Catalog& catalog, const SystemFile& wanted) {
   return Planner(catalog, wanted).Run();
+}
+
+Plan WithEnds(Plan plan, const Catalog& catalog, const std::vector<PlanStep>& births) {
+  for (const PlanStep& birth : births) {
+    const ProcessEntry* entry = catalog.FindProcess(birth.process);
+    if (birth.kind != PlanStep::Kind::kStartProcess || entry == nullptr) continue;
+    const ProcessDescription& now = entry->process;
+    const bool comes_again =
+        now.state == ProcessState::kLost && birth.restart != RestartPolicy::kNever;
+    if (now.instance != birth.instance || !(IsPresent(now) || comes_again)) continue;
+    plan.steps.push_back({.kind = PlanStep::Kind::kEndProcess,
+                          .process = birth.process,
+                          .instance = birth.instance,
+                          .restart = birth.restart,
+                          .takes_away = true});
+  }
+  return plan;
 }
 
 }  // namespace tendon

@@ -2,6 +2,7 @@
 
 #include <tendon/gcm/catalog.h>
 #include <tendon/gcm/system_file.h>
+#include <tendon/payload/fingerprint.h>
 #include <tendon/process/membership_messages.h>
 
 #include <cstddef>
@@ -26,6 +27,7 @@ struct PlanStep {
     kReplace,  ///< what a required interface is connected to
     kStart,
     kStartSuspended,  ///< by way of active
+    kEndProcess,      ///< one that the GCM has started
   };
 
   Kind kind = Kind::kConnect;
@@ -35,8 +37,11 @@ struct PlanStep {
                                        ///< 0: which is started by the plan
   SystemFile::Component component{};   ///< of components: which; to make one: as the file has it
   std::vector<message::Wire> needs{};  ///< to start: what must be connected before
-  RestartPolicy restart = RestartPolicy::kNever;  ///< of a process that is started
+  /// To start a process: how it is to be held; to end one: how it was, so that it can be started
+  /// again likewise.
+  RestartPolicy restart = RestartPolicy::kNever;
   bool takes_away = false;  ///< what runs or is connected now is not so afterwards
+  Fingerprint based_on{};   ///< to configure: BaseOf() what it is told now
 
   bool operator==(const PlanStep&) const = default;
 };
@@ -63,5 +68,10 @@ struct Plan {
 /// removed. Other processes are left alone. A component that lacks a connection of the file, since
 /// that cannot be made, is not started.
 [[nodiscard]] Plan MakePlan(const Catalog& catalog, const SystemFile& wanted);
+
+/// As the plan, and in the end the processes which `births` have started are ended: those of the
+/// births' instances that are there still, or that the GCM may be about to start again. One that
+/// was started again since may be another's, and is left.
+[[nodiscard]] Plan WithEnds(Plan plan, const Catalog& catalog, const std::vector<PlanStep>& births);
 
 }  // namespace tendon

@@ -39,6 +39,9 @@ class Failures {
     const bool starts = step.kind == Kind::kStart || step.kind == Kind::kStartSuspended;
     std::string before = Find(unfit_, path);
     if (before.empty() && starts) before = Find(lacking_, path);
+    const std::string& leader = step.component.runs_after;
+    const bool needs_leader = !leader.empty() && (starts || step.kind == Kind::kCreate);
+    if (before.empty() && needs_leader) before = Find(unfit_, {step.process, leader});
     for (const message::Wire& wire : step.needs) {
       if (before.empty()) before = Find(unfit_, OwnerOf(wire.provided));
     }

@@ -20,7 +20,11 @@ SystemFile::Component ComponentOf(const ComponentDescription& running) {
   if (component.class_name.empty()) {
     component.library.clear();
     component.configuration.clear();
+    return component;
   }
+  if (!running.thread.empty()) component.thread = running.thread.front();
+  component.runs_after = running.leader;
+  if (!component.runs_after.empty()) component.period = 0.0;  // it is the leader's
   return component;
 }
 
@@ -44,9 +48,7 @@ void KeepIn(const SystemIndex& former, SystemFile::Process& saved) {
   saved.start = before->start;
   for (SystemFile::Component& component : saved.components) {
     const auto* same = former.FindComponent(saved.name, component.name);
-    if (same == nullptr) continue;
-    component.comment = same->comment;
-    if (same->class_name == component.class_name) component.thread = same->thread;
+    if (same != nullptr) component.comment = same->comment;
   }
 }
 

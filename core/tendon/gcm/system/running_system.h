@@ -22,15 +22,13 @@ struct RunningSystem {
 enum class Gone { kLeftOut, kIncluded };
 
 /// The processes that are there, but for a window that is the GCM itself, with their components in
-/// the states that they are in. Of what a component runs after, and how its thread does, nothing is
-/// known.
+/// the states that they are in.
 [[nodiscard]] RunningSystem SystemOf(const Catalog& catalog, const std::string& name,
                                      Gone gone = Gone::kLeftOut);
 
 /// Keeps what a running system does not tell, and the file that it is saved to knows: comments,
-/// layout, who starts a process, the threads of components that are still of the same class, and
-/// whole processes that are not there now, with their connections. Returns a sentence for each of
-/// those processes.
+/// layout, who starts a process, and whole processes that are not there now, with their
+/// connections. Returns a sentence for each of those processes.
 std::vector<std::string> KeepFrom(const SystemFile& former, RunningSystem& saved);
 
 }  // namespace tendon

@@ -1,3 +1,4 @@
+#include <tendon/gcm/system/leaders.h>
 #include <tendon/gcm/system/start_order.h>
 
 #include <cstddef>
@@ -63,7 +64,12 @@ std::vector<ComponentPath> StartOrder(const SystemFile& system) {
   for (const auto& process : system.processes) {
     for (const auto& component : process.components) sorter.Add({process.name, component.name});
   }
-  return std::move(sorter).Take();
+  std::vector<ComponentPath> order = std::move(sorter).Take();
+  const SystemIndex index(system);
+  PutLeadersFirst(order, [&index](const ComponentPath& path) {
+    return index.FindComponent(path.first, path.second)->runs_after;
+  });
+  return order;
 }
 
 }  // namespace tendon

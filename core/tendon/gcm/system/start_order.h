@@ -6,9 +6,9 @@
 
 namespace tendon {
 
-/// The components of a system, each behind those that its connections lead to, as far as these do
-/// not lead around in a circle: servers begin before their clients, and end after them. Else in the
-/// order of the file.
+/// The components of a system, each behind the one after which it runs, and behind those that its
+/// connections lead to, as far as these do not lead around in a circle: servers begin before their
+/// clients, and end after them. Else in the order of the file.
 [[nodiscard]] std::vector<ComponentPath> StartOrder(const SystemFile& system);
 
 }  // namespace tendon

@@ -1,49 +1,79 @@
+#include <tendon/lockfree/flag.h>
 #include <tendon/middleware/parts/large_in_hand.h>
 
 #include <algorithm>
 #include <mutex>
+#include <vector>
 
 namespace tendon {
+namespace {
+
+/// Of one thread, for all to see: since when it has something in hand.
+using Since = Published<SteadyTime>;
+
+constexpr SteadyTime kNothing{};
 
 /// Of this process: threads of a middleware may serve many links.
-struct LargeInHand::Hand {
+struct Hands {
   std::mutex mutex;
-  LargeInHand* oldest = nullptr;
-  LargeInHand* newest = nullptr;
+  std::vector<const Since*> all;
   SteadyTime last{};
 };
 
-LargeInHand::Hand& LargeInHand::TheHand() {
-  static Hand hand;
-  return hand;
+Hands& TheHands() {
+  static Hands& hands = *new Hands;  // for ever: threads may end after all else
+  return hands;
 }
 
-LargeInHand::LargeInHand() {
-  Hand& hand = TheHand();
-  const std::scoped_lock lock(hand.mutex);
-  since_ = SteadyClock().Now();
-  older_ = hand.newest;
-  (older_ != nullptr ? older_->newer_ : hand.oldest) = this;
-  hand.newest = this;
+class Hand {
+ public:
+  Hand() {
+    const std::scoped_lock lock(TheHands().mutex);
+    TheHands().all.push_back(&since);
+  }
+  Hand(const Hand&) = delete;
+  Hand& operator=(const Hand&) = delete;
+  ~Hand() {
+    const std::scoped_lock lock(TheHands().mutex);
+    std::erase(TheHands().all, &since);
+  }
+
+  Since since{kNothing};
+};
+
+Since& SinceOfThisThread() {
+  thread_local Hand hand;
+  return hand.since;
+}
+
+/// Until when it excuses, where that is not too short; else nothing.
+SteadyTime ExcusedBy(SteadyTime since, SteadyTime now) {
+  const bool excuses = since != kNothing && now - since >= LargeInHand::kShort;
+  return excuses ? std::min(now, since + LargeInHand::kAtMost) : kNothing;
+}
+
+void Keep(SteadyTime excused) {
+  if (excused == kNothing) return;
+  const std::scoped_lock lock(TheHands().mutex);
+  TheHands().last = std::max(TheHands().last, excused);
+}
+
+}  // namespace
+
+LargeInHand::LargeInHand() : since_(SteadyClock().Now()), outer_since_(SinceOfThisThread().Get()) {
+  Keep(ExcusedBy(outer_since_, since_));
+  SinceOfThisThread().Set(since_);
 }
 
 LargeInHand::~LargeInHand() {
-  Hand& hand = TheHand();
-  const std::scoped_lock lock(hand.mutex);
-  const SteadyTime now = SteadyClock().Now();
-  if (now - since_ >= kShort) hand.last = std::max(hand.last, std::min(now, since_ + kAtMost));
-  (older_ != nullptr ? older_->newer_ : hand.oldest) = newer_;
-  (newer_ != nullptr ? newer_->older_ : hand.newest) = older_;
+  Keep(ExcusedBy(since_, SteadyClock().Now()));
+  SinceOfThisThread().Set(outer_since_);
 }
 
 SteadyTime LargeInHand::Last(SteadyTime now) {
-  Hand& hand = TheHand();
-  const std::scoped_lock lock(hand.mutex);
-  SteadyTime last = hand.last;
-  for (const LargeInHand* one = hand.oldest; one != nullptr; one = one->newer_) {
-    if (now - one->since_ < kShort) break;  // and so are the newer ones
-    last = std::max(last, std::min(now, one->since_ + kAtMost));
-  }
+  const std::scoped_lock lock(TheHands().mutex);
+  SteadyTime last = TheHands().last;
+  for (const Since* since : TheHands().all) last = std::max(last, ExcusedBy(since->Get(), now));
   return last;
 }
 

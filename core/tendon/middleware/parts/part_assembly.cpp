@@ -11,35 +11,42 @@ constexpr std::size_t kMaxWholeSize = kMaxBodySize + FrameHeader::kSize;
 /// What one sender lets on its way: one huge frame, and a window of others.
 constexpr std::size_t kMaxClaimed = kMaxWholeSize + kSendWindow;
 
+/// A message about parts does not come in parts.
+bool IsOfParts(MessageType type) {
+  return type == MessageType::kPart || type == MessageType::kPartsTaken;
+}
+
 }  // namespace
 
 PartAssembly::Progress PartAssembly::Add(std::uint32_t number, std::span<const std::byte> part,
-                                         Bytes& frame) {
-  Begun* begun = Find(number, part);
-  // Every part but the last is full, so that many small ones cost no memory beyond what they claim.
-  if (begun == nullptr || part.size() != std::min(kPartSize, begun->size - begun->bytes.size())) {
-    return Progress::kNonsense;
-  }
+                                         Frame& frame) {
+  const auto found = begun_.find(number);
+  const bool is_first = found == begun_.end();
+  Frame* const begun = is_first ? Begin(number, part) : &found->second;
+  if (begun == nullptr) return Progress::kNonsense;
+  const std::size_t left = begun->header.size - begun->body.size();
+  const auto more = is_first ? part.subspan(FrameHeader::kSize) : part;
+  const std::size_t least = std::min(kLeastPartSize - (part.size() - more.size()), left);
+  // None but the last is smaller than the least, so that nobody has us work for next to nothing.
+  if (more.size() > left || more.size() < least) return Progress::kNonsense;
   taken_ += part.size();
-  begun->bytes.insert(begun->bytes.end(), part.begin(), part.end());
-  if (begun->bytes.size() < begun->size) return Progress::kMoreToCome;
-  claimed_ -= begun->size;
-  frame = std::move(begun->bytes);
+  begun->body.insert(begun->body.end(), more.begin(), more.end());
+  if (more.size() < left) return Progress::kMoreToCome;
+  claimed_ -= FrameHeader::kSize + begun->header.size;
+  frame = std::move(*begun);
   begun_.erase(number);
   return Progress::kWhole;
 }
 
-/// The frame of that number, which may begin with this part; null where it cannot.
-PartAssembly::Begun* PartAssembly::Find(std::uint32_t number, std::span<const std::byte> part) {
-  const auto found = begun_.find(number);
-  if (found != begun_.end()) return &found->second;
+/// The frame of that number, which begins with this part; null where it cannot.
+PartAssembly::Frame* PartAssembly::Begin(std::uint32_t number, std::span<const std::byte> part) {
   const auto header = ReadFrameHeader(part, kMaxWholeSize);
-  if (!header) return nullptr;
+  if (!header || IsOfParts(header->type)) return nullptr;
   const std::size_t size = FrameHeader::kSize + header->size;
   if (size > kMaxClaimed - claimed_) return nullptr;
-  Begun& begun = begun_[number];
-  begun.size = size;
-  begun.bytes.reserve(size);
+  Frame& begun = begun_[number];
+  begun.header = *header;
+  begun.body.reserve(header->size);
   claimed_ += size;
   return &begun;
 }

@@ -17,11 +17,16 @@ class PartAssembly {
   /// What a part has led to.
   enum class Progress {
     kMoreToCome,
-    kWhole,     ///< the frame is whole
+    kWhole,     ///< a frame is whole
     kNonsense,  ///< no part of a frame that the peer may send; the link is to be closed
   };
+  /// What has been put together; it belongs to who has asked.
+  struct Frame {
+    FrameHeader header;
+    Bytes body;
+  };
   /// `number` tells the frames apart that come at one time; `frame` is set where one is whole.
-  Progress Add(std::uint32_t number, std::span<const std::byte> part, Bytes& frame);
+  Progress Add(std::uint32_t number, std::span<const std::byte> part, Frame& frame);
 
   /// Bytes that have come since the link stands.
   [[nodiscard]] std::uint64_t taken() const { return taken_; }
@@ -31,14 +36,9 @@ class PartAssembly {
   void Clear();
 
  private:
-  struct Begun {
-    std::size_t size = 0;
-    Bytes bytes;
-  };
+  Frame* Begin(std::uint32_t number, std::span<const std::byte> part);
 
-  Begun* Find(std::uint32_t number, std::span<const std::byte> part);
-
-  std::map<std::uint32_t, Begun> begun_;
+  std::map<std::uint32_t, Frame> begun_;
   std::size_t claimed_ = 0;
   std::uint64_t taken_ = 0;
 };

@@ -4,8 +4,15 @@
 
 namespace tendon {
 
+void PartSender::Frame::Write(const FrameHeader& header, std::span<const std::byte> body) {
+  version = header.version;
+  bytes.resize(2 * FrameHeader::kSize);
+  WriteHeader(header, std::span(bytes).last<FrameHeader::kSize>());
+  bytes.insert(bytes.end(), body.begin(), body.end());
+}
+
 bool PartSender::MustTake(Lane lane, std::size_t size) {
-  if (size > kMaxPieceSize) return true;
+  if (size > FrameHeader::kSize + part_size()) return true;
   if (!is_busy_.Get()) return false;
   const std::scoped_lock lock(mutex_);
   return lanes_.contains(lane);
@@ -15,9 +22,9 @@ Status PartSender::Add(Link& link, Lane lane, const FrameHeader& header,
                        std::span<const std::byte> body) {
   const std::size_t size = FrameHeader::kSize + body.size();
   Frame frame;
-  frame.bytes.reserve(size);  // before it counts: memory may be short
+  frame.bytes.reserve(FrameHeader::kSize + size);  // before it counts: memory may be short
   if (const Status reserved = Reserve(size); !reserved) return reserved;
-  WriteFrame(header, body, frame.bytes);  // without the lock, for it may be large
+  frame.Write(header, body);  // without the lock, for it may be large
   const std::scoped_lock lock(mutex_);
   if (is_closed_) return Status::kNotConnected;
   frame.number = ++last_number_;
@@ -40,7 +47,7 @@ Status PartSender::Reserve(std::size_t size) {
 
 /// Memory may be short: then all is as if it had not been reserved.
 void PartSender::Enter(Lane lane, Frame frame) {
-  const std::size_t size = frame.bytes.size();
+  const std::size_t size = frame.size();
   try {
     lanes_[lane].push_back(std::move(frame));
   } catch (...) {
@@ -59,8 +66,23 @@ bool PartSender::OnTaken(Link& link, std::uint64_t bytes) {
   for (; !on_way_.empty() && on_way_.front().end <= taken_; on_way_.pop_front()) {
     Release(on_way_.front().size);
   }
+  Judge();
   SendParts(link);
   return true;
+}
+
+/// While the probe is not through, the line carries no more than that.
+void PartSender::Judge() {
+  if (!probe_) return;
+  using Seconds = std::chrono::duration<double>;
+  const Seconds took =
+      std::max<Seconds>(clock_.Now() - probe_->since, std::chrono::microseconds(1));
+  const double fitting = static_cast<double>(probe_->bytes) * (Seconds(kPartTime) / took);
+  const bool is_through = taken_ >= probe_->end;
+  const std::size_t most = is_through ? kPartSize : part_size();
+  const auto least = static_cast<double>(kLeastPartSize);
+  part_size_.Set(static_cast<std::size_t>(std::clamp(fitting, least, static_cast<double>(most))));
+  if (is_through) probe_.reset();
 }
 
 void PartSender::Resume(Link& link) {
@@ -71,35 +93,37 @@ void PartSender::Resume(Link& link) {
 
 /// One part of each lane in turn.
 void PartSender::SendParts(Link& link) {
-  while (!lanes_.empty() && sent_ - taken_ < kPartsAhead) {
+  const std::size_t ahead = kPartsAhead * (FrameHeader::kSize + part_size());
+  while (!lanes_.empty() && sent_ - taken_ < ahead) {
     auto lane = lanes_.upper_bound(last_lane_);
     if (lane == lanes_.end()) lane = lanes_.begin();
     Frame& frame = lane->second.front();
     if (!SendPart(link, frame)) return;
     last_lane_ = lane->first;
-    if (frame.sent < frame.bytes.size()) continue;
-    on_way_.push_back({.end = sent_, .size = frame.bytes.size()});
+    if (frame.sent < frame.size()) continue;
+    on_way_.push_back({.end = sent_, .size = frame.size()});
     lane->second.pop_front();
     if (lane->second.empty()) lanes_.erase(lane);
   }
-  if (lanes_.empty()) {
-    is_busy_.Set(false);
-    part_ = {};
-  }
+  if (lanes_.empty()) is_busy_.Set(false);
 }
 
 Status PartSender::SendPart(Link& link, Frame& frame) {
-  const std::size_t size = std::min(kPartSize, frame.bytes.size() - frame.sent);
+  const std::size_t size = std::min(part_size(), frame.size() - frame.sent);
   FrameHeader header;
   header.type = MessageType::kPart;
-  header.version = ReadFrameHeader(frame.bytes, frame.bytes.size())->version;
+  header.version = frame.version;
   header.size = static_cast<std::uint32_t>(size);
   header.handle = frame.number;
-  WriteFrame(header, std::span(frame.bytes).subspan(frame.sent, size), part_);
-  const Status sent = link.Send(part_);
+  const auto part = std::span(frame.bytes).subspan(frame.sent, FrameHeader::kSize + size);
+  WriteHeader(header, part.first<FrameHeader::kSize>());
+  const Status sent = link.Send(part);
   if (!sent) return sent;
   frame.sent += size;
   sent_ += size;
+  if (!probe_) {
+    probe_ = Probe{.end = sent_, .bytes = sent_ - taken_, .since = clock_.Now()};
+  }
   return sent;
 }
 
@@ -110,7 +134,6 @@ void PartSender::Close() {
   lanes_.clear();
   on_way_.clear();
   waiting_ = huge_waiting_ = 0;
-  part_ = {};
 }
 
 std::size_t PartSender::waiting() const {

@@ -1,34 +1,45 @@
 #pragma once
 
+#include <tendon/base/clock.h>
 #include <tendon/lockfree/flag.h>
 #include <tendon/middleware/middleware.h>
 #include <tendon/middleware/parts/lane.h>
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <utility>
 
 namespace tendon {
 
-/// A frame of at most this many bytes is sent in one piece. What is behind it waits for so much.
+/// No frame on a link is larger. What is behind it waits for so much.
 inline constexpr std::size_t kMaxPieceSize = std::size_t{256} << 10U;
-/// Bytes of a frame that travel in one part, which is a frame of type kPart: every part of it but
-/// the last has so many, and no frame is larger than kMaxPieceSize.
+/// Bytes of a frame that travel in one part, which is a frame of type kPart: so many at most, and,
+/// but for the last part of the frame, at least the least.
 inline constexpr std::size_t kPartSize = kMaxPieceSize - FrameHeader::kSize;
+inline constexpr std::size_t kLeastPartSize = (std::size_t{16} << 10U) - FrameHeader::kSize;
 
-/// Sends frames over kMaxPieceSize in parts, lane by lane in turn, never more ahead of the peer
-/// than kPartsAhead, which tells how much it has taken (kPartsTaken). So whatever else is sent
-/// meanwhile waits behind that much at most, and nobody waits for the link. Thread-safe.
+/// Sends large frames in parts, lane by lane in turn, never more than four parts ahead of the peer,
+/// which tells how much it has taken (kPartsTaken). So whatever else is sent meanwhile waits behind
+/// that much at most, and nobody waits for the link. Thread-safe.
+///
+/// Parts are the size of what the line carries in kPartTime, as far as that is known, and small at
+/// first: each is a sign of life at both ends, and must not take longer than anybody may be silent.
 class PartSender {
  public:
-  static constexpr std::size_t kPartsAhead = std::size_t{1} << 20U;  ///< bytes
+  static constexpr std::size_t kPartsAhead = 4;
+  static constexpr std::chrono::milliseconds kPartTime{250};
 
-  /// Whether a frame of `size` bytes must be left to Add(): it is large, or behind a large one of
-  /// its lane. The other frames go to the link as they are.
+  /// `clock` lives as long as this.
+  explicit PartSender(const Clock& clock = SteadyClock()) : clock_(clock) {}
+
+  /// Whether a frame of `size` bytes must be left to Add(): it is more than a part, or behind such
+  /// a one of its lane. The other frames go to the link as they are.
   [[nodiscard]] bool MustTake(Lane lane, std::size_t size);
 
   /// Takes a copy. Refusals as of Link::Send(), whose window all frames share that are here, but
@@ -46,12 +57,20 @@ class PartSender {
 
   /// Bytes that are here, or on their way.
   [[nodiscard]] std::size_t waiting() const;
+  /// Bytes of the next part, unless it is the last of its frame.
+  [[nodiscard]] std::size_t part_size() const { return part_size_.Get(); }
 
  private:
+  /// A frame behind the room for one more header: each part is sent from where it lies, its header
+  /// written over the end of what was sent before.
   struct Frame {
     std::uint32_t number = 0;
+    std::uint16_t version = 0;
     Bytes bytes;
     std::size_t sent = 0;
+
+    void Write(const FrameHeader& header, std::span<const std::byte> body);
+    [[nodiscard]] std::size_t size() const { return bytes.size() - FrameHeader::kSize; }
   };
   /// A frame that is sent: once the peer has taken what was sent up to its end, it counts no more.
   struct Sent {
@@ -59,14 +78,25 @@ class PartSender {
     std::size_t size = 0;
   };
 
+  /// One part, and what the peer had not taken when it was sent, the part included: once that is
+  /// taken, it is known how much the line carries.
+  struct Probe {
+    std::uint64_t end = 0;
+    std::size_t bytes = 0;
+    SteadyTime since{};
+  };
+
   [[nodiscard]] static bool IsHuge(std::size_t size) { return size > kSendWindow; }
   Status Reserve(std::size_t size);
   void Enter(Lane lane, Frame frame);
   void Release(std::size_t size);
+  void Judge();
   void SendParts(Link& link);
   Status SendPart(Link& link, Frame& frame);
 
+  const Clock& clock_;
   Flag is_busy_;  // whether there are lanes_
+  Published<std::size_t> part_size_{kLeastPartSize};
   mutable std::mutex mutex_;
   bool is_closed_ = false;
   std::uint32_t last_number_ = 0;
@@ -77,7 +107,7 @@ class PartSender {
   std::size_t huge_waiting_ = 0;  // of the one that is
   std::uint64_t sent_ = 0;        // bytes, since the link stands
   std::uint64_t taken_ = 0;
-  Bytes part_;
+  std::optional<Probe> probe_;
 };
 
 }  // namespace tendon

@@ -1,58 +1,145 @@
 #include <tendon/base/log.h>
 #include <tendon/middleware/requests/pending_requests.h>
 
+#include <algorithm>
 #include <exception>
 #include <utility>
-#include <vector>
 
 namespace tendon {
 
+/// A place with a number of its own. At most half of the entries are taken, so that a number whose
+/// entry is free is near.
+PendingRequests::Place& PendingRequests::Take() {
+  constexpr std::size_t kFirst = 16;
+  if (free_.empty()) {
+    if (2 * (places_.size() + 1) > by_number_.size()) {
+      std::vector<Place*> larger(std::max(kFirst, 2 * by_number_.size()));
+      for (Place* place : by_number_) {
+        if (place != nullptr) larger[place->request & (larger.size() - 1)] = place;
+      }
+      free_.reserve(larger.size() / 2);
+      by_number_ = std::move(larger);
+    }
+    free_.push_back(&places_.emplace_back());
+  }
+  Place& place = *free_.back();
+  free_.pop_back();
+  do {
+    ++last_;
+  } while (EntryOf(last_) != nullptr);
+  EntryOf(last_) = &place;
+  place.request = last_;
+  return place;
+}
+
+/// Null where it has ended.
+PendingRequests::Place* PendingRequests::Remove(std::uint64_t request) {
+  if (by_number_.empty()) return nullptr;
+  Place*& entry = EntryOf(request);
+  if (entry == nullptr || entry->request != request) return nullptr;
+  return std::exchange(entry, nullptr);
+}
+
+void PendingRequests::Free(Place& place) {
+  place.request = 0;
+  free_.push_back(&place);
+}
+
 std::uint64_t PendingRequests::Add(std::chrono::milliseconds timeout, Handler& handler) {
+  const SteadyTime deadline = SteadyClock().Now() + timeout;
   const std::scoped_lock lock(mutex_);
   if (finished_) return 0;
-  pending_.emplace(++last_, Pending{SteadyClock().Now() + timeout, timeout, std::move(handler)});
-  return last_;
+  Place& place = Take();
+  place.deadline = deadline;
+  place.timeout = timeout;
+  place.is_awaited = false;
+  place.handler = std::move(handler);
+  return place.request;
+}
+
+/// Null after FinishAll().
+PendingRequests::Place* PendingRequests::AddAwaited() {
+  const std::scoped_lock lock(mutex_);
+  if (finished_) return nullptr;
+  Place& place = Take();
+  place.deadline = SteadyTime::max();
+  place.is_awaited = true;
+  return &place;
+}
+
+/// Who waited there does so no more: the outcome, if there is one.
+std::optional<Result<Bytes>> PendingRequests::Leave(Place& place) {
+  const std::scoped_lock lock(mutex_);
+  (void)Remove(place.request);
+  auto outcome = std::exchange(place.outcome, std::nullopt);
+  place.has_ended.Set(false);
+  Free(place);
+  return outcome;
 }
 
 void PendingRequests::Withdraw(std::uint64_t request) {
+  Handler unused;  // destroyed without the lock
   const std::scoped_lock lock(mutex_);
-  pending_.erase(request);
+  Place* const place = Remove(request);
+  if (place == nullptr) return;
+  unused = std::exchange(place->handler, nullptr);
+  Free(*place);
 }
 
 bool PendingRequests::Finish(std::uint64_t request, Result<Bytes> outcome) {
   std::unique_lock lock(mutex_);
-  auto pending = pending_.extract(request);
+  return FinishLocked(lock, request, std::move(outcome));
+}
+
+/// Unlocks, unless it returns false.
+bool PendingRequests::FinishLocked(std::unique_lock<std::mutex>& lock, std::uint64_t request,
+                                   Result<Bytes> outcome) {
+  Place* const place = Remove(request);
+  if (place == nullptr) return false;
+  if (!place->is_awaited) {
+    const Handler handler = std::exchange(place->handler, nullptr);
+    Free(*place);
+    lock.unlock();
+    CallGuarded("request", [&] { handler(std::move(outcome)); });
+    return true;
+  }
+  place->outcome = std::move(outcome);
+  place->has_ended.Set(true);
   lock.unlock();
-  if (pending.empty()) return false;
-  CallGuarded("request", [&] { pending.mapped().handler(std::move(outcome)); });
+  place->wakeup.Notify();
   return true;
 }
 
 void PendingRequests::OnAnswer(std::uint64_t request, Result<Bytes> answer) {
-  if (Finish(request, std::move(answer))) return;
-  const std::scoped_lock lock(mutex_);
-  ++late_;
+  std::unique_lock lock(mutex_);
+  if (!FinishLocked(lock, request, std::move(answer))) ++late_;
 }
 
 void PendingRequests::Expire(SteadyTime now, const std::string& peer) {
   std::vector<std::pair<std::uint64_t, std::chrono::milliseconds>> due;
   {
     const std::scoped_lock lock(mutex_);
-    for (const auto& [request, pending] : pending_) {
-      if (pending.deadline <= now) due.emplace_back(request, pending.timeout);
+    for (const Place* place : by_number_) {
+      if (place != nullptr && place->deadline <= now) {
+        due.emplace_back(place->request, place->timeout);
+      }
     }
   }
+  std::ranges::sort(due);
   for (const auto& [request, timeout] : due) Finish(request, NoAnswer(peer, timeout));
 }
 
 void PendingRequests::FinishAll(const Error& reason) {
-  std::unique_lock lock(mutex_);
-  finished_ = true;
-  const auto pending = std::exchange(pending_, {});
-  lock.unlock();
-  for (const auto& [request, one] : pending) {
-    CallGuarded("request", [&handler = one.handler, &reason] { handler(reason); });
+  std::vector<std::uint64_t> all;
+  {
+    const std::scoped_lock lock(mutex_);
+    finished_ = true;
+    for (const Place* place : by_number_) {
+      if (place != nullptr) all.push_back(place->request);
+    }
   }
+  std::ranges::sort(all);
+  for (const std::uint64_t request : all) Finish(request, reason);
 }
 
 std::uint64_t PendingRequests::late_answers() const {

@@ -2,19 +2,25 @@
 
 #include <tendon/base/clock.h>
 #include <tendon/base/result.h>
+#include <tendon/lockfree/flag.h>
+#include <tendon/lockfree/wakeup.h>
 #include <tendon/middleware/frame.h>
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <functional>
-#include <map>
 #include <mutex>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace tendon {
 
 /// The requests of one channel that wait for an answer. Every handler that was taken in is called
-/// exactly once, without a lock held; what it throws is logged. Thread-safe.
+/// exactly once, without a lock held; what it throws is logged. Thread-safe; allocates only where
+/// more requests wait than ever before, beyond what handlers do.
 class PendingRequests {
  public:
   using Handler = std::function<void(Result<Bytes>)>;
@@ -25,32 +31,54 @@ class PendingRequests {
   /// It was never sent; its handler is not called.
   void Withdraw(std::uint64_t request);
 
-  /// Calls the handler of `request`; false where it was called before.
+  /// Calls the handler of `request`, or wakes who waits for it; false where that was done before.
   bool Finish(std::uint64_t request, Result<Bytes> outcome);
 
   /// Finish() for what came from the peer; counts what came too late.
   void OnAnswer(std::uint64_t request, Result<Bytes> answer);
 
-  /// Finishes the requests whose time has come: `peer` gave no answer.
+  /// Finishes the requests whose time has come: `peer` gave no answer. Who waits sees to that.
   void Expire(SteadyTime now, const std::string& peer);
 
-  /// Finishes every request, now and for all time.
+  /// Finishes every request, in their order, now and for all time.
   void FinishAll(const Error& reason);
 
   [[nodiscard]] std::uint64_t late_answers() const;
 
  private:
-  struct Pending {
-    SteadyTime deadline;
+  friend class AwaitedAnswer;
+
+  /// Of one request after the other. Stays where it is: of who waited for the one before, somebody
+  /// may still be about to wake it.
+  struct Place {
+    std::uint64_t request = 0;
+    SteadyTime deadline{};
     std::chrono::milliseconds timeout{};
     Handler handler;
+    bool is_awaited = false;  // instead: somebody waits for the outcome
+    std::optional<Result<Bytes>> outcome;
+    Flag has_ended;
+    Wakeup<> wakeup;
   };
+
+  // With the lock held.
+  Place& Take();
+  Place*& EntryOf(std::uint64_t request) { return by_number_[request & (by_number_.size() - 1)]; }
+  [[nodiscard]] Place* Remove(std::uint64_t request);
+  void Free(Place& place);
+
+  bool FinishLocked(std::unique_lock<std::mutex>& lock, std::uint64_t request,
+                    Result<Bytes> outcome);
+  Place* AddAwaited();
+  std::optional<Result<Bytes>> Leave(Place& place);
 
   mutable std::mutex mutex_;
   bool finished_ = false;
   std::uint64_t last_ = 0;
   std::uint64_t late_ = 0;
-  std::map<std::uint64_t, Pending> pending_;
+  std::deque<Place> places_;
+  std::vector<Place*> free_;       // all would fit
+  std::vector<Place*> by_number_;  // a power of two; no two requests have the same entry
 };
 
 /// "no answer from robot within 500 ms; outcome unknown"

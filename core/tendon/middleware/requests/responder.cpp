@@ -1,5 +1,6 @@
 #include <tendon/middleware/channel.h>
 #include <tendon/middleware/requests/asked.h>
+#include <tendon/middleware/requests/pending_requests.h>
 #include <tendon/middleware/requests/responder.h>
 
 #include <utility>
@@ -16,14 +17,17 @@ Responder& Responder::operator=(Responder&& other) noexcept {
 }
 
 Responder::~Responder() {
-  Refuse(
-      Error{ErrorCode::kFailed, "the request was dropped without an answer; see the peer's log"});
+  if (channel_.expired()) return;
+  CallGuarded("request", [this] {
+    Refuse({ErrorCode::kFailed, "the request was dropped without an answer; see the peer's log"});
+  });
 }
 
 void Responder::Reply(std::span<const std::byte> body, Lane lane) {
-  if (const auto channel = std::exchange(channel_, {}).lock()) {
-    channel->SendReply(request_, body, lane);
-  }
+  const auto channel = channel_.lock();
+  if (!channel) return;
+  channel->SendReply(request_, body, lane);
+  channel_.reset();  // not where that has thrown: then it is refused
 }
 
 bool Responder::is_asked_here() const {

@@ -22,6 +22,7 @@ class Responder {
   Responder& operator=(const Responder&) = delete;
   ~Responder();
 
+  /// Throws std::bad_alloc where memory is short; it is not answered then.
   void Reply(std::span<const std::byte> body, Lane lane = kCommonLane);
   /// Whether a Reply() in kOwnLane from this thread, before it returns to the channel, takes the
   /// shorter way of Link::Ask().

@@ -13,6 +13,27 @@ namespace {
 
 constexpr std::size_t kMaxDepth = 64;
 
+std::string TooDeep() { return "nesting deeper than " + std::to_string(kMaxDepth); }
+
+/// Before anything is built of the text.
+bool IsTooDeep(std::string_view text) {
+  std::size_t depth = 0;
+  bool is_in_string = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char letter = text[i];
+    if (is_in_string && letter == '\\') {
+      ++i;
+    } else if (letter == '"') {
+      is_in_string = !is_in_string;
+    } else if (!is_in_string && (letter == '[' || letter == '{')) {
+      if (++depth > kMaxDepth) return true;
+    } else if (!is_in_string && (letter == ']' || letter == '}') && depth > 0) {
+      --depth;
+    }
+  }
+  return false;
+}
+
 /// The parser's own words without its codes and places: "unexpected ','; expected string literal".
 std::string Words(const std::string& what) {
   std::string words = what.substr(what.find("] ") == what.npos ? 0 : what.find("] ") + 2);
@@ -104,7 +125,7 @@ class Builder final : public nlohmann::json_sax<Json> {
   }
 
   bool Enter(Json container) {
-    if (open_.size() == kMaxDepth) return Fail("nesting deeper than " + std::to_string(kMaxDepth));
+    if (open_.size() == kMaxDepth) return Fail(TooDeep());
     const std::string place = NextPlace();
     open_.push_back({&Put(std::move(container)), place});
     return true;
@@ -140,6 +161,20 @@ Result<Json> ParseStrictJson(std::string_view text) {
   Builder builder(text);
   Json::sax_parse(text, &builder);
   return std::move(builder).Take();
+}
+
+Result<nlohmann::ordered_json> ParseOrderedJson(std::string_view text) {
+  if (IsTooDeep(text)) return Error{ErrorCode::kInvalid, TooDeep()};
+  auto value = nlohmann::ordered_json::parse(text, nullptr, /*allow_exceptions=*/false);
+  if (!value.is_discarded()) return value;
+  const auto strict = ParseStrictJson(text);  // which says where
+  return strict ? Error{ErrorCode::kInvalid, "is no JSON"} : strict.error();
+}
+
+nlohmann::ordered_json JsonOrText(std::string_view text) {
+  auto value = ParseOrderedJson(text);
+  if (value) return *std::move(value);
+  return Printable(text, text.size());
 }
 
 std::string KindOf(const Json& value) {

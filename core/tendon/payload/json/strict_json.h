@@ -16,6 +16,14 @@ using Json = nlohmann::json;
 /// for no text at all.
 Result<Json> ParseStrictJson(std::string_view text);
 
+/// Reads JSON that a program wrote, perhaps that of another process; members keep their order.
+/// Errors of code kInvalid as ParseStrictJson(), which also allows for no deeper nesting: whoever
+/// walks over the value needs a stack for it.
+Result<nlohmann::ordered_json> ParseOrderedJson(std::string_view text);
+
+/// The same; what is no JSON, or nested deeper, is the text itself as a string.
+[[nodiscard]] nlohmann::ordered_json JsonOrText(std::string_view text);
+
 /// "text", "number", "list", ...: what a person calls the value.
 [[nodiscard]] std::string KindOf(const Json& value);
 

@@ -8,7 +8,7 @@ namespace {
 constexpr LogLimiter::Rate kRate{.burst = 50, .interval = std::chrono::milliseconds(100)};
 
 void WriteLine(LogLevel level, const std::string& line) {
-  Log(IsLogged(level) ? level : LogLevel::kError, "audit", line);
+  LogDeferred(std::chrono::system_clock::now(), level, "audit", line);
 }
 
 }  // namespace

@@ -59,6 +59,7 @@ Result<ConnectionId> RemoteConnections::Enter(const message::Wire& wire, const D
                        .provided = wire.provided,
                        .state = ConnectionState::kPending,
                        .reason = "process '" + wire.provided.process + "' is being asked"};
+  entry.since = SteadyClock().Now();
   entry.done = done;
   return id;
 }
@@ -241,6 +242,7 @@ void RemoteConnections::Refuse(ConnectionId id, const Error& error) {
     Entry& entry = found->second;
     done = std::exchange(entry.done, nullptr);
     entry.refused_by = entry.link->instance();
+    entry.since = SteadyClock().Now();
     entry.description.state = ConnectionState::kFailed;
     entry.description.reason = error.message;
     TakeDown(entry, {});
@@ -277,6 +279,7 @@ void RemoteConnections::OnInterfaceClosed(const PeerLink& link, std::uint32_t ha
 /// It is still wanted, and tried again by and by.
 void RemoteConnections::Suspend(Entry& entry, const std::string& reason) {
   TakeDown(entry, {});
+  if (entry.description.state != ConnectionState::kPending) entry.since = SteadyClock().Now();
   entry.description.state = ConnectionState::kPending;
   entry.description.reason = reason;
   entry.pause = std::clamp(2 * entry.pause, kShortestPause, kLongestPause);
@@ -365,8 +368,11 @@ Result<ConnectionCounts> RemoteConnections::Counts(const InterfaceName& required
   const Entry& entry = found->second;
   if (!entry.connection) {
     const ConnectionDescription& one = entry.description;
+    const std::chrono::duration<double> age = SteadyClock().Now() - entry.since;
     return Error{ErrorCode::kFailed, "the connection of " + ToString(required) + " is " +
-                                         std::string(ToString(one.state)) + ": " + one.reason};
+                                         std::string(ToString(one.state)) + " for " +
+                                         std::to_string(static_cast<std::int64_t>(age.count())) +
+                                         " s: " + one.reason};
   }
   ConnectionCounts counts = CountsOf(*entry.connection);
   counts.round_trip = entry.link->round_trip();

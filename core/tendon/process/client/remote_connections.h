@@ -40,7 +40,7 @@ class RemoteConnections final : private PeerListener {
   /// Before the component goes.
   void RemoveComponent(const std::string& component);
   [[nodiscard]] std::vector<ConnectionDescription> descriptions() const;
-  /// kFailed where it does not stand.
+  /// kFailed where it does not stand: why, and for how long.
   [[nodiscard]] Result<ConnectionCounts> Counts(const InterfaceName& required) const;
 
   /// Once the worker has stopped: ends all.
@@ -49,6 +49,7 @@ class RemoteConnections final : private PeerListener {
  private:
   struct Entry {
     ConnectionDescription description;
+    SteadyTime since{};                  // it does not stand
     Done done;                           // of Connect(), until the first outcome
     std::uint64_t attempt = 0;           // the newest; outcomes of earlier ones are void
     bool is_opening = false;             // and its outcome is still to come

@@ -1,5 +1,6 @@
 #include <tendon/base/log.h>
 #include <tendon/payload/json.h>
+#include <tendon/process/life/configuration_base.h>
 #include <tendon/process/life/life_cycle.h>
 
 #include <algorithm>
@@ -185,6 +186,9 @@ LifeCycle::Outcome LifeCycle::Configure(const Given& given) {
   const std::string& component = given.order.component;
   const auto before = FindOfClass(component, "configured anew");
   if (!before) return before.error();
+  if (auto checked = CheckBase(given.order, before->configuration); !checked) {
+    return checked.error();
+  }
   const auto settings = parts_.manager.SettingsOf(component);
   if (!settings) return settings.error();
   if (!settings->is_at_rest) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <tendon/middleware/frame.h>
+#include <tendon/payload/fingerprint.h>
 #include <tendon/payload/payload.h>
 #include <tendon/task/component_state.h>
 
@@ -73,8 +74,11 @@ struct LifeOrder {
   /// Load; create, where empty stands for the one loaded library that has the class.
   std::string library;
   std::string configuration;  ///< create, configure: JSON, or empty for the defaults
-  std::string thread;         ///< create: ThreadOptions as JSON, or empty for those of the class
-  std::string leader;         ///< create: the component after which it runs, or empty
+  /// Configure: BaseOf() the configuration that this one was made from. A component that has
+  /// another one by now keeps that. Zeros: it replaces whichever there is.
+  Fingerprint based_on;
+  std::string thread;  ///< create: ThreadOptions as JSON, or empty for those of the class
+  std::string leader;  ///< create: the component after which it runs, or empty
   /// How long it may take; 0: as long as who passes it on finds right. What has not begun by then
   /// is not done any more.
   std::chrono::nanoseconds patience{0};
@@ -127,6 +131,7 @@ inline constexpr auto tendon::kPayload<tendon::message::LifeOrder> =
                      tendon::Field{"class_name", &tendon::message::LifeOrder::class_name},
                      tendon::Field{"library", &tendon::message::LifeOrder::library},
                      tendon::Field{"configuration", &tendon::message::LifeOrder::configuration},
+                     tendon::Field{"based_on", &tendon::message::LifeOrder::based_on},
                      tendon::Field{"thread", &tendon::message::LifeOrder::thread},
                      tendon::Field{"leader", &tendon::message::LifeOrder::leader},
                      tendon::Field{"patience", &tendon::message::LifeOrder::patience});

@@ -287,8 +287,9 @@ bool Membership::Work(SteadyTime now, SteadyTime& next) {
     const std::scoped_lock lock(mutex_);
     if (!channel_) return false;
     channel = channel_;
-    // What the GCM has answered may wait behind a large message.
-    const SteadyTime lost = std::max(last_renewed_->Get(), LargeInHand::Last(now)) + kSilence;
+    // What the GCM has answered may wait behind a large message, as may our question.
+    const SteadyTime lost =
+        std::max({last_renewed_->Get(), channel->last_part(), LargeInHand::Last(now)}) + kSilence;
     is_silent = now >= lost;
     is_due = now >= next_renewal_;
     if (is_due) next_renewal_ = now + kBetweenRenewals;

@@ -7,7 +7,7 @@
 namespace tendon {
 
 /// One command, ready to be called. A read has no mailbox and is bound alone.
-class MemberCalls::Target {
+class MemberCalls::Target : private BegunCalls::Owner {
  public:
   Target(const Offer& offer, ProvidedInterface& provided, const std::string& name)
       : description_(offer.description()),
@@ -24,23 +24,22 @@ class MemberCalls::Target {
   }
   Target(const Target&) = delete;
   Target& operator=(const Target&) = delete;
-  ~Target() { Close(); }
+  ~Target() override { Close(); }
 
   /// Any thread, one after the other. Answers at once, or out of Answer() in the network thread,
   /// which is then told.
   void Call(std::span<const std::byte> argument, std::chrono::nanoseconds timeout,
-            NetworkThread& network, const std::shared_ptr<Responder>& responder) {
+            NetworkThread& network, Responder responder) {
     const std::scoped_lock lock(mutex_);
     static const Bytes nothing = EncodeBody(None{});
     if (argument.empty() && description_.signature.in == FingerprintOf<None>()) argument = nothing;
-    const BegunCalls::Done done = [this, responder](Status status, const Bytes& result) {
-      Finish(status, result, *responder);
-    };
     Bytes result;
     CommandBase* command = nullptr;
     std::size_t call = 0;
     const Status status = Begin(argument, result, network, command, call);
-    if (command == nullptr || status != Status(Status::kQueued)) return done(status, result);
+    if (command == nullptr || status != Status(Status::kQueued)) {
+      return Finish(status, result, responder);
+    }
     {
       const std::scoped_lock begun_lock(begun_mutex_);
       const SteadyTime now = SteadyClock().Now();
@@ -48,7 +47,7 @@ class MemberCalls::Target {
                   .call = call,
                   .since = now,
                   .deadline = now + timeout,
-                  .done = done});
+                  .responder = std::move(responder)});
     }
     network.Notify();
   }
@@ -71,6 +70,10 @@ class MemberCalls::Target {
   }
 
  private:
+  void OnEnd(BegunCalls::Begun& begun, Status status, Bytes& result, SteadyTime /*now*/) override {
+    Finish(status, result, begun.responder);
+  }
+
   void Finish(Status status, const Bytes& result, Responder& responder) const {
     if (result.size() > kMaxPayload) {
       const std::string what = "the answer of '" + description_.name + "'";
@@ -102,18 +105,18 @@ class MemberCalls::Target {
   std::unique_ptr<FunctionProxy> function_;
   std::unique_ptr<Connection> connection_;
   std::mutex begun_mutex_;  // taken after mutex_, under which code of the component may run
-  BegunCalls begun_;
+  BegunCalls begun_{*this};
 };
 
 void MemberCalls::Call(const std::shared_ptr<message::CallMember>& call,
                        const std::shared_ptr<Responder>& responder) {
   if (const auto target = Find(KeyOf(*call))) {
-    return target->Call(call->argument, call->timeout, *context_.network, responder);
+    return target->Call(call->argument, call->timeout, *context_.network, std::move(*responder));
   }
   context_.worker->Post([this, call, responder] {
     const auto target = Make(*call);
     if (!target) return responder->Refuse(target.error());
-    (*target)->Call(call->argument, call->timeout, *context_.network, responder);
+    (*target)->Call(call->argument, call->timeout, *context_.network, std::move(*responder));
   });
 }
 

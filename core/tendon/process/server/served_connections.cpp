@@ -20,7 +20,7 @@ void ServedConnections::Open(const std::shared_ptr<Client>& client,
   }
   const auto server = LookUp(open.provided);
   if (!server) return responder->Refuse(server.error());
-  auto made = Make(client, open, **server);
+  auto made = Make(client, open, use, **server);
   if (!made && made.error().code == ErrorCode::kIncompatible) {
     return RefuseMisfit(*context_.worker, client->channel, open, (*server)->description(),
                         made.error(), responder);
@@ -28,7 +28,6 @@ void ServedConnections::Open(const std::shared_ptr<Client>& client,
   if (!made) return responder->Refuse(made.error());
   entries_.push_back(*std::move(made));
   Entry& entry = entries_.back();
-  entry.use = use;
   const Component* const component = context_.host.LookUpComponent(entry.component);
   message::InterfaceOpened opened{
       .handle = client->handles.Reserve(open.description.functions.size()),
@@ -61,9 +60,12 @@ Result<ProvidedInterface*> ServedConnections::LookUp(const InterfaceName& provid
 
 Result<ServedConnections::Entry> ServedConnections::Make(const std::shared_ptr<Client>& client,
                                                          const message::OpenInterface& open,
-                                                         ProvidedInterface& provided) {
+                                                         Use use, ProvidedInterface& provided) {
+  using Events = RequiredInterfaceProxy::Events;
+  const Events events = use == Use::kEventsOnly ? Events::kTimed : Events::kPlain;
   try {
-    auto proxy = std::make_shared<RequiredInterfaceProxy>(context_.network, client->channel, open);
+    auto proxy =
+        std::make_shared<RequiredInterfaceProxy>(context_.network, client->channel, open, events);
     const auto bytes = Connection::MailboxBytes(proxy->interface(), provided);
     if (const auto fits = CheckSize(open, bytes); !fits) return fits.error();
     auto connection = Connection::Make(proxy->interface(), provided, ToString(open.required),
@@ -72,6 +74,7 @@ Result<ServedConnections::Entry> ServedConnections::Make(const std::shared_ptr<C
     return Entry{.client = client,
                  .required = open.required,
                  .component = open.provided.component,
+                 .use = use,
                  .handle = 0,
                  .proxy = std::move(proxy),
                  .connection = *std::move(connection)};

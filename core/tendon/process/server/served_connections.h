@@ -63,7 +63,7 @@ class ServedConnections {
   [[nodiscard]] bool IsFull(Use use) const;
   static Result<void> CheckSize(const message::OpenInterface& open, std::size_t bytes);
   Result<Entry> Make(const std::shared_ptr<Client>& client, const message::OpenInterface& open,
-                     ProvidedInterface& provided);
+                     Use use, ProvidedInterface& provided);
   void TakeDown(Entry& entry, SteadyTime deadline);
   template <typename Predicate>
   void CloseWhere(Predicate predicate, std::chrono::milliseconds patience);

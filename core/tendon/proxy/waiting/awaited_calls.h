@@ -34,8 +34,15 @@ class AwaitedCalls {
   /// Its number. It has taken the record.
   std::uint64_t Enter(std::size_t record, SteadyTime deadline) {
     const std::scoped_lock lock(mutex_);
-    awaited_[++last_] = {.record = record, .deadline = deadline};
-    of_record_[record] = last_;
+    const Awaited awaited{.record = record, .deadline = deadline};
+    if (spare_.empty()) {
+      awaited_.emplace(last_ + 1, awaited);
+    } else {
+      spare_.key() = last_ + 1;
+      spare_.mapped() = awaited;
+      awaited_.insert(std::move(spare_));
+    }
+    of_record_[record] = ++last_;
     return last_;
   }
   /// Before it returns, with what Await() said. Whether the call may have been executed: it was
@@ -43,9 +50,9 @@ class AwaitedCalls {
   template <typename Ending>
   bool Leave(std::uint64_t call, Ending ending) {
     const std::scoped_lock lock(mutex_);
-    const auto left = awaited_.extract(call);
-    assert(!left.empty());
-    const Awaited& awaited = left.mapped();
+    spare_ = awaited_.extract(call);
+    assert(!spare_.empty());
+    const Awaited& awaited = spare_.mapped();
     // The thread that Await() has left the record to will find nobody, unless it was there already.
     if (ending == Ending::kStarted && !awaited.has_ended) completions_[awaited.record].Free();
     return awaited.is_sent;
@@ -78,11 +85,19 @@ class AwaitedCalls {
     found->second.is_sent = true;
     return found->second.deadline;
   }
-  /// It was not, after all.
+  /// It was not, after all; it may be later.
   void NotSent(std::uint64_t call) {
     const std::scoped_lock lock(mutex_);
     const auto found = awaited_.find(call);
     if (found != awaited_.end()) found->second.is_sent = false;
+  }
+  /// Nor will it be, for this reason.
+  void Refuse(std::uint64_t call, Status why) {
+    const std::scoped_lock lock(mutex_);
+    const auto found = awaited_.find(call);
+    if (found == awaited_.end()) return;
+    found->second.is_sent = false;
+    Finish(found->second, why);
   }
 
   /// Any thread: the answer to kWait, or why none will come.
@@ -110,7 +125,8 @@ class AwaitedCalls {
   Pool& completions_;
   Mutex mutex_;
   std::uint64_t last_ = 0;
-  std::map<std::uint64_t, Awaited> awaited_;  // from Enter() to Leave()
+  std::map<std::uint64_t, Awaited> awaited_;                    // from Enter() to Leave()
+  typename std::map<std::uint64_t, Awaited>::node_type spare_;  // for the next one
   std::vector<std::uint64_t> of_record_;
   std::vector<Bytes> answers_;  // by record
 };

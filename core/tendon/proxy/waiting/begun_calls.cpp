@@ -1,3 +1,4 @@
+#include <tendon/middleware/requests/gathered_replies.h>
 #include <tendon/proxy/waiting/begun_calls.h>
 
 #include <algorithm>
@@ -21,25 +22,31 @@ SteadyTime NextLook(const BegunCalls::Begun& begun, SteadyTime now) {
 }  // namespace
 
 void BegunCalls::Answer(SteadyTime now, SteadyTime& next) {
-  std::erase_if(begun_, [&](const Begun& begun) {
-    if (now < begun.deadline && !begun.command->HasEnded(begun.call)) {
-      next = std::min(next, NextLook(begun, now));
-      return false;
+  const GatheredReplies together;
+  auto kept = begun_.begin();
+  for (Begun& begun : begun_) {
+    if (now >= begun.deadline || begun.command->HasEnded(begun.call)) {
+      End(begun, Status::kTimeout, now);
+      continue;
     }
-    End(begun, Status::kTimeout);
-    return true;
-  });
+    next = std::min(next, NextLook(begun, now));
+    if (&begun != &*kept) *kept = std::move(begun);
+    ++kept;
+  }
+  begun_.erase(kept, begun_.end());
 }
 
 void BegunCalls::GiveUp() {
-  for (const Begun& begun : begun_) End(begun, Status::kNotConnected);
+  const GatheredReplies together;
+  const SteadyTime now = SteadyClock().Now();
+  for (Begun& begun : begun_) End(begun, Status::kNotConnected, now);
   begun_.clear();
 }
 
-void BegunCalls::End(const Begun& begun, Status if_not_started) {
+void BegunCalls::End(Begun& begun, Status if_not_started, SteadyTime now) {
   result_.clear();
   const Status status = begun.command->EndEncoded(begun.call, result_);
-  begun.done(status == Status(Status::kTimeout) ? if_not_started : status, result_);
+  owner_.OnEnd(begun, status == Status(Status::kTimeout) ? if_not_started : status, result_, now);
 }
 
 void AppendTimeout(std::chrono::nanoseconds timeout, Bytes& question) {

@@ -3,10 +3,10 @@
 #include <tendon/base/clock.h>
 #include <tendon/interface/command.h>
 #include <tendon/middleware/frame.h>
+#include <tendon/middleware/requests/responder.h>
 
 #include <chrono>
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <span>
 #include <utility>
@@ -19,9 +19,6 @@ namespace tendon {
 /// ended. Not thread-safe.
 class BegunCalls {
  public:
-  /// With the result where the status is good.
-  using Done = std::function<void(Status status, const Bytes& result)>;
-
   /// A call that `command` has begun, which lives until it was answered.
   struct Begun {
     CommandBase* command = nullptr;
@@ -29,18 +26,29 @@ class BegunCalls {
     SteadyTime since{};
     SteadyTime deadline{};
     bool is_told = true;  ///< whether the network thread is; else it looks the more often the newer
-    Done done;
+    std::size_t function = 0;  ///< as the owner counts
+    Responder responder;
   };
+  /// Who answers them.
+  class Owner {
+   public:
+    virtual ~Owner() = default;
+    /// Has ended, or will not; with the result where the status is good, which is the owner's now.
+    virtual void OnEnd(Begun& begun, Status status, Bytes& result, SteadyTime now) = 0;
+  };
+
+  explicit BegunCalls(Owner& owner) : owner_(owner) {}
   void Add(Begun begun) { begun_.push_back(std::move(begun)); }
-  /// Answers those that have ended or whose time is over; brings `next` forward to when the next
-  /// is.
+  /// Answers those that have ended or whose time is over, in the order in which they were begun,
+  /// many in a message; brings `next` forward to when the next is.
   void Answer(SteadyTime now, SteadyTime& next);
   /// Answers them all, for their connection ends.
   void GiveUp();
 
  private:
-  void End(const Begun& begun, Status if_not_started);
+  void End(Begun& begun, Status if_not_started, SteadyTime now);
 
+  Owner& owner_;
   std::vector<Begun> begun_;
   Bytes result_;
 };

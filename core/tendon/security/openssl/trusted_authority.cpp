@@ -16,20 +16,27 @@ std::string TextOf(const AuthorityFolder& files) {
 
 Result<TrustedAuthority::Store> TrustedAuthority::Now() {
   const AuthorityFolder files{folder_};
-  const std::scoped_lock lock(mutex_);
   std::string text = TextOf(files);
-  if (!text.empty() && text == text_) return store_;
+  if (auto known = Find(text)) return known;
+  // What is parsed is read after `text`: where the files are just being changed it may be newer,
+  // and the next call will parse them again.
   const auto certificate = ReadAuthority(files);
   if (!certificate) return certificate.error();
   const auto revoked = ReadRevoked(files);
   if (!revoked) return revoked.error();
-  const Store store(X509_STORE_new(), &X509_STORE_free);
+  Store store(X509_STORE_new(), &X509_STORE_free);
   Require(store && X509_STORE_add_cert(store.get(), certificate->get()) == 1 &&
               X509_STORE_add_crl(store.get(), revoked->get()) == 1,
           "a store of certificates");
+  const std::scoped_lock lock(mutex_);
   store_ = store;
   text_ = std::move(text);
-  return store_;
+  return store;
+}
+
+TrustedAuthority::Store TrustedAuthority::Find(const std::string& text) {
+  const std::scoped_lock lock(mutex_);
+  return !text.empty() && text == text_ ? store_ : nullptr;
 }
 
 }  // namespace tendon::openssl

@@ -19,12 +19,16 @@ class TrustedAuthority {
 
   explicit TrustedAuthority(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  /// What to verify certificates with now. Reads two files; errors: kNotFound, kInvalid, kDenied.
+  /// What to verify certificates with now. Reads two files, which may take as long as the disk
+  /// does; nobody else waits for that. Errors: kNotFound, kInvalid, kDenied.
   [[nodiscard]] Result<Store> Now();
 
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
 
  private:
+  /// What `text` was parsed to; null where that is something else.
+  Store Find(const std::string& text);
+
   const std::filesystem::path folder_;
   std::mutex mutex_;
   std::string text_;  // of both files, as `store_` has them

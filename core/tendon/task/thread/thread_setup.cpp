@@ -4,6 +4,7 @@
 #include <tendon/task/thread/thread_setup.h>
 
 #include <algorithm>
+#include <chrono>
 #include <mutex>
 #include <utility>
 
@@ -12,6 +13,20 @@ namespace {
 
 constexpr std::uint64_t kMostStack = std::uint64_t{4} << 20;
 constexpr std::int32_t kHighestPriority = 99;
+constexpr std::int32_t kHighestProcessor = 1023;
+constexpr std::chrono::milliseconds kMostSlack(100);  // a sleep that is to end now may last so long
+constexpr std::chrono::seconds kMostSpin(1);
+
+/// What throws where a condition does not hold.
+auto RequireFor(const std::string& task) {
+  return [&task](bool is_right, const std::string& sentence) {
+    if (!is_right) throw ConfigurationError("thread options of '" + task + "': " + sentence);
+  };
+}
+
+std::string Nanoseconds(std::chrono::nanoseconds time) {
+  return std::to_string(time.count()) + " ns";
+}
 
 /// Says the first refusal in the life of the process: more would say the same of other tasks.
 void WarnOnce(const std::string& task, const std::string& what, const std::string& reason,
@@ -31,10 +46,8 @@ void Apply(os::Permission permission, const std::string& task, const std::string
 
 }  // namespace
 
-void CheckThreadOptions(const ThreadOptions& options, const std::string& task) {
-  const auto require = [&task](bool is_right, const std::string& sentence) {
-    if (!is_right) throw ConfigurationError("thread options of '" + task + "': " + sentence);
-  };
+void CheckThreadRanges(const ThreadOptions& options, const std::string& task) {
+  const auto require = RequireFor(task);
   const std::string priority = std::to_string(options.priority);
   if (options.policy == SchedulingPolicy::kNormal) {
     require(options.priority == 0,
@@ -44,17 +57,27 @@ void CheckThreadOptions(const ThreadOptions& options, const std::string& task) {
             "priority must be 1..99 with the policy " + std::string(NameOf(options.policy)) +
                 ", got " + priority);
   }
-  const int processors = os::ProcessorCount();
   for (const std::int32_t cpu : options.cpus) {
-    require(cpu >= 0 && cpu < processors, "this machine has the processors 0.." +
-                                              std::to_string(processors - 1) + ", not " +
-                                              std::to_string(cpu));
+    require(cpu >= 0 && cpu <= kHighestProcessor,
+            "a processor must be 0..1023, got " + std::to_string(cpu));
   }
   require(options.stack_bytes <= kMostStack,
           "at most 4194304 bytes of the stack can be touched before the first cycle, not " +
               std::to_string(options.stack_bytes));
-  require(options.timer_slack.count() >= 1, "timer slack must be at least 1 ns");
-  require(options.spin.count() >= 0, "the time to spin must not be negative");
+  require(options.timer_slack.count() >= 1 && options.timer_slack <= kMostSlack,
+          "timer slack must be 1 ns..100 ms, got " + Nanoseconds(options.timer_slack));
+  require(options.spin.count() >= 0 && options.spin <= kMostSpin,
+          "the time to spin must be 0..1 s, got " + Nanoseconds(options.spin));
+}
+
+void CheckThreadOptions(const ThreadOptions& options, const std::string& task) {
+  CheckThreadRanges(options, task);
+  const auto require = RequireFor(task);
+  const int processors = os::ProcessorCount();
+  for (const std::int32_t cpu : options.cpus) {
+    require(cpu < processors, "this machine has the processors 0.." +
+                                  std::to_string(processors - 1) + ", not " + std::to_string(cpu));
+  }
 }
 
 void SetUpThisThread(const ThreadOptions& options, const std::string& task) {

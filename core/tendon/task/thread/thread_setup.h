@@ -6,7 +6,10 @@
 
 namespace tendon {
 
-/// ConfigurationError that names `task` and the option, where one makes no sense on this machine.
+/// ConfigurationError that names `task` and the option, where one makes no sense on any machine.
+void CheckThreadRanges(const ThreadOptions& options, const std::string& task);
+
+/// The same, and where one makes no sense on this machine.
 void CheckThreadOptions(const ThreadOptions& options, const std::string& task);
 
 /// Makes the calling thread that of `task`: its name and all options but the spinning.

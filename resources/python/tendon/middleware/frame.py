@@ -8,7 +8,7 @@ from typing import NamedTuple
 from ..errors import Invalid
 
 MAGIC = 0x4E444E54  # "TNDN"
-PROTOCOL_VERSION = 5
+PROTOCOL_VERSION = 6
 HEADER_SIZE = 24
 MAX_FRAME_SIZE = 64 << 20
 """A frame may have at most this many bytes, header included; larger ones are refused."""
@@ -18,7 +18,12 @@ MAX_PIECE_SIZE = 256 << 10
 """The same of a frame that is sent in one piece; see parts.py."""
 MAX_BODY_SIZE = (64 << 20) + (64 << 10)
 """Of a frame that comes in parts: the largest payload, and what its message puts around it."""
+MAX_REPLIES = 256
+"""Answers that come in one message, at most."""
+MAX_REPLIES_SIZE = (16 << 10) - HEADER_SIZE
+"""Bytes of its body, at most."""
 
+_REPLY = struct.Struct("<QI")  # before each answer of a batch: request, size
 _HEADER = struct.Struct("<IHHQII")
 
 
@@ -54,6 +59,24 @@ def read_frame(frame: bytes, limit: int = MAX_FRAME_SIZE) -> tuple[Header, bytes
         return None
     _, version, type_number, request, _, handle = _HEADER.unpack_from(frame)
     return Header(type_number, request, handle, version), frame[HEADER_SIZE:]
+
+
+def read_replies(body: bytes) -> list[tuple[int, bytes]]:
+    """Several answers that came together: to which request each is, and its body. Raises Invalid
+    where the bytes are no such batch."""
+    replies = []
+    rest = memoryview(body)
+    while rest and len(replies) < MAX_REPLIES:
+        if len(rest) < _REPLY.size:
+            break
+        request, size = _REPLY.unpack_from(rest)
+        if size > len(rest) - _REPLY.size:
+            break
+        replies.append((request, bytes(rest[_REPLY.size:_REPLY.size + size])))
+        rest = rest[_REPLY.size + size:]
+    if rest or not replies or len(body) > MAX_REPLIES_SIZE:
+        raise Invalid("no batch of answers")
+    return replies
 
 
 class Pieces:

@@ -14,7 +14,8 @@ from .. import messages
 from ..errors import Error, Invalid, TimedOut, Unreachable
 from ..messages import MessageType
 from .address import Address
-from .frame import MAX_BODY_SIZE, MAX_PIECE_SIZE, PROTOCOL_VERSION, Header, write_frame
+from .frame import (MAX_BODY_SIZE, MAX_PIECE_SIZE, PROTOCOL_VERSION, Header, read_replies,
+                    write_frame)
 from .handshake import Opener, loopback_cookie
 from .ice import Network
 from .parts import PartAssembly, PartSender
@@ -178,6 +179,9 @@ class Link:
             self._parts.on_taken(body)
         elif header.type == MessageType.REPLY:
             self._finish(header.request, body, None)
+        elif header.type == MessageType.REPLIES:
+            for request, answer in read_replies(body):
+                self._finish(request, answer, None)
         elif header.type == MessageType.REFUSAL:
             self._finish(header.request, body, messages.read_refusal(body, self.peer_name))
         elif header.request == 0 and self._on_notice is not None:

@@ -14,7 +14,11 @@ from ..messages import MessageType
 from .frame import (HEADER_SIZE, MAX_BODY_SIZE, MAX_PIECE_SIZE, Header, claimed_size, read_frame,
                     write_frame)
 
-PART_SIZE = MAX_PIECE_SIZE - HEADER_SIZE
+MAX_PART_SIZE = MAX_PIECE_SIZE - HEADER_SIZE
+LEAST_PART_SIZE = (16 << 10) - HEADER_SIZE
+"""Of every part of a frame but the last."""
+PART_SIZE = 2 * LEAST_PART_SIZE
+"""Of those that are sent: on a slow line, too, one does not take long, and each is a sign of life."""
 PARTS_AHEAD = 1 << 20
 """So many bytes may be on their way that the peer has not taken."""
 MAX_CLAIMED = HEADER_SIZE + MAX_BODY_SIZE + (8 << 20)
@@ -40,7 +44,8 @@ class PartAssembly:
                 raise Invalid("the peer sent parts of what is no message")
             self._begun[number] = (size, bytearray())
         size, begun = self._begun[number]
-        if len(part) != min(PART_SIZE, size - len(begun)):
+        left = size - len(begun)
+        if not min(LEAST_PART_SIZE, left) <= len(part) <= min(MAX_PART_SIZE, left):
             raise Invalid("the peer sent parts of what is no message")
         self.taken += len(part)
         begun += part

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 #include <tendon/gcm/life/life_plan.h>
+#include <tendon/process/life/configuration_base.h>
 #include <tests/core/gcm/samples.h>
 
 namespace tendon {
@@ -123,6 +124,56 @@ TEST_F(LifePlan, AStepIsUnmadeByItsOpposite) {
   EXPECT_EQ(Unmaking(LifeVerb::kConfigure, kFinished), "configure");
 }
 
+TEST_F(LifePlan, TheUndoOfAStopStartsWhatEndedWithIt) {
+  const auto follow = [&](const std::string& name, const std::string& leader,
+                          ComponentState state) {
+    ComponentDescription one = test::Arm();
+    one.name = name;
+    one.leader = leader;
+    one.state = state;
+    Apply("robot", {.kind = Kind::kComponent, .components = {one}});
+  };
+  follow("brush", "gripper", ComponentState::kSuspended);
+  follow("gripper", "arm", ComponentState::kSuspended);
+  follow("camera", "arm", ComponentState::kActive);
+  follow("lamp", "arm", ComponentState::kFinished);
+  follow("other", "", ComponentState::kActive);
+  HistoryEntry step = StepOfArm("stop");
+  step.life = StepOf(catalog_, {.verb = LifeVerb::kStop, .process = "robot", .component = "arm"});
+  AddOutcome({.state = ComponentState::kActive}, step);
+
+  std::string orders;
+  for (const LifeOrder& order : PlanUndo(step, std::chrono::seconds(1)).then) {
+    orders += std::string(ToString(order.verb)) + " " + order.component + "; ";
+  }
+
+  EXPECT_EQ(orders, "start arm; start camera; start gripper; start brush; suspend gripper; ");
+}
+
+TEST_F(LifePlan, AStopOfAnOldJournalIsUndoneWithoutOthers) {
+  SetState(ComponentState::kFinished);
+  HistoryEntry step = StepOfArm("stop");
+  step.life.state = ComponentState::kActive;
+  for (const std::string former : {"", R"({"noise":1})", "[]", "[7]", "[[]]", "nonsense"}) {
+    step.life.former = former;
+
+    EXPECT_TRUE(CheckUndo(catalog_, step)) << former;
+    const auto orders = PlanUndo(step, std::chrono::seconds(1)).then;
+    ASSERT_EQ(orders.size(), 1U) << former;
+    EXPECT_EQ(orders[0].verb, LifeVerb::kStart);
+    EXPECT_EQ(orders[0].component, "arm");
+  }
+}
+
+TEST_F(LifePlan, AnOrderIsAnsweredWithinTheTimeThatIsLeft) {
+  using namespace std::chrono_literals;  // NOLINT(google-build-using-namespace)
+  EXPECT_EQ(PatienceWithin(1s, 1min), 1s);
+  EXPECT_EQ(PatienceWithin(1s, 1500ms), 1s);
+  EXPECT_EQ(PatienceWithin(1s, 600ms), 400ms);
+  EXPECT_EQ(PatienceWithin(1s, 1ms), std::nullopt);
+  EXPECT_EQ(PatienceWithin(1s, -1s), std::nullopt);
+}
+
 TEST_F(LifePlan, AnUndoRefusesWhatHasChangedSince) {
   HistoryEntry step = StepOfArm("start");
   const auto refusal = [&] {
@@ -161,6 +212,18 @@ TEST_F(LifePlan, AnUndoRefusesAnotherConfiguration) {
   step.life.configuration = "{}";
 
   EXPECT_EQ(CheckUndo(catalog_, step).error().message, "robot/arm has another configuration since");
+}
+
+TEST_F(LifePlan, AConfigurationIsTakenBackOnlyFromWhatTheStepHasMade) {
+  HistoryEntry step = StepOfArm("configure");
+  step.life.configuration = R"({"noise":0})";
+  step.life.former = R"({"noise":1})";
+
+  const UndoPlan plan = PlanUndo(step, std::chrono::seconds(1));
+
+  ASSERT_EQ(plan.first.size(), 1U);
+  EXPECT_EQ(plan.first[0].configuration, R"({"noise":1})");
+  EXPECT_EQ(plan.first[0].based_on, BaseOf(R"({"noise":0})"));
 }
 
 }  // namespace

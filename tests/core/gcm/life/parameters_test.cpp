@@ -55,6 +55,19 @@ TEST(Parameters, ATextThatIsNoUtf8IsRefused) {
   EXPECT_EQ(Told("", "label", "\xff"), R"(label: '\xff' is no UTF-8)");
 }
 
+TEST(Parameters, JsonOfAnotherProcessNestsNoDeeperThan64) {
+  const std::string deep = std::string(100'000, '[') + std::string(100'000, ']');
+  const std::string refusal =
+      "class 'Servo' has a configuration that cannot be read: nesting deeper than 64";
+  ClassDescription hostile = Servo();
+  hostile.defaults = "{\"label\": " + deep + "}";
+
+  EXPECT_EQ(ParametersOf(hostile, "").error().message, refusal);
+  EXPECT_EQ(ParametersOf(Servo(), "{\"label\": " + deep + "}").error().message, refusal);
+  EXPECT_EQ(Told("", "gain.p", deep).substr(0, 39), "gain.p: expected float64 as JSON, got '");
+  EXPECT_TRUE(Told("", "gain.p", deep).ends_with(": nesting deeper than 64"));
+}
+
 TEST(Parameters, ThoseOfAPartAreFoundByItsName) {
   EXPECT_EQ(ParametersAt(Servo(), "", "gain")->size(), 2U);
   const auto element = ParametersAt(Servo(), "", "gain.limits[1]");

@@ -1,10 +1,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <tendon/base/log.h>
 #include <tendon/gcm/supervisor/lcm_launcher.h>
 #include <tests/support/folder.h>
 #include <tests/support/wait.h>
 #include <unistd.h>
+
+#include <memory>
 
 namespace tendon::server {
 namespace {
@@ -110,6 +113,38 @@ TEST_F(LcmLauncherTest, ALongLogIsPutAsideAndTheProgramWritesOn) {
   EXPECT_EQ(launcher.TracesOf("robot").last_words, "more");
   (*process)->Kill();
   EXPECT_EQ(WaitForEndOf(**process).how, "was ended by SIGKILL");
+}
+
+TEST_F(LcmLauncherTest, ALogThatCannotBeKeptIsSaidOnceAndCutAllTheSame) {
+  Script("echo 'a long line'; exec sleep 1000");
+  LcmLauncher launcher({.program = home_.path() / "lcm", .longest_log = 8}, "127.0.0.1:1",
+                       home_.path() / "state");
+  const auto process = launcher.Start({.process = "robot", .patience = 2s});
+  ASSERT_TRUE(process) << process.error().message;
+  const std::string log = (home_.path() / "state" / "robot.log").string();
+  ASSERT_TRUE(EventuallyTrue([&] { return home_.Read("state/robot.log") == "a long line\n"; }));
+  std::filesystem::create_directories(log + ".1/full");  // where no file can be
+  const auto logged = std::make_shared<std::string>();   // the sink outlives this test
+  AddLogSink([logged](LogLevel, std::string_view, std::string_view text) { *logged += text; });
+
+  launcher.ShortenLog("robot");
+
+  EXPECT_THAT(*logged,
+              testing::StartsWith("the log of process 'robot', " + log +
+                                  ", has become too long and is not kept as " + log + ".1 ("));
+  EXPECT_THAT(*logged, HasSubstr("), so what it said is lost; make room there, or"));
+  EXPECT_EQ(home_.Read("state/robot.log"), "");
+  logged->clear();
+  home_.Write("state/robot.log", "another long line\n");
+  launcher.ShortenLog("robot");
+  EXPECT_EQ(*logged, "");
+
+  const auto second = launcher.Start({.process = "robot", .patience = 2s});
+  ASSERT_TRUE(second) << second.error().message;
+  EXPECT_THAT(*logged, HasSubstr("the former log of process 'robot', " + log + ", is not kept as " +
+                                 log + ".1: "));
+  (*process)->Kill();
+  (*second)->Kill();
 }
 
 TEST_F(LcmLauncherTest, SaysWhatIsMissing) {

@@ -11,11 +11,11 @@ using Difference = SystemDifference::Kind;
 SystemFile Demo() { return SystemOf(test::RunningDemo().catalog(), "demo").file; }
 
 std::vector<SystemDifference> DifferencesFromDemo(const SystemFile& second) {
-  return CompareSystems(Demo(), second, Threads::kKnown).differences;
+  return CompareSystems(Demo(), second, Starts::kKnown).differences;
 }
 
 TEST(SystemComparison, FindsNothingBetweenASystemAndItself) {
-  const SystemComparison comparison = CompareSystems(Demo(), Demo(), Threads::kKnown);
+  const SystemComparison comparison = CompareSystems(Demo(), Demo(), Starts::kKnown);
 
   EXPECT_TRUE(comparison.differences.empty());
   EXPECT_EQ(comparison.equal, 6U);  // two processes, three components, a connection
@@ -78,18 +78,32 @@ TEST(SystemComparison, WhatDoesNotMatterIsNoDifference) {
   first.processes[1].components[0].configuration = R"({"a": 1, "b": 2})";
   arm.configuration = R"({"b":2,"a":1})";
 
-  EXPECT_TRUE(CompareSystems(first, second, Threads::kKnown).differences.empty());
+  EXPECT_TRUE(CompareSystems(first, second, Starts::kKnown).differences.empty());
 }
 
-TEST(SystemComparison, AThreadThatIsNotMentionedHasTheDefaultsUnlessItRuns) {
+TEST(SystemComparison, SaysInWhatThreadsAndLeadersDiffer) {
   SystemFile first = Demo();
-  const SystemFile second = Demo();
-  first.processes[1].components[0].thread.emplace().lock_memory = true;
+  SystemFile second = Demo();
+  auto& arm = first.processes[1].components[0];
+  auto& other = second.processes[1].components[0];
+  const auto how = [&] {
+    const auto differences = CompareSystems(first, second, Starts::kUnknownInSecond).differences;
+    return differences.empty() ? std::string() : differences[0].how;
+  };
 
-  const auto differences = CompareSystems(first, second, Threads::kKnown).differences;
-  ASSERT_EQ(differences.size(), 1U);
-  EXPECT_THAT(differences[0].how, testing::StartsWith("thread {"));
-  EXPECT_TRUE(CompareSystems(first, second, Threads::kUnknownInSecond).differences.empty());
+  arm.thread.emplace().lock_memory = true;
+  EXPECT_EQ(how(), "");  // the second does not say
+  other.thread.emplace();
+  EXPECT_THAT(how(), testing::StartsWith("thread {"));
+  EXPECT_THAT(how(), testing::HasSubstr("\"lock_memory\":true"));
+  other.thread = arm.thread;
+  EXPECT_EQ(how(), "");
+  arm.runs_after = "spare";
+  EXPECT_EQ(how(), "runs_after spare -> none");
+  other.thread.reset();
+  EXPECT_EQ(how(), "");
+  other.runs_after = "spare";
+  EXPECT_EQ(how(), "");
 }
 
 TEST(SystemComparison, WhoStartsAProcessIsOfFilesAlone) {
@@ -97,11 +111,11 @@ TEST(SystemComparison, WhoStartsAProcessIsOfFilesAlone) {
   const SystemFile second = Demo();
   first.processes[1].start = SystemFile::Start{RestartPolicy::kOnFailure};
 
-  const auto differences = CompareSystems(first, second, Threads::kKnown).differences;
+  const auto differences = CompareSystems(first, second, Starts::kKnown).differences;
   ASSERT_EQ(differences.size(), 1U);
   EXPECT_EQ(differences[0].what, "process " + first.processes[1].name);
   EXPECT_EQ(differences[0].how, "start by the GCM (restart on-failure) -> by others");
-  EXPECT_TRUE(CompareSystems(first, second, Threads::kUnknownInSecond).differences.empty());
+  EXPECT_TRUE(CompareSystems(first, second, Starts::kUnknownInSecond).differences.empty());
 }
 
 TEST(SystemComparison, AConfigurationThatCannotBeReadIsComparedAsText) {

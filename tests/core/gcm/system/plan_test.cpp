@@ -3,6 +3,8 @@
 #include <tendon/gcm/system/running_system.h>
 #include <tests/core/gcm/system/running_catalog.h>
 
+#include <algorithm>
+
 namespace tendon {
 namespace {
 
@@ -135,6 +137,102 @@ TEST(Plan, AnotherClassIsAnotherComponentThatIsConnectedAgain) {
       ElementsAre("stop robot/arm", "remove robot/arm",
                   "create robot/arm (OtherArm of simulated_arm)",
                   "connect desk/teleoperation/Robot -> robot/arm/Control", "start robot/arm"));
+}
+
+/// A robot whose filter runs after its arm, and whose logger runs after the filter.
+CatalogBuilder RunningChain(ComponentState state = ComponentState::kActive) {
+  const auto made = [state](const std::string& name, const std::string& leader) {
+    ComponentDescription one = test::Arm(name);
+    one.thread = {ThreadOptions()};
+    one.leader = leader;
+    one.state = state;
+    return one;
+  };
+  CatalogBuilder builder;
+  builder.Process("robot", {made("arm", ""), made("filter", "arm"), made("a-logger", "filter")});
+  return builder;
+}
+
+SystemFile::Component& ComponentIn(SystemFile& system, const std::string& name) {
+  auto& components = system.processes[0].components;
+  return *std::find_if(components.begin(), components.end(),
+                       [&](const auto& one) { return one.name == name; });
+}
+
+TEST(Plan, MakesLeadersBeforeThoseThatRunAfterThem) {
+  CatalogBuilder empty;
+  empty.Process("robot", {});
+  const SystemFile wanted = SystemOf(RunningChain().catalog(), "x").file;
+
+  EXPECT_THAT(
+      TextsOf(MakePlan(empty.catalog(), wanted)),
+      ElementsAre("create robot/arm (SimulatedArm of simulated_arm)",
+                  "create robot/filter (SimulatedArm of simulated_arm, which runs after arm)",
+                  "create robot/a-logger (SimulatedArm of simulated_arm, which runs after filter)",
+                  "start robot/arm", "start robot/filter", "start robot/a-logger"));
+  EXPECT_THAT(TextsOf(MakePlan(RunningChain().catalog(), wanted)), IsEmpty());
+}
+
+TEST(Plan, SuspendsALeaderWhenAllHaveStartedAfterIt) {
+  CatalogBuilder empty;
+  empty.Process("robot", {});
+  SystemFile wanted = SystemOf(RunningChain(ComponentState::kSuspended).catalog(), "x").file;
+
+  const auto texts = TextsOf(MakePlan(empty.catalog(), wanted));
+
+  ASSERT_EQ(texts.size(), 8U);
+  EXPECT_THAT(
+      std::vector(texts.begin() + 3, texts.end()),
+      ElementsAre("start robot/arm", "start robot/filter", "start robot/a-logger, then suspend it",
+                  "suspend robot/arm", "suspend robot/filter"));
+}
+
+TEST(Plan, AnotherThreadIsAnotherComponent) {
+  SystemFile wanted = SystemOf(RunningChain().catalog(), "x").file;
+  ComponentIn(wanted, "a-logger").thread->spin = std::chrono::microseconds(10);
+
+  EXPECT_THAT(
+      TextsOf(MakePlan(RunningChain().catalog(), wanted)),
+      ElementsAre("stop robot/a-logger", "remove robot/a-logger",
+                  "create robot/a-logger (SimulatedArm of simulated_arm, which runs after filter)",
+                  "start robot/a-logger"));
+  ComponentIn(wanted, "a-logger").thread.reset();
+  ComponentIn(wanted, "a-logger").runs_after.clear();
+  EXPECT_THAT(TextsOf(MakePlan(RunningChain().catalog(), wanted)), IsEmpty());
+  ComponentIn(wanted, "a-logger").thread.emplace();
+  EXPECT_THAT(
+      TextsOf(MakePlan(RunningChain().catalog(), wanted)),
+      ElementsAre("stop robot/a-logger", "remove robot/a-logger",
+                  "create robot/a-logger (SimulatedArm of simulated_arm)", "start robot/a-logger"));
+}
+
+TEST(Plan, AComponentIsMadeAnewWithAllThatRunAfterIt) {
+  SystemFile wanted = SystemOf(RunningChain().catalog(), "x").file;
+  ComponentIn(wanted, "arm").configuration = R"({"noise":1})";
+  ComponentIn(wanted, "a-logger").thread.reset();  // it keeps what the file does not tell
+  ComponentIn(wanted, "a-logger").runs_after.clear();
+
+  EXPECT_THAT(
+      TextsOf(MakePlan(RunningChain().catalog(), wanted)),
+      ElementsAre("stop robot/a-logger", "stop robot/filter", "stop robot/arm",
+                  "remove robot/a-logger", "remove robot/filter", "configure robot/arm",
+                  "create robot/filter (SimulatedArm of simulated_arm, which runs after arm)",
+                  "create robot/a-logger (SimulatedArm of simulated_arm, which runs after filter)",
+                  "start robot/arm", "start robot/filter", "start robot/a-logger"));
+}
+
+TEST(Plan, WhatTheProgramLetsRunAfterAnotherOneHoldsThatOne) {
+  ComponentDescription own = test::Arm("own");
+  own.class_name.clear();
+  own.leader = "arm";
+  CatalogBuilder builder;
+  builder.Process("robot", {test::Arm(), own});
+  SystemFile wanted = SystemOf(builder.catalog(), "x").file;
+  wanted.processes[0].components[0].configuration = R"({"noise":1})";
+
+  EXPECT_THAT(MakePlan(builder.catalog(), wanted).obstacles,
+              ElementsAre("robot/own runs after one that is to go or to be made anew, and its own "
+                          "program alone can make it anew with that; stop that program first"));
 }
 
 TEST(Plan, WhatIsToRestRestsFirstAndClientsBeforeTheirServers) {
@@ -279,6 +377,21 @@ TEST(Plan, SaysWhichProcessesAreToBeStarted) {
               ElementsAre("process 'desk' is not there, nor 1 component of it; start its program",
                           "process 'robot' is not there, nor 2 components of it; start it: lcm "
                           "--name robot"));
+}
+
+TEST(Plan, AProcessThatIsStartingIsWaitedFor) {
+  CatalogBuilder builder;
+  builder.Process("robot", {test::Arm()}, ProcessState::kStarting)
+      .Process("desk", {test::Teleoperation()});
+  SystemFile wanted = DemoFile();
+  wanted.processes[1].start = SystemFile::Start{};
+  wanted.connections.clear();
+
+  const Plan plan = MakePlan(builder.catalog(), wanted);
+
+  EXPECT_THAT(plan.steps, IsEmpty());
+  EXPECT_THAT(plan.obstacles, ElementsAre("process 'robot' is starting (pid 1001); plan again when "
+                                          "it has joined"));
 }
 
 TEST(Plan, SaysWhatNoStepCanBringAbout) {

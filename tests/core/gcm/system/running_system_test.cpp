@@ -77,7 +77,6 @@ TEST(RunningSystem, TheFileKeepsWhatItAloneKnows) {
     process.start = SystemFile::Start{RestartPolicy::kOnFailure};
     for (auto& component : process.components) {
       component.comment = "mine";
-      component.thread.emplace().lock_memory = true;
     }
   }
   RunningSystem running = SystemOf(test::RunningDemo().catalog(), "demo");
@@ -92,8 +91,34 @@ TEST(RunningSystem, TheFileKeepsWhatItAloneKnows) {
   EXPECT_EQ(saved.processes[0].comment, "here");
   EXPECT_EQ(saved.processes[0].start, SystemFile::Start{RestartPolicy::kOnFailure});
   EXPECT_EQ(saved.FindComponent("robot", "arm")->comment, "mine");
-  EXPECT_TRUE(saved.FindComponent("robot", "arm")->thread.has_value());
-  EXPECT_FALSE(saved.FindComponent("robot", "spare")->thread.has_value());
+}
+
+TEST(RunningSystem, TellsTheThreadsOfComponentsThatItCanMakeAgain) {
+  const ThreadOptions fifo{.policy = SchedulingPolicy::kFifo, .priority = 40, .cpus = {900}};
+  ComponentDescription arm = test::Arm();
+  arm.thread = {fifo};
+  ComponentDescription filter = test::Arm("filter");
+  filter.thread = {ThreadOptions()};
+  filter.leader = "arm";
+  ComponentDescription own = filter;
+  own.name = "own";
+  own.class_name.clear();
+  CatalogBuilder builder;
+  builder.Process("robot", {arm, filter, own});
+
+  const SystemFile file = SystemOf(builder.catalog(), "x").file;
+
+  EXPECT_EQ(file.FindComponent("robot", "arm")->thread, fifo);
+  EXPECT_EQ(file.FindComponent("robot", "arm")->runs_after, "");
+  EXPECT_EQ(file.FindComponent("robot", "filter")->thread, ThreadOptions());
+  EXPECT_EQ(file.FindComponent("robot", "filter")->runs_after, "arm");
+  EXPECT_EQ(file.FindComponent("robot", "filter")->period, 0.0);  // it has that of the arm
+  EXPECT_FALSE(file.FindComponent("robot", "own")->tells_thread());
+  EXPECT_EQ(ReadBack(file), file);
+  EXPECT_THAT(*SystemFileText(file), testing::HasSubstr(R"("thread": {
+            "policy": "normal"
+          },
+          "runs_after": "arm")"));
 }
 
 TEST(RunningSystem, WhatIsGoneIsInItWhereItIsAskedFor) {

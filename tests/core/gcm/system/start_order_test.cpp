@@ -36,6 +36,39 @@ TEST(StartOrder, EndsWhereConnectionsLeadAroundInACircle) {
   EXPECT_EQ(OrderOf({"aa"}), "abc");
 }
 
+TEST(StartOrder, PutsLeadersFirstWhateverIsConnected) {
+  const auto order = [](const std::string& leader, const std::vector<std::string>& connections) {
+    SystemFile system = SystemWith(connections);
+    system.processes[0].components[0].runs_after = leader;
+    system.processes[0].components[1].runs_after = "a";
+    std::string names;
+    for (const auto& [process, component] : StartOrder(system)) names += component;
+    return names;
+  };
+
+  EXPECT_EQ(order("", {}), "abc");
+  EXPECT_EQ(order("c", {}), "cab");
+  EXPECT_EQ(order("c", {"ab"}), "cab");
+  EXPECT_EQ(order("c", {"ca"}), "cab");
+  EXPECT_EQ(order("", {"bc", "ab"}), "cab");
+}
+
+TEST(StartOrder, OfAChainAsLongAsTheFileIsMade) {
+  constexpr std::size_t kComponents = 10'000;
+  SystemFile system{.name = "x", .processes = {{"p", {}}}};
+  for (std::size_t i = kComponents; i > 0; --i) {
+    auto& one = system.processes[0].components.emplace_back();
+    one.name = "c" + std::to_string(i);
+    if (i > 1) one.runs_after = "c" + std::to_string(i - 1);
+  }
+
+  const auto order = StartOrder(system);
+
+  ASSERT_EQ(order.size(), kComponents);
+  EXPECT_EQ(order.front().second, "c1");
+  EXPECT_EQ(order.back().second, "c10000");
+}
+
 TEST(StartOrder, LeavesOutWhatTheSystemDoesNotHave) { EXPECT_EQ(OrderOf({"az", "za"}), "abc"); }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <future>
 #include <memory>
+#include <new>
 #include <utility>
 
 #include "support/wait.h"
@@ -18,6 +19,7 @@ class NarrowLink final : public Link {
   explicit NarrowLink(std::shared_ptr<Link> below) : below_(std::move(below)) {}
 
   Status Send(std::span<const std::byte> frame) override {
+    if (is_memory_short.exchange(false)) throw std::bad_alloc();
     if (has_room) return below_->Send(frame);
     ++refused;
     return Status::kQueueFull;
@@ -28,6 +30,7 @@ class NarrowLink final : public Link {
   [[nodiscard]] std::string local() const override { return below_->local(); }
 
   std::atomic<bool> has_room{true};
+  std::atomic<bool> is_memory_short{false};  // at the next frame
   std::atomic<std::size_t> refused{0};
 
  private:
@@ -57,7 +60,7 @@ class NarrowMiddleware final : public Middleware {
   LoopbackMiddleware below_;
 };
 
-/// Counts the notices.
+/// Counts the notices, and answers requests.
 class Counting final : public ChannelHandler {
  public:
   void OnOpen(const std::shared_ptr<Channel>& channel, const Hello& /*peer*/) override {
@@ -66,6 +69,10 @@ class Counting final : public ChannelHandler {
   void OnNotice(const std::shared_ptr<Channel>& /*channel*/, const FrameHeader& /*header*/,
                 std::span<const std::byte> /*body*/) override {
     ++notices;
+  }
+  void OnRequest(const std::shared_ptr<Channel>& /*channel*/, const FrameHeader& /*header*/,
+                 std::span<const std::byte> body, Responder responder) override {
+    responder.Reply(body);
   }
 
   std::promise<std::weak_ptr<Channel>> opened;
@@ -134,8 +141,18 @@ TEST_F(NarrowLinkTest, PartsThatWaitForRoomGoOnInTime) {
   EXPECT_TRUE(EventuallyTrue([&] { return server_end_->notices == 1; }));
 }
 
+TEST_F(NarrowLinkTest, WhoAsksHearsAtOnceThatHisAnswerCouldNotBeMade) {
+  client_.link->is_memory_short = true;
+
+  const auto answer =
+      server_channel_->Call(static_cast<MessageType>(0x100), 0, Bytes(8), std::chrono::seconds(30));
+
+  ASSERT_FALSE(answer);
+  EXPECT_EQ(answer.error().code, ErrorCode::kFailed) << answer.error().message;
+}
+
 TEST_F(NarrowLinkTest, ThePeerIsToldWhatWasTakenAsSoonAsThereIsRoom) {
-  constexpr std::size_t kAhead = PartSender::kPartsAhead / kPartSize + 1;  // parts
+  constexpr std::size_t kAhead = PartSender::kPartsAhead + 1;  // parts
   client_.link->has_room = false;
   ASSERT_EQ(Tell(*server_channel_, 2 * kAhead * kPartSize), Status::kQueued);
   ASSERT_TRUE(EventuallyTrue([&] { return client_.link->refused >= kAhead; }));

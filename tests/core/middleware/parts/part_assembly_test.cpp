@@ -9,14 +9,17 @@ namespace {
 using Progress = PartAssembly::Progress;
 
 /// A frame of so many bytes.
-Bytes FrameOfSize(std::size_t size, std::byte fill = std::byte{1}) {
+Bytes FrameOfSize(std::size_t size, std::byte fill = std::byte{1},
+                  MessageType type = static_cast<MessageType>(0x100)) {
   FrameHeader header;
-  header.type = static_cast<MessageType>(0x100);
+  header.type = type;
   header.size = static_cast<std::uint32_t>(size - FrameHeader::kSize);
   Bytes frame;
   WriteFrame(header, Bytes(header.size, fill), frame);
   return frame;
 }
+
+Bytes BodyOf(const Bytes& frame) { return {frame.begin() + FrameHeader::kSize, frame.end()}; }
 
 /// The part of `frame` at that place.
 std::span<const std::byte> PartOf(const Bytes& frame, std::size_t place) {
@@ -24,19 +27,28 @@ std::span<const std::byte> PartOf(const Bytes& frame, std::size_t place) {
   return rest.first(std::min(kPartSize, rest.size()));
 }
 
+/// Whether it has become the frame that was sent.
+void ExpectSame(const PartAssembly::Frame& whole, const Bytes& frame) {
+  const auto sent = ReadWholeFrame(frame);
+  ASSERT_TRUE(sent);
+  EXPECT_EQ(whole.header.type, sent->type);
+  EXPECT_EQ(whole.header.size, sent->size);
+  EXPECT_EQ(whole.body, BodyOf(frame));
+}
+
 TEST(PartAssembly, PutsPartsOfSeveralFramesTogether) {
   PartAssembly assembly;
-  const Bytes first = FrameOfSize(2 * kPartSize + 1, std::byte{1});
-  const Bytes second = FrameOfSize(2 * kPartSize, std::byte{2});
-  Bytes whole;
+  const Bytes first = FrameOfSize(2 * kPartSize + 1, std::byte{1}, static_cast<MessageType>(0x101));
+  const Bytes second = FrameOfSize(2 * kPartSize, std::byte{2}, static_cast<MessageType>(0x102));
+  PartAssembly::Frame whole;
 
   EXPECT_EQ(assembly.Add(1, PartOf(first, 0), whole), Progress::kMoreToCome);
   EXPECT_EQ(assembly.Add(2, PartOf(second, 0), whole), Progress::kMoreToCome);
   EXPECT_EQ(assembly.Add(1, PartOf(first, 1), whole), Progress::kMoreToCome);
   EXPECT_EQ(assembly.Add(2, PartOf(second, 1), whole), Progress::kWhole);
-  EXPECT_EQ(whole, second);
+  ExpectSame(whole, second);
   EXPECT_EQ(assembly.Add(1, PartOf(first, 2), whole), Progress::kWhole);
-  EXPECT_EQ(whole, first);
+  ExpectSame(whole, first);
 
   EXPECT_EQ(assembly.claimed(), 0U);
   EXPECT_EQ(assembly.taken(), first.size() + second.size());
@@ -44,34 +56,48 @@ TEST(PartAssembly, PutsPartsOfSeveralFramesTogether) {
 
 TEST(PartAssembly, AFrameMayBeOnePart) {
   PartAssembly assembly;
-  const Bytes frame = FrameOfSize(100);
-  Bytes whole;
+  const Bytes frame = FrameOfSize(100, std::byte{1}, static_cast<MessageType>(0x103));
+  PartAssembly::Frame whole;
 
   EXPECT_EQ(assembly.Add(1, frame, whole), Progress::kWhole);
-  EXPECT_EQ(whole, frame);
+  ExpectSame(whole, frame);
 }
 
 TEST(PartAssembly, RefusesWhatIsNoPart) {
   const Bytes frame = FrameOfSize(2 * kPartSize);
-  Bytes whole;
+  PartAssembly::Frame whole;
   Bytes foreign = frame;
   foreign[0] = std::byte{0};
 
   EXPECT_EQ(PartAssembly().Add(1, Bytes(10), whole), Progress::kNonsense);
   EXPECT_EQ(PartAssembly().Add(1, PartOf(foreign, 0), whole), Progress::kNonsense);
-  EXPECT_EQ(PartAssembly().Add(1, std::span(frame).first(kPartSize - 1), whole),
-            Progress::kNonsense);
-  EXPECT_EQ(PartAssembly().Add(1, std::span(frame).first(kPartSize + 1), whole),
+  EXPECT_EQ(PartAssembly().Add(1, std::span(frame).first(kLeastPartSize - 1), whole),
             Progress::kNonsense);
   EXPECT_EQ(PartAssembly().Add(1, Bytes(), whole), Progress::kNonsense);
+  EXPECT_EQ(PartAssembly().Add(1, FrameOfSize(100, std::byte{1}, MessageType::kPartsTaken), whole),
+            Progress::kNonsense);
   PartAssembly begun;
   ASSERT_EQ(begun.Add(1, PartOf(frame, 0), whole), Progress::kMoreToCome);
   EXPECT_EQ(begun.Add(1, Bytes(3), whole), Progress::kNonsense);
+  EXPECT_EQ(begun.Add(1, Bytes(kPartSize + 1), whole), Progress::kNonsense);
+}
+
+TEST(PartAssembly, PutsPartsOfAllSizesTogether) {
+  PartAssembly assembly;
+  const Bytes frame = FrameOfSize(4 * kLeastPartSize + 1);
+  const auto rest = std::span(frame);
+  PartAssembly::Frame whole;
+
+  EXPECT_EQ(assembly.Add(1, rest.first(2 * kLeastPartSize), whole), Progress::kMoreToCome);
+  EXPECT_EQ(assembly.Add(1, rest.subspan(2 * kLeastPartSize, kLeastPartSize), whole),
+            Progress::kMoreToCome);
+  EXPECT_EQ(assembly.Add(1, rest.subspan(3 * kLeastPartSize), whole), Progress::kWhole);
+  EXPECT_EQ(whole.body, BodyOf(frame));
 }
 
 TEST(PartAssembly, KeepsNoMoreThanOneSenderLetsOnItsWay) {
   PartAssembly assembly;
-  Bytes whole;
+  PartAssembly::Frame whole;
   const Bytes largest = FrameOfSize(kMaxBodySize + FrameHeader::kSize);
   const Bytes window = FrameOfSize(kSendWindow);
   ASSERT_EQ(assembly.Add(1, PartOf(largest, 0), whole), Progress::kMoreToCome);
@@ -84,7 +110,7 @@ TEST(PartAssembly, KeepsNoMoreThanOneSenderLetsOnItsWay) {
 
 TEST(PartAssembly, FreesWhatHasBegun) {
   PartAssembly assembly;
-  Bytes whole;
+  PartAssembly::Frame whole;
   const Bytes frame = FrameOfSize(2 * kPartSize);
   ASSERT_EQ(assembly.Add(1, PartOf(frame, 0), whole), Progress::kMoreToCome);
   EXPECT_EQ(assembly.claimed(), frame.size());

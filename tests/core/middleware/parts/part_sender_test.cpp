@@ -18,6 +18,7 @@ class FakeLink final : public Link {
     const auto header = ReadWholeFrame(frame);
     EXPECT_TRUE(header && header->type == MessageType::kPart && frame.size() <= kMaxPieceSize);
     sent.push_back(header->handle);
+    sizes.push_back(header->size);
     bytes += header->size;
     return Status::kQueued;
   }
@@ -28,13 +29,41 @@ class FakeLink final : public Link {
 
   bool has_room = true;
   std::vector<std::uint32_t> sent;  // by frame
+  std::vector<std::size_t> sizes;   // of the parts
   std::uint64_t bytes = 0;
 };
 
-constexpr std::size_t kAhead = PartSender::kPartsAhead / kPartSize + 1;  // parts
+constexpr std::size_t kAhead = PartSender::kPartsAhead + 1;  // parts: their headers count too
+constexpr std::chrono::nanoseconds kPartTime = PartSender::kPartTime;
 
+/// On a line that was found to be quick.
 class PartSenderTest : public testing::Test {
  protected:
+  void SetUp() override {
+    ASSERT_EQ(Add(9, 1), Status::kQueued);
+    while (sender.waiting() > 0) ASSERT_TRUE(sender.OnTaken(link, link.bytes));
+    ASSERT_EQ(sender.part_size(), kPartSize);
+    Forget();
+  }
+  void Forget() {
+    begun = link.bytes;
+    link.sent.clear();
+    link.sizes.clear();
+  }
+  /// The peer has taken so many bytes since.
+  bool Take(std::uint64_t bytes) { return sender.OnTaken(link, begun + bytes); }
+  /// Takes all there is, as slowly, until a frame of so many bytes has come.
+  void TakeSlowly(std::size_t size, std::size_t bytes_in_part_time) {
+    FrameHeader header;
+    header.size = static_cast<std::uint32_t>(size - FrameHeader::kSize);
+    ASSERT_EQ(sender.Add(link, 1, header, Bytes(header.size)), Status::kQueued);
+    for (std::size_t part = 0; part < link.sizes.size(); ++part) {
+      clock.Advance(link.sizes[part] * kPartTime / bytes_in_part_time);
+      taken += link.sizes[part];
+      ASSERT_TRUE(Take(taken));
+    }
+  }
+
   /// A frame of so many parts.
   Status Add(Lane lane, std::size_t parts) {
     FrameHeader header;
@@ -44,8 +73,11 @@ class PartSenderTest : public testing::Test {
     return sender.Add(link, lane, header, body);
   }
 
-  PartSender sender;
+  ManualClock clock;
+  PartSender sender{clock};
   FakeLink link;
+  std::uint64_t begun = 0;  // bytes that had been sent
+  std::uint64_t taken = 0;
 };
 
 TEST_F(PartSenderTest, TakesWhatIsLargeOrBehindALargeOneOfItsLane) {
@@ -64,10 +96,10 @@ TEST_F(PartSenderTest, SendsNoFurtherAheadThanThePeerHasTaken) {
   ASSERT_EQ(Add(1, 3 * kAhead), Status::kQueued);
   EXPECT_EQ(link.sent.size(), kAhead);
 
-  EXPECT_TRUE(sender.OnTaken(link, kPartSize));
+  EXPECT_TRUE(Take(kPartSize));
   EXPECT_EQ(link.sent.size(), kAhead + 1);
 
-  EXPECT_TRUE(sender.OnTaken(link, link.bytes));
+  EXPECT_TRUE(Take((kAhead + 1) * kPartSize));
   EXPECT_EQ(link.sent.size(), 2 * kAhead + 1);
 }
 
@@ -80,7 +112,7 @@ TEST_F(PartSenderTest, TakesTheLanesInTurnAndEachInOrder) {
 
   sender.Resume(link);
 
-  EXPECT_THAT(link.sent, ElementsAre(1, 2, 1, 3, 1));
+  EXPECT_THAT(link.sent, ElementsAre(2, 3, 2, 4, 2));
   EXPECT_FALSE(sender.MustTake(1, 30));
 }
 
@@ -93,16 +125,54 @@ TEST_F(PartSenderTest, GoesOnWhereTheLinkHadNoRoom) {
   link.has_room = true;
   sender.Resume(link);
 
-  EXPECT_THAT(link.sent, ElementsAre(1, 1));
+  EXPECT_THAT(link.sent, ElementsAre(2, 2));
+}
+
+TEST_F(PartSenderTest, KeepsPartsSmallUntilItIsKnownWhatTheLineCarries) {
+  PartSender unknown(clock);
+  FakeLink fresh;
+  EXPECT_EQ(unknown.part_size(), kLeastPartSize);
+
+  FrameHeader header;
+  header.size = kMaxPieceSize;
+  ASSERT_EQ(unknown.Add(fresh, 1, header, Bytes(kMaxPieceSize)), Status::kQueued);
+
+  EXPECT_THAT(fresh.sizes, testing::Each(kLeastPartSize));
+  EXPECT_EQ(fresh.sizes.size(), kAhead);
+}
+
+TEST_F(PartSenderTest, APartTakesNoLongerThanItsTimeOnASlowLine) {
+  constexpr std::size_t kCarried = 100'000;  // bytes in the time of a part
+  TakeSlowly(std::size_t{8} << 20U, kCarried);
+  EXPECT_LE(sender.part_size(), kCarried);
+  EXPECT_GE(sender.part_size(), kCarried / 4);
+  EXPECT_TRUE(sender.MustTake(2, kCarried + FrameHeader::kSize + 1));
+
+  Forget();
+  taken = 0;
+  TakeSlowly(std::size_t{1} << 20U, kCarried);
+
+  EXPECT_THAT(link.sizes, testing::Each(testing::Le(kCarried)));
+}
+
+TEST_F(PartSenderTest, PartsBecomeLargeAgainWithALineThatIsQuickAgain) {
+  TakeSlowly(std::size_t{4} << 20U, 1'000);
+  EXPECT_EQ(sender.part_size(), kLeastPartSize);
+
+  Forget();
+  taken = 0;
+  TakeSlowly(std::size_t{4} << 20U, 100 * kPartSize);
+
+  EXPECT_EQ(sender.part_size(), kPartSize);
 }
 
 TEST_F(PartSenderTest, CountsAFrameUntilThePeerHasTakenItsEnd) {
   ASSERT_EQ(Add(1, 2), Status::kQueued);
   EXPECT_EQ(sender.waiting(), 2 * kPartSize);
 
-  EXPECT_TRUE(sender.OnTaken(link, kPartSize));
+  EXPECT_TRUE(Take(kPartSize));
   EXPECT_EQ(sender.waiting(), 2 * kPartSize);
-  EXPECT_TRUE(sender.OnTaken(link, 2 * kPartSize));
+  EXPECT_TRUE(Take(2 * kPartSize));
   EXPECT_EQ(sender.waiting(), 0U);
 }
 
@@ -119,9 +189,9 @@ TEST_F(PartSenderTest, RefusesWhatExceedsTheWindow) {
 TEST_F(PartSenderTest, DoesNotBelieveThatMoreWasTakenThanWasSentOrThatItWasGivenBack) {
   ASSERT_EQ(Add(1, 2), Status::kQueued);
 
-  EXPECT_FALSE(sender.OnTaken(link, 2 * kPartSize + 1));
-  EXPECT_TRUE(sender.OnTaken(link, 100));
-  EXPECT_FALSE(sender.OnTaken(link, 99));
+  EXPECT_FALSE(Take(2 * kPartSize + 1));
+  EXPECT_TRUE(Take(100));
+  EXPECT_FALSE(Take(99));
 }
 
 TEST_F(PartSenderTest, FreesAllWhenTheLinkEnds) {

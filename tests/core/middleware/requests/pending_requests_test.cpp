@@ -1,6 +1,10 @@
 #include <gtest/gtest.h>
+#include <tendon/middleware/requests/awaited_answer.h>
 #include <tendon/middleware/requests/pending_requests.h>
 
+#include <algorithm>
+#include <future>
+#include <set>
 #include <stdexcept>
 #include <vector>
 
@@ -111,6 +115,104 @@ TEST(PendingRequests, AWithdrawnOneIsForgotten) {
   EXPECT_FALSE(requests.Finish(request, Bytes()));
   requests.FinishAll({ErrorCode::kUnreachable, "closed"});
   EXPECT_EQ(called, 0);
+}
+
+TEST(PendingRequests, OneThatWaitsLongKeepsItsNumberAmongManyOthers) {
+  PendingRequests requests;
+  Outcomes outcomes;
+  std::set<std::uint64_t> numbers{Add(requests, outcomes.Keep())};
+  const std::uint64_t patient = *numbers.begin();
+
+  for (int i = 0; i < 1000; ++i) {
+    const auto request = Add(requests, [](const Result<Bytes>& /*outcome*/) {});
+    EXPECT_TRUE(numbers.insert(request).second) << "twice the number " << request;
+    EXPECT_TRUE(requests.Finish(request, Bytes()));
+  }
+  EXPECT_TRUE(requests.Finish(patient, Bytes(5)));
+
+  ASSERT_EQ(outcomes.all.size(), 1U);
+  EXPECT_EQ(*outcomes.all[0], Bytes(5));
+}
+
+TEST(PendingRequests, FinishAllKeepsTheOrderOfMany) {
+  PendingRequests requests;
+  std::vector<int> ended;
+  for (int i = 0; i < 100; ++i) {
+    Add(requests, [&ended, i](const Result<Bytes>& /*outcome*/) { ended.push_back(i); });
+  }
+
+  requests.FinishAll({ErrorCode::kUnreachable, "gone"});
+
+  ASSERT_EQ(ended.size(), 100U);
+  EXPECT_TRUE(std::is_sorted(ended.begin(), ended.end()));
+}
+
+TEST(AwaitedAnswer, IsWhatTheRequestWasFinishedWith) {
+  PendingRequests requests;
+  AwaitedAnswer answer(requests);
+  const auto peer =
+      std::async(std::launch::async, [&] { requests.OnAnswer(answer.number(), Bytes(3)); });
+
+  const auto outcome = answer.WaitUntil(SteadyClock().Now() + hours(1));
+
+  ASSERT_TRUE(outcome.has_value());
+  EXPECT_EQ(**outcome, Bytes(3));
+  EXPECT_EQ(requests.late_answers(), 0U);
+}
+
+TEST(AwaitedAnswer, IsLateOnceItsTimeIsOver) {
+  PendingRequests requests;
+  AwaitedAnswer answer(requests);
+
+  EXPECT_FALSE(answer.WaitUntil(SteadyClock().Now()).has_value());
+  requests.OnAnswer(answer.number(), Bytes(3));
+
+  EXPECT_EQ(requests.late_answers(), 1U);
+}
+
+TEST(AwaitedAnswer, IsLateWhereNobodyHasWaited) {
+  PendingRequests requests;
+  std::uint64_t number = 0;
+  {
+    const AwaitedAnswer answer(requests);
+    number = answer.number();
+  }
+
+  requests.OnAnswer(number, Bytes(3));
+
+  EXPECT_EQ(requests.late_answers(), 1U);
+}
+
+TEST(AwaitedAnswer, OfOneIsNotThatOfTheNextWhoWaits) {
+  PendingRequests requests;
+  std::uint64_t first = 0;
+  {
+    AwaitedAnswer answer(requests);
+    first = answer.number();
+    (void)answer.WaitUntil(SteadyClock().Now());
+  }
+  AwaitedAnswer next(requests);
+
+  requests.OnAnswer(first, Bytes(1));
+  requests.OnAnswer(next.number(), Bytes(2));
+
+  const auto outcome = next.WaitUntil(SteadyClock().Now() + hours(1));
+  ASSERT_TRUE(outcome.has_value());
+  EXPECT_EQ(**outcome, Bytes(2));
+}
+
+TEST(AwaitedAnswer, EndsWithAllOthersAndBeginsNoMore) {
+  PendingRequests requests;
+  const Error reason{ErrorCode::kUnreachable, "gone"};
+  AwaitedAnswer answer(requests);
+  const auto end = std::async(std::launch::async, [&] { requests.FinishAll(reason); });
+
+  const auto outcome = answer.WaitUntil(SteadyClock().Now() + hours(1));
+
+  ASSERT_TRUE(outcome.has_value());
+  EXPECT_EQ(outcome->error(), reason);
+  end.wait();
+  EXPECT_EQ(AwaitedAnswer(requests).number(), 0U);
 }
 
 }  // namespace

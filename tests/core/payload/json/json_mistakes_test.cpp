@@ -1,10 +1,12 @@
 #include <gtest/gtest.h>
 #include <tendon/payload/json.h>
+#include <tendon/payload/json/strict_json.h>
 #include <tests/core/payload/json/json_error.h>
 #include <tests/core/payload/sample_types.h>
 
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 /// What people and scripts get wrong in JSON: each mistake has its sentence.
 namespace tendon {
@@ -44,6 +46,31 @@ TEST(FromJson, NestsNoDeeperThan64) {
   EXPECT_EQ(ErrorOf<double>(nested(65)), "this is no JSON: nesting deeper than 64");
   EXPECT_EQ(ErrorOf<double>(std::string(1'000'000, '[')),
             "this is no JSON: nesting deeper than 64");
+}
+
+TEST(JsonOfPrograms, KeepsItsOrderAndNestsNoDeeperThan64) {
+  const auto nested = [](std::size_t depth) {
+    return std::string(depth, '[') + std::string(depth, ']');
+  };
+  const auto error = [](const std::string& text) {
+    const auto value = ParseOrderedJson(text);
+    return value ? value->dump() : value.error().message;
+  };
+
+  EXPECT_EQ(error(R"({"b": 1, "a": [{}, {}]})"), R"({"b":1,"a":[{},{}]})");
+  EXPECT_EQ(error(nested(64)), nested(64));
+  EXPECT_EQ(error(nested(65)), "nesting deeper than 64");
+  EXPECT_EQ(error(std::string(1'000'000, '{')), "nesting deeper than 64");
+  EXPECT_EQ(error("\"" + std::string(100, '[') + "\\\"[\""),  // brackets in a text nest nothing
+            "\"" + std::string(100, '[') + "\\\"[\"");
+  EXPECT_EQ(error("[1,]"), "line 1, column 4: unexpected ']'; expected '[', '{', or a literal");
+}
+
+TEST(JsonOfPrograms, IsATextWhereItIsNoJson) {
+  EXPECT_EQ(JsonOrText("[1]"), (nlohmann::ordered_json{1}));
+  EXPECT_EQ(JsonOrText("nan"), "nan");
+  EXPECT_EQ(JsonOrText("a\xff"), "a\\xff");
+  EXPECT_EQ(JsonOrText(std::string(70, '[')), std::string(70, '['));
 }
 
 TEST(FromJson, ReadsAtMostSixteenMebibytes) {

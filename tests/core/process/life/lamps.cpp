@@ -62,7 +62,7 @@ class Gate final : public tendon::Component {
   }
 };
 
-/// Its Startup() returns once its file is there.
+/// Its Startup() returns once its file is there; leaves one with `.reached` behind its name first.
 class SlowStarter final : public tendon::PeriodicTask {
  public:
   using Configuration = GateConfiguration;
@@ -74,12 +74,30 @@ class SlowStarter final : public tendon::PeriodicTask {
 
  private:
   void Startup() override {
+    std::ofstream(file_ + ".reached") << "here";
     while (!std::filesystem::exists(file_)) std::this_thread::sleep_for(1ms);
   }
   void Run() override { ++cycles_; }
 
   const std::string file_;
   std::int32_t cycles_ = 0;
+};
+
+/// Its Startup() fails once its file is there.
+class Refuser final : public tendon::PeriodicTask {
+ public:
+  using Configuration = GateConfiguration;
+  Refuser(std::string name, const Configuration& chosen)
+      : PeriodicTask(std::move(name), 5ms), file_(chosen.file) {}
+  ~Refuser() override { Join(); }
+
+ private:
+  void Startup() override {
+    if (std::filesystem::exists(file_)) throw std::runtime_error("it will not");
+  }
+  void Run() override {}
+
+  const std::string file_;
 };
 
 /// A cycle of it lasts until its file is there; leaves one with `.reached` behind its name first.
@@ -133,6 +151,7 @@ extern "C" void TendonRegisterComponents(tendon::ComponentRegistry& registry) {
   registry.Add<lamps::Switch>("Switch");
   registry.Add<lamps::Gate>("Gate");
   registry.Add<lamps::SlowStarter>("SlowStarter");
+  registry.Add<lamps::Refuser>("Refuser");
   registry.Add<lamps::Hung>("Hung");
   registry.Add<lamps::SlowConfigurer>("SlowConfigurer");
 }

@@ -2,6 +2,7 @@
 #include <tendon/gcm/system/client_executor.h>
 #include <tendon/gcm/system/comparison.h>
 #include <tendon/gcm/system/running_system.h>
+#include <tendon/payload/json.h>
 
 #include "core/process/life/life_fixture.h"
 
@@ -42,7 +43,7 @@ class LifeApply : public LifeFixture {
   }
   void ExpectRuns(const SystemFile& wanted) {
     const auto comparison = CompareSystems(wanted, SystemOf(gcm().catalog(), "").file,
-                                           tendon::Threads::kUnknownInSecond);
+                                           tendon::Starts::kUnknownInSecond);
     for (const auto& one : comparison.differences) ADD_FAILURE() << one.what << ": " << one.how;
   }
   /// A lamp with its switch, one that is suspended and one that was never started.
@@ -90,6 +91,40 @@ TEST_P(LifeApply, ASavedSystemIsTheSameAgainInAnEmptyProcess) {
   EXPECT_EQ(gcm().catalog().ContentHash(), before);
   ExpectRuns(saved);
   EXPECT_EQ(Apply(saved), tendon::PlanOutcome());  // there is nothing left to do
+}
+
+TEST_P(LifeApply, ThreadsAndWhoRunsAfterWhomAreTheSameAgain) {
+  MakeLamps();
+  tendon::message::LifeOrder follower{.verb = LifeVerb::kCreate,
+                                      .process = "robot",
+                                      .component = "a-follower",
+                                      .class_name = "Lamp",
+                                      .library = "lamps",
+                                      .leader = "lamp"};
+  follower.thread = ToJson(tendon::ThreadOptions{.spin = std::chrono::microseconds(20)});
+  ASSERT_EQ(Reason(Steer(*client_, follower)), "");
+  ASSERT_EQ(Reason(Order(LifeVerb::kStart, "a-follower")), "");
+  const tendon::Fingerprint before = gcm().catalog().ContentHash();
+  const SystemFile saved = Saved();
+  EXPECT_EQ(saved.FindComponent("robot", "a-follower")->runs_after, "lamp");
+  RestartEmpty();
+
+  EXPECT_EQ(Apply(saved).failed, 0U);
+
+  EXPECT_EQ(gcm().catalog().ContentHash(), before);
+  EXPECT_EQ(robot_->SettingsOf("a-follower")->leader, "lamp");
+  EXPECT_EQ(robot_->SettingsOf("a-follower")->thread->spin, std::chrono::microseconds(20));
+  EXPECT_EQ(Apply(saved), tendon::PlanOutcome());
+
+  SystemFile other = saved;  // the leader is made anew, with what runs after it
+  for (auto& component : other.processes[0].components) {
+    if (component.name == "lamp") component.configuration = R"({"brightness":0.2})";
+  }
+  EXPECT_EQ(Apply(other).failed, 0U);
+  EXPECT_EQ(robot_->SettingsOf("a-follower")->leader, "lamp");
+  ExpectRuns(other);
+  EXPECT_EQ(Apply(saved).failed, 0U);
+  EXPECT_EQ(gcm().catalog().ContentHash(), before);
 }
 
 TEST_P(LifeApply, AnotherConfigurationMakesTheComponentAnewWithItsConnections) {
@@ -144,6 +179,25 @@ TEST_P(LifeApply, AStepIsNotForAProcessThatWasStartedAnewSinceItWasPlanned) {
   ASSERT_FALSE(made);
   EXPECT_THAT(made.error().message, testing::HasSubstr("process 'robot' was started anew"));
   EXPECT_TRUE(robot_->components().empty());
+}
+
+TEST_P(LifeApply, AStepIsNotForAConfigurationThatWasChangedSinceItWasPlanned) {
+  ASSERT_EQ(Reason(Create("Lamp", "lamp", R"({"brightness":0.7})")), "");
+  SystemFile wanted = Saved();
+  wanted.processes[0].components[0].configuration = R"({"brightness":0.1})";
+  const tendon::Plan plan = MakePlan(gcm().catalog(), wanted);
+  ASSERT_EQ(plan.steps.size(), 1U);
+  ASSERT_EQ(Reason(Configure("lamp", R"({"brightness":0.3})")), "");
+  tendon::ClientExecutor executor(*client_, kLong);
+
+  const auto made = executor.Execute(plan.steps[0]);
+
+  ASSERT_FALSE(made);
+  EXPECT_THAT(made.error().message,
+              testing::StartsWith("the configuration of robot/lamp was changed meanwhile by test"));
+  EXPECT_EQ(Known("lamp").configuration, R"({"brightness":0.3})");
+  EXPECT_EQ(Apply(wanted).failed, 0U);  // which is planned anew
+  EXPECT_EQ(Known("lamp").configuration, R"({"brightness":0.1})");
 }
 
 TEST_P(LifeApply, WhatWasAppliedIsUndoneStepByStep) {

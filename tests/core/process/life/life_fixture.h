@@ -29,11 +29,12 @@ class LifeFixture : public NetworkTest {
     robot_.reset();
   }
 
-  [[nodiscard]] std::unique_ptr<tendon::GcmClient> NewClient(tendon::Role role) {
+  [[nodiscard]] std::unique_ptr<tendon::GcmClient> NewClient(tendon::Role role,
+                                                             const std::string& name = "test") {
     auto client = std::make_unique<tendon::GcmClient>(
         NewMiddleware(),
         tendon::GcmClient::Options{
-            .name = "test", .address = gcm().address(), .timeout = kLong, .role = role});
+            .name = name, .address = gcm().address(), .timeout = kLong, .role = role});
     EXPECT_TRUE(client->WaitUntilWatching().ok());
     return client;
   }

@@ -39,9 +39,9 @@ class SlowLife : public LifeFixture {
   }
   /// What waits goes on.
   void Open() { std::ofstream(gate_) << "open"; }
-  [[nodiscard]] bool IsStarting(const std::string& component) {
-    return robot_->Find(component)->is_starting();
-  }
+  /// Whether one that waits for the gate has come to it. That it is starting is not enough: a task
+  /// that has not begun its Startup() stops at once.
+  [[nodiscard]] bool IsAtGate() const { return std::filesystem::exists(gate_ + ".reached"); }
 
   const tendon::test::Folder folder_;
   const std::string gate_ = (folder_.path() / "open").string();
@@ -55,7 +55,7 @@ TEST_P(SlowLife, AStopOfOneComponentDoesNotWaitForTheStartOfAnother) {
   ASSERT_EQ(Reason(Order(LifeVerb::kStart, "lamp")), "");
   Pending starter = OrderLater(LifeVerb::kStart, "SlowStarter");
   Pending configurer = OrderLater(LifeVerb::kStart, "SlowConfigurer");
-  ASSERT_TRUE(EventuallyTrue([&] { return IsStarting("SlowStarter"); }));
+  ASSERT_TRUE(EventuallyTrue([&] { return IsAtGate(); }));
 
   EXPECT_EQ(Reason(Order(LifeVerb::kStop, "lamp")), "");
 
@@ -70,13 +70,14 @@ TEST_P(SlowLife, AStopOfOneComponentDoesNotWaitForTheStartOfAnother) {
 TEST_P(SlowLife, AStopIsObeyedDuringTheStartOfTheSameComponent) {
   CreateGated("SlowStarter", "slow");
   Pending start = OrderLater(LifeVerb::kStart, "slow");
-  ASSERT_TRUE(EventuallyTrue([&] { return IsStarting("slow"); }));
+  ASSERT_TRUE(EventuallyTrue([&] { return IsAtGate(); }));
   EXPECT_THAT(Reason(Order(LifeVerb::kSuspend, "slow")), HasSubstr("by another request"));
 
   const auto stopped = Steer(*client_, {.verb = LifeVerb::kStop,
                                         .process = "robot",
                                         .component = "slow",
                                         .patience = std::chrono::seconds(2)});
+  ASSERT_FALSE(stopped);
   EXPECT_EQ(stopped.error().code, ErrorCode::kTimeout);  // it was told, and cannot yet
   Open();
 
@@ -105,6 +106,26 @@ TEST_P(SlowLife, AStartThatNobodyHeardOfIsAStepThatUndoTakesBack) {
   EXPECT_EQ(Known("slow").state, ComponentState::kFinished);
 }
 
+TEST_P(SlowLife, WhereOneDoesNotRunAgainTheUndoOfAStopLeavesAllAtRest) {
+  for (const char* name : {"first", "second"}) ASSERT_EQ(Reason(Create("Lamp", name)), "");
+  CreateGated("Refuser", "third");
+  for (const char* name : {"second", "third"}) {
+    ASSERT_TRUE(robot_->RunAfter(name, "first").ok());
+  }
+  for (const char* name : {"first", "second", "third"}) {
+    ASSERT_EQ(Reason(Order(LifeVerb::kStart, name)), "");
+  }
+  ASSERT_TRUE(EventuallyTrue([&] { return Known("third").leader == "first"; }));
+  ASSERT_EQ(Reason(Order(LifeVerb::kStop, "first")), "");
+  Open();
+
+  EXPECT_THAT(Undone(), HasSubstr("it will not"));
+
+  EXPECT_EQ(robot_->Find("first")->state(), ComponentState::kFinished);
+  EXPECT_EQ(robot_->Find("second")->state(), ComponentState::kFinished);
+  EXPECT_EQ(robot_->Find("third")->state(), ComponentState::kFaulted);
+}
+
 TEST_P(SlowLife, WhatWasNotBegunInTimeIsNotDoneLater) {
   ASSERT_EQ(Reason(Load("lamps")), "");
   Pending made = OrderLater({.verb = LifeVerb::kCreate,
@@ -112,7 +133,7 @@ TEST_P(SlowLife, WhatWasNotBegunInTimeIsNotDoneLater) {
                              .component = "gate",
                              .class_name = "Gate",
                              .configuration = R"({"file": ")" + gate_ + "\"}"});
-  ASSERT_TRUE(EventuallyTrue([&] { return std::filesystem::exists(gate_ + ".reached"); }));
+  ASSERT_TRUE(EventuallyTrue([&] { return IsAtGate(); }));
 
   const auto late = Steer(*client_, {.verb = LifeVerb::kCreate,
                                      .process = "robot",
@@ -137,7 +158,7 @@ TEST_P(SlowLife, AComponentThatDoesNotStopIsNotRemovedAndKeepsItsConnections) {
   ASSERT_EQ(Reason(Create("Lamp", "lamp")), "");
   ASSERT_TRUE(robot_->Connect({"hung", "Lamp"}, {"lamp", "Control"}));
   ASSERT_EQ(Reason(Order(LifeVerb::kStart, "hung")), "");
-  ASSERT_TRUE(EventuallyTrue([&] { return std::filesystem::exists(gate_ + ".reached"); }));
+  ASSERT_TRUE(EventuallyTrue([&] { return IsAtGate(); }));
 
   const auto removed = Steer(*client_, {.verb = LifeVerb::kRemove,
                                         .process = "robot",
@@ -160,7 +181,8 @@ TEST_P(SlowLife, AProcessThatEndsTellsItsComponentsToStopThoughAnOrderIsUnderWay
   ASSERT_TRUE(robot_->Start("ended").ok());
   Pending start = OrderLater(LifeVerb::kStart, "slow");
   ASSERT_TRUE(EventuallyTrue([&] {  // in its Configure()
-    return robot_->Stop("slow", tendon::kNoWait).error().code == ErrorCode::kTimeout;
+    const auto stopped = robot_->Stop("slow", tendon::kNoWait);
+    return !stopped && stopped.error().code == ErrorCode::kTimeout;
   }));
 
   std::thread ending([this] { robot_.reset(); });

@@ -1,3 +1,6 @@
+#include <tendon/process/life/configuration_base.h>
+#include <tendon/process/life/life_cycle.h>
+
 #include <filesystem>
 #include <fstream>
 #include <future>
@@ -54,7 +57,7 @@ TEST_P(Life, AProcessSaysWhatItCanMakeAndWithWhichArguments) {
 
   const auto all = ClassesOf("robot");
   ASSERT_TRUE(all) << all.error().message;
-  ASSERT_EQ(all->classes.size(), 6U);
+  ASSERT_EQ(all->classes.size(), 7U);
   const tendon::ClassDescription& lamp = all->classes[2];
   EXPECT_EQ(lamp.name, "Lamp");
   EXPECT_EQ(lamp.library, "lamps");
@@ -202,6 +205,105 @@ TEST_P(Life, AComponentConfiguredAnewKeepsItsConnections) {
 
   EXPECT_EQ(Known("lamp").configuration, R"({"brightness":0.75})");
   EXPECT_TRUE(EventuallyActive(*robot_, 1));
+}
+
+TEST_P(Life, OfTwoWhoChangeWhatBothHaveSeenTheSecondIsToldOfTheFirst) {
+  ASSERT_EQ(Reason(Create("Lamp", "lamp", R"({"brightness": 0.25})")), "");
+  const auto change = [this](const std::string& seen, const std::string& configuration) {
+    return Reason(Steer(*client_, {.verb = LifeVerb::kConfigure,
+                                   .process = "robot",
+                                   .component = "lamp",
+                                   .configuration = configuration,
+                                   .based_on = tendon::BaseOf(seen)}));
+  };
+  const std::string seen = Known("lamp").configuration;
+
+  EXPECT_EQ(change(seen, R"({"brightness": 0.5})"), "");
+  EXPECT_THAT(change(seen, R"({"brightness": 0.75})"),
+              testing::MatchesRegex(
+                  "the configuration of robot/lamp was changed meanwhile by test at "
+                  "....-..-.. ..:..:..: nothing was done; look at it with gcm show robot/lamp, and "
+                  "ask again"));
+
+  EXPECT_EQ(Known("lamp").configuration, R"({"brightness":0.5})");
+  EXPECT_THAT(Steps(), testing::ElementsAre("create lamp", "configure lamp"));
+  EXPECT_EQ(change(Known("lamp").configuration, R"({"brightness": 0.75})"), "");
+}
+
+TEST_P(Life, WhoeverChangesWhatAnUndoHasChangedIsToldWhoUndid) {
+  ASSERT_EQ(Reason(Create("Lamp", "lamp", R"({"brightness": 0.25})")), "");
+  ASSERT_EQ(Reason(Configure("lamp", R"({"brightness": 0.5})")), "");
+  ASSERT_EQ(Reason(Configure("lamp", R"({"brightness": 0.75})")), "");
+  const std::string seen = Known("lamp").configuration;
+  ASSERT_EQ(Undone(), "configure lamp");
+  const auto other = NewClient(tendon::Role::kOperator, "somebody");
+  const auto undone = tendon::Wait<tendon::message::HistoryEntry>(
+      2 * kLong, [&](auto handler) { other->Undo(handler); });
+  ASSERT_TRUE(undone) << undone.error().message;
+
+  EXPECT_THAT(Reason(Steer(*client_, {.verb = LifeVerb::kConfigure,
+                                      .process = "robot",
+                                      .component = "lamp",
+                                      .configuration = R"({"brightness": 0.125})",
+                                      .based_on = tendon::BaseOf(seen)})),
+              testing::MatchesRegex("the configuration of robot/lamp was changed meanwhile by "
+                                    "somebody at ....-..-.. ..:..:..: nothing was done; .*"));
+
+  EXPECT_EQ(Known("lamp").configuration, R"({"brightness":0.25})");
+}
+
+TEST_P(Life, TheProviderOfAConnectionTellsWhomItServes) {
+  robot_->Add<plant::Plant>("plant");
+  const auto desk = Start("desk");
+  desk->Add<plant::Operator>("operator");
+  const tendon::message::Wire wire{{"desk", "operator", "Robot"}, {"robot", "plant", "Control"}};
+  const auto served = [&] {
+    return tendon::Wait<tendon::ConnectionCounts>(
+        kLong, [&](auto handler) { client_->GetServed(wire, handler); });
+  };
+  ASSERT_TRUE(EventuallyTrue([&] { return !Known("plant").name.empty(); }));
+  EXPECT_EQ(served().error().code, ErrorCode::kNotFound);
+  EXPECT_EQ(served().error().message, "process 'robot' serves nothing to desk/operator/Robot");
+
+  ASSERT_TRUE(desk->Connect(wire.required, wire.provided));
+  EXPECT_TRUE(EventuallyActive(*desk, 1));
+  const auto counts = served();
+  ASSERT_TRUE(counts) << counts.error().message;
+  EXPECT_EQ(counts->capacity, 64U);
+
+  ASSERT_TRUE(desk->Disconnect(wire.required));
+  EXPECT_TRUE(EventuallyTrue([&] { return !served(); }));
+}
+
+TEST(LifeCycle, AnOrderMadeFromAnotherConfigurationIsRefusedByTheProcessItself) {
+  tendon::LocalManager manager;
+  tendon::LifeCycle life({.manager = manager,
+                          .process = "robot",
+                          .loader = std::make_shared<tendon::ComponentLoader>(
+                              std::vector<std::filesystem::path>{TENDON_TEST_PLUGINS})});
+  const auto obey = [&life](tendon::message::LifeOrder order) {
+    order.process = "robot";
+    order.component = "lamp";
+    order.patience = std::chrono::minutes(1);
+    std::promise<std::string> reason;
+    life.Obey(
+        order, [] { return tendon::Result<void>(); },
+        [&](const auto& obeyed) { reason.set_value(obeyed ? "" : obeyed.error().message); });
+    return reason.get_future().get();
+  };
+  const auto configure = [&obey](const std::string& seen) {
+    return obey({.verb = LifeVerb::kConfigure,
+                 .configuration = R"({"brightness": 0.5})",
+                 .based_on = tendon::BaseOf(seen)});
+  };
+  ASSERT_EQ(obey({.verb = LifeVerb::kCreate, .class_name = "Lamp", .library = "lamps"}), "");
+
+  EXPECT_EQ(configure(R"({"brightness":0.25})"),
+            "the configuration of robot/lamp was changed meanwhile: nothing was done; look at it "
+            "with gcm show robot/lamp, and ask again");
+  EXPECT_EQ(configure(""), "");
+  EXPECT_THAT(configure(""), HasSubstr("changed meanwhile"));
+  life.Stop();
 }
 
 }  // namespace

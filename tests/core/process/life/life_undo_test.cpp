@@ -1,4 +1,12 @@
+#include <tendon/gcm/system/comparison.h>
+#include <tendon/gcm/system/running_system.h>
+#include <tendon/payload/json.h>
 #include <tendon/task/thread/threaded_task.h>
+
+#include <array>
+#include <functional>
+#include <random>
+#include <utility>
 
 #include "core/process/life/life_fixture.h"
 
@@ -107,6 +115,116 @@ TEST_P(LifeUndo, AComponentMadeAgainRunsInItsThreadAndAfterItsLeader) {
   EXPECT_EQ(robot_->SettingsOf("second")->thread, options);
   EXPECT_EQ(robot_->SettingsOf("second")->leader, "first");
   EXPECT_EQ(Known("second").configuration, R"({"brightness":0.75})");
+}
+
+TEST_P(LifeUndo, TheUndoOfAStopLetsThoseRunAgainThatRanAfterIt) {
+  for (const char* name : {"first", "second", "third", "idle"}) {
+    ASSERT_EQ(Reason(Create("Lamp", name)), "");
+  }
+  ASSERT_TRUE(robot_->RunAfter("second", "first").ok());
+  ASSERT_TRUE(robot_->RunAfter("third", "second").ok());
+  ASSERT_TRUE(robot_->RunAfter("idle", "first").ok());
+  for (const char* name : {"first", "second", "third"}) {
+    ASSERT_EQ(Reason(Order(LifeVerb::kStart, name)), "");
+  }
+  ASSERT_EQ(Reason(Order(LifeVerb::kSuspend, "third")), "");
+  ASSERT_TRUE(EventuallyTrue([&] { return Known("idle").leader == "first"; }));
+  ASSERT_EQ(Reason(Order(LifeVerb::kStop, "first")), "");
+  ASSERT_EQ(robot_->Find("third")->state(), ComponentState::kFinished);
+
+  EXPECT_EQ(Undone(), "stop first");
+
+  EXPECT_EQ(robot_->Find("first")->state(), ComponentState::kActive);
+  EXPECT_EQ(robot_->Find("second")->state(), ComponentState::kActive);
+  EXPECT_EQ(robot_->Find("third")->state(), ComponentState::kSuspended);
+  EXPECT_EQ(robot_->Find("idle")->state(), ComponentState::kConstructed);
+}
+
+TEST_P(LifeUndo, AStopIsNotUndoneWhereOneThatRanAfterItHasChanged) {
+  ASSERT_EQ(Reason(Create("Lamp", "first")), "");
+  ASSERT_EQ(Reason(Create("Lamp", "second")), "");
+  ASSERT_TRUE(robot_->RunAfter("second", "first").ok());
+  for (const char* name : {"first", "second"}) {
+    ASSERT_EQ(Reason(Order(LifeVerb::kStart, name)), "");
+  }
+  ASSERT_TRUE(EventuallyTrue([&] { return Known("second").leader == "first"; }));
+  ASSERT_EQ(Reason(Order(LifeVerb::kStop, "first")), "");
+  ASSERT_TRUE(robot_->Remove("second").ok());  // by its program
+  ASSERT_TRUE(EventuallyTrue([&] { return Known("second").name.empty(); }));
+
+  EXPECT_THAT(Undone(), testing::HasSubstr("): robot/second is no longer there; "));
+
+  EXPECT_EQ(robot_->Find("first")->state(), ComponentState::kFinished);
+}
+
+/// Gives random orders to four lamps, of which `second` can run after `first`.
+class RandomOrders {
+ public:
+  explicit RandomOrders(std::function<tendon::ComponentDescription(const std::string&)> known)
+      : known_(std::move(known)) {}
+
+  /// One that may be refused, as long as it is an order of its own: the rest of a leader, with
+  /// which those rest that run after it, is none.
+  tendon::message::LifeOrder Next() {
+    constexpr std::array kVerbs = {LifeVerb::kCreate,  LifeVerb::kConfigure, LifeVerb::kStart,
+                                   LifeVerb::kSuspend, LifeVerb::kStop,      LifeVerb::kRemove};
+    constexpr std::array kNames = {"first", "second", "third", "fourth"};
+    for (;;) {
+      tendon::message::LifeOrder order{.verb = kVerbs[random_() % kVerbs.size()],
+                                       .process = "robot",
+                                       .component = kNames[random_() % kNames.size()]};
+      const bool leads = order.component == "first" && known_("second").leader == "first";
+      const bool rests = leads && IsRunning(known_("second").state);
+      if (rests && order.verb == LifeVerb::kSuspend) continue;
+      const bool follows = order.component == "second" && known_("second").leader == "first";
+      if (follows && known_("first").state != ComponentState::kActive) continue;
+      const std::string brightness = std::to_string(1 + random_() % 9);
+      if (order.verb == LifeVerb::kCreate) AddOrigin(order);
+      if (order.verb == LifeVerb::kCreate || order.verb == LifeVerb::kConfigure) {
+        order.configuration = R"({"brightness": 0.)" + brightness + "}";
+      }
+      return order;
+    }
+  }
+
+ private:
+  void AddOrigin(tendon::message::LifeOrder& order) {
+    order.class_name = "Lamp";
+    order.library = "lamps";
+    const std::chrono::microseconds spin(random_() % 3);
+    if (spin.count() > 0) order.thread = ToJson(tendon::ThreadOptions{.spin = spin});
+    const bool follows = order.component == "second";
+    if (follows && known_("first").state == ComponentState::kActive) order.leader = "first";
+  }
+
+  const std::function<tendon::ComponentDescription(const std::string&)> known_;
+  std::mt19937 random_{23};  // NOLINT(cert-msc51-cpp): the same on each run
+};
+
+TEST_P(LifeUndo, FiftyRandomChangesAndFiftyUndosGiveTheFirstState) {
+  constexpr int kSteps = 50;
+  ASSERT_EQ(Reason(Create("Lamp", "first", R"({"brightness": 0.3})")), "");
+  ASSERT_EQ(Reason(Order(LifeVerb::kStart, "first")), "");
+  const tendon::SystemFile before = SystemOf(gcm().catalog(), "x").file;
+  RandomOrders orders([this](const std::string& name) { return Known(name); });
+  int followers = 0;
+
+  for (int made = 0; made < kSteps;) {
+    const tendon::message::LifeOrder order = orders.Next();
+    if (!Steer(*client_, order)) continue;
+    ++made;
+    followers += order.leader.empty() ? 0 : 1;
+  }
+  EXPECT_GT(followers, 0);
+  for (int step = 0; step < kSteps; ++step) {
+    const std::string undone = Undone();
+    ASSERT_EQ(undone.find(':'), undone.npos) << step << ": " << undone;
+  }
+
+  const tendon::SystemFile after = SystemOf(gcm().catalog(), "x").file;
+  for (const auto& one : CompareSystems(before, after, tendon::Starts::kKnown).differences) {
+    ADD_FAILURE() << one.what << ": " << one.how;
+  }
 }
 
 TEST_P(LifeUndo, OnlyTheStepThatIsMeantIsTakenBack) {

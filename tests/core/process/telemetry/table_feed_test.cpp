@@ -46,7 +46,7 @@ class TableFeedTest : public testing::Test {
   void FillLink() const {
     ASSERT_TRUE(ends.channel->Notify(message::kUnsubscribe, 0, Bytes()));
     ASSERT_TRUE(EventuallyTrue([this] { return ends.viewing->is_at_gate.load(); }));
-    for (const std::size_t size : {std::size_t{1} << 17U, std::size_t{1} << 10U, std::size_t{0}}) {
+    for (const std::size_t size : {std::size_t{1} << 13U, std::size_t{1} << 10U, std::size_t{0}}) {
       while (ends.channel->Notify(message::kUnsubscribe, 0, Bytes(size))) {
       }
     }

@@ -189,10 +189,24 @@ TEST(ThreadOptions, WhatMakesNoSenseIsRefused) {
   EXPECT_EQ(refusal({.cpus = {processors}}),
             "thread options of 'arm': this machine has the processors 0.." +
                 std::to_string(processors - 1) + ", not " + std::to_string(processors));
-  EXPECT_THAT(refusal({.cpus = {-1}}), testing::HasSubstr("not -1"));
+  EXPECT_THAT(refusal({.cpus = {-1}}), testing::EndsWith("a processor must be 0..1023, got -1"));
   EXPECT_THAT(refusal({.stack_bytes = 5 << 20}), testing::HasSubstr("at most 4194304 bytes"));
-  EXPECT_THAT(refusal({.timer_slack = 0ns}), testing::HasSubstr("at least 1 ns"));
-  EXPECT_THAT(refusal({.spin = -1ns}), testing::HasSubstr("must not be negative"));
+  EXPECT_THAT(refusal({.timer_slack = 0ns}),
+              testing::EndsWith("timer slack must be 1 ns..100 ms, got 0 ns"));
+  EXPECT_EQ(refusal({.timer_slack = 100ms}), "");
+  EXPECT_THAT(refusal({.timer_slack = 100ms + 1ns}),
+              testing::EndsWith("timer slack must be 1 ns..100 ms, got 100000001 ns"));
+  EXPECT_THAT(refusal({.spin = -1ns}),
+              testing::EndsWith("the time to spin must be 0..1 s, got -1 ns"));
+  EXPECT_THAT(refusal({.spin = 1s + 1ns}), testing::EndsWith("0..1 s, got 1000000001 ns"));
+}
+
+TEST(ThreadOptions, AProcessorOfAnotherMachineIsInRange) {
+  const ThreadOptions options{.cpus = {1023}};
+
+  EXPECT_NO_THROW(tendon::CheckThreadRanges(options, "arm"));
+  EXPECT_THAT(tendon::test::Refusal([] { tendon::CheckThreadRanges({.cpus = {1024}}, "arm"); }),
+              testing::HasSubstr("0..1023, got 1024"));
 }
 
 TEST(ThreadOptions, AreAPayload) {

@@ -160,6 +160,14 @@ bool FaultTest::EventuallyIs(const std::string& process, ProcessState state) con
   });
 }
 
+bool FaultTest::EventuallyActive(const std::string& process, const std::string& component) const {
+  return Eventually([&] {
+    const auto catalog = viewer_->catalog();
+    const auto* found = catalog.FindComponent(process, component);
+    return found != nullptr && found->state == tendon::ComponentState::kActive;
+  });
+}
+
 std::string FaultTest::AddressOf(const std::string& process) const {
   const auto catalog = viewer_->catalog();
   const auto* entry = catalog.FindProcess(process);

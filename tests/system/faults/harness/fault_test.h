@@ -44,12 +44,15 @@ class FaultTest : public testing::TestWithParam<std::string> {
   /// Runs `gcm WORDS...` to its end.
   [[nodiscard]] Outcome Gcm(Words words) const;
   /// Ours, for a peer that is no program of Tendon.
-  [[nodiscard]] std::shared_ptr<tendon::Middleware> NewMiddleware() const;
+  [[nodiscard]] virtual std::shared_ptr<tendon::Middleware> NewMiddleware() const;
   /// A command line that begins one of our programs.
   [[nodiscard]] Words Command(const std::string& program, const Words& words) const;
   [[nodiscard]] Environment environment() const;
 
   [[nodiscard]] bool EventuallyIs(const std::string& process, tendon::ProcessState state) const;
+  /// A process joins before its components start: what is alive may still refuse commands.
+  [[nodiscard]] bool EventuallyActive(const std::string& process,
+                                      const std::string& component) const;
   [[nodiscard]] std::string AddressOf(const std::string& process) const;
   /// Of the desk's client to the robot's ledger.
   [[nodiscard]] bool EventuallyConnected() const;

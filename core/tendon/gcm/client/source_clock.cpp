@@ -1,0 +1,67 @@
+#include <tendon/gcm/client/source_clock.h>
+#include <tendon/process/ask.h>
+#include <tendon/proxy/messages.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace tendon::client {
+
+SourceClock::SourceClock(std::shared_ptr<Worker> timer, std::shared_ptr<Channel> channel,
+                         std::chrono::milliseconds timeout)
+    : timer_(std::move(timer)), channel_(std::move(channel)), timeout_(timeout) {}
+
+void SourceClock::WhenKnown(Known known) {
+  std::unique_lock lock(mutex_);
+  if (!is_known_) {
+    waiting_.push_back(std::move(known));
+    if (waiting_.size() > 1) return;
+    lock.unlock();
+    return Ask();
+  }
+  lock.unlock();
+  known(shared_from_this());
+}
+
+/// Is kept until the answer is here, and then by whom it is known to.
+void SourceClock::Ask() {
+  tendon::Ask<message::Pong>(
+      *timer_, channel_, message::kPing, None{}, timeout_,
+      [self = shared_from_this(), sent = SteadyClock().Now()](const Result<message::Pong>& answer) {
+        std::vector<Known> waiting;
+        {
+          const std::scoped_lock lock(self->mutex_);
+          if (answer) {
+            self->is_known_ = true;
+            self->offset_.Add(sent, SteadyTime(std::chrono::nanoseconds(answer->time)),
+                              SteadyClock().Now());
+          }
+          waiting.swap(self->waiting_);
+        }
+        for (const Known& known : waiting) answer ? known(self) : known(answer.error());
+        self->AskLater();
+      },
+      kOwnLane);
+}
+
+void SourceClock::AskLater() {
+  constexpr std::chrono::milliseconds kPause(500);
+  {
+    const std::scoped_lock lock(mutex_);
+    if (!is_known_ || !channel_->is_open()) return;
+  }
+  timer_->PostAfter(kPause, [weak = weak_from_this()] {
+    if (const auto self = weak.lock()) self->Ask();
+  });
+}
+
+EventTime SourceClock::Here(SteadyTime there) const {
+  const SteadyTime now = SteadyClock().Now();
+  const std::scoped_lock lock(mutex_);
+  const ClockOffset::Estimate estimate = offset_.At(now);
+  if (estimate.uncertainty == ClockOffset::kUnknown) return {.raised = now};
+  const SteadyTime raised = ClockOffset::Sensible(there) - estimate.offset;
+  return {.raised = std::min(raised, now), .uncertainty = estimate.uncertainty};
+}
+
+}  // namespace tendon::client

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <tendon/gcm/event_sink.h>
+#include <tendon/middleware/channel.h>
+#include <tendon/process/telemetry/clock_offset.h>
+#include <tendon/process/worker.h>
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+namespace tendon::client {
+
+/// The steady clock of the process at the other end of a channel against ours: asked for twice a
+/// second as long as the channel is open and somebody holds this. Thread-safe.
+class SourceClock final : public std::enable_shared_from_this<SourceClock> {
+ public:
+  using Known = std::function<void(const Result<std::shared_ptr<SourceClock>>&)>;
+
+  /// The timer is never blocked. A question is answered within `timeout`, or not at all.
+  SourceClock(std::shared_ptr<Worker> timer, std::shared_ptr<Channel> channel,
+              std::chrono::milliseconds timeout);
+
+  /// Calls `known` once, with this when the first answer is here, or with why there is none: at
+  /// once, or in a thread of the middleware or the timer.
+  void WhenKnown(Known known);
+
+  /// What happened at `there` on the other clock.
+  [[nodiscard]] EventTime Here(SteadyTime there) const;
+
+ private:
+  void Ask();
+  void AskLater();
+
+  const std::shared_ptr<Worker> timer_;
+  const std::shared_ptr<Channel> channel_;
+  const std::chrono::milliseconds timeout_;
+  mutable std::mutex mutex_;  // of what follows
+  ClockOffset offset_;
+  bool is_known_ = false;
+  std::vector<Known> waiting_;
+};
+
+}  // namespace tendon::client

@@ -1,0 +1,85 @@
+#include <tendon/base/log.h>
+#include <tendon/base/os/process.h>
+#include <tendon/gcm/lookup.h>
+#include <tendon/gcm/server/intake.h>
+#include <tendon/gcm/server/server.h>
+#include <tendon/middleware/hello.h>
+#include <tendon/process/ask.h>
+
+#include <utility>
+
+/// What the server does with the logs of others, and with its own.
+namespace tendon::server {
+namespace {
+
+/// Whether what it logs is in the book already: a window that hosts a GCM is a process as well.
+bool IsOwn(const ProcessDescription& process) {
+  return process.name == kGcmName && process.pid == os::ProcessId() &&
+         process.host == os::HostName();
+}
+
+}  // namespace
+
+/// In an action of the outbox; also sends watchers what their links had no room for.
+void Server::WriteOwnLog() {
+  auto records = own_log_.Take(LogQueue::kCapacity, SteadyClock().Now());
+  for (message::LogRecord& record : records) log_book_.AddOwn(std::move(record));
+  log_book_.PumpAll();
+}
+
+void Server::WatchLog(const Request& request) {
+  const auto watch = DecodeBody<message::WatchLog>(request.body);
+  if (!watch) return request.responder->Refuse(watch.error());
+  const bool goes_on = watch->gcm_instance == options_.instance;
+  Locked([&] {
+    outbox_.Add([this, channel = request.channel, responder = request.responder,
+                 after = goes_on ? watch->after : 0] {
+      if (!channel->is_open()) return;
+      message::LogWatched watched = log_book_.Watch(channel, after);
+      watched.gcm_instance = options_.instance;
+      responder->Answer(Result(watched));
+      log_book_.Pump();
+    });
+  });
+}
+
+void Server::SetLogLevel(const Request& request) {
+  const auto order = DecodeBody<message::SetLogLevel>(request.body);
+  if (!order) return request.responder->Refuse(order.error());
+  Locked([&] {
+    const auto entry = LookUpProcess(registry_.catalog(), order->process);
+    if (!entry) return Answer<None>(request, entry.error());
+    const auto present = RequirePresent((*entry)->process);
+    if (!present) return Answer(request, present);
+    outbox_.Add([this, channel = registry_.ChannelOf(order->process), order = *order,
+                 who = NameOf(*request.channel), responder = request.responder] {
+      Ask<None>(worker_, channel, message::kSetLogLevel, order, options_.order_timeout,
+                [order, who, responder](const auto& done) {
+                  if (done) {
+                    Log(LogLevel::kInfo, "gcm",
+                        who + " has set the log level of process '" + order.process + "' to " +
+                            std::string(ToString(order.level)));
+                  }
+                  responder->Answer(done);
+                });
+    });
+  });
+}
+
+void Server::TakeLog(const Session& session, std::span<const std::byte> body) {
+  if (body.size() > message::kLargestLogBatch) return;
+  auto batch = DecodeBody<message::LogRecords>(body);
+  if (!batch) return Log(LogLevel::kWarning, "gcm", "not understood: " + batch.error().message);
+  TakeIn(*batch);
+  Locked([&] {
+    const ProcessDescription* process = registry_.FindMember(session);
+    if (process == nullptr || IsOwn(*process)) return;
+    outbox_.Add([this, name = process->name, instance = process->instance,
+                 records = *std::move(batch)]() mutable {
+      log_book_.Add(name, instance, std::move(records));
+      log_book_.Pump();
+    });
+  });
+}
+
+}  // namespace tendon::server

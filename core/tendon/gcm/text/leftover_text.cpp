@@ -1,0 +1,18 @@
+#include <tendon/gcm/text/leftover_text.h>
+
+namespace tendon {
+
+bool IsKept(const Diagnosis& diagnosis) {
+  return diagnosis.is_connected && diagnosis.failure.has_value();
+}
+
+std::vector<std::string> LeftoverTexts(const Diagnosis& diagnosis) {
+  if (IsKept(diagnosis)) {
+    return {"kept: " + diagnosis.wire.required.process + " makes it as soon as it can"};
+  }
+  std::vector<std::string> texts;
+  for (const Remainder& one : diagnosis.remainders) texts.push_back("rolled back: " + one.text);
+  return texts;
+}
+
+}  // namespace tendon

@@ -1,0 +1,44 @@
+#include <gcm_console/completion/completer.h>
+#include <gcm_console/completion/whole_path.h>
+
+#include <algorithm>
+#include <set>
+
+namespace console {
+namespace {
+
+constexpr const char* kSeparators = "/.";
+
+/// The one name behind `way` that is `begin`, or begins so; empty where there is none, or a choice.
+std::string NameBehind(const tendon::Catalog& catalog, WordKind kind, const std::string& way,
+                       const std::string& begin) {
+  std::set<std::string> names;
+  for (const std::string& path : PathsOf(catalog, kind, way + begin)) {
+    const std::string rest = path.substr(way.size());
+    names.insert(rest.substr(0, rest.find_first_of(kSeparators)));
+  }
+  if (names.contains(begin)) return begin;
+  return names.size() == 1 && !begin.empty() ? *names.begin() : "";
+}
+
+}  // namespace
+
+std::string WholePath(const tendon::Catalog& catalog, WordKind kind, const std::string& path) {
+  std::string whole;
+  std::size_t begin = 0;
+  while (begin < path.size()) {
+    const bool is_member = whole.ends_with('.');
+    const std::size_t end =
+        std::min(path.find_first_of(is_member ? ".[" : kSeparators, begin), path.size());
+    const std::string name = NameBehind(catalog, kind, whole, path.substr(begin, end - begin));
+    if (name.empty()) return path;
+    whole += name;
+    if (is_member || end == path.size())
+      return whole + path.substr(end);  // fields are not looked up
+    whole += path[end];
+    begin = end + 1;
+  }
+  return path;
+}
+
+}  // namespace console

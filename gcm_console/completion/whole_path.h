@@ -1,0 +1,14 @@
+#pragma once
+
+#include <gcm_console/line/word_kind.h>
+#include <tendon/gcm/catalog.h>
+
+#include <string>
+
+namespace console {
+
+/// "robot/arm/Control.Stop" for "ro/a/C.S": each name of a path to something of that kind, where
+/// only one begins so. The path as it is where a name is that of nothing, or of several.
+std::string WholePath(const tendon::Catalog& catalog, WordKind kind, const std::string& path);
+
+}  // namespace console

@@ -1,0 +1,94 @@
+#include <gcm_console/graph/dot.h>
+#include <gcm_console/report.h>
+
+#include <locale>
+#include <map>
+#include <ostream>
+#include <sstream>
+#include <string>
+
+namespace console {
+namespace {
+
+using tendon::graph::Rect;
+
+std::string Quoted(const std::string& text) { return "\"" + Plain(text) + "\""; }
+
+/// A component's node.
+std::string NodeOf(const tendon::InterfaceName& end) {
+  return Quoted(end.process + "/" + end.component);
+}
+
+/// What Graphviz wants to know of a place: points, from below.
+class Arrangement {
+ public:
+  Arrangement() = default;
+  explicit Arrangement(const Sheet& sheet) : height_(sheet.size.height) {
+    for (const SheetProcess& process : sheet.processes) rects_.emplace(process.name, process.rect);
+    for (const SheetNode& node : sheet.nodes) rects_.emplace(node.path, node.rect);
+  }
+
+  /// Of the whole: everything has its place already, only the arrows are to be drawn.
+  [[nodiscard]] std::string OfGraph() const {
+    return rects_.empty() ? "" : "  layout=nop;\n  splines=true;\n";
+  }
+  [[nodiscard]] std::string OfProcess(const std::string& name) const {
+    const auto found = rects_.find(name);
+    if (found == rects_.end()) return "";
+    const Rect& rect = found->second;
+    return "    bb=\"" + Text(rect.x) + "," + Text(height_ - rect.y - rect.height) + "," +
+           Text(rect.x + rect.width) + "," + Text(height_ - rect.y) + "\";\n";
+  }
+  [[nodiscard]] std::string OfNode(const std::string& path) const {
+    constexpr double kInch = 72;
+    const auto found = rects_.find(path);
+    if (found == rects_.end()) return "";
+    const Rect& rect = found->second;
+    return ", fixedsize=true, width=" + Text(rect.width / kInch) +
+           ", height=" + Text(rect.height / kInch) + ", pos=\"" + Text(rect.x + rect.width / 2) +
+           "," + Text(height_ - rect.y - rect.height / 2) + "\"";
+  }
+
+ private:
+  /// With a point in every language.
+  static std::string Text(double number) {
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text << std::fixed << number;
+    return text.str();
+  }
+
+  double height_ = 0;
+  std::map<std::string, Rect> rects_;
+};
+
+void Print(const tendon::Catalog& catalog, const Arrangement& arrangement, std::ostream& out) {
+  out << "digraph system {\n  rankdir=LR;\n  node [shape=box];\n" << arrangement.OfGraph();
+  for (const auto& [name, entry] : catalog.processes()) {
+    out << "  subgraph " << Quoted("cluster_" + name) << " {\n    label=" << Quoted(name) << ";\n"
+        << arrangement.OfProcess(name);
+    for (const auto& [component, description] : entry.components) {
+      out << "    " << NodeOf({name, component, ""}) << " [label=" << Quoted(component)
+          << arrangement.OfNode(name + "/" + component) << "];\n";
+    }
+    out << "  }\n";
+  }
+  for (const auto& connection : catalog.connections()) {
+    const bool is_active = connection.state == tendon::ConnectionState::kActive;
+    out << "  " << NodeOf(connection.required) << " -> " << NodeOf(connection.provided)
+        << " [label="
+        << Quoted(connection.required.interface + " -> " + connection.provided.interface)
+        << (is_active ? "" : ", style=dashed") << "];\n";
+  }
+  out << "}\n";
+}
+
+}  // namespace
+
+void PrintDot(const tendon::Catalog& catalog, std::ostream& out) { Print(catalog, {}, out); }
+
+void PrintDot(const tendon::Catalog& catalog, const Sheet& arranged, std::ostream& out) {
+  Print(catalog, Arrangement(arranged), out);
+}
+
+}  // namespace console

@@ -1,0 +1,136 @@
+#include <gcm_console/catalogue/things.h>
+#include <gcm_console/catalogue_json.h>
+#include <gcm_console/show/details.h>
+#include <tendon/gcm/lookup.h>
+
+#include <utility>
+
+namespace console {
+namespace {
+
+using nlohmann::ordered_json;
+using tendon::Catalog;
+using tendon::InterfaceName;
+using tendon::message::SystemHealth;
+
+void ListProcesses(const Catalog& catalog, Table& table) {
+  for (const auto& [name, entry] : catalog.processes()) {
+    const auto& process = entry.process;
+    table.Add({name, std::string(ToString(process.state)), process.host,
+               std::to_string(process.pid), std::to_string(entry.components.size()),
+               process.address});
+  }
+}
+
+void ListComponents(const tendon::ProcessEntry& entry, Table& table) {
+  for (const auto& [name, component] : entry.components) {
+    table.Add({name, std::string(ToString(component.state)), component.class_name,
+               component.period > 0.0 ? ordered_json(component.period).dump() : "-"});
+  }
+}
+
+void ListInterfaces(const Catalog& catalog, const Place& place, Table& table) {
+  const auto name_of = [&](const std::string& interface) {
+    return InterfaceName(place.process->process.name, place.component->name, interface);
+  };
+  for (const auto& one : place.component->provided) {
+    table.Add({one.name, "provided", std::to_string(one.commands.size() + one.events.size()),
+               UsersOf(catalog, name_of(one.name))});
+  }
+  for (const auto& one : place.component->required) {
+    table.Add({one.name, "required",
+               std::to_string(one.functions.size() + one.event_handlers.size()),
+               ProviderOf(catalog, name_of(one.name))});
+  }
+}
+
+void AddMember(const std::string& noun, const tendon::MemberDescription& member, Table& table) {
+  table.Add(
+      {member.name, std::string(ToString(member.signature.kind)) + " " + noun, TypesOf(member)});
+}
+
+void ListMembers(const Place& place, Table& table) {
+  if (place.member != nullptr) return AddMember(place.noun, *place.member, table);
+  const auto add = [&table](const std::string& noun, const auto& members) {
+    for (const auto& one : members) AddMember(noun, one, table);
+  };
+  if (place.provided != nullptr) {
+    add("command", place.provided->commands);
+    add("event", place.provided->events);
+  } else {
+    add("function", place.required->functions);
+    add("handler", place.required->event_handlers);
+  }
+}
+
+ordered_json JsonOf(const tendon::ProcessEntry& entry, const SystemHealth& health) {
+  ordered_json json = ToJson(entry);
+  json["health"] = HealthOf(health, entry.process);
+  return json;
+}
+
+}  // namespace
+
+Table ListingOf(const Catalog& catalog, const Place& place) {
+  if (place.process == nullptr) {
+    Table table({"PROCESS", "STATE", "HOST", "PID", "COMPONENTS", "ADDRESS"});
+    ListProcesses(catalog, table);
+    return table;
+  }
+  if (place.component == nullptr) {
+    Table table({"COMPONENT", "STATE", "CLASS", "PERIOD/s"});
+    ListComponents(*place.process, table);
+    return table;
+  }
+  if (place.provided == nullptr && place.required == nullptr) {
+    Table table({"INTERFACE", "SIDE", "MEMBERS", "CONNECTED"});
+    ListInterfaces(catalog, place, table);
+    return table;
+  }
+  Table table({"MEMBER", "KIND", "TYPE"});
+  ListMembers(place, table);
+  return table;
+}
+
+SystemHealth AskHealth(Context& context) {
+  auto health = context.Ask<SystemHealth>(
+      [](tendon::GcmClient& client, auto handler) { client.GetHealth(handler); });
+  return health ? *std::move(health) : SystemHealth{};
+}
+
+std::optional<tendon::ConnectionCounts> AskCounts(Context& context, const Place& place) {
+  const InterfaceName required(place.process->process.name, place.component->name,
+                               place.required->name);
+  const auto counts = context.Ask<tendon::ConnectionCounts>(
+      [&](tendon::GcmClient& client, auto handler) { client.GetCounts(required, handler); });
+  return counts ? std::optional(*counts) : std::nullopt;
+}
+
+std::optional<tendon::MailboxFill> AskFill(Context& context, const Place& place) {
+  const auto fill = context.Ask<tendon::MailboxFill>([&](tendon::GcmClient& client, auto handler) {
+    client.GetFill(place.process->process.name, place.component->name, handler);
+  });
+  return fill && fill->capacity > 0 ? std::optional(*fill) : std::nullopt;
+}
+
+ordered_json JsonOf(Context& context, const Catalog& catalog, const Place& place) {
+  if (place.member != nullptr) return {{"member", ToJson(*place.member)}};
+  if (place.provided != nullptr) return {{"interface", ToJson(*place.provided)}};
+  if (place.required != nullptr) {
+    ordered_json json = {{"interface", ToJson(*place.required)}};
+    if (const auto counts = AskCounts(context, place)) json["counts"] = ToJson(*counts);
+    return json;
+  }
+  if (place.component != nullptr) {
+    ordered_json json = {{"component", ToJson(*place.component)}};
+    if (const auto fill = AskFill(context, place)) json["mailbox"] = ToJson(*fill);
+    return json;
+  }
+  const SystemHealth health = AskHealth(context);
+  if (place.process != nullptr) return {{"process", JsonOf(*place.process, health)}};
+  ordered_json processes = ordered_json::array();
+  for (const auto& [name, entry] : catalog.processes()) processes.push_back(JsonOf(entry, health));
+  return {{"processes", std::move(processes)}};
+}
+
+}  // namespace console

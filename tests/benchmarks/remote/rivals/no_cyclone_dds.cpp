@@ -1,0 +1,7 @@
+#include <benchmarks/remote/rivals/rival.h>
+
+namespace tendon::benchmark {
+
+Rival CycloneDds() { return {.id = "R8-dds", .name = "CycloneDDS", .missing = "cyclonedds-dev"}; }
+
+}  // namespace tendon::benchmark

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <benchmarks/floors.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace tendon::benchmark {
+
+/// A middleware of others that answers each request with 64 bytes, until it is destroyed.
+class RivalServer {
+ public:
+  RivalServer() = default;
+  RivalServer(const RivalServer&) = delete;
+  RivalServer& operator=(const RivalServer&) = delete;
+  virtual ~RivalServer() = default;
+
+  /// For Rival::reach; one word.
+  [[nodiscard]] virtual std::string address() const = 0;
+};
+
+/// The other end, which is connected already. One thread at a time.
+class RivalClient {
+ public:
+  RivalClient() = default;
+  RivalClient(const RivalClient&) = delete;
+  RivalClient& operator=(const RivalClient&) = delete;
+  virtual ~RivalClient() = default;
+
+  /// Asks, and waits for the answer; throws where there is none in time.
+  virtual void Read(Message& answer) = 0;
+};
+
+/// One of those that we are compared with beside raw Ice: used where its package was found when
+/// this was built.
+struct Rival {
+  std::string id;    ///< of its case
+  std::string name;  ///< for people
+  std::string
+      missing;  ///< the package that it takes; empty where it is built in, as what follows is
+  std::function<std::unique_ptr<RivalServer>()> serve;
+  std::function<std::unique_ptr<RivalClient>(const std::string& address)> reach;
+};
+
+Rival ZeroMq();
+Rival CycloneDds();
+
+/// All of them.
+std::vector<Rival> Rivals();
+
+}  // namespace tendon::benchmark

@@ -1,0 +1,134 @@
+#include <tendon/middleware/requests/gathered_replies.h>
+
+#include <future>
+#include <mutex>
+#include <numeric>
+#include <vector>
+
+#include "conformance/contract.h"
+#include "conformance/oracle.h"
+
+namespace tendon::conformance {
+namespace {
+
+/// What became of requests that were made one after the other: which were answered in which order,
+/// and how often; an answer is the number of its request.
+class Outcomes {
+ public:
+  PendingRequests::Handler Keep(std::uint32_t number) {
+    return [this, number](const Result<Bytes>& answer) {
+      const std::scoped_lock lock(mutex_);
+      const bool is_right = answer && DecodeBody<std::uint32_t>(*answer).value() == number;
+      (is_right ? answered_ : failed_).push_back(number);
+    };
+  }
+  bool WaitFor(std::size_t answered, std::size_t failed) {
+    return EventuallyTrue([&] {
+      const std::scoped_lock lock(mutex_);
+      return answered_.size() >= answered && failed_.size() >= failed;
+    });
+  }
+  [[nodiscard]] std::vector<std::uint32_t> answered() const {
+    const std::scoped_lock lock(mutex_);
+    return answered_;
+  }
+  [[nodiscard]] std::vector<std::uint32_t> failed() const {
+    const std::scoped_lock lock(mutex_);
+    return failed_;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::vector<std::uint32_t> answered_;
+  std::vector<std::uint32_t> failed_;
+};
+
+std::vector<std::uint32_t> NumbersUpTo(std::uint32_t count) {
+  std::vector<std::uint32_t> numbers(count);
+  std::iota(numbers.begin(), numbers.end(), 0);
+  return numbers;
+}
+
+/// Requests that the oracle keeps; returns when it has them all.
+void AskToKeep(Channel& channel, Oracle& oracle, Outcomes& outcomes, std::uint32_t count) {
+  for (std::uint32_t i = 0; i < count; ++i) {
+    channel.Request(kKeep, 0, EncodeBody(i), kLong, outcomes.Keep(i));
+  }
+  ASSERT_TRUE(oracle.Wait([&](const Oracle& one) { return one.kept_.size() == count; }));
+}
+
+TEST_P(ChannelContract, AnswersThatAreGatheredArriveOnceAndInOrder) {
+  const auto server = std::make_shared<Oracle>();
+  Connect(server, std::make_shared<Oracle>());
+  constexpr std::uint32_t kCount = 2 * ReplyBatch::kMostReplies + 44;
+  Outcomes outcomes;
+  ASSERT_NO_FATAL_FAILURE(AskToKeep(*channel_, *server, outcomes, kCount));
+
+  {
+    const GatheredReplies together;
+    for (std::uint32_t i = 0; i < kCount; ++i) server->kept_[i].Reply(EncodeBody(i), kOwnLane);
+  }
+
+  EXPECT_TRUE(outcomes.WaitFor(kCount, 0));
+  EXPECT_EQ(outcomes.answered(), NumbersUpTo(kCount));
+  EXPECT_EQ(channel_->late_replies(), 0U);
+}
+
+TEST_P(ChannelContract, ALargeAnswerAmongGatheredOnesArrivesToo) {
+  const auto server = std::make_shared<Oracle>();
+  Connect(server, std::make_shared<Oracle>());
+  Outcomes outcomes;
+  ASSERT_NO_FATAL_FAILURE(AskToKeep(*channel_, *server, outcomes, 1));
+  auto large = std::async(std::launch::async, [&] { return channel_->Call(kKeep, 0, {}, kLong); });
+  ASSERT_TRUE(server->Wait([](const Oracle& one) { return one.kept_.size() == 2; }));
+
+  {
+    const GatheredReplies together;
+    server->kept_[0].Reply(EncodeBody(std::uint32_t{0}), kOwnLane);
+    server->kept_[1].Reply(Bytes(3 * kMaxPieceSize, std::byte{7}), kOwnLane);
+  }
+
+  EXPECT_TRUE(outcomes.WaitFor(1, 0));
+  EXPECT_EQ(*large.get(), Bytes(3 * kMaxPieceSize, std::byte{7}));
+}
+
+TEST_P(ChannelContract, OfGatheredAnswersThatTheLinkDoesNotTakeAnyMoreAllAreOutstanding) {
+  const auto server = std::make_shared<Oracle>();
+  Connect(server, std::make_shared<Oracle>());
+  Outcomes outcomes;
+  ASSERT_NO_FATAL_FAILURE(AskToKeep(*channel_, *server, outcomes, 8));
+
+  {
+    const GatheredReplies together;
+    for (std::uint32_t i = 0; i < 8; ++i) server->kept_[i].Reply(EncodeBody(i), kOwnLane);
+    channel_->Close();
+    ASSERT_TRUE(server->Wait([](const Oracle& one) { return one.closed_.size() == 1; }));
+  }
+
+  EXPECT_TRUE(outcomes.WaitFor(0, 8));
+  EXPECT_EQ(outcomes.failed(), NumbersUpTo(8));
+  EXPECT_TRUE(outcomes.answered().empty());
+}
+
+TEST_P(ChannelContract, APeerWhoseAnswersAreMalformedIsCutOffAndNoneIsBelieved) {
+  const auto server = std::make_shared<Oracle>();
+  const auto client = std::make_shared<Oracle>();
+  Connect(server, client);
+  Outcomes outcomes;
+  ASSERT_NO_FATAL_FAILURE(AskToKeep(*channel_, *server, outcomes, 1));
+  ReplyBatch batch;
+  ASSERT_TRUE(batch.Add(1, EncodeBody(std::uint32_t{0})));  // the number of that request
+  Bytes lie = batch.body();
+  lie.push_back(std::byte{1});
+
+  ASSERT_TRUE(server->channel_->Notify(MessageType::kReplies, 0, lie));
+
+  ASSERT_TRUE(client->Wait([](const Oracle& one) { return one.closed_.size() == 1; }));
+  EXPECT_EQ(client->closed_.front(),
+            (Error{ErrorCode::kInvalid, "robot sent answers that are malformed"}));
+  EXPECT_TRUE(outcomes.WaitFor(0, 1));
+  EXPECT_TRUE(outcomes.answered().empty());
+}
+
+}  // namespace
+}  // namespace tendon::conformance

@@ -1,0 +1,62 @@
+#include <gmock/gmock.h>
+#include <tendon/gcm/lookup.h>
+#include <tendon/gcm/system/plan.h>
+#include <tests/core/gcm/system/running_catalog.h>
+
+namespace tendon {
+namespace {
+
+using test::CatalogBuilder;
+using testing::ElementsAre;
+
+std::vector<std::string> TextsOf(const Plan& plan) {
+  std::vector<std::string> texts;
+  for (const PlanStep& step : plan.steps) texts.push_back(ToString(step));
+  return texts;
+}
+
+/// The step that has started the process which the catalogue has.
+PlanStep BirthOf(const CatalogBuilder& running, const std::string& process,
+                 RestartPolicy restart = RestartPolicy::kOnFailure) {
+  return {.kind = PlanStep::Kind::kStartProcess,
+          .process = process,
+          .instance = InstanceOf(running.catalog(), process),
+          .restart = restart};
+}
+
+TEST(WithEnds, EndsTheProcessesThatAnotherHasStartedAndWhichAreThereStill) {
+  CatalogBuilder running;
+  running.Process("desk", {}).Process("robot", {}, ProcessState::kLeft);
+
+  const Plan plan = WithEnds(
+      {}, running.catalog(),
+      {BirthOf(running, "robot"), BirthOf(running, "desk"), BirthOf(running, "never_there")});
+
+  EXPECT_THAT(TextsOf(plan), ElementsAre("end process desk"));
+  EXPECT_EQ(plan.steps[0].instance, InstanceOf(running.catalog(), "desk"));
+  EXPECT_EQ(plan.steps[0].restart, RestartPolicy::kOnFailure);
+  EXPECT_TRUE(plan.TakesAway());
+}
+
+TEST(WithEnds, EndsNoProcessThatWasStartedAgainSinceForItMayBeAnothers) {
+  CatalogBuilder running;
+  running.Process("desk", {}).Process("robot", {});
+  const std::vector<PlanStep> births = {BirthOf(running, "desk"), BirthOf(running, "robot")};
+  running.Process("desk", {});
+
+  EXPECT_THAT(TextsOf(WithEnds({}, running.catalog(), births)), ElementsAre("end process robot"));
+}
+
+TEST(WithEnds, EndsALostProcessThatTheGcmMayBeAboutToStartAgain) {
+  CatalogBuilder running;
+  running.Process("desk", {}, ProcessState::kLost).Process("robot", {}, ProcessState::kLost);
+
+  const Plan plan = WithEnds({}, running.catalog(),
+                             {BirthOf(running, "desk", RestartPolicy::kOnFailure),
+                              BirthOf(running, "robot", RestartPolicy::kNever)});
+
+  EXPECT_THAT(TextsOf(plan), ElementsAre("end process desk"));
+}
+
+}  // namespace
+}  // namespace tendon

@@ -1,0 +1,62 @@
+#include <gcm_console/completion/whole_path.h>
+#include <gtest/gtest.h>
+#include <tests/core/gcm/samples.h>
+
+namespace console {
+namespace {
+
+class WholePathTest : public testing::Test {
+ protected:
+  WholePathTest() {
+    using Kind = tendon::CatalogChange::Kind;
+    for (const std::string process : {"robot", "desk"}) {
+      Apply({.kind = Kind::kProcess,
+             .process = process,
+             .processes = {tendon::test::ProcessNamed(process, 1)}});
+    }
+    for (const auto& component :
+         {tendon::test::Arm(), tendon::test::Arm("arm2"), tendon::test::Teleoperation("tele")}) {
+      Apply({.kind = Kind::kComponent, .process = "robot", .components = {component}});
+    }
+  }
+  void Apply(tendon::CatalogChange change) {
+    change.revision = catalog_.revision() + 1;
+    EXPECT_TRUE(catalog_.Apply(change));
+  }
+
+  tendon::Catalog catalog_;
+};
+
+TEST_F(WholePathTest, ANameIsKnownByItsBeginningWhereNoOtherBeginsSo) {
+  EXPECT_EQ(WholePath(catalog_, WordKind::kProcess, "r"), "robot");
+  EXPECT_EQ(WholePath(catalog_, WordKind::kComponent, "r/t"), "robot/tele");
+  EXPECT_EQ(WholePath(catalog_, WordKind::kRequired, "r/t/R"), "robot/tele/Robot");
+  EXPECT_EQ(WholePath(catalog_, WordKind::kCommand, "r/arm2/C.S"), "r/arm2/C.S");  // Stop, Scale
+  EXPECT_EQ(WholePath(catalog_, WordKind::kCommand, "r/arm2/C.St"), "robot/arm2/Control.Stop");
+}
+
+TEST_F(WholePathTest, AWholeNameIsNoBeginning) {
+  EXPECT_EQ(WholePath(catalog_, WordKind::kProvided, "r/arm/C"), "robot/arm/Control");
+  EXPECT_EQ(WholePath(catalog_, WordKind::kComponent, "r/a"), "r/a");  // arm, arm2
+}
+
+TEST_F(WholePathTest, FieldsOfAMemberStayAsTheyAre) {
+  EXPECT_EQ(WholePath(catalog_, WordKind::kCommand, "r/arm/C.G[2]"),
+            "robot/arm/Control.GetJoints[2]");
+  EXPECT_EQ(WholePath(catalog_, WordKind::kCommand, "r/arm/C.G.x[0].y"),
+            "robot/arm/Control.GetJoints.x[0].y");
+}
+
+TEST_F(WholePathTest, WhatIsNothingOrAPatternStaysAsItIs) {
+  for (const std::string path : {"x", "r/x", "r/*", "**", "", "r//", "/", "r/arm/C.M.", "r/"}) {
+    const std::string whole = WholePath(catalog_, WordKind::kPath, path);
+    if (path == "r/arm/C.M.") {
+      EXPECT_EQ(whole, "robot/arm/Control.MoveTo.");
+    } else {
+      EXPECT_EQ(whole, path);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace console
