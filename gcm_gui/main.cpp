@@ -1,6 +1,10 @@
+#include <gcm_gui/files/kept_values.h>
+#include <gcm_gui/language/language.h>
+#include <gcm_gui/plot/plot_panel.h>
 #include <gcm_gui/session/hosted_gcm.h>
 #include <gcm_gui/session/session.h>
 #include <gcm_gui/theme/theme.h>
+#include <gcm_gui/tour/tour.h>
 #include <gcm_gui/window/file/system_files.h>
 #include <gcm_gui/window/main_window.h>
 #include <gcm_gui/window/ui_description.h>
@@ -11,7 +15,6 @@
 #include <tendon/base/os/process.h>
 
 #include <CLI/CLI.hpp>
-#include <QSettings>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -25,6 +28,8 @@ struct Options {
   std::string listen;
   std::string file;
   bool read_only = false;
+  bool no_tour = false;
+  std::string layout;
   std::string theme = "system";
   program::NetworkOptions network;
   std::string describe_ui;
@@ -37,6 +42,11 @@ void AddOptions(CLI::App& app, Options& options) {
   app.add_option("--listen", options.listen, "host a GCM at this address")->excludes(gcm);
   app.add_option("file", options.file, "system file to bring up, after a look at its plan");
   app.add_flag("--read-only", options.read_only, "ask as a viewer, to whom changes are denied");
+  app.add_option("--layout", options.layout,
+                 "layout of plots to begin with, as the window saves it")
+      ->check(CLI::ExistingFile)
+      ->type_name("FILE");
+  app.add_flag("--no-tour", options.no_tour, "no tour, also where this user sees the window first");
   app.add_option("--theme", options.theme, "dark, light or system")
       ->check(CLI::IsMember({"dark", "light", "system"}))
       ->capture_default_str();
@@ -63,15 +73,30 @@ bool HasDisplay() {
 }
 
 /// As it was left the last time, and from now on remembered.
-void KeepLayout(tendon::gui::MainWindow& window) {
-  QSettings settings;
-  window.restoreGeometry(settings.value("geometry").toByteArray());
-  window.panels().restore(settings.value("panels").toByteArray());
-  QObject::connect(qApp, &QCoreApplication::aboutToQuit, &window, [&window] {
-    QSettings kept;
-    kept.setValue("geometry", window.saveGeometry());
-    kept.setValue("panels", window.panels().state());
-  });
+void KeepLayout(tendon::gui::MainWindow& window, tendon::gui::KeptValues& kept) {
+  const auto geometry = QStringLiteral("geometry");
+  const auto panels = QStringLiteral("panels");
+  window.restoreGeometry(kept.value(geometry));
+  window.panels().restore(kept.value(panels));
+  QObject::connect(qApp, &QCoreApplication::aboutToQuit, &window,
+                   [&window, &kept, geometry, panels] {
+                     kept.set(geometry, window.saveGeometry());
+                     kept.set(panels, window.panels().state());
+                   });
+}
+
+/// Lies beside the programs, as they are built and as they are installed.
+QString DemoFile() {
+  const auto prefix = tendon::os::ProgramFolder().parent_path();
+  return QString::fromStdString((prefix / "share/tendon/systems/demo.json").string());
+}
+
+/// Who sees the window for the first time is shown around; never again unasked.
+void ShowAroundOnce(tendon::gui::MainWindow& window, tendon::gui::KeptValues& kept) {
+  const auto seen = QStringLiteral("shownAround");
+  if (!kept.value(seen).isEmpty()) return;
+  window.tour().start();
+  kept.set(seen, "yes");
 }
 
 int Run(const Options& options) {
@@ -101,13 +126,17 @@ int Run(const Options& options) {
   parts.console.read_only = options.read_only;
   parts.console.color = console::ColorChoice::kNever;
   parts.kept = QString::fromStdString(kept.string());
+  parts.demo = DemoFile();
   if (options.read_only) parts.read_only = QString::fromLatin1(kReadOnly);
+  tendon::gui::KeptValues values(parts.kept + QStringLiteral("/window.json"));
   tendon::gui::MainWindow window(parts);
   if (!options.describe_ui.empty()) {
     new tendon::gui::UiDescription(window, QString::fromStdString(options.describe_ui));
   }
-  KeepLayout(window);
+  KeepLayout(window, values);
   window.show();
+  if (!options.layout.empty()) window.plots().openLayout(QString::fromStdString(options.layout));
+  if (!options.no_tour && options.file.empty()) ShowAroundOnce(window, values);
   if (!options.file.empty()) window.files().bringUp(QString::fromStdString(options.file));
   return QApplication::exec();
 }
@@ -131,6 +160,7 @@ int main(int argc, char** argv) {
   tendon::gui::WatchedApplication application(argc, argv);
   QApplication::setApplicationName("gcm-gui");
   QApplication::setOrganizationName("tendon");
+  tendon::gui::SpeakAs(QLocale::system());
   tendon::gui::Theme::instance().choose(ThemeChoice(options.theme));
   return Run(options);
 }

@@ -1,4 +1,5 @@
 #include <gcm_gui/activity/activity_model.h>
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/row_roles.h>
 #include <gcm_gui/models/state_of.h>
 #include <gcm_gui/models/text.h>
@@ -28,7 +29,7 @@ QString VerbText(Action::Verb verb) {
     case Action::Verb::kCall:
       return QStringLiteral("call");
     case Action::Verb::kLogLevel:
-      return QStringLiteral("log level");
+      return Words::tr("log level");
   }
   return {};
 }
@@ -86,8 +87,8 @@ QString ActivityModel::outcome(const Action& action) const {
       break;
   }
   QString time = DurationText(action.seconds);
-  if (action.times > 1) time += QStringLiteral(" · %1 times").arg(action.times);
-  return action.undone ? time + QStringLiteral(" · undone") : time;
+  if (action.times > 1) time += Words::tr(" · %1 times").arg(action.times);
+  return action.undone ? time + Words::tr(" · undone") : time;
 }
 
 QVariant ActivityModel::data(const QModelIndex& index, int role) const {

@@ -1,6 +1,7 @@
 #include <gcm_gui/activity/activity_strip.h>
 #include <gcm_gui/console/console_page.h>
 #include <gcm_gui/events/events_page.h>
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/log/log_page.h>
 #include <gcm_gui/models/row_roles.h>
 #include <gcm_gui/models/text.h>
@@ -31,17 +32,17 @@ ActivityStrip::ActivityStrip(const WindowParts& parts, ProblemsModel& problems,
       activity_(parts.activity),
       actions_(parts.actions) {
   ActivityModel& activity = activity_;
-  list_ = MakeRowList(activity, QStringLiteral("activity"),
-                      QStringLiteral("What you do to the system is listed here."));
+  list_ = MakeRowList(activity, QStringLiteral("activity"), Words::tr("Activity"),
+                      Words::tr("What you do to the system is listed here."));
   list_->rows().setAllLeft(true);
   list_->setSelectionMode(QAbstractItemView::SingleSelection);
   list_->header()->setSectionResizeMode(ActivityModel::kLinks, QHeaderView::Fixed);
   list_->header()->resizeSection(ActivityModel::kLinks, kLinksWidth);
-  RowView* problem_list =
-      MakeRowList(problems, QStringLiteral("problems"), QStringLiteral("Nothing is wrong."));
+  RowView* problem_list = MakeRowList(problems, QStringLiteral("problems"), Words::tr("Problems"),
+                                      Words::tr("Nothing is wrong."));
   problem_list->rows().setAllLeft(true);
-  addPage(list_, QStringLiteral("Activity"));
-  problems_page_ = addPage(problem_list, QStringLiteral("Problems"));
+  addPage(list_, Words::tr("Activity"));
+  problems_page_ = addPage(problem_list, Words::tr("Problems"));
   addReports(parts, selection);
 
   connect(&activity, &QAbstractItemModel::rowsInserted, this,
@@ -70,9 +71,10 @@ void ActivityStrip::addReports(const WindowParts& parts, Selection& selection) {
   const QString history =
       parts.kept.isEmpty() ? QString() : parts.kept + QStringLiteral("/console");
   console_ = new ConsolePage(parts.console, history);
-  addPage(log, QStringLiteral("Log"));
-  addPage(events, QStringLiteral("Events"));
-  console_page_ = addPage(console_, QStringLiteral("Console"));
+  addPage(log, Words::tr("Log"));
+  addPage(events, Words::tr("Events"));
+  console_page_ = addPage(console_, Words::tr("Console"));
+  connect(console_, &ConsolePage::notice, this, &ActivityStrip::notice);
   connect(log, &LogPage::pathChosen, &selection, &Selection::select);
   connect(events, &EventsPage::pathChosen, this, &ActivityStrip::jumpRequested);
   connect(&tabs(), &QTabBar::tabBarClicked, this, [this](int page) {
@@ -97,13 +99,13 @@ void ActivityStrip::linkRow(int row) {
   line->setSpacing(0);
   line->addStretch();
   if (activity_.canUndo(row)) {
-    QToolButton* undo = MakeLink(QStringLiteral("Undo"), QStringLiteral("undo"));
+    QToolButton* undo = MakeLink(Words::tr("Undo"), QStringLiteral("undo"));
     undo->setProperty("changesSystem", true);
     connect(undo, &QToolButton::clicked, this, [this] { actions_.undo(); });
     line->addWidget(undo);
   }
   if (const QString command = activity_.command(row); !command.isEmpty()) {
-    QToolButton* copy = MakeLink(QStringLiteral("Copy as command"), QStringLiteral("copyCommand"));
+    QToolButton* copy = MakeLink(Words::tr("Copy as command"), QStringLiteral("copyCommand"));
     copy->setToolTip(command);
     connect(copy, &QToolButton::clicked, this,
             [command] { QGuiApplication::clipboard()->setText(command); });
@@ -114,7 +116,7 @@ void ActivityStrip::linkRow(int row) {
 
 void ActivityStrip::showProblemCount(int count) {
   setTitle(problems_page_,
-           count == 0 ? QStringLiteral("Problems") : QStringLiteral("Problems %1").arg(count));
+           count == 0 ? Words::tr("Problems") : Words::tr("Problems %1").arg(count));
   tabs().setTabTextColor(problems_page_,
                          count == 0 ? QColor() : Theme::instance().color(Token::kWarning));
 }

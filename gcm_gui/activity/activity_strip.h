@@ -36,6 +36,8 @@ class ActivityStrip : public TabPanel {
   void jumpRequested(const QString& path);
   /// A row of the problems was clicked, or chosen with Enter: of what is wrong there.
   void problemChosen(const QString& path);
+  /// One sentence for the user.
+  void notice(const QString& text);
 
  private:
   void linkRows(int first, int last);

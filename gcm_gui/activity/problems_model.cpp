@@ -1,4 +1,5 @@
 #include <gcm_gui/activity/problems_model.h>
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/row_roles.h>
 #include <gcm_gui/models/state_of.h>
 #include <gcm_gui/models/text.h>
@@ -16,25 +17,24 @@ void AddProblemsOf(const ProcessEntry& entry, std::vector<Problem>& problems) {
   const ProcessDescription& process = entry.process;
   const QString name = ToQString(process.name);
   if (process.state == ProcessState::kLost) {
-    problems.push_back({name, WithReason(name + QStringLiteral(" is lost"), process.reason),
+    problems.push_back({name, WithReason(name + Words::tr(" is lost"), process.reason),
                         StateMark::kLost, process.since});
     return;  // the rest follows from it
   }
   if (process.state == ProcessState::kSuspect) {
-    problems.push_back({name, name + QStringLiteral(" does not answer; its values may be old"),
+    problems.push_back({name, name + Words::tr(" does not answer; its values may be old"),
                         StateMark::kWarning, process.since});
   }
   for (const auto& [component_name, component] : entry.components) {
     if (component.state != ComponentState::kFaulted) continue;
     const QString path = name + '/' + ToQString(component_name);
-    problems.push_back({path, WithReason(path + QStringLiteral(" is faulted"), component.fault),
+    problems.push_back({path, WithReason(path + Words::tr(" is faulted"), component.fault),
                         StateMark::kFaulted, component.fault_time});
   }
   for (const auto& [id, connection] : entry.connections) {
     if (connection.state != ConnectionState::kFailed) continue;
     const QString path = ToQString(ToString(connection.required));
-    problems.push_back({path,
-                        WithReason(path + QStringLiteral(" is not connected"), connection.reason),
+    problems.push_back({path, WithReason(path + Words::tr(" is not connected"), connection.reason),
                         StateMark::kRefused, 0});
   }
 }

@@ -2,13 +2,16 @@
 #include <gcm_gui/call/hold_button.h>
 #include <gcm_gui/call/repeat/repeat_row.h>
 #include <gcm_gui/call/value_form.h>
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
+#include <gcm_gui/pictures/picture_view.h>
 #include <gcm_gui/theme/head_row.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
 #include <gcm_gui/views/link.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/payload/json.h>
+#include <tendon/payload/json/strict_json.h>
 
 #include <QClipboard>
 #include <QGuiApplication>
@@ -24,6 +27,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <chrono>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
@@ -48,14 +52,14 @@ QString ValueText(const Json& value) {
   return '[' + elements.join(QStringLiteral(", ")) + ']';
 }
 
-QString Rest() { return QStringLiteral("…\nThe whole answer: Copy as command"); }
+QString Rest() { return Words::tr("…\nThe whole answer: Copy as command"); }
 
 /// One field a line, as a person reads it; the rest of what is very long is left to a terminal.
 QString Readable(const std::string& json) {
   if (json.size() > kMostRead) {
     return ToQString(std::string_view(json).substr(0, kLongestAnswer)) + Rest();
   }
-  const Json value = Json::parse(json, nullptr, false);
+  const Json value = JsonOrText(json);
   QStringList lines;
   if (value.is_object()) {
     for (const auto& [name, field] : value.items()) {
@@ -83,7 +87,7 @@ QLabel* MakeWords(const QString& name) {
 
 CallPanel::CallPanel(CommandCalls& calls, QWidget* parent) : QWidget(parent), calls_(calls) {
   setObjectName(QStringLiteral("call"));
-  setAccessibleName(QStringLiteral("Call a command"));
+  setAccessibleName(Words::tr("Call a command"));
   build();
   for (const int key : {Qt::Key_Return, Qt::Key_Enter}) {
     auto* calls_it = new QShortcut(QKeySequence(Qt::CTRL | static_cast<Qt::Key>(key)), this, this,
@@ -102,8 +106,11 @@ void CallPanel::build() {
   head_->addRight(kind_);
   status_ = MakeWords(QStringLiteral("call.status"));
   answer_ = MakeWords(QStringLiteral("call.answer"));
-  answer_->setAccessibleName(QStringLiteral("Answer"));
+  answer_->setAccessibleName(Words::tr("Answer"));
   SetRole(*answer_, QStringLiteral("mono"));
+  picture_ = new PictureView(QString());
+  connect(picture_, &PictureView::shown, this,
+          [this] { answer_->setVisible(picture_->image().isNull()); });
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, kGap, 0, 0);
   column->setSpacing(0);
@@ -113,16 +120,18 @@ void CallPanel::build() {
   column->addWidget(repeat_);
   column->addWidget(status_);
   column->addWidget(answer_);
+  column->addWidget(picture_);
 }
 
 QWidget* CallPanel::buildArgument() {
   form_area_ = new QScrollArea;
+  form_area_->setFocusPolicy(Qt::NoFocus);  // it follows the focus of what is in it
   form_area_->setFrameShape(QFrame::NoFrame);
   form_area_->setWidgetResizable(true);
   form_area_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   json_ = new QPlainTextEdit;
   json_->setObjectName(QStringLiteral("call.json"));
-  json_->setAccessibleName(QStringLiteral("Argument as JSON"));
+  json_->setAccessibleName(Words::tr("Argument as JSON"));
   json_->setFont(Theme::instance().mono());
   json_->setTabChangesFocus(true);
   connect(json_, &QPlainTextEdit::textChanged, this, &CallPanel::check);
@@ -133,34 +142,33 @@ QWidget* CallPanel::buildArgument() {
 }
 
 QWidget* CallPanel::buildButtons() {
-  call_ = new HoldButton(QStringLiteral("Call"));
+  call_ = new HoldButton(Words::tr("Call"));
   call_->setObjectName(QStringLiteral("call.call"));
   call_->setProperty("changesSystem", true);
   SetRole(*call_, QStringLiteral("primary"));
   connect(call_, &HoldButton::called, this, &CallPanel::call);
   connect(call_, &HoldButton::letGoEarly, this, [this] {
-    tell(QStringLiteral(
-             "Not called: hold the button for 0.4 s, for this can set something in motion"),
+    tell(Words::tr("Not called: hold the button for 0.4 s, for this can set something in motion"),
          QStringLiteral("warning"));
   });
-  retry_ = MakeLink(QStringLiteral("Ask again"), QStringLiteral("call.retry"));
+  retry_ = MakeLink(Words::tr("Ask again"), QStringLiteral("call.retry"));
   connect(retry_, &QToolButton::clicked, this, &CallPanel::askForSchema);
   as_json_ = MakeLink(QStringLiteral("JSON"), QStringLiteral("call.asJson"));
-  as_json_->setToolTip(QStringLiteral("The argument as text, instead of a form"));
+  as_json_->setToolTip(Words::tr("The argument as text, instead of a form"));
   as_json_->setCheckable(true);
   connect(as_json_, &QToolButton::toggled, this, &CallPanel::showAsJson);
-  QToolButton* copy = MakeLink(QStringLiteral("Copy"), QStringLiteral("call.copy"));
-  copy->setAccessibleName(QStringLiteral("Copy as command"));
-  copy->setToolTip(QStringLiteral("Copies the line that does the same in a terminal"));
+  QToolButton* copy = MakeLink(Words::tr("Copy"), QStringLiteral("call.copy"));
+  copy->setAccessibleName(Words::tr("Copy as command"));
+  copy->setToolTip(Words::tr("Copies the line that does the same in a terminal"));
   connect(copy, &QToolButton::clicked, this, &CallPanel::copyCommand);
   QToolButton* favourite = MakeLink(QStringLiteral("★"), QStringLiteral("call.favourite"));
-  favourite->setAccessibleName(QStringLiteral("Add to the favourites"));
-  favourite->setToolTip(QStringLiteral("Adds a button for this command and argument"));
+  favourite->setAccessibleName(Words::tr("Add to the favourites"));
+  favourite->setToolTip(Words::tr("Adds a button for this command and argument"));
   connect(favourite, &QToolButton::clicked, this,
           [this] { Q_EMIT favouriteRequested(path_, ToQString(argument())); });
   buildRepeat();
-  QToolButton* repeat = MakeLink(QStringLiteral("Repeat"), QStringLiteral("call.showRepeat"));
-  repeat->setToolTip(QStringLiteral("Calls it again and again"));
+  QToolButton* repeat = MakeLink(Words::tr("Repeat"), QStringLiteral("call.showRepeat"));
+  repeat->setToolTip(Words::tr("Calls it again and again"));
   repeat->setCheckable(true);
   connect(repeat, &QToolButton::toggled, repeat_, &QWidget::setVisible);
   auto* widget = new QWidget;
@@ -192,11 +200,12 @@ void CallPanel::showCommand(const QString& path, const MemberDescription& comman
   command_ = command;
   repeat_->setCommand(path);
   takes_argument_ = TakesArgument(command.signature);
-  head_->setTitle(QStringLiteral("Call ") + ToQString(command.name));
+  head_->setTitle(Words::tr("Call ") + ToQString(command.name));
   head_->setToolTip(path);
   kind_->setText(ToQString(ToString(command.signature.kind)));
   as_json_->setChecked(false);
   answer_->setVisible(false);
+  picture_->clear();
   tell({}, {});
   setVisible(true);
   askForSchema();
@@ -221,7 +230,7 @@ void CallPanel::askForSchema() {
   call_->setEnabled(!takes_argument_);
   repeat_->setCallable(!takes_argument_);
   if (!takes_argument_) return check();
-  tell(QStringLiteral("Asking what it takes…"), QStringLiteral("dim"));
+  tell(Words::tr("Asking what it takes…"), QStringLiteral("dim"));
   calls_.findSchema(path_.section('/', 0, 0).toStdString(), command_.signature.in,
                     [panel = QPointer(this), shown = shown_](const Result<Schema>& schema) {
                       if (panel != nullptr && panel->shown_ == shown) panel->hearSchema(schema);
@@ -258,7 +267,7 @@ void CallPanel::showAsJson(bool as_json) {
   if (form_ == nullptr) return;
   if (as_json) {
     const std::string text = form_->json();
-    json_->setPlainText(ToQString(Json::parse(text).dump(2)));
+    json_->setPlainText(ToQString(JsonOrText(text).dump(2)));
   } else {
     form_->setJson(json_->toPlainText().toStdString());
   }
@@ -293,10 +302,10 @@ void CallPanel::setUnavailable(const QString& reason) {
 void CallPanel::setCareful(bool careful) {
   call_->setCareful(careful);
   repeat_->setCareful(careful);
-  call_->setText(careful ? QStringLiteral("Hold to call") : QStringLiteral("Call"));
-  call_->setToolTip(careful ? QStringLiteral("It can set something in motion: hold the button for "
-                                             "0.4 s, or press Ctrl+Enter twice")
-                            : QStringLiteral("Ctrl+Enter"));
+  call_->setText(careful ? Words::tr("Hold to call") : Words::tr("Call"));
+  call_->setToolTip(careful ? Words::tr("It can set something in motion: hold the button for "
+                                        "0.4 s, or press Ctrl+Enter twice")
+                            : Words::tr("Ctrl+Enter"));
 }
 
 void CallPanel::paintEvent(QPaintEvent*) {
@@ -307,7 +316,7 @@ void CallPanel::paintEvent(QPaintEvent*) {
 void CallPanel::callByKey() {
   if (call_->isCareful() && call_->isEnabled() && !second_key_.isActive()) {
     second_key_.start();
-    return tell(QStringLiteral("Ctrl+Enter again calls it: this can set something in motion"),
+    return tell(Words::tr("Ctrl+Enter again calls it: this can set something in motion"),
                 QStringLiteral("warning"));
   }
   second_key_.stop();
@@ -320,7 +329,8 @@ void CallPanel::call() {
   if (takes_argument_) last_arguments_[path_] = said;
   under_way_ = true;
   answer_->setVisible(false);
-  tell(QStringLiteral("Calling…"), QStringLiteral("dim"));
+  picture_->clear();
+  tell(Words::tr("Calling…"), QStringLiteral("dim"));
   calls_.callCommand(path_.toStdString(), said,
                      [panel = QPointer(this), shown = shown_](const auto& answer, double seconds) {
                        if (panel != nullptr && panel->shown_ == shown) {
@@ -333,10 +343,12 @@ void CallPanel::hearAnswer(const Result<std::string>& answer, double seconds) {
   under_way_ = false;
   check();
   if (!answer) return tell(ToQString(answer.error().message), QStringLiteral("bad"));
-  tell(QStringLiteral("Done in ") + DurationText(seconds), QStringLiteral("ok"));
+  tell(Words::tr("Done in ") + DurationText(seconds), QStringLiteral("ok"));
   if (answer->empty()) return;
   answer_->setText(Readable(*answer));
-  answer_->setVisible(true);
+  if (!LooksLikePicture(*answer)) return answer_->setVisible(true);
+  const auto json = std::make_shared<const std::string>(*answer);
+  picture_->showFrom([json] { return PictureOf(*json); });
 }
 
 void CallPanel::tell(const QString& text, const QString& role) {

@@ -21,6 +21,7 @@ namespace tendon::gui {
 
 class HeadRow;
 class HoldButton;
+class PictureView;
 class RepeatRow;
 class ValueForm;
 
@@ -93,6 +94,7 @@ class CallPanel : public QWidget {
   QToolButton* retry_ = nullptr;
   QLabel* status_ = nullptr;
   QLabel* answer_ = nullptr;
+  PictureView* picture_ = nullptr;  // of an answer that is one
 };
 
 }  // namespace tendon::gui

@@ -1,7 +1,9 @@
 #include <gcm_gui/call/entries.h>
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
+#include <tendon/payload/json/strict_json.h>
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -31,8 +33,8 @@ QString TextOf(const Json& value) {
 /// What is no JSON stays a text.
 Json Understood(const QString& text) {
   const std::string trimmed = text.trimmed().toStdString();
-  Json value = Json::parse(trimmed, nullptr, false);
-  return value.is_discarded() ? Json(trimmed) : value;
+  const auto value = ParseOrderedJson(trimmed);
+  return value ? *value : Json(trimmed);
 }
 
 QLineEdit* MakeLine(const QString& name, const Edited& edited) {
@@ -186,7 +188,7 @@ EntryWidget MakeText(const QString& name, const Edited& edited) {
 EntryWidget MakeJson(const Schema& schema, const QString& name, const Edited& edited) {
   QLineEdit* line = MakeLine(name, edited);
   line->setText(QStringLiteral("[]"));
-  line->setToolTip(QStringLiteral("JSON of ") + ToQString(schema.TypeName()));
+  line->setToolTip(Words::tr("JSON of ") + ToQString(schema.TypeName()));
   return {std::make_unique<JsonEntry>(*line), line};
 }
 

@@ -2,6 +2,7 @@
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
+#include <tendon/payload/json/strict_json.h>
 
 #include <QGridLayout>
 #include <QLabel>
@@ -68,8 +69,7 @@ ValueForm::~ValueForm() = default;
 std::string ValueForm::json() const { return entry_->value().dump(); }
 
 void ValueForm::setJson(const std::string& json) {
-  const Json value = Json::parse(json, nullptr, false);
-  if (!value.is_discarded()) entry_->setValue(value);
+  if (const auto value = ParseOrderedJson(json)) entry_->setValue(*value);
 }
 
 std::unique_ptr<Entry> ValueForm::addFields(const Schema& structure, const QString& path,

@@ -1,4 +1,5 @@
 #include <gcm_gui/connect/candidate_list.h>
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
 #include <gcm_gui/views/row_delegate.h>
@@ -44,7 +45,7 @@ class CandidateDelegate final : public RowDelegate {
 
 CandidateList::CandidateList(CandidatesModel& model, QWidget* parent) : RowView(parent) {
   setObjectName(QStringLiteral("candidates"));
-  setAccessibleName(QStringLiteral("Candidates"));
+  setAccessibleName(Words::tr("Candidates"));
   setItemDelegate(new CandidateDelegate(this));
   setUniformRowHeights(false);
   setRootIsDecorated(false);
@@ -52,7 +53,7 @@ CandidateList::CandidateList(CandidatesModel& model, QWidget* parent) : RowView(
   setWordWrap(true);
   setModel(&model);
   header()->setSectionResizeMode(0, QHeaderView::Stretch);
-  setEmptyText(QStringLiteral("No candidate fits the filter."));
+  setEmptyText(Words::tr("No candidate fits the filter."));
   connect(&model, &QAbstractItemModel::modelReset, this, [this] {
     expandAll();
     setCurrentIndex(this->model()->index(0, 0));

@@ -1,5 +1,6 @@
 #include <gcm_gui/connect/candidate_list.h>
 #include <gcm_gui/connect/candidate_panel.h>
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/theme/head_row.h>
 #include <gcm_gui/theme/metrics.h>
@@ -17,23 +18,23 @@ CandidatePanel::CandidatePanel(ConnectMode& mode, QWidget* parent)
     : QWidget(parent),
       mode_(mode),
       model_(mode),
-      head_(new HeadRow(QStringLiteral("Connect"))),
+      head_(new HeadRow(Words::tr("Connect"))),
       about_(new QLabel),
       field_(new QLineEdit),
       list_(new CandidateList(model_)),
       refusal_(new QLabel) {
   setObjectName(QStringLiteral("candidatePanel"));
-  setAccessibleName(QStringLiteral("Candidates for a connection"));
+  setAccessibleName(Words::tr("Candidates for a connection"));
   setAutoFillBackground(true);
-  auto* leave = new QLabel(QStringLiteral("Esc leaves"));
+  auto* leave = new QLabel(Words::tr("Esc leaves"));
   SetRole(*leave, QStringLiteral("dim"));
   head_->addRight(leave);
   about_->setObjectName(QStringLiteral("candidates.about"));
   about_->setWordWrap(true);
   SetRole(*about_, QStringLiteral("dim"));
   field_->setObjectName(QStringLiteral("candidates.filter"));
-  field_->setAccessibleName(QStringLiteral("Filter the candidates"));
-  field_->setPlaceholderText(QStringLiteral("Filter; Enter picks, so do 1 to 9"));
+  field_->setAccessibleName(Words::tr("Filter the candidates"));
+  field_->setPlaceholderText(Words::tr("Filter; Enter picks, so do 1 to 9"));
   field_->setClearButtonEnabled(true);
   field_->installEventFilter(this);
   list_->installEventFilter(this);
@@ -72,14 +73,14 @@ void CandidatePanel::showMode() {
   if (!shown_) return;
   const bool from_required = shown_->side == Side::kRequired;
   const QString name = ToQString(ToString(shown_->name));
-  head_->setTitle(mode_.former() ? QStringLiteral("Replace") : QStringLiteral("Connect"));
+  head_->setTitle(mode_.former() ? Words::tr("Replace") : Words::tr("Connect"));
   if (mode_.former()) {
-    about_->setText(QStringLiteral("%1 is connected to %2. What it could be connected to instead:")
+    about_->setText(Words::tr("%1 is connected to %2. What it could be connected to instead:")
                         .arg(name, ToQString(ToString(*mode_.former()))));
   } else if (from_required) {
-    about_->setText(QStringLiteral("What %1 could be connected to:").arg(name));
+    about_->setText(Words::tr("What %1 could be connected to:").arg(name));
   } else {
-    about_->setText(QStringLiteral("What could be connected to %1:").arg(name));
+    about_->setText(Words::tr("What could be connected to %1:").arg(name));
   }
 }
 

@@ -1,4 +1,5 @@
 #include <gcm_gui/connect/candidates_model.h>
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/row_roles.h>
 #include <gcm_gui/models/text.h>
 
@@ -28,15 +29,15 @@ CandidatesModel::Row CandidatesModel::rowOf(const Candidate& candidate) {
   row.trail = QStringLiteral("%1 of %2")
                   .arg(candidate.compatibility.matched)
                   .arg(candidate.compatibility.needed);
-  row.tip = row.name +
-            QStringLiteral("\nHas %1 of the commands and events that are needed.").arg(row.trail);
+  row.tip =
+      row.name + Words::tr("\nHas %1 of the commands and events that are needed.").arg(row.trail);
   if (candidate.gone) {
     row.trail = QStringLiteral("lost");
   } else if (candidate.present) {
     row.trail = QStringLiteral("connected");
     row.mark = StateMark::kConnected;
   } else if (candidate.former) {
-    row.trail = QStringLiteral("replaces %1").arg(ToQString(candidate.former->component));
+    row.trail = Words::tr("replaces %1").arg(ToQString(candidate.former->component));
   }
   if (!candidate.present) row.reasons = candidate.reasons();
   return row;
@@ -68,10 +69,10 @@ void CandidatesModel::refresh() {
     row.stale = true;
     fresh.push_back(std::move(row));
   };
-  if (beyond > 0) add(QStringLiteral("%1 more; type to find one").arg(beyond));
+  if (beyond > 0) add(Words::tr("%1 more; type to find one").arg(beyond));
   if (others > 0) {
-    add(fresh.empty() ? QStringLiteral("None of %1 fits at all").arg(others)
-                      : QStringLiteral("%1 more do not fit at all").arg(others));
+    add(fresh.empty() ? Words::tr("None of %1 fits at all").arg(others)
+                      : Words::tr("%1 more do not fit at all").arg(others));
   }
   if (fresh == rows_) return;
   beginResetModel();

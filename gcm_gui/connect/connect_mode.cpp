@@ -1,4 +1,5 @@
 #include <gcm_gui/connect/connect_mode.h>
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/connection_index.h>
 #include <gcm_gui/models/state_of.h>
 #include <gcm_gui/models/text.h>
@@ -35,7 +36,7 @@ bool Candidate::looksAlike() const {
 
 QStringList Candidate::reasons() const {
   QStringList reasons;
-  if (present) reasons.append(QStringLiteral("is what it is connected to now"));
+  if (present) reasons.append(Words::tr("is what it is connected to now"));
   for (const auto& mismatch : compatibility.mismatches) reasons.append(ToQString(mismatch.text));
   return reasons;
 }
@@ -81,6 +82,10 @@ void ConnectMode::follow() {
 
 bool ConnectMode::start(const PortName& port) {
   if (!isThere(port)) return false;
+  if (!forbidden_.isEmpty()) {
+    Q_EMIT notice(forbidden_);
+    return false;
+  }
   chosen_ = port;
   former_ = peerOf(port);
   rank();
@@ -103,7 +108,7 @@ void ConnectMode::pick(const PortName& port) {
   if (candidate == nullptr) return;
   if (!candidate->fits()) {
     const QString obstacle =
-        candidate->present ? QStringLiteral(" ") : QStringLiteral(" does not fit: ");
+        candidate->present ? QStringLiteral(" ") : Words::tr(" does not fit: ");
     Q_EMIT notice(Name(port.name) + obstacle + candidate->reasons().join(QStringLiteral("; ")));
     return;
   }

@@ -43,6 +43,8 @@ class ConnectMode : public QObject {
   /// disconnected by somebody else, the mode ends.
   ConnectMode(const CatalogueStore& store, SystemActions& actions, QObject* parent = nullptr);
 
+  /// From now on nothing is begun, and this is why.
+  void forbid(const QString& reason) { forbidden_ = reason; }
   [[nodiscard]] bool active() const { return chosen_.has_value(); }
   [[nodiscard]] const PortName& chosen() const { return *chosen_; }
   /// The chosen one is required, and this is what it is connected to.
@@ -56,7 +58,7 @@ class ConnectMode : public QObject {
   [[nodiscard]] const Candidate* bestLookAlike() const;
 
  public Q_SLOTS:
-  /// False when there is no such port.
+  /// False when there is no such port, or when it is forbidden, which a notice() tells.
   bool start(const tendon::gui::PortName& port);
   void leave();
   /// Connects; nothing happens but a notice() when it does not fit.
@@ -81,6 +83,7 @@ class ConnectMode : public QObject {
 
   const CatalogueStore& store_;
   SystemActions& actions_;
+  QString forbidden_;
   std::optional<PortName> chosen_;
   std::optional<InterfaceName> former_;
   std::vector<Candidate> candidates_;

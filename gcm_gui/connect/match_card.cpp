@@ -1,4 +1,5 @@
 #include <gcm_gui/connect/match_card.h>
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/theme/head_row.h>
 #include <gcm_gui/theme/metrics.h>
@@ -40,8 +41,8 @@ MatchCard::MatchCard(QWidget& place, const CatalogueStore& store, SystemActions&
       about_(MakeCell({}, QStringLiteral("dim"))),
       connect_(new QPushButton) {
   setObjectName(QStringLiteral("matchCard"));
-  setAccessibleName(QStringLiteral("Match by name and type"));
-  head().setTitle(QStringLiteral("Match by name and type"));
+  setAccessibleName(Words::tr("Match by name and type"));
+  head().setTitle(Words::tr("Match by name and type"));
   connect_->setObjectName(QStringLiteral("match.connect"));
   connect_->setProperty("changesSystem", true);
   SetRole(*connect_, QStringLiteral("primary"));
@@ -71,8 +72,8 @@ void MatchCard::open(const std::vector<InterfaceName>& required) {
     setTabOrder(before, row.box);
     before = row.box;
   }
-  about_->setText(QStringLiteral("%1 of %2 have something to connect to. Space checks, Enter "
-                                 "connects what is checked.")
+  about_->setText(Words::tr("%1 of %2 have something to connect to. Space checks, Enter "
+                            "connects what is checked.")
                       .arg(rows_.size())
                       .arg(required.size()));
   count();
@@ -98,13 +99,13 @@ void MatchCard::addRow(const InterfaceName& required) {
   const auto matches = MatchInterfaces(store_.catalogue(), {ToString(required), "**"});
   if (!matches || matches->empty() || matches->front().provided.empty()) {
     box->setEnabled(false);
-    return say({}, QStringLiteral("nothing that is there fits"));
+    return say({}, Words::tr("nothing that is there fits"));
   }
   const std::vector<InterfaceName>& found = matches->front().provided;
   box->setChecked(found.size() == 1);
   connect(box, &QCheckBox::toggled, this, &MatchCard::count);
   say(QStringLiteral("→ ") + PathText(found.front()),
-      found.size() == 1 ? QString() : QStringLiteral("one of %1").arg(found.size()));
+      found.size() == 1 ? QString() : Words::tr("one of %1").arg(found.size()));
   box->setToolTip(PathsOf(found).join('\n'));
   rows_.push_back({required, found.front(), box});
 }
@@ -112,8 +113,8 @@ void MatchCard::addRow(const InterfaceName& required) {
 void MatchCard::count() {
   const auto checked =
       std::ranges::count_if(rows_, [](const Row& row) { return row.box->isChecked(); });
-  connect_->setText(QStringLiteral("Connect %1").arg(checked));
-  connect_->setAccessibleName(connect_->text() + QStringLiteral(" interfaces"));
+  connect_->setText(Words::tr("Connect %1").arg(checked));
+  connect_->setAccessibleName(connect_->text() + Words::tr(" interfaces"));
   connect_->setEnabled(checked > 0);
 }
 

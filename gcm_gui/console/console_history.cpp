@@ -1,18 +1,19 @@
 #include <gcm_gui/console/console_history.h>
+#include <gcm_gui/files/file_writer.h>
 
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
-#include <QSaveFile>
 #include <algorithm>
 
 namespace tendon::gui {
 
 ConsoleHistory::ConsoleHistory(const QString& file) : file_(file) {
+  if (file_.isEmpty()) return;
+  QDir().mkpath(QFileInfo(file_).path());
   QFile kept(file_);
-  if (!file_.isEmpty() && kept.open(QIODevice::ReadOnly)) {
-    lines_ = QString::fromUtf8(kept.readAll()).split('\n', Qt::SkipEmptyParts);
-  }
+  if (!kept.open(QIODevice::ReadOnly)) return;
+  lines_ = QString::fromUtf8(kept.readAll()).split('\n', Qt::SkipEmptyParts);
   place_ = lines_.size();
 }
 
@@ -45,15 +46,16 @@ qsizetype ConsoleHistory::find(const QString& part, qsizetype before) const {
   return -1;
 }
 
-/// A history that cannot be kept is no reason to stop anybody.
-void ConsoleHistory::keep() const {
+/// A history that cannot be kept is no reason to stop anybody, nor to say so at each line.
+void ConsoleHistory::keep() {
   if (file_.isEmpty()) return;
-  QDir().mkpath(QFileInfo(file_).path());
-  QSaveFile file(file_);
-  if (!file.open(QIODevice::WriteOnly)) return;
-  file.setPermissions(QFile::ReadOwner | QFile::WriteOwner);
-  file.write(lines_.join('\n').toUtf8() + '\n');
-  file.commit();
+  const auto told = [this](const QString& refusal) {
+    const bool is_new = !refusal.isEmpty() && !is_refusal_told_;
+    is_refusal_told_ = !refusal.isEmpty();
+    if (is_new) Q_EMIT notice(NotSaved(file_, refusal));
+  };
+  FileWriter::instance().write(file_, lines_.join('\n').toUtf8() + '\n', this, told,
+                               FileWriter::Readers::kOwner);
 }
 
 }  // namespace tendon::gui

@@ -1,13 +1,16 @@
 #pragma once
 
+#include <QObject>
 #include <QString>
 #include <QStringList>
 
 namespace tendon::gui {
 
 /// The lines that were typed, and a place among them: behind the newest, until one is gone back to.
-/// Kept in a file, where there is one.
-class ConsoleHistory {
+/// Kept in a file, where there is one. GUI thread; the FileWriter writes the file.
+class ConsoleHistory : public QObject {
+  Q_OBJECT
+
  public:
   static constexpr int kKept = 1000;
 
@@ -24,13 +27,18 @@ class ConsoleHistory {
   [[nodiscard]] qsizetype find(const QString& part, qsizetype before) const;
   [[nodiscard]] const QStringList& lines() const { return lines_; }
 
+ Q_SIGNALS:
+  /// For the user, once: the lines could not be kept.
+  void notice(const QString& text);
+
  private:
-  void keep() const;
+  void keep();
 
   QString file_;
   QStringList lines_;
   qsizetype place_ = 0;
   QString typed_;
+  bool is_refusal_told_ = false;  // until it is written again
 };
 
 }  // namespace tendon::gui

@@ -1,6 +1,7 @@
 #include <gcm_console/completion/files.h>
 #include <gcm_console/shell/words.h>
 #include <gcm_gui/console/console_page.h>
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
@@ -56,6 +57,7 @@ ConsolePage::ConsolePage(console::Settings settings, const QString& history, QWi
     prompt_ = prompt;
     showPrompt();
   });
+  connect(&history_, &ConsoleHistory::notice, this, &ConsolePage::notice);
   connect(&runner_, &ConsoleRunner::completed, this, &ConsolePage::showCompletion);
   connect(&Theme::instance(), &Theme::changed, this, &ConsolePage::dress);
   dress();
@@ -65,7 +67,7 @@ ConsolePage::ConsolePage(console::Settings settings, const QString& history, QWi
 void ConsolePage::build() {
   output_ = new QPlainTextEdit;
   output_->setObjectName(QStringLiteral("console.output"));
-  output_->setAccessibleName(QStringLiteral("Console output"));
+  output_->setAccessibleName(Words::tr("Console output"));
   output_->setReadOnly(true);
   output_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   output_->setMaximumBlockCount(kKeptLines);
@@ -74,15 +76,15 @@ void ConsolePage::build() {
   output_->setWordWrapMode(QTextOption::WrapAnywhere);
   output_->document()->setDocumentMargin(2 * kGrid);
   output_->setPlaceholderText(
-      QStringLiteral("The language of gcm shell: try ls, watch, call … or help. Tab completes, "
-                     "Ctrl+C interrupts, Ctrl+R searches what was typed."));
+      Words::tr("The language of gcm shell: try ls, watch, call … or help. Tab completes, "
+                "Ctrl+C interrupts, Ctrl+R searches what was typed."));
   output_->installEventFilter(this);
   prompt_label_ = new QLabel;
   prompt_label_->setObjectName(QStringLiteral("console.prompt"));
   prompt_label_->setTextFormat(Qt::PlainText);
   line_ = new QLineEdit;
   line_->setObjectName(QStringLiteral("console.line"));
-  line_->setAccessibleName(QStringLiteral("Console line"));
+  line_->setAccessibleName(Words::tr("Console line"));
   line_->setFrame(false);
   line_->installEventFilter(this);
   SetRole(*line_, QStringLiteral("mono"));
@@ -136,10 +138,10 @@ void ConsolePage::showPrompt() {
   QString role = QStringLiteral("accent mono");
   if (search_) {
     const bool is_found = search_->part.isEmpty() || search_->place >= 0;
-    text = (is_found ? QStringLiteral("search '%1':") : QStringLiteral("nothing with '%1':"))
-               .arg(search_->part);
+    text =
+        (is_found ? Words::tr("search '%1':") : Words::tr("nothing with '%1':")).arg(search_->part);
   } else if (runner_.isRunning()) {
-    text = QStringLiteral("… Ctrl+C");
+    text = Words::tr("… Ctrl+C");
     role = QStringLiteral("dim mono");
   }
   SetRole(*prompt_label_, role);

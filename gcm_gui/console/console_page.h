@@ -30,6 +30,10 @@ class ConsolePage : public QWidget {
   [[nodiscard]] QString text() const;
   [[nodiscard]] bool isRunning() const { return runner_.isRunning(); }
 
+ Q_SIGNALS:
+  /// For the user: what was typed could not be kept.
+  void notice(const QString& text);
+
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 

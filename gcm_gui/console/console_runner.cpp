@@ -29,6 +29,8 @@ ConsoleRunner::~ConsoleRunner() {
 
 void ConsoleRunner::post(Job job) {
   const std::scoped_lock lock(mutex_);
+  if (interruption_ != nullptr) interruption_->Forget();  // it was for what ran before
+  is_interrupted_ = false;
   jobs_.push_back(std::move(job));
   change_.notify_all();
   if (!thread_.joinable()) thread_ = std::thread([this] { work(); });
@@ -48,7 +50,7 @@ void ConsoleRunner::work() {
     }
     const Job job = std::exchange(jobs_.front(), nullptr);
     jobs_.pop_front();
-    interruption.Forget();  // it was for what ran before
+    if (is_interrupted_) interruption.Ask();  // also where nobody was there to hear it
     lock.unlock();
     if (!shell || shell->has_ended()) shell.emplace(settings_);
     job(*shell);
@@ -70,6 +72,7 @@ void ConsoleRunner::run(const QString& line, int columns) {
 void ConsoleRunner::interrupt() {
   if (!is_running_) return;
   const std::scoped_lock lock(mutex_);
+  is_interrupted_ = true;
   if (interruption_ != nullptr) interruption_->Ask();
 }
 

@@ -69,6 +69,7 @@ class ConsoleRunner : public QObject {
   std::condition_variable change_;
   std::deque<Job> jobs_;
   os::Interruption* interruption_ = nullptr;  // of the thread, while it lives
+  bool is_interrupted_ = false;               // since the last job was posted
   bool is_ending_ = false;
   std::thread thread_;
 };

@@ -1,4 +1,5 @@
 #include <gcm_gui/events/events_page.h>
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/row_roles.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/views/link.h>
@@ -25,20 +26,20 @@ QString ComponentOf(const QString& path) { return path.section('/', 0, 1); }
 }  // namespace
 
 QString CountsText(const EventsModel& events) {
-  QString text = CountText(events.rowCount(), QStringLiteral("event"));
-  if (text.isEmpty()) text = QStringLiteral("no event");
+  QString text = CountText(events.rowCount(), Words::tr("%1 event"), Words::tr("%1 events"));
+  if (text.isEmpty()) text = Words::tr("no event");
   const double rate = events.rate(WallClock());
-  if (rate > 0) text += QStringLiteral(" · %1 a second").arg(rate, 0, 'f', rate < 10 ? 1 : 0);
-  if (events.lost() > 0) text += QStringLiteral(" · %1 lost").arg(events.lost());
-  if (events.isPaused()) text += QStringLiteral(" · %1 waiting").arg(events.waiting());
+  if (rate > 0) text += Words::tr(" · %1 a second").arg(rate, 0, 'f', rate < 10 ? 1 : 0);
+  if (events.lost() > 0) text += Words::tr(" · %1 lost").arg(events.lost());
+  if (events.isPaused()) text += Words::tr(" · %1 waiting").arg(events.waiting());
   return text;
 }
 
 EventsPage::EventsPage(SystemReports& reports, Selection& selection, QWidget* parent)
     : QWidget(parent), reports_(reports), selection_(selection) {
   setObjectName(QStringLiteral("eventsPage"));
-  list_ = MakeRowList(events_, QStringLiteral("events"),
-                      QStringLiteral("No event has been raised since this page was opened."));
+  list_ = MakeRowList(events_, QStringLiteral("events"), Words::tr("Events"),
+                      Words::tr("No event has been raised since this page was opened."));
   list_->rows().setAllLeft(true);
   list_->setSelectionMode(QAbstractItemView::SingleSelection);
   auto* column = new QVBoxLayout(this);
@@ -60,26 +61,26 @@ EventsPage::EventsPage(SystemReports& reports, Selection& selection, QWidget* pa
 QWidget* EventsPage::buildBar() {
   whose_ = new QComboBox;
   whose_->setObjectName(QStringLiteral("events.whose"));
-  whose_->setAccessibleName(QStringLiteral("Whose events are listed"));
-  whose_->addItem(QStringLiteral("All components"));
-  whose_->addItem(QStringLiteral("Selected component"));
+  whose_->setAccessibleName(Words::tr("Whose events are listed"));
+  whose_->addItem(Words::tr("All components"));
+  whose_->addItem(Words::tr("Selected component"));
   connect(whose_, &QComboBox::currentIndexChanged, this, &EventsPage::listen);
   words_ = new QLineEdit;
   words_->setObjectName(QStringLiteral("events.filter"));
-  words_->setAccessibleName(QStringLiteral("Filter the events"));
-  words_->setPlaceholderText(QStringLiteral("Filter: words, from:robot/arm, -word"));
+  words_->setAccessibleName(Words::tr("Filter the events"));
+  words_->setPlaceholderText(Words::tr("Filter: words, from:robot/arm, -word"));
   words_->setClearButtonEnabled(true);
   connect(words_, &QLineEdit::textChanged, this,
           [this](const QString& text) { events_.setWords(text.split(' ', Qt::SkipEmptyParts)); });
   rate_ = MakeNote(QStringLiteral("events.rate"));
-  pause_ = MakeLink(QStringLiteral("Pause"), QStringLiteral("events.pause"));
+  pause_ = MakeLink(Words::tr("Pause"), QStringLiteral("events.pause"));
   pause_->setCheckable(true);
-  pause_->setToolTip(QStringLiteral("The list stands still; what comes is shown afterwards"));
+  pause_->setToolTip(Words::tr("The list stands still; what comes is shown afterwards"));
   connect(pause_, &QToolButton::toggled, this, [this](bool paused) {
     events_.setPaused(paused);
     showRate();
   });
-  QToolButton* clear = MakeLink(QStringLiteral("Clear"), QStringLiteral("events.clear"));
+  QToolButton* clear = MakeLink(Words::tr("Clear"), QStringLiteral("events.clear"));
   connect(clear, &QToolButton::clicked, &events_, &EventsModel::clear);
   return MakeToolRow({whose_, words_}, {rate_, pause_, clear});
 }
@@ -98,8 +99,8 @@ void EventsPage::listen() {
   const bool is_nothing = whose_->currentIndex() == kSelected && part.isEmpty();
   events_.setPart(is_nothing ? QStringLiteral("/") : part);
   list_->setEmptyText(is_nothing
-                          ? QStringLiteral("Select a component to see its events.")
-                          : QStringLiteral("No event has been raised since this page was opened."));
+                          ? Words::tr("Select a component to see its events.")
+                          : Words::tr("No event has been raised since this page was opened."));
   list_->viewport()->update();
   if (is_nothing) return reports_.listen(this, {});
   reports_.listen(this, {part.isEmpty() ? QStringLiteral("**") : part + QStringLiteral("/**")});

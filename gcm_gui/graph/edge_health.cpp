@@ -1,7 +1,11 @@
 #include <gcm_gui/graph/edge_health.h>
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
+#include <gcm_gui/reports/counts_text.h>
+#include <tendon/base/path.h>
 
 #include <QPointer>
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -22,24 +26,24 @@ std::uint64_t Growth(std::uint64_t now, std::uint64_t before) {
 QString HealthWarning(const ConnectionCounts& now, const std::optional<ConnectionCounts>& before) {
   QStringList warnings;
   if (before && Growth(now.refused, before->refused) > 0) {
-    warnings.append(QStringLiteral("%1 calls found no room").arg(now.refused));
+    warnings.append(Words::tr("%1 calls found no room").arg(now.refused));
   }
   if (before && Growth(now.lost_events, before->lost_events) > 0) {
-    warnings.append(QStringLiteral("%1 events were lost").arg(now.lost_events));
+    warnings.append(Words::tr("%1 events were lost").arg(now.lost_events));
   }
   if (now.capacity > 0 &&
       static_cast<double>(now.waiting) >= kFull * static_cast<double>(now.capacity)) {
-    warnings.append(QStringLiteral("%1 of %2 calls wait").arg(now.waiting).arg(now.capacity));
+    warnings.append(Words::tr("%1 of %2 calls wait").arg(now.waiting).arg(now.capacity));
   }
   if (now.round_trip > kLate) {
     const double seconds = std::chrono::duration<double>(now.round_trip).count();
-    warnings.append(QStringLiteral("answers after ") + DurationText(seconds));
+    warnings.append(Words::tr("answers after ") + DurationText(seconds));
   }
   return warnings.join(QStringLiteral("; "));
 }
 
-EdgeHealth::EdgeHealth(const CatalogueStore& store, ConnectionChecks& checks, QObject* parent)
-    : QObject(parent), store_(store), checks_(checks) {
+EdgeHealth::EdgeHealth(SystemReports& reports, Seen seen, QObject* parent)
+    : QObject(parent), reports_(reports), seen_(std::move(seen)) {
   second_.setInterval(kBetween);
   connect(&second_, &QTimer::timeout, this, &EdgeHealth::look);
 }
@@ -47,37 +51,56 @@ EdgeHealth::EdgeHealth(const CatalogueStore& store, ConnectionChecks& checks, QO
 void EdgeHealth::setLooking(bool looking) { looking ? second_.start() : second_.stop(); }
 
 void EdgeHealth::look() {
-  if (is_asking_) return;
-  std::optional<InterfaceName> first;
-  std::optional<InterfaceName> next;
-  for (const auto& [process, entry] : store_.catalogue().processes()) {
-    if (entry.process.state != ProcessState::kAlive) continue;
-    for (const auto& [id, connection] : entry.connections) {
-      if (connection.state != ConnectionState::kActive) continue;
-      const InterfaceName& name = connection.required;
-      if (!first || name < *first) first = name;
-      if (last_ < name && (!next || name < *next)) next = name;
-    }
+  if (pointed_) ask(*pointed_);
+  std::vector<InterfaceName> seen = seen_();
+  std::sort(seen.begin(), seen.end());
+  std::erase_if(known_, [&](const auto& one) {
+    return one.first != pointed_ && !std::binary_search(seen.begin(), seen.end(), one.first);
+  });
+  const auto next = std::upper_bound(seen.begin(), seen.end(), last_);
+  std::rotate(seen.begin(), next, seen.end());
+  seen.resize(std::min(seen.size(), kMostAtOnce));
+  for (const InterfaceName& required : seen) {
+    if (asked_.size() >= kMostAtOnce) return;
+    last_ = required;
+    ask(required);
   }
-  if (!next) next = first;
-  if (!next) return;
-  is_asking_ = true;
-  last_ = *next;
-  checks_.findCounts(last_, [self = QPointer(this), required = last_](const auto& counts) {
+}
+
+void EdgeHealth::point(const QString& required) {
+  pointed_.reset();
+  const auto name = ParseInterfaceName(required.toStdString());
+  if (!name.ok()) return;
+  pointed_ = *name;
+  const auto known = known_.find(*name);
+  if (known != known_.end()) Q_EMIT counted(*name, CountsLines(known->second));
+  ask(*name);
+}
+
+void EdgeHealth::ask(const InterfaceName& required) {
+  if (!asked_.insert(required).second) return;
+  reports_.askCounts(required, [self = QPointer(this), required](const auto& counts) {
     if (self != nullptr) self->hear(required, counts);
   });
 }
 
 void EdgeHealth::hear(const InterfaceName& required, const Result<ConnectionCounts>& counts) {
-  is_asking_ = false;
+  asked_.erase(required);
+  const bool is_pointed = pointed_ == required;
   if (!counts) {
     known_.erase(required);
-    return Q_EMIT found(required, {});
+    Q_EMIT found(required, {});
+    if (is_pointed) Q_EMIT counted(required, {ToQString(counts.error().message)});
+    return;
   }
   const auto it = known_.find(required);
   const auto before = it == known_.end() ? std::nullopt : std::optional(it->second);
   known_[required] = *counts;
-  Q_EMIT found(required, HealthWarning(*counts, before));
+  const QString warning = HealthWarning(*counts, before);
+  Q_EMIT found(required, warning);
+  if (!is_pointed) return;
+  const QStringList lines = CountsLines(*counts);
+  Q_EMIT counted(required, warning.isEmpty() ? lines : QStringList(warning) + lines);
 }
 
 }  // namespace tendon::gui

@@ -1,12 +1,19 @@
 #include <gcm_gui/graph/card_place.h>
+#include <gcm_gui/graph/emphasis/emphasis.h>
+#include <gcm_gui/graph/emphasis/graph_hover.h>
 #include <gcm_gui/graph/graph_scene.h>
 #include <gcm_gui/graph/items/card_item.h>
 #include <gcm_gui/graph/items/component_item.h>
 #include <gcm_gui/graph/items/process_item.h>
+#include <gcm_gui/graph/layout/node_metrics.h>
+#include <gcm_gui/graph/places/graph_places.h>
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/state_of.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/theme/theme.h>
 
+#include <QPainter>
+#include <QStyleOptionGraphicsItem>
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -20,7 +27,7 @@ constexpr qsizetype kReasonsUnasked = 1;  // one that comes without being asked 
 
 QStringList FirstOf(const QStringList& reasons, qsizetype count) {
   QStringList first = reasons.mid(0, count);
-  if (reasons.size() > count) first += QStringLiteral("and %1 more").arg(reasons.size() - count);
+  if (reasons.size() > count) first += Words::tr("and %1 more").arg(reasons.size() - count);
   return first;
 }
 
@@ -42,7 +49,7 @@ const QString kRefusedKey = QStringLiteral(" refused");
 
 QString CardTitle(const PortName& port) {
   return ToQString(port.name.component) + QStringLiteral(" / ") + ToQString(port.name.interface) +
-         QStringLiteral(" does not fit");
+         Words::tr(" does not fit");
 }
 
 }  // namespace
@@ -53,7 +60,10 @@ GraphScene::GraphScene(const CatalogueStore& store, const Selection& selection,
       store_(store),
       selection_(selection),
       mode_(mode),
-      preview_(new EdgeItem) {
+      preview_(new EdgeItem),
+      emphasis_(new Emphasis(*this)),
+      hover_(new GraphHover(*this, *emphasis_, mode)),
+      places_(new GraphPlaces(this)) {
   preview_->setVisible(false);
   addItem(preview_);
   setBackgroundBrush(Theme::instance().color(Token::kCanvas));
@@ -64,6 +74,7 @@ GraphScene::GraphScene(const CatalogueStore& store, const Selection& selection,
   connect(&store, &CatalogueStore::changed, this, &GraphScene::showCatalogue);
   connect(&selection, &Selection::changed, this, &GraphScene::showSelection);
   connect(&mode, &ConnectMode::changed, this, &GraphScene::showMode);
+  connect(places_, &GraphPlaces::changed, this, &GraphScene::showPlaces);
   Touched all;
   for (const auto& [name, entry] : store.catalogue().processes()) all.insert({name, {}});
   showCatalogue(store.catalogue(), all);
@@ -103,7 +114,24 @@ void GraphScene::showItems(bool moved) {
   showEdges();
   showSelection();
   showMode();
-  if (!moved) return;
+  if (moved) showContents();
+  Q_EMIT shown();
+}
+
+void GraphScene::showPlaces() {
+  auto places = carried_;
+  places.insert(places_->all().begin(), places_->all().end());
+  layout_.setPlaces(std::move(places));
+  showItems(layout_.update(updater_.picture()));
+}
+
+void GraphScene::carry(const std::map<QString, QPointF>& places) {
+  if (places == carried_) return;
+  carried_ = places;
+  showPlaces();
+}
+
+void GraphScene::showContents() {
   QRectF contents;
   for (const auto& [name, item] : processes_) contents |= item->sceneBoundingRect();
   if (contents == contents_) return;
@@ -166,11 +194,11 @@ void GraphScene::showEdges() {
     kept.insert(key + suffix);
     EdgeItem*& item = edges_[key + suffix];
     if (item == nullptr) addItem(item = new EdgeItem);
-    item->setRequired(key);
+    item->setEnds(required, provided);
     item->show(from->scenePos(), to->scenePos(), look, reason);
   };
   for (const auto& [required, provided] : requested_) {
-    show(required, provided, EdgeItem::Look::kPending, QStringLiteral("connecting …"));
+    show(required, provided, EdgeItem::Look::kPending, Words::tr("connecting …"));
   }
   for (const auto& edge : updater_.picture().edges) {
     if (requested_.contains(edge.required)) continue;  // to be replaced
@@ -191,15 +219,19 @@ void GraphScene::showWarning(const InterfaceName& required, const QString& warni
 void GraphScene::showRefused(const Refusals::ByRequired& refused) {
   refused_ = refused;
   showEdges();
+  Q_EMIT shown();
 }
 
 void GraphScene::showRequested(const InterfaceName& required, const InterfaceName& provided) {
   requested_[required] = provided;
   showEdges();
+  Q_EMIT shown();
 }
 
 void GraphScene::forgetRequested(const InterfaceName& required) {
-  if (requested_.erase(required) > 0) showEdges();
+  if (requested_.erase(required) == 0) return;
+  showEdges();
+  Q_EMIT shown();
 }
 
 void GraphScene::showSelection() {
@@ -274,7 +306,7 @@ bool GraphScene::addCard(const Candidate& candidate, qsizetype reasons) {
   auto* card = new CardItem;
   const QString title = CardTitle(candidate.port);
   const QStringList lines = FirstOf(candidate.reasons(), reasons);
-  const CardPlace place = placeBeside(*item);
+  const CardPlace place = placeBeside(item->scenePos());
   std::optional<CardPlace::Found> best;
   double best_width = 0;
   for (const double width : kCardWidths) {
@@ -295,9 +327,9 @@ bool GraphScene::addCard(const Candidate& candidate, qsizetype reasons) {
   return true;
 }
 
-CardPlace GraphScene::placeBeside(const PortItem& port) const {
-  const QRectF reach = CardPlace::Reach(port.scenePos(), kCardWidths.front());
-  CardPlace place(port.scenePos(), visible_);
+CardPlace GraphScene::placeBeside(const QPointF& point) const {
+  const QRectF reach = CardPlace::Reach(point, kCardWidths.front());
+  CardPlace place(point, visible_);
   const auto avoid = [&](const QRectF& rect, double weight) {
     if (rect.intersects(reach)) place.Avoid(rect, weight);
   };
@@ -323,7 +355,16 @@ void GraphScene::point(const std::optional<PortName>& port) {
 
 void GraphScene::helpEvent(QGraphicsSceneHelpEvent* event) {
   // A tip would cover the cards, which say more.
-  if (!mode_.active()) QGraphicsScene::helpEvent(event);
+  if (!mode_.active() && hover_->card() == nullptr) QGraphicsScene::helpEvent(event);
+}
+
+void GraphScene::drawForeground(QPainter* painter, const QRectF& rect) {
+  const double scale =
+      QStyleOptionGraphicsItem::levelOfDetailFromTransform(painter->worldTransform());
+  if (scale >= kFarAway) return;
+  for (const auto& [name, item] : processes_) {
+    if (item->sceneBoundingRect().intersects(rect)) item->paintFarTitle(*painter, scale);
+  }
 }
 
 void GraphScene::setNow(qint64 now) {

@@ -22,6 +22,9 @@ namespace tendon::gui {
 class CardItem;
 class CardPlace;
 class ComponentItem;
+class Emphasis;
+class GraphHover;
+class GraphPlaces;
 class PortItem;
 class ProcessItem;
 
@@ -40,11 +43,19 @@ class GraphScene : public QGraphicsScene {
   [[nodiscard]] std::vector<PortItem*> ports() const;
   [[nodiscard]] const std::map<QString, ComponentItem*>& components() const { return components_; }
   [[nodiscard]] const std::map<QString, ProcessItem*>& processes() const { return processes_; }
+  /// By the path of the required interface; those that were refused beside one that stands, too.
+  [[nodiscard]] const std::map<QString, EdgeItem*>& edges() const { return edges_; }
   /// Of the connection of a required interface, or of one that was refused; null without either.
   [[nodiscard]] const EdgeItem* edge(const QString& required) const;
   [[nodiscard]] const std::vector<CardItem*>& cards() const { return cards_; }
   /// Around all nodes and boxes.
   [[nodiscard]] QRectF contents() const { return contents_; }
+  [[nodiscard]] Emphasis& emphasis() const { return *emphasis_; }
+  [[nodiscard]] GraphHover& hover() const { return *hover_; }
+  /// Where the user has put components.
+  [[nodiscard]] GraphPlaces& places() const { return *places_; }
+  /// For a card about this point.
+  [[nodiscard]] CardPlace placeBeside(const QPointF& point) const;
 
  public Q_SLOTS:
   /// A dashed edge until forgotten, while a request for it is under way.
@@ -52,6 +63,8 @@ class GraphScene : public QGraphicsScene {
   void forgetRequested(const tendon::InterfaceName& required);
   /// Shown while it is told: of a connection that stands.
   void showWarning(const tendon::InterfaceName& required, const QString& warning);
+  /// Components that are under way to these places, by path, before those of places().
+  void carry(const std::map<QString, QPointF>& places);
   /// Stay as failed edges until they are over.
   void showRefused(const tendon::gui::Refusals::ByRequired& refused);
   /// The pointer is on this port: if it does not fit, a card says why, or refusalPointed().
@@ -64,16 +77,21 @@ class GraphScene : public QGraphicsScene {
 
  Q_SIGNALS:
   void contentsMoved();
+  /// Something of what there is, or of how it is, is shown anew.
+  void shown();
   /// The pointer is on a port that does not fit, and a card would hide something; without a title:
   /// no longer.
   void refusalPointed(const QString& title, const QStringList& reasons);
 
  protected:
   void helpEvent(QGraphicsSceneHelpEvent* event) override;
+  void drawForeground(QPainter* painter, const QRectF& rect) override;
 
  private:
   void showCatalogue(const Catalog& catalogue, const Touched& touched);
   void showItems(bool moved);
+  void showContents();
+  void showPlaces();
   void showProcesses();
   void showEdges();
   void showSelection();
@@ -83,7 +101,6 @@ class GraphScene : public QGraphicsScene {
   void showCards();
   /// False where each place would hide something: there is no card then.
   bool addCard(const Candidate& candidate, qsizetype reasons);
-  [[nodiscard]] CardPlace placeBeside(const PortItem& port) const;
   [[nodiscard]] EdgeItem::Look lookOf(const ConnectionDescription& connection) const;
 
   const CatalogueStore& store_;
@@ -98,6 +115,10 @@ class GraphScene : public QGraphicsScene {
   std::map<InterfaceName, InterfaceName> requested_;
   Refusals::ByRequired refused_;
   EdgeItem* preview_;
+  Emphasis* emphasis_;
+  GraphHover* hover_;
+  GraphPlaces* places_;
+  std::map<QString, QPointF> carried_;
   std::vector<CardItem*> cards_;
   std::optional<PortName> pointed_;
   QRectF contents_;

@@ -1,7 +1,10 @@
+#include <gcm_gui/graph/emphasis/graph_hover.h>
 #include <gcm_gui/graph/graph_view.h>
 #include <gcm_gui/graph/items/component_item.h>
 #include <gcm_gui/graph/items/port_item.h>
 #include <gcm_gui/graph/items/process_item.h>
+#include <gcm_gui/graph/layout/node_metrics.h>
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/theme/tendon_style.h>
 
@@ -18,6 +21,7 @@ namespace {
 
 constexpr double kLeastScale = 0.08;
 constexpr double kMostScale = 2.5;
+constexpr double kReadable = 0.6;
 constexpr double kMostFitted = 1.2;  // a small graph in a large window
 constexpr double kMargin = 12;
 
@@ -30,7 +34,7 @@ bool IsPan(const QPoint& moved) {
 GraphView::GraphView(GraphScene& scene, Selection& selection, ConnectMode& mode, QWidget* parent)
     : QGraphicsView(&scene, parent), scene_(scene), selection_(selection), mode_(mode) {
   setObjectName(QStringLiteral("graph"));
-  setAccessibleName(QStringLiteral("System graph"));
+  setAccessibleName(Words::tr("System graph"));
   setFrameShape(QFrame::NoFrame);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -64,7 +68,28 @@ void GraphView::follow() {
       contents.width() + viewport()->width(), contents.height() + viewport()->height()));
   const bool calm = mode_.active() || (handIsOnIt() && seen().contains(contents));
   if (following_ && !calm) showAll();
+  tellSeen();
+}
+
+void GraphView::tellSeen() {
   scene_.setVisible(seen());
+  Q_EMIT moved();
+}
+
+std::vector<InterfaceName> GraphView::seenConnections() const {
+  const QRectF now = seen();
+  std::vector<InterfaceName> names;
+  for (const auto& [key, edge] : scene_.edges()) {
+    if (edge->look() != EdgeItem::Look::kActive) continue;
+    if (edge->sceneBoundingRect().intersects(now)) names.push_back(edge->name());
+  }
+  return names;
+}
+
+void GraphView::lookAt(const QPointF& point) {
+  following_ = false;
+  centerOn(point);
+  tellSeen();
 }
 
 bool GraphView::handIsOnIt() const {
@@ -79,7 +104,7 @@ void GraphView::showAll() {
   const double scale = std::clamp(wanted, kLeastScale, kMostFitted);
   setTransform(QTransform::fromScale(scale, scale));
   centerOn(contents.center());
-  scene_.setVisible(seen());
+  tellSeen();
 }
 
 void GraphView::zoom(double factor) {
@@ -87,12 +112,22 @@ void GraphView::zoom(double factor) {
   const double then = std::clamp(now * factor, kLeastScale, kMostScale);
   following_ = false;
   scale(then / now, then / now);
-  scene_.setVisible(seen());
+  tellSeen();
+}
+
+void GraphView::goTo(const QString& path) {
+  selection_.select(path);
+  const ComponentItem* item = scene_.component(path.section('/', 0, 1));
+  if (item == nullptr) return;
+  const double scale = std::max(transform().m11(), kReadable);
+  setTransform(QTransform::fromScale(scale, scale));
+  lookAt(item->sceneRect().center());
 }
 
 void GraphView::reveal(const QString& path) {
   if (const ComponentItem* item = scene_.component(path.section('/', 0, 1))) {
     ensureVisible(item->sceneRect(), 40, 40);
+    tellSeen();
   }
 }
 
@@ -104,10 +139,33 @@ std::optional<PortName> GraphView::portAt(const QPoint& position) const {
   return std::nullopt;
 }
 
+QString GraphView::pathAt(const QPoint& position) const {
+  if (const auto port = portAt(position)) return ToQString(ToString(port->name));
+  const QGraphicsItem* item = itemAt(position);
+  if (const auto* component = qgraphicsitem_cast<const ComponentItem*>(item)) {
+    return component->path();
+  }
+  const auto* edge = qgraphicsitem_cast<const EdgeItem*>(item);
+  return edge == nullptr ? QString() : edge->required();
+}
+
+QString GraphView::nodeAt(const QPoint& position) const {
+  if (mode_.active() || portAt(position)) return {};
+  const QGraphicsItem* item = itemAt(position);
+  if (const auto* component = qgraphicsitem_cast<const ComponentItem*>(item)) {
+    return component->path();
+  }
+  const auto* process = qgraphicsitem_cast<const ProcessItem*>(item);
+  if (process == nullptr) return {};
+  const double below = mapToScene(position).y() - process->scenePos().y();
+  return below < kProcessHead ? process->name() : QString();
+}
+
 void GraphView::mousePressEvent(QMouseEvent* event) {
   if (event->button() == Qt::LeftButton || event->button() == Qt::MiddleButton) {
     pressed_ = event->pos();
     pressed_port_ = portAt(event->pos());
+    pressed_node_ = event->button() == Qt::LeftButton ? nodeAt(event->pos()) : QString();
     dragging_ = false;
   }
 }
@@ -118,24 +176,46 @@ void GraphView::mouseMoveEvent(QMouseEvent* event) {
   pointer_ = event->pos();
   if (!pressed_) {
     scene_.point(portAt(event->pos()));
+    scene_.hover().point(pathAt(event->pos()));
     return QGraphicsView::mouseMoveEvent(event);
   }
   if (!dragging_ && !IsPan(event->pos() - *pressed_)) return;
-  dragging_ = true;
+  if (!dragging_) beginDrag();
   if (pressed_port_) {
     dragConnection(event->pos());
-  } else {
+  } else if (node_drag_) {
+    node_drag_->moveTo(mapToScene(event->pos()));
+  } else if (pressed_node_.isEmpty()) {
     pan(event->pos());
   }
 }
 
+void GraphView::beginDrag() {
+  dragging_ = true;
+  scene_.hover().pointNow({});
+  if (pressed_port_ || pressed_node_.isEmpty()) return;
+  following_ = false;
+  node_drag_.emplace(scene_, pressed_node_, mapToScene(*pressed_));
+}
+
+bool GraphView::putBack() {
+  if (!node_drag_) return false;
+  node_drag_->cancel();
+  node_drag_.reset();
+  return true;
+}
+
 void GraphView::pan(const QPoint& position) {
   const QPoint moved = position - *pressed_;
-  following_ = false;
   pressed_ = position;
-  horizontalScrollBar()->setValue(horizontalScrollBar()->value() - moved.x());
-  verticalScrollBar()->setValue(verticalScrollBar()->value() - moved.y());
-  scene_.setVisible(seen());
+  scrollBy(moved);
+}
+
+void GraphView::scrollBy(const QPoint& pixels) {
+  following_ = false;
+  horizontalScrollBar()->setValue(horizontalScrollBar()->value() - pixels.x());
+  verticalScrollBar()->setValue(verticalScrollBar()->value() - pixels.y());
+  tellSeen();
 }
 
 void GraphView::dragConnection(const QPoint& position) {
@@ -149,8 +229,11 @@ void GraphView::dragConnection(const QPoint& position) {
 void GraphView::mouseReleaseEvent(QMouseEvent* event) {
   const bool clicked = pressed_ && !dragging_ && event->button() == Qt::LeftButton;
   const bool connected = dragging_ && pressed_port_ && mode_.active();
+  if (node_drag_) node_drag_->drop();
+  node_drag_.reset();
   pressed_.reset();
   pressed_port_.reset();
+  pressed_node_.clear();
   dragging_ = false;
   if (clicked) click(event->pos());
   if (!connected) return;
@@ -162,6 +245,7 @@ void GraphView::leaveEvent(QEvent* event) {
   pointer_.reset();
   pointer_moved_.invalidate();
   scene_.point(std::nullopt);
+  scene_.hover().point({});
   QGraphicsView::leaveEvent(event);
   if (following_ && !mode_.active()) showAll();
 }
@@ -214,6 +298,7 @@ void GraphView::focusInEvent(QFocusEvent* event) {
 
 void GraphView::focusOutEvent(QFocusEvent* event) {
   QGraphicsView::focusOutEvent(event);
+  scene_.hover().point({});
   viewport()->update();
 }
 
@@ -230,62 +315,6 @@ void GraphView::hideEvent(QHideEvent* event) {
 void GraphView::scrollContentsBy(int dx, int dy) {
   QGraphicsView::scrollContentsBy(dx, dy);
   if (HasKeyboardFocus(*this)) viewport()->update();  // else its frame would move along
-}
-
-bool GraphView::connectKey(int key) {
-  if (!mode_.active()) return false;
-  if (key >= Qt::Key_1 && key <= Qt::Key_9) {
-    mode_.pickNumber(key - Qt::Key_0);
-  } else if (key == Qt::Key_Return || key == Qt::Key_Enter) {
-    mode_.pickBest();
-  } else if (key == Qt::Key_Escape) {
-    mode_.leave();
-  } else {
-    return false;
-  }
-  return true;
-}
-
-void GraphView::keyPressEvent(QKeyEvent* event) {
-  if (connectKey(event->key())) return;
-  switch (event->key()) {
-    case Qt::Key_Plus:
-    case Qt::Key_Equal:
-      return zoomIn();
-    case Qt::Key_Minus:
-      return zoomOut();
-    case Qt::Key_0:
-      return fit();
-    case Qt::Key_Left:
-    case Qt::Key_Right:
-    case Qt::Key_Up:
-    case Qt::Key_Down:
-      return selectNext(event->key());
-    default:
-      return QGraphicsView::keyPressEvent(event);
-  }
-}
-
-void GraphView::selectNext(int key) {
-  const ComponentItem* from = scene_.component(selection_.current().section('/', 0, 1));
-  const QPointF here = from == nullptr ? QPointF() : from->sceneRect().center();
-  const ComponentItem* best = nullptr;
-  double least = 0;
-  for (const auto& [path, item] : scene_.components()) {
-    const QPointF way = item->sceneRect().center() - here;
-    const bool sideways = key == Qt::Key_Left || key == Qt::Key_Right;
-    const double sign = key == Qt::Key_Left || key == Qt::Key_Up ? -1 : 1;
-    const double ahead = sign * (sideways ? way.x() : way.y());
-    const double aside = std::abs(sideways ? way.y() : way.x());
-    if (item == from || (from != nullptr && ahead < 4)) continue;
-    const double cost = from == nullptr ? way.manhattanLength() : ahead + 2 * aside;
-    if (best != nullptr && cost >= least) continue;
-    best = item;
-    least = cost;
-  }
-  if (best == nullptr) return;
-  selection_.select(best->path());
-  reveal(best->path());
 }
 
 }  // namespace tendon::gui

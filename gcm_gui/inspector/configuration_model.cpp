@@ -1,6 +1,7 @@
 #include <gcm_gui/inspector/configuration_model.h>
 #include <gcm_gui/models/row_roles.h>
 #include <gcm_gui/models/text.h>
+#include <tendon/payload/json/strict_json.h>
 
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -57,11 +58,11 @@ void ConfigurationModel::show(const ComponentDescription& component) {
     fresh.push_back({QStringLiteral("library"), ToQString(component.library)});
   }
   if (!component.configuration.empty()) {
-    const Json json = Json::parse(component.configuration, nullptr, false);
-    if (json.is_discarded()) {
-      fresh.push_back({QStringLiteral("configuration"), ToQString(component.configuration)});
+    const auto json = ParseOrderedJson(component.configuration);
+    if (json) {
+      AddRows({}, *json, fresh);
     } else {
-      AddRows({}, json, fresh);
+      fresh.push_back({QStringLiteral("configuration"), ToQString(component.configuration)});
     }
   }
   showRows(std::move(fresh));

@@ -1,5 +1,6 @@
 #include <gcm_gui/events/events_page.h>
 #include <gcm_gui/inspector/event_list.h>
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/views/link.h>
 #include <gcm_gui/views/row_delegate.h>
 #include <gcm_gui/views/row_view.h>
@@ -19,10 +20,10 @@ constexpr std::chrono::milliseconds kRatePeriod{500};
 
 EventList::EventList(SystemReports& reports, QWidget* parent)
     : QWidget(parent), reports_(reports), rate_(MakeNote(QStringLiteral("inspector.eventRate"))) {
-  RowView* list = MakeRowList(events_, QStringLiteral("inspector.events"),
-                              QStringLiteral("No event has been raised since this was opened."));
+  RowView* list = MakeRowList(events_, QStringLiteral("inspector.events"), Words::tr("Events"),
+                              Words::tr("No event has been raised since this was opened."));
   list->rows().setAllLeft(true);
-  QToolButton* clear = MakeLink(QStringLiteral("Clear"), QStringLiteral("inspector.clearEvents"));
+  QToolButton* clear = MakeLink(Words::tr("Clear"), QStringLiteral("inspector.clearEvents"));
   connect(clear, &QToolButton::clicked, &events_, &EventsModel::clear);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);

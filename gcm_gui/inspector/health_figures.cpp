@@ -1,6 +1,8 @@
 #include <gcm_gui/inspector/health_figures.h>
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/state_of.h>
 #include <gcm_gui/models/text.h>
+#include <gcm_gui/reports/counts_text.h>
 #include <tendon/gcm/text/health_text.h>
 
 #include <QPointer>
@@ -19,20 +21,8 @@ InterfaceHealth TextOf(const ConnectionCounts& counts) {
   InterfaceHealth health;
   if (counts.round_trip.count() >= 0) health.brief = DurationText(InSeconds(counts.round_trip));
   const std::uint64_t lost = counts.refused + counts.lost_events;
-  if (lost > 0) health.brief = QStringLiteral("%1 lost").arg(lost);
-  QStringList whole{QStringLiteral("stands for ") + AgeText(counts.age.count())};
-  if (counts.round_trip.count() >= 0) {
-    whole << QStringLiteral("round trip ") + DurationText(InSeconds(counts.round_trip));
-  }
-  whole << QStringLiteral("%1 calls and events").arg(counts.taken);
-  if (counts.capacity > 0) {
-    whole << QStringLiteral("%1 of %2 wait").arg(counts.waiting).arg(counts.capacity);
-  }
-  whole << QStringLiteral("%1 refused, %2 replaced, %3 events lost")
-               .arg(counts.refused)
-               .arg(counts.replaced)
-               .arg(counts.lost_events);
-  health.whole = whole.join(QStringLiteral("\n"));
+  if (lost > 0) health.brief = Words::tr("%1 lost").arg(lost);
+  health.whole = CountsLines(counts).join(QStringLiteral("\n"));
   return health;
 }
 
@@ -59,11 +49,11 @@ QList<Fact> HealthFigures::processFacts() const {
   const ProcessEntry* entry = store_.catalogue().FindProcess(process_);
   const auto* health = entry == nullptr ? nullptr : FindHealth(health_, entry->process);
   if (health == nullptr) return {};
-  return {{QStringLiteral("Processor"), ToQString(CpuText(health)),
-           QStringLiteral("Of one core, in the last second")},
-          {QStringLiteral("Memory"), ToQString(MemoryText(health)), QStringLiteral("Resident")},
-          {QStringLiteral("Clock"), ToQString(tendon::ClockText(health)),
-           QStringLiteral("How far its clock is ahead of the GCM's, and how sure that is")}};
+  return {{Words::tr("Processor"), ToQString(CpuText(health)),
+           Words::tr("Of one core, in the last second")},
+          {Words::tr("Memory"), ToQString(MemoryText(health)), Words::tr("Resident")},
+          {Words::tr("Clock"), ToQString(tendon::ClockText(health)),
+           Words::tr("How far its clock is ahead of the GCM's, and how sure that is")}};
 }
 
 void HealthFigures::ask() {
@@ -120,8 +110,8 @@ void HealthFigures::hearFill(const Result<MailboxFill>& fill) {
     }
     const bool is_filling = 2 * fill->waiting >= fill->capacity;
     interfaces_[path] = {
-        is_filling ? QStringLiteral("%1 of %2").arg(fill->waiting).arg(fill->capacity) : QString(),
-        QStringLiteral("%1 of %2 wait in the fullest mailbox of the component")
+        is_filling ? Words::tr("%1 of %2").arg(fill->waiting).arg(fill->capacity) : QString(),
+        Words::tr("%1 of %2 wait in the fullest mailbox of the component")
             .arg(fill->waiting)
             .arg(fill->capacity)};
   }

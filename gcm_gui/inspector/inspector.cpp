@@ -1,9 +1,12 @@
 #include <gcm_gui/call/call_panel.h>
+#include <gcm_gui/call/careful.h>
 #include <gcm_gui/inspector/event_list.h>
 #include <gcm_gui/inspector/inspector.h>
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/row_roles.h>
 #include <gcm_gui/models/state_of.h>
 #include <gcm_gui/models/text.h>
+#include <gcm_gui/pictures/picture_shelf.h>
 #include <gcm_gui/theme/head_row.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
@@ -40,7 +43,7 @@ bool HasCycle(const ComponentDescription& component) {
 }
 
 QString ProcessWord(ProcessState state) {
-  return state == ProcessState::kSuspect ? QStringLiteral("no answer") : ToQString(ToString(state));
+  return state == ProcessState::kSuspect ? Words::tr("no answer") : ToQString(ToString(state));
 }
 
 /// Of a round one: "1 ms", not "1.000 ms".
@@ -56,25 +59,23 @@ QList<Fact> TimingFacts(double period, const CycleFigures& figures) {
   const QString none = QStringLiteral("–");
   const QString percent = last ? QString::number(100 * last->compute / period, 'f', 1) : none;
   return {
-      {QStringLiteral("Period"),
+      {Words::tr("Period"),
        ShortDuration(period) +
-           (last ? QStringLiteral(" · now ") + DurationText(last->period) : QString()),
-       QStringLiteral("How often it is to run, and how often it did in the last second")},
-      {QStringLiteral("Starts late by"),
-       last
-           ? QStringLiteral("%1 · max %2").arg(DurationText(last->late), DurationText(last->latest))
-           : none,
-       last ? QStringLiteral("In the last second half of the cycles began no later than %1 after "
-                             "they were due, 99 of 100 no later than %2, all no later than %3")
+           (last ? Words::tr(" · now ") + DurationText(last->period) : QString()),
+       Words::tr("How often it is to run, and how often it did in the last second")},
+      {Words::tr("Starts late by"),
+       last ? Words::tr("%1 · max %2").arg(DurationText(last->late), DurationText(last->latest))
+            : none,
+       last ? Words::tr("In the last second half of the cycles began no later than %1 after "
+                        "they were due, 99 of 100 no later than %2, all no later than %3")
                   .arg(DurationText(last->late), DurationText(last->later),
                        DurationText(last->latest))
             : QString()},
-      {QStringLiteral("Skipped cycles"),
-       figures.skipped() ? QString::number(*figures.skipped()) : none,
-       QStringLiteral("Since its start, because a cycle before took too long")},
-      {QStringLiteral("Busy"),
+      {Words::tr("Skipped cycles"), figures.skipped() ? QString::number(*figures.skipped()) : none,
+       Words::tr("Since its start, because a cycle before took too long")},
+      {Words::tr("Busy"),
        last ? QStringLiteral("%1 % · %2").arg(percent, DurationText(last->compute)) : none,
-       QStringLiteral("How much of its period it computes, mean of the last second")}};
+       Words::tr("How much of its period it computes, mean of the last second")}};
 }
 
 }  // namespace
@@ -90,9 +91,10 @@ Inspector::Inspector(const CatalogueStore& store, Selection& selection, SignalSo
       figures_(source),
       health_(reports, store),
       call_(new CallPanel(calls)),
-      events_(new EventList(reports)) {
+      events_(new EventList(reports)),
+      pictures_(new PictureShelf) {
   setObjectName(QStringLiteral("inspector"));
-  setAccessibleName(QStringLiteral("Inspector"));
+  setAccessibleName(Words::tr("Inspector"));
   setAutoFillBackground(true);
   nothing_ = new QLabel;
   nothing_->setWordWrap(true);
@@ -112,6 +114,7 @@ Inspector::Inspector(const CatalogueStore& store, Selection& selection, SignalSo
   connect(&store, &CatalogueStore::changed, this, &Inspector::refresh);
   connect(&selection, &Selection::changed, this, &Inspector::refresh);
   connect(&source, &SignalSource::valuesArrived, &values_, &ValuesModel::showValues);
+  connect(&source, &SignalSource::valuesArrived, pictures_, &PictureShelf::showValues);
   connect(&figures_timer_, &QTimer::timeout, this, &Inspector::showFigures);
   connect(call_, &CallPanel::favouriteRequested, this, &Inspector::favouriteRequested);
   connect(&health_, &HealthFigures::changed, this, &Inspector::showHealth);
@@ -138,10 +141,10 @@ QWidget* Inspector::buildProcessPage() {
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(0, 0, 0, 0);
   process_facts_ = new FactGrid;
-  forget_ = new QPushButton(QStringLiteral("Forget this process"));
+  forget_ = new QPushButton(Words::tr("Forget this process"));
   forget_->setObjectName(QStringLiteral("forget"));
   forget_->setProperty("changesSystem", true);
-  forget_->setToolTip(QStringLiteral("Removes what is left of it from the catalogue"));
+  forget_->setToolTip(Words::tr("Removes what is left of it from the catalogue"));
   connect(forget_, &QPushButton::clicked, this,
           [this] { actions_.forget(selection_.current().toStdString()); });
   auto* line = new QHBoxLayout;
@@ -161,10 +164,10 @@ QWidget* Inspector::buildComponentPage() {
   column->setSpacing(0);
   component_facts_ = new FactGrid;
   tabs_ = new TabPanel(QStringLiteral("inspectorTabs"));
-  interfaces_page_ = tabs_->addPage(buildInterfaces(), QStringLiteral("Interfaces"));
-  values_page_ = tabs_->addPage(buildValues(), QStringLiteral("Values"));
-  tabs_->addPage(events_, QStringLiteral("Events"));
-  tabs_->addPage(buildConfiguration(), QStringLiteral("Config"));
+  interfaces_page_ = tabs_->addPage(buildInterfaces(), Words::tr("Interfaces"));
+  values_page_ = tabs_->addPage(buildValues(), Words::tr("Values"));
+  tabs_->addPage(events_, Words::tr("Events"));
+  tabs_->addPage(buildConfiguration(), Words::tr("Config"));
   connect(tabs_, &TabPanel::currentChanged, this, &Inspector::watchValues);
   column->addWidget(component_facts_);
   column->addWidget(tabs_, 1);
@@ -172,8 +175,9 @@ QWidget* Inspector::buildComponentPage() {
 }
 
 QWidget* Inspector::buildInterfaces() {
-  interface_list_ = MakeRowList(interfaces_, QStringLiteral("inspector.interfaces"),
-                                QStringLiteral("This component has no interfaces."));
+  interface_list_ =
+      MakeRowList(interfaces_, QStringLiteral("inspector.interfaces"), Words::tr("Interfaces"),
+                  Words::tr("This component has no interfaces."));
   connect(interface_list_, &QTreeView::clicked, this, [this](const QModelIndex& index) {
     if (interfaces_.row(index.row()).kind == InterfaceRow::Kind::kPeer) return;
     selection_.select(index.data(kPathRole).toString());
@@ -194,9 +198,9 @@ QWidget* Inspector::buildInterfaces() {
   return page;
 }
 
-RowView* Inspector::buildValues() {
-  RowView* list = MakeRowList(values_, QStringLiteral("inspector.values"),
-                              QStringLiteral("This component has no state table."));
+QWidget* Inspector::buildValues() {
+  RowView* list = MakeRowList(values_, QStringLiteral("inspector.values"), Words::tr("Values"),
+                              Words::tr("This component has no state table."));
   list->setColumnHidden(ValuesModel::kValue, true);
   list->rows().setValueColumn(ValuesModel::kValue);
   list->setSelectionMode(QAbstractItemView::ExtendedSelection);
@@ -212,11 +216,18 @@ RowView* Inspector::buildValues() {
     }
     if (!paths.isEmpty()) selection_.setPaths(paths);
   });
-  return list;
+  auto* page = new QWidget;
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(list, 1);
+  column->addWidget(pictures_);
+  return page;
 }
 
 RowView* Inspector::buildConfiguration() {
-  RowView* list = MakeRowList(configuration_, QStringLiteral("inspector.configuration"), {});
+  RowView* list = MakeRowList(configuration_, QStringLiteral("inspector.configuration"),
+                              Words::tr("Config"), {});
   list->rows().setAllLeft(true);
   return list;
 }
@@ -245,8 +256,8 @@ QWidget* Inspector::makeLinks(const InterfaceRow& row) {
     addPeerLinks(*cell, row);
     return cell;
   }
-  QToolButton* why = MakeLink(QStringLiteral("Why?"), QStringLiteral("why"));
-  why->setAccessibleName(QStringLiteral("Why is ") + row.path + QStringLiteral(" ") + row.value);
+  QToolButton* why = MakeLink(Words::tr("Why?"), QStringLiteral("why"));
+  why->setAccessibleName(Words::tr("Why is ") + row.path + QStringLiteral(" ") + row.value);
   line->addWidget(why);
   connect(why, &QToolButton::clicked, this, [this, path = row.path] { Q_EMIT whyRequested(path); });
   return cell;
@@ -262,33 +273,33 @@ void Inspector::addPeerLinks(QWidget& cell, const InterfaceRow& peer) {
     return button;
   };
   if (peer.path != required) {  // seen from the side that can choose
-    connect(add(QStringLiteral("Replace"), QStringLiteral("replace")), &QToolButton::clicked, this,
+    connect(add(Words::tr("Replace"), QStringLiteral("replace")), &QToolButton::clicked, this,
             [this, required] { Q_EMIT connectRequested(required); });
   }
-  connect(add(QStringLiteral("Disconnect"), QStringLiteral("disconnect")), &QToolButton::clicked,
-          this, [this, name = peer.required] { actions_.disconnectInterface(name); });
+  connect(add(Words::tr("Disconnect"), QStringLiteral("disconnect")), &QToolButton::clicked, this,
+          [this, name = peer.required] { actions_.disconnectInterface(name); });
 }
 
 void Inspector::refresh() {
   const auto path = ParsePath(selection_.current().toStdString());
   if (!path.ok())
     return showNothing(
-        QStringLiteral("Select a component in the catalogue or in the "
-                       "graph to see what it offers and needs."));
+        Words::tr("Select a component in the catalogue or in the "
+                  "graph to see what it offers and needs."));
   const ProcessEntry* process = store_.catalogue().FindProcess(path->process);
   if (process == nullptr) {
-    return showNothing(selection_.current() + QStringLiteral(" is not there."));
+    return showNothing(selection_.current() + Words::tr(" is not there."));
   }
   if (path->component.empty()) return showProcess(*process);
   const auto component = process->components.find(path->component);
   if (component == process->components.end()) {
-    return showNothing(selection_.current() + QStringLiteral(" is not there."));
+    return showNothing(selection_.current() + Words::tr(" is not there."));
   }
   showComponent(*process, component->second);
 }
 
 void Inspector::showNothing(const QString& text) {
-  name_->setText(QStringLiteral("Inspector"));
+  name_->setText(Words::tr("Inspector"));
   state_->setVisible(false);
   process_->clear();
   nothing_->setText(text);
@@ -305,16 +316,16 @@ void Inspector::showProcessFacts() {
       store_.catalogue().FindProcess(selection_.current().section('/', 0, 0).toStdString());
   if (entry == nullptr) return;
   const ProcessDescription& process = entry->process;
-  QString since = ProcessWord(process.state) + QStringLiteral(" since");
+  QString since = ProcessWord(process.state) + Words::tr(" since");
   since[0] = since[0].toUpper();
-  QList<Fact> facts{{QStringLiteral("Host"), ToQString(process.host)},
-                    {QStringLiteral("Process id"), QString::number(process.pid)},
-                    {QStringLiteral("Address"), ToQString(process.address)},
-                    {QStringLiteral("Components"), QString::number(entry->components.size())},
+  QList<Fact> facts{{Words::tr("Host"), ToQString(process.host)},
+                    {Words::tr("Process id"), QString::number(process.pid)},
+                    {Words::tr("Address"), ToQString(process.address)},
+                    {Words::tr("Components"), QString::number(entry->components.size())},
                     {since, ClockText(process.since).section('.', 0, 0)}};
   facts += health_.processFacts();
   if (!process.reason.empty()) {
-    facts.append({QStringLiteral("Reason"), ToQString(process.reason), {}, Fact::Kind::kSentence});
+    facts.append({Words::tr("Reason"), ToQString(process.reason), {}, Fact::Kind::kSentence});
   }
   process_facts_->show(facts);
 }
@@ -346,6 +357,7 @@ void Inspector::showComponent(const ProcessEntry& entry, const ComponentDescript
   shown_component_ = path;
   interfaces_.show(store_.catalogue(), entry.process.name, component.name);
   values_.show(path, &component, gone);
+  pictures_->setColumns(values_.columns());
   configuration_.show(component);
   events_->show(path);
   figures_.show(HasCycle(component) && !gone ? path : QString());
@@ -365,9 +377,9 @@ void Inspector::showCall(const ProcessEntry& entry, const ComponentDescription& 
                                     [&](const auto& one) { return one.name == path->member; });
   if (command == provided->commands.end()) return call_->showNothing();
   call_->showCommand(selection_.current(), *command);
-  call_->setCareful(!command->hazard.empty() && component.state == ComponentState::kActive);
+  call_->setCareful(NeedsCare(*command, component.state));
   call_->setUnavailable(IsGone(entry.process.state)
-                            ? ToQString(entry.process.name) + QStringLiteral(" does not answer")
+                            ? ToQString(entry.process.name) + Words::tr(" does not answer")
                             : QString());
 }
 
@@ -383,14 +395,13 @@ void Inspector::showFigures() {
   const auto path = ParsePath(shown_component_.toStdString());
   const auto* component = store_.catalogue().FindComponent(path->process, path->component);
   if (component == nullptr) return;
-  QList<Fact> facts{{QStringLiteral("Class"), ToQString(component->class_name)}};
+  QList<Fact> facts{{Words::tr("Class"), ToQString(component->class_name)}};
   if (!component->fault.empty()) {
-    facts.append({QStringLiteral("Fault"), ToQString(component->fault), {}, Fact::Kind::kSentence});
+    facts.append({Words::tr("Fault"), ToQString(component->fault), {}, Fact::Kind::kSentence});
   }
   if (wanted_period_ > 0) facts += TimingFacts(wanted_period_, figures_);
   if (const auto process = health_.processFacts(); !process.isEmpty()) {
-    facts.append({QStringLiteral("Process"),
-                  process[0].value + QStringLiteral(" · ") + process[1].value,
+    facts.append({Words::tr("Process"), process[0].value + QStringLiteral(" · ") + process[1].value,
                   process[0].name + ' ' + process[0].value + '\n' + process[1].name + ' ' +
                       process[1].value + '\n' + process[2].name + ' ' + process[2].value});
   }

@@ -23,6 +23,7 @@ namespace tendon::gui {
 class CallPanel;
 class EventList;
 class FactGrid;
+class PictureShelf;
 class RowView;
 class StateLabel;
 class TabPanel;
@@ -57,7 +58,7 @@ class Inspector : public QWidget {
   QWidget* buildComponentPage();
   QWidget* buildProcessPage();
   QWidget* buildInterfaces();
-  RowView* buildValues();
+  QWidget* buildValues();
   RowView* buildConfiguration();
   void showHealth();
   void showProcessFacts();
@@ -94,6 +95,7 @@ class Inspector : public QWidget {
   RowView* interface_list_;
   CallPanel* call_;
   EventList* events_;
+  PictureShelf* pictures_;
   TabPanel* tabs_;
   QStackedWidget* pages_;
   int interfaces_page_ = 0;

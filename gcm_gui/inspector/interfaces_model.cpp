@@ -1,4 +1,5 @@
 #include <gcm_gui/inspector/interfaces_model.h>
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/connection_index.h>
 #include <gcm_gui/models/row_roles.h>
 #include <gcm_gui/models/state_of.h>
@@ -50,7 +51,7 @@ class RowBuilder {
          PathOf(name),
          ToQString(provided.name),
          QStringLiteral("provided"),
-         CountText(connections_.Clients(name), QStringLiteral("client")),
+         CountText(connections_.Clients(name), Words::tr("%1 client"), Words::tr("%1 clients")),
          StateMark::kConnected,
          {}});
     AddClients(name);

@@ -1,3 +1,4 @@
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/log/log_page.h>
 #include <gcm_gui/models/row_roles.h>
 #include <gcm_gui/models/text.h>
@@ -20,8 +21,8 @@ LogPage::LogPage(SystemReports& reports, const CatalogueStore& store, SystemActi
                  QWidget* parent)
     : QWidget(parent), reports_(reports), store_(store), actions_(actions), filter_(log_) {
   setObjectName(QStringLiteral("logPage"));
-  list_ = MakeRowList(filter_, QStringLiteral("log"),
-                      QStringLiteral("No record fits. What the processes log is listed here."));
+  list_ = MakeRowList(filter_, QStringLiteral("log"), Words::tr("Log"),
+                      Words::tr("No record fits. What the processes log is listed here."));
   list_->rows().setAllLeft(true);
   list_->setSelectionMode(QAbstractItemView::SingleSelection);
   FollowEnd(*list_);
@@ -46,29 +47,30 @@ LogPage::LogPage(SystemReports& reports, const CatalogueStore& store, SystemActi
 QWidget* LogPage::buildBar() {
   level_ = new QComboBox;
   level_->setObjectName(QStringLiteral("log.level"));
-  level_->setAccessibleName(QStringLiteral("Least level that is shown"));
-  for (const char* text : {"All levels", "Info and above", "Warnings and errors", "Errors"}) {
-    level_->addItem(QString::fromLatin1(text));
+  level_->setAccessibleName(Words::tr("Least level that is shown"));
+  for (const QString& text : {Words::tr("All levels"), Words::tr("Info and above"),
+                              Words::tr("Warnings and errors"), Words::tr("Errors")}) {
+    level_->addItem(text);
   }
   connect(level_, &QComboBox::currentIndexChanged, this,
           [this](int index) { filter_.setLevel(static_cast<LogLevel>(index)); });
   words_ = new QLineEdit;
   words_->setObjectName(QStringLiteral("log.filter"));
-  words_->setAccessibleName(QStringLiteral("Filter the log"));
-  words_->setPlaceholderText(QStringLiteral("Filter: words, from:robot/arm, -word"));
+  words_->setAccessibleName(Words::tr("Filter the log"));
+  words_->setPlaceholderText(Words::tr("Filter: words, from:robot/arm, -word"));
   words_->setClearButtonEnabled(true);
   connect(words_, &QLineEdit::textChanged, &filter_, &LogFilter::setText);
   count_ = MakeNote(QStringLiteral("log.count"));
-  QToolButton* levels = MakeLink(QStringLiteral("Set level…"), QStringLiteral("log.setLevel"));
+  QToolButton* levels = MakeLink(Words::tr("Set level…"), QStringLiteral("log.setLevel"));
   levels->setProperty("changesSystem", true);
-  levels->setToolTip(QStringLiteral("From which level on a process logs, until it ends"));
+  levels->setToolTip(Words::tr("From which level on a process logs, until it ends"));
   levels->setPopupMode(QToolButton::InstantPopup);
   auto* menu = new QMenu(levels);
   menu->setObjectName(QStringLiteral("log.levels"));
   connect(menu, &QMenu::aboutToShow, this, [this, menu] { fillLevels(*menu); });
   levels->setMenu(menu);
-  QToolButton* clear = MakeLink(QStringLiteral("Clear"), QStringLiteral("log.clear"));
-  clear->setToolTip(QStringLiteral("Empties this list; the processes and the GCM keep theirs"));
+  QToolButton* clear = MakeLink(Words::tr("Clear"), QStringLiteral("log.clear"));
+  clear->setToolTip(Words::tr("Empties this list; the processes and the GCM keep theirs"));
   connect(clear, &QToolButton::clicked, &log_, &LogModel::clear);
   return MakeToolRow({level_, words_}, {count_, levels, clear});
 }
@@ -80,11 +82,11 @@ void LogPage::fillLevels(QMenu& menu) {
     QMenu* levels = menu.addMenu(ToQString(name));
     for (const auto& one : kPayload<LogLevel>.enumerators) {
       levels->addAction(
-          ToQString(one.name) + QStringLiteral(" and above"),
+          ToQString(one.name) + Words::tr(" and above"),
           [this, process = name, level = one.value] { actions_.setLogLevel(process, level); });
     }
   }
-  if (menu.isEmpty()) menu.addAction(QStringLiteral("There is no process"))->setEnabled(false);
+  if (menu.isEmpty()) menu.addAction(Words::tr("There is no process"))->setEnabled(false);
 }
 
 void LogPage::focusFilter() { words_->setFocus(); }
@@ -97,9 +99,9 @@ void LogPage::showEvent(QShowEvent* event) {
 void LogPage::showCount() {
   const int shown = filter_.rowCount();
   const int all = log_.rowCount();
-  QString text = shown == all ? CountText(all, QStringLiteral("record"))
-                              : QStringLiteral("%1 of %2").arg(shown).arg(all);
-  if (log_.lost() > 0) text += QStringLiteral(" · %1 lost").arg(log_.lost());
+  QString text = shown == all ? CountText(all, Words::tr("%1 record"), Words::tr("%1 records"))
+                              : Words::tr("%1 of %2").arg(shown).arg(all);
+  if (log_.lost() > 0) text += Words::tr(" · %1 lost").arg(log_.lost());
   count_->setText(text);
 }
 

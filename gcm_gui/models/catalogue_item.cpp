@@ -1,3 +1,4 @@
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/catalogue_item.h>
 #include <gcm_gui/models/table_columns.h>
 #include <gcm_gui/models/text.h>
@@ -64,7 +65,8 @@ Item BuildProvided(const ConnectionIndex& connections, const CatalogueItem& pare
   Item item =
       MakeItem(ItemKind::kProvided, ToQString(provided.name), ToQString(tendon::ToString(name)));
   item->gone = parent.gone;
-  item->value = CountText(connections.Clients(name), QStringLiteral("client"));
+  item->value =
+      CountText(connections.Clients(name), Words::tr("%1 client"), Words::tr("%1 clients"));
   if (const auto* table = FindTable(component, provided.name)) {
     AddColumns(*item, *table);
   } else {
@@ -195,8 +197,8 @@ std::unique_ptr<CatalogueItem> BuildProcess(const ConnectionIndex& connections,
   item->gone = IsGone(process.state);
   item->since = process.since;
   item->detail = ToQString(process.reason);
-  item->value = process.state == ProcessState::kSuspect ? QStringLiteral("no answer")
-                                                        : ToQString(process.host);
+  item->value =
+      process.state == ProcessState::kSuspect ? Words::tr("no answer") : ToQString(process.host);
   for (const auto& [name, component] : entry.components) {
     item->Add(BuildComponent(connections, entry, component));
   }

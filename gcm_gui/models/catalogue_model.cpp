@@ -1,3 +1,4 @@
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/catalogue_model.h>
 #include <gcm_gui/models/row_roles.h>
 #include <gcm_gui/models/text.h>
@@ -86,7 +87,7 @@ int CatalogueModel::columnCount(const QModelIndex&) const { return kColumnCount;
 
 QVariant CatalogueModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
-  return section == kName ? QStringLiteral("Name") : QStringLiteral("Value");
+  return section == kName ? Words::tr("Name") : Words::tr("Value");
 }
 
 QVariant CatalogueModel::data(const QModelIndex& index, int role) const {

@@ -1,3 +1,4 @@
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/connections_model.h>
 #include <gcm_gui/models/row_roles.h>
 #include <gcm_gui/models/state_of.h>
@@ -33,11 +34,11 @@ QVariant ConnectionsModel::headerData(int section, Qt::Orientation orientation, 
   if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
   switch (section) {
     case kRequired:
-      return QStringLiteral("Required");
+      return Words::tr("Required");
     case kProvided:
-      return QStringLiteral("Provided");
+      return Words::tr("Provided");
     default:
-      return QStringLiteral("State");
+      return Words::tr("State");
   }
 }
 
@@ -61,7 +62,7 @@ QVariant ConnectionsModel::data(const QModelIndex& index, int role) const {
     case Qt::ToolTipRole:
       return ToQString(row.reason);
     case Qt::AccessibleTextRole:
-      return QStringLiteral("%1 from %2, %3").arg(required, provided, StateText(row));
+      return Words::tr("%1 from %2, %3").arg(required, provided, StateText(row));
     default:
       return {};
   }

@@ -10,6 +10,8 @@ StateMark MarkOf(ProcessState state) {
       return StateMark::kWarning;
     case ProcessState::kLost:
       return StateMark::kLost;
+    case ProcessState::kStarting:
+      return StateMark::kPending;
     case ProcessState::kLeft:
       break;
   }
@@ -51,7 +53,7 @@ StateMark MarkOf(const ConnectionDescription* connection) {
 }
 
 bool IsGone(ProcessState state) {
-  return state == ProcessState::kLost || state == ProcessState::kLeft;
+  return state != ProcessState::kAlive && state != ProcessState::kSuspect;
 }
 
 }  // namespace tendon::gui

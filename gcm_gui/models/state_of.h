@@ -13,7 +13,7 @@ namespace tendon::gui {
 /// Null: nothing is connected.
 [[nodiscard]] StateMark MarkOf(const ConnectionDescription* connection);
 
-/// Whether the process is gone, so that what it had is shown grey.
+/// Whether the process is gone, or only starting, so that what it had is shown grey.
 [[nodiscard]] bool IsGone(ProcessState state);
 
 }  // namespace tendon::gui

@@ -82,9 +82,8 @@ QString ClockText(std::int64_t when) {
   return QDateTime::fromMSecsSinceEpoch(when / 1'000'000).toString(QStringLiteral("HH:mm:ss.zzz"));
 }
 
-QString CountText(std::int64_t count, const QString& noun) {
-  if (count == 0) return {};
-  return QStringLiteral("%1 %2%3").arg(count).arg(noun, count == 1 ? "" : "s");
+QString CountText(std::int64_t count, const QString& one, const QString& many) {
+  return count == 0 ? QString() : (count == 1 ? one : many).arg(count);
 }
 
 QString TypesText(const MemberDescription& member, TypeNames names) {

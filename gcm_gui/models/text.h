@@ -38,8 +38,8 @@ struct Quantity {
 /// The time of day of `when`, ns since 1970: "12:04:31.208".
 [[nodiscard]] QString ClockText(std::int64_t when);
 
-/// "1 client", "3 clients", "" for none.
-[[nodiscard]] QString CountText(std::int64_t count, const QString& noun);
+/// "1 client", "3 clients", "" for none: of "%1 client" and "%1 clients".
+[[nodiscard]] QString CountText(std::int64_t count, const QString& one, const QString& many);
 
 /// What goes in and comes out: "JointGoal", "LinkId → Pose", "" for neither. With the whole names
 /// "arm.LinkId → geometry_msgs.Pose".

@@ -1,3 +1,4 @@
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/history/memory_meter.h>
 #include <gcm_gui/plot/plot_head.h>
 #include <gcm_gui/plot/rate_badge.h>
@@ -47,26 +48,39 @@ QToolButton* Button(const QString& object, const QString& name, QWidget* parent)
 QString LengthText(nanoseconds length) {
   const auto count = std::chrono::duration_cast<seconds>(length).count();
   if (count % 3600 == 0) return QString("%1 h").arg(count / 3600);
-  if (count % 60 == 0) return QString("%1 min").arg(count / 60);
+  if (count % 60 == 0) return Words::tr("%1 min").arg(count / 60);
   return QString("%1 s").arg(count);
 }
 
 PlotHead::PlotHead(QWidget* parent)
     : HeadRow(parent),
       tabs_(new TabBar(this)),
-      plus_(Button("newPlot", "New plot", this)),
+      plus_(Button("newPlot", Words::tr("New plot"), this)),
+      split_(
+          Button("splitPlot", Words::tr("A plot below, with the same time  (Ctrl+Shift+T)"), this)),
       memory_(new MemoryMeter(this)),
       badge_(new RateBadge(this)),
-      window_(Button("window", "How long the plot looks back", this)),
-      cursors_(Button("cursors", "Cursors A and B  (A, B; Delete)", this)),
-      csv_(Button("saveCsv", "Save what is seen as CSV  (Ctrl+E)", this)),
-      pause_(Button("pause", "Pause the view", this)) {
+      window_(Button("window", Words::tr("How long the plot looks back"), this)),
+      back_(Button("back", Words::tr("Back to what was shown before  (Alt+Left)"), this)),
+      forward_(Button("forward", Words::tr("Forward again  (Alt+Right)"), this)),
+      cursors_(Button("cursors", Words::tr("Cursors A and B  (A, B; Delete)"), this)),
+      csv_(Button("saveCsv", Words::tr("Save what is seen as CSV  (Ctrl+E)"), this)),
+      sweep_(Button("sweep",
+                    Words::tr("Sweep: the curves stay, and are written over from the left  (S)"),
+                    this)),
+      pause_(Button("pause", Words::tr("Pause the view"), this)) {
   tabs_->setObjectName("plotTabs");
-  tabs_->setAccessibleName("Plots");
+  tabs_->setAccessibleName(Words::tr("Plots"));
   tabs_->setDrawBase(false);
   tabs_->setExpanding(false);
   tabs_->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
   plus_->setIcon(ThemeIcon("plus"));
+  split_->setIcon(ThemeIcon("split"));
+  back_->setIcon(ThemeIcon("back"));
+  forward_->setIcon(ThemeIcon("forward"));
+  sweep_->setCheckable(true);
+  setSweeping(false);
+  setWay(false, false);
   pause_->setIcon(ThemeIcon("pause"));
   pause_->setCheckable(true);
   cursors_->setText("A/B");
@@ -75,17 +89,33 @@ PlotHead::PlotHead(QWidget* parent)
   buildWindowMenu();
   addLeft(tabs_);
   addLeft(plus_);
+  addLeft(split_);
   addRight(memory_);
   addRight(badge_);
   addRight(window_);
+  addRight(back_);
+  addRight(forward_);
   addRight(cursors_);
   addRight(csv_);
+  addRight(sweep_);
   addRight(pause_);
   layout()->setSpacing(kGrid);
   connect(plus_, &QToolButton::clicked, this, &PlotHead::newPlotRequested);
+  connect(split_, &QToolButton::clicked, this, &PlotHead::splitRequested);
+  connect(back_, &QToolButton::clicked, this, &PlotHead::backRequested);
+  connect(forward_, &QToolButton::clicked, this, &PlotHead::forwardRequested);
+  connect(sweep_, &QToolButton::clicked, this, &PlotHead::sweepToggled);
   connect(pause_, &QToolButton::clicked, this, &PlotHead::pauseToggled);
   connect(cursors_, &QToolButton::clicked, this, &PlotHead::cursorsToggled);
   connect(csv_, &QToolButton::clicked, this, &PlotHead::csvRequested);
+}
+
+void PlotHead::resizeEvent(QResizeEvent* event) {
+  HeadRow::resizeEvent(event);
+  constexpr int kWide = 600;
+  constexpr int kVeryWide = 760;
+  for (QToolButton* button : {split_, sweep_}) button->setVisible(width() >= kWide);
+  for (QToolButton* button : {back_, forward_}) button->setVisible(width() >= kVeryWide);
 }
 
 void PlotHead::buildWindowMenu() {
@@ -113,8 +143,8 @@ void PlotHead::setFigures(const std::vector<SourceFigures>& figures) {
 }
 
 void PlotHead::setWindow(nanoseconds length) {
-  window_->setText("Last " + LengthText(length));
-  window_->setAccessibleName("How long the plot looks back: " + LengthText(length));
+  window_->setText(Words::tr("Last ") + LengthText(length));
+  window_->setAccessibleName(Words::tr("How long the plot looks back: ") + LengthText(length));
   for (QAction* action : lengths_->actions()) {
     action->setChecked(action->text() == LengthText(length));
   }
@@ -122,11 +152,22 @@ void PlotHead::setWindow(nanoseconds length) {
 
 void PlotHead::setCursors(bool shown) { cursors_->setChecked(shown); }
 
+void PlotHead::setSweeping(bool sweeping) {
+  sweep_->setChecked(sweeping);
+  sweep_->setIcon(ThemeIcon("sweep", sweeping ? Token::kAccent : Token::kDim));
+}
+
+void PlotHead::setWay(bool has_former, bool has_later) {
+  back_->setEnabled(has_former);
+  forward_->setEnabled(has_later);
+}
+
 void PlotHead::setPaused(bool paused) {
   pause_->setChecked(paused);
   pause_->setIcon(ThemeIcon(paused ? "play" : "pause", paused ? Token::kAccent : Token::kDim));
-  pause_->setAccessibleName(paused ? "Resume the view" : "Pause the view");
-  pause_->setToolTip(paused ? "Resume the view (Space)" : "Pause the view, not the data (Space)");
+  pause_->setAccessibleName(paused ? Words::tr("Resume the view") : Words::tr("Pause the view"));
+  pause_->setToolTip(paused ? Words::tr("Resume the view (Space)")
+                            : Words::tr("Pause the view, not the data (Space)"));
 }
 
 }  // namespace tendon::gui

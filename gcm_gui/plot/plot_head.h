@@ -15,8 +15,8 @@ namespace tendon::gui {
 class MemoryMeter;
 class RateBadge;
 
-/// The head of the plots: a tab for each, [+], and of the chosen one the rate, the window's length
-/// and the pause.
+/// The head of the plots: a tab for each page of them, [+], and of the chosen one the rate, the
+/// window's length, how it moves, and the way back.
 class PlotHead : public HeadRow {
   Q_OBJECT
 
@@ -30,25 +30,39 @@ class PlotHead : public HeadRow {
   void setWindow(std::chrono::nanoseconds length);
   void setPaused(bool paused);
   void setCursors(bool shown);
+  void setSweeping(bool sweeping);
+  void setWay(bool has_former, bool has_later);
 
  Q_SIGNALS:
   void newPlotRequested();
+  void splitRequested();
   void windowChosen(std::chrono::nanoseconds length);
   void pauseToggled(bool paused);
   void cursorsToggled(bool shown);
+  void sweepToggled(bool sweeping);
+  void backRequested();
+  void forwardRequested();
   void csvRequested();
+
+ protected:
+  /// A narrow one has no buttons for what keys and the menu do as well.
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void buildWindowMenu();
 
   QTabBar* tabs_;
   QToolButton* plus_;
+  QToolButton* split_;
   MemoryMeter* memory_;
   RateBadge* badge_;
   QToolButton* window_;
   QActionGroup* lengths_ = nullptr;
+  QToolButton* back_;
+  QToolButton* forward_;
   QToolButton* cursors_;
   QToolButton* csv_;
+  QToolButton* sweep_;
   QToolButton* pause_;
 };
 

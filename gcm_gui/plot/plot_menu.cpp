@@ -1,3 +1,4 @@
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/picture/plot_picture.h>
 #include <gcm_gui/plot/plot_menu.h>
 #include <gcm_gui/plot/plot_panel.h>
@@ -10,30 +11,56 @@
 namespace tendon::gui {
 
 void FillPlotMenu(QMenu& menu, PlotPanel& panel, PlotView& view) {
-  QMenu& fits = *menu.addMenu("Values");
+  QMenu& fits = *menu.addMenu(Words::tr("Values"));
   auto* group = new QActionGroup(&fits);
-  for (const auto& [fit, text] :
-       {std::pair{Fit::kClose, "Fit what is seen"}, std::pair{Fit::kGrow, "Only grow"},
-        std::pair{Fit::kSymmetric, "Symmetric around 0"}}) {
+  for (const auto& [fit, text] : {std::pair{Fit::kClose, Words::tr("Fit what is seen")},
+                                  std::pair{Fit::kGrow, Words::tr("Only grow")},
+                                  std::pair{Fit::kSymmetric, Words::tr("Symmetric around 0")}}) {
     QAction* action =
         group->addAction(fits.addAction(text, &view, [&view, fit = fit] { view.setFit(fit); }));
     action->setCheckable(true);
     action->setChecked(view.fit() == fit);
+    action->setEnabled(fit != Fit::kSymmetric || view.scale() == ValueScale::kLinear);
   }
-  QAction* statistics =
-      menu.addAction("Statistics", &view, [&view](bool shown) { view.setStatistics(shown); });
+  fits.addSeparator();
+  QAction* logarithmic = fits.addAction(Words::tr("Logarithmic"), &view, [&view](bool chosen) {
+    view.setScale(chosen ? ValueScale::kLogarithmic : ValueScale::kLinear);
+  });
+  logarithmic->setShortcut(Qt::Key_L);
+  logarithmic->setCheckable(true);
+  logarithmic->setChecked(view.scale() == ValueScale::kLogarithmic);
+  QAction* statistics = menu.addAction(Words::tr("Statistics"), &view,
+                                       [&view](bool shown) { view.setStatistics(shown); });
   statistics->setCheckable(true);
   statistics->setChecked(view.hasStatistics());
+  QAction* marks = menu.addAction(Words::tr("Marks"), &panel,
+                                  [&panel](bool shown) { panel.setMarksShown(shown); });
+  marks->setShortcut(Qt::Key_E);
+  marks->setCheckable(true);
+  marks->setChecked(panel.areMarksShown());
   menu.addSeparator();
-  menu.addAction("Follow live data", &view, &PlotView::goLive);
-  menu.addAction("Back to what was shown before", &view, &PlotView::goBack);
+  using Motion = TimeWindow::Motion;
+  QAction* sweep = menu.addAction(Words::tr("Sweep"), &view, [&view](bool chosen) {
+    view.setMotion(chosen ? Motion::kSweep : Motion::kScroll);
+  });
+  sweep->setShortcut(Qt::Key_S);
+  sweep->setCheckable(true);
+  sweep->setChecked(view.window().motion() == Motion::kSweep);
+  menu.addAction(Words::tr("Follow live data"), &view, &PlotView::goLive);
+  menu.addAction(Words::tr("Back to what was shown before"), &view, &PlotView::goBack)
+      ->setEnabled(view.hasFormerView());
+  menu.addAction(Words::tr("Forward again"), &view, &PlotView::goForward)
+      ->setEnabled(view.hasLaterView());
   menu.addSeparator();
-  menu.addAction("Copy picture", &view, [&view] { CopyPicture(view); });
-  menu.addAction("Save picture…", &panel, &PlotPanel::askForPicture);
-  menu.addAction("Save what is seen as CSV…", &panel, &PlotPanel::askForCsv);
+  menu.addAction(Words::tr("A plot below"), &panel, [&panel] { panel.splitPlot(); });
+  menu.addAction(Words::tr("Close this plot"), &panel, [&panel, &view] { panel.closePlot(view); });
   menu.addSeparator();
-  menu.addAction("Open layout…", &panel, &PlotPanel::askForLayout);
-  menu.addAction("Save layout of all plots…", &panel, &PlotPanel::askToSaveLayout);
+  menu.addAction(Words::tr("Copy picture"), &view, [&view] { CopyPicture(view); });
+  menu.addAction(Words::tr("Save picture…"), &panel, &PlotPanel::askForPicture);
+  menu.addAction(Words::tr("Save what is seen as CSV…"), &panel, &PlotPanel::askForCsv);
+  menu.addSeparator();
+  menu.addAction(Words::tr("Open layout…"), &panel, &PlotPanel::askForLayout);
+  menu.addAction(Words::tr("Save layout of all plots…"), &panel, &PlotPanel::askToSaveLayout);
 }
 
 }  // namespace tendon::gui

@@ -42,6 +42,7 @@ bool PlotNavigator::eventFilter(QObject* watched, QEvent* event) {
       return true;
     case QEvent::Leave:
       view_.setHover({});
+      view_.endRun();
       return false;
     case QEvent::Wheel:
       return wheel(static_cast<const QWheelEvent&>(*event));
@@ -58,6 +59,10 @@ bool PlotNavigator::eventFilter(QObject* watched, QEvent* event) {
 }
 
 bool PlotNavigator::press(const QMouseEvent& event) {
+  if (event.button() == Qt::BackButton || event.button() == Qt::ForwardButton) {
+    event.button() == Qt::BackButton ? view_.goBack() : view_.goForward();
+    return true;
+  }
   if (event.button() != Qt::LeftButton || view_.curves().empty()) return false;
   pressed_ = last_ = event.pos();
   moves_values_ = false;
@@ -67,7 +72,7 @@ bool PlotNavigator::press(const QMouseEvent& event) {
     cursor_ = *cursor;
   }
   if (drag_ == Drag::kPan) {
-    view_.remember();
+    view_.endRun();
     view_.canvas()->setCursor(Qt::ClosedHandCursor);
   }
   return true;
@@ -136,7 +141,7 @@ bool PlotNavigator::help(const QHelpEvent& event) {
   return true;
 }
 
-bool PlotNavigator::cursorKey(int key) {
+bool PlotNavigator::plainKey(int key) {
   const QPoint mouse = view_.canvas()->mapFromGlobal(QCursor::pos());
   const bool over = view_.canvas()->rect().contains(mouse);
   const int x = over ? mouse.x() : view_.canvas()->width() / 2;
@@ -150,13 +155,25 @@ bool PlotNavigator::cursorKey(int key) {
     case Qt::Key_Delete:
       view_.showCursors(false);
       return true;
+    case Qt::Key_E:
+      Q_EMIT view_.marksToggled();
+      return true;
+    case Qt::Key_S:
+      view_.setMotion(view_.window().motion() == TimeWindow::Motion::kScroll
+                          ? TimeWindow::Motion::kSweep
+                          : TimeWindow::Motion::kScroll);
+      return true;
+    case Qt::Key_L:
+      view_.setScale(view_.scale() == ValueScale::kLinear ? ValueScale::kLogarithmic
+                                                          : ValueScale::kLinear);
+      return true;
     default:
       return false;
   }
 }
 
 bool PlotNavigator::key(const QKeyEvent& event) {
-  if (event.modifiers() == Qt::NoModifier && cursorKey(event.key())) return true;
+  if (event.modifiers() == Qt::NoModifier && plainKey(event.key())) return true;
   const double width = view_.canvas()->width();
   const QPoint centre = view_.canvas()->rect().center();
   const bool values = event.modifiers().testFlag(Qt::ControlModifier);
@@ -173,7 +190,8 @@ bool PlotNavigator::key(const QKeyEvent& event) {
                                                   : view_.panTime(-kKeyPan * width);
       return true;
     case Qt::Key_Right:
-      view_.panTime(kKeyPan * width);
+      event.modifiers().testFlag(Qt::AltModifier) ? view_.goForward()
+                                                  : view_.panTime(kKeyPan * width);
       return true;
     case Qt::Key_Plus:
     case Qt::Key_Equal:

@@ -18,9 +18,13 @@ class PlotView;
 ///
 /// - wheel: zoom in time around the mouse; Ctrl+wheel: in values; sideways: move in time
 /// - drag: zoom to the rectangle, Escape gives up; Shift+drag: move
-/// - double click, End: live again; Alt+Left: back to what was shown before
+/// - double click, End: live again
+/// - Alt+Left, Alt+Right, the mouse's buttons for it: back to what was shown before, and forward
 /// - keys: Left, Right, + and -, Ctrl with + and - for values
 /// - A and B: cursors under the mouse, to be dragged; Delete removes them
+/// - S: sweep, and scroll again
+/// - M: marks, or none
+/// - L: logarithmic values, and linear ones again
 class PlotNavigator : public QObject {
   Q_OBJECT
 
@@ -40,7 +44,7 @@ class PlotNavigator : public QObject {
   /// What is marked where the mouse rests.
   bool help(const QHelpEvent& event);
   bool key(const QKeyEvent& event);
-  bool cursorKey(int key);
+  bool plainKey(int key);
   void showGrip(int x);
   void endDrag();
 

@@ -43,9 +43,15 @@ void PlotOverlay::setHint(const QString& hint) {
   changed();
 }
 
+void PlotOverlay::setNote(const QString& note) {
+  if (note == note_) return;
+  note_ = note;
+  changed();
+}
+
 // Hidden while there is nothing to show, as it is as large as the canvas.
 void PlotOverlay::changed() {
-  setVisible(band_.has_value() || line_.has_value() || !hint_.isEmpty());
+  setVisible(band_.has_value() || line_.has_value() || !hint_.isEmpty() || !note_.isEmpty());
   update();
 }
 
@@ -63,6 +69,24 @@ void PlotOverlay::paintEvent(QPaintEvent*) {
     painter.drawRect(band_->adjusted(0, 0, -1, -1));
   }
   if (line_) paintHairline(painter);
+  if (!note_.isEmpty()) paintNote(painter);
+}
+
+void PlotOverlay::paintNote(QPainter& painter) const {
+  const Theme& theme = Theme::instance();
+  const QFontMetrics metrics(theme.small());
+  const QString text = metrics.elidedText(note_, Qt::ElideRight, width() / 2);
+  const QRect box(2 * kGrid, 2 * kGrid, metrics.horizontalAdvance(text) + 4 * kGrid,
+                  metrics.height() + kGrid);
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(theme.color(Token::kPanel, 0.9));
+  painter.drawRoundedRect(box, kGrid, kGrid);
+  painter.setFont(theme.small());
+  painter.setPen(theme.color(Token::kWarning));
+  painter.drawText(box, Qt::AlignCenter, text);
+  painter.restore();
 }
 
 void PlotOverlay::paintHairline(QPainter& painter) const {

@@ -1,4 +1,7 @@
+#include <gcm_gui/files/file_writer.h>
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/layout/plot_layout.h>
+#include <gcm_gui/plot/link/plot_page.h>
 #include <gcm_gui/plot/picture/plot_picture.h>
 #include <gcm_gui/plot/plot_head.h>
 #include <gcm_gui/plot/plot_menu.h>
@@ -9,7 +12,6 @@
 #include <QFileDialog>
 #include <QInputDialog>
 #include <QMenu>
-#include <QSaveFile>
 #include <QSet>
 #include <QStackedWidget>
 #include <QTabBar>
@@ -27,109 +29,76 @@ constexpr int kHeadPeriod = 250;  // ms
 CsvTable InSight(const PlotView& view) {
   const std::chrono::nanoseconds utc = std::chrono::system_clock::now().time_since_epoch();
   const TimeWindow& window = view.window();
-  return CsvTableOf(view.curves(), window.timeAt(window.from()), window.timeAt(window.to()),
-                    utc.count() - view.now());
+  return CsvTableOf(view.curves(), window.firstTime(), window.lastTime(), utc.count() - view.now());
 }
 
 }  // namespace
 
 PlotPanel::PlotPanel(QWidget* parent)
-    : QWidget(parent), head_(new PlotHead(this)), plots_(new QStackedWidget(this)) {
+    : QWidget(parent), head_(new PlotHead(this)), pages_(new QStackedWidget(this)) {
   setObjectName("plotPanel");
-  setAccessibleName("Plots");
+  setAccessibleName(Words::tr("Plots"));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   column->addWidget(head_);
-  column->addWidget(plots_, 1);
+  column->addWidget(pages_, 1);
   buildTabs();
-  connect(head_, &PlotHead::newPlotRequested, this, [this] { addPlot(); });
-  connect(head_, &PlotHead::windowChosen, this, &PlotPanel::setWindow);
-  connect(head_, &PlotHead::pauseToggled, this, &PlotPanel::setPaused);
-  connect(head_, &PlotHead::cursorsToggled, this,
-          [this](bool shown) { currentPlot().showCursors(shown); });
-  connect(head_, &PlotHead::csvRequested, this, &PlotPanel::askForCsv);
+  connectHead();
   connect(&csv_, &CsvExport::finished, this, &PlotPanel::notice);
   connect(&head_timer_, &QTimer::timeout, this, &PlotPanel::updateHead);
   head_timer_.start(kHeadPeriod);
   addPlot();
 }
 
+void PlotPanel::connectHead() {
+  connect(head_, &PlotHead::newPlotRequested, this, [this] { addPlot(); });
+  connect(head_, &PlotHead::splitRequested, this, [this] { splitPlot(); });
+  connect(head_, &PlotHead::backRequested, this, [this] { currentPlot().goBack(); });
+  connect(head_, &PlotHead::forwardRequested, this, [this] { currentPlot().goForward(); });
+  connect(head_, &PlotHead::sweepToggled, this, [this](bool sweeping) {
+    currentPlot().setMotion(sweeping ? TimeWindow::Motion::kSweep : TimeWindow::Motion::kScroll);
+  });
+  connect(head_, &PlotHead::windowChosen, this, &PlotPanel::setWindow);
+  connect(head_, &PlotHead::pauseToggled, this, &PlotPanel::setPaused);
+  connect(head_, &PlotHead::cursorsToggled, this,
+          [this](bool shown) { currentPlot().showCursors(shown); });
+  connect(head_, &PlotHead::csvRequested, this, &PlotPanel::askForCsv);
+}
+
 void PlotPanel::buildTabs() {
   QTabBar& tabs = head_->tabs();
   tabs.setContextMenuPolicy(Qt::CustomContextMenu);
-  connect(&tabs, &QTabBar::currentChanged, this, &PlotPanel::showPlot);
+  connect(&tabs, &QTabBar::currentChanged, this, &PlotPanel::showPage);
   connect(&tabs, &QWidget::customContextMenuRequested, this, &PlotPanel::showTabMenu);
 }
 
-PlotView& PlotPanel::addPlot() {
-  auto* view = new PlotView(plots_);
-  view->setPaused(paused_);
+void PlotPanel::prepare(PlotView& given) {
+  PlotView* view = &given;
+  if (paused_) view->setPaused(true);
   view->setMarks(marks_);
+  view->setMarksShown(marks_shown_);
   connect(view, &PlotView::curvesDropped, this, [this, view](const QList<CurveKey>& keys) {
     for (const CurveKey& key : keys) add(*view, key);
   });
+  connect(view, &PlotView::curvesMoved, this,
+          [this, view](const QList<CurveKey>& keys, quint64 from) {
+            for (const CurveKey& key : keys) move(key.path, from, *view);
+          });
   connect(view, &PlotView::curveRemovalRequested, this,
           [this, view](const QString& path) { removeFrom(*view, path); });
   connect(view, &PlotView::liveChanged, this, [this](bool live) {
     if (live) setPaused(false);
   });
   connect(view, &PlotView::cursorsChanged, this, &PlotPanel::updateHead);
+  connect(view, &PlotView::motionChanged, this, &PlotPanel::updateHead);
+  connect(view, &PlotView::marksToggled, this, [this] { setMarksShown(!marks_shown_); });
   connect(view, &PlotView::remapRequested, this, &PlotPanel::askForRemap);
-  connect(view, &PlotView::menuRequested, this,
-          [this, view](const QPoint& position) { showPlotMenu(*view, position); });
-  plots_->addWidget(view);
-  const int index = head_->tabs().addTab({});
-  nameTab(*view);
-  head_->tabs().setCurrentIndex(index);
-  showPlot(index);
-  return *view;
+  connect(view, &PlotView::menuRequested, this, [this, view](const QPoint& position) {
+    pageOf(*view).setCurrent(*view);
+    showPlotMenu(*view, position);
+  });
 }
-
-void PlotPanel::closePlot(int index) {
-  PlotView& view = plot(index);
-  QStringList paths;
-  for (const auto& curve : view.curves().curves()) paths << curve->path();
-  for (const QString& path : paths) removeFrom(view, path);
-  if (plotCount() == 1) return;
-  head_->tabs().removeTab(index);
-  plots_->removeWidget(&view);
-  view.deleteLater();
-  showPlot(head_->tabs().currentIndex());
-}
-
-void PlotPanel::showTabMenu(const QPoint& position) {
-  const int index = head_->tabs().tabAt(position);
-  if (index < 0) return;
-  auto* menu = new QMenu(this);
-  menu->setAttribute(Qt::WA_DeleteOnClose);
-  menu->addAction("Close plot", this, [this, index] { closePlot(index); });
-  menu->popup(head_->tabs().mapToGlobal(position));
-}
-
-void PlotPanel::showPlot(int index) {
-  head_->tabs().setCurrentIndex(index);
-  plots_->setCurrentIndex(index);
-  updateHead();
-}
-
-// By the column of its first curve; by its number while it is empty.
-void PlotPanel::nameTab(const PlotView& view) {
-  const int index = plots_->indexOf(&view);
-  const auto& curves = view.curves().curves();
-  const QString name =
-      curves.empty() ? QString("Plot %1").arg(index + 1) : ColumnOf(curves.front()->path());
-  head_->tabs().setTabText(index, name);
-  plot(index).setAccessibleName("Plot " + name);
-}
-
-PlotView& PlotPanel::plot(int index) const {
-  return static_cast<PlotView&>(*plots_->widget(index));
-}
-
-int PlotPanel::plotCount() const { return plots_->count(); }
-
-int PlotPanel::currentIndex() const { return plots_->currentIndex(); }
 
 void PlotPanel::addSignal(const QString& path, const QString& unit) {
   add(currentPlot(), {.path = path, .unit = unit});
@@ -146,7 +115,7 @@ void PlotPanel::add(PlotView& view, const CurveKey& key) {
 }
 
 void PlotPanel::removeSignal(const QString& path) {
-  for (int i = 0; i < plotCount(); ++i) removeFrom(plot(i), path);
+  for (PlotView* view : plots()) removeFrom(*view, path);
 }
 
 void PlotPanel::removeFrom(PlotView& view, const QString& given) {
@@ -163,8 +132,8 @@ bool PlotPanel::isPlotted(const QString& path) const { return paths().contains(p
 
 QStringList PlotPanel::paths() const {
   QStringList paths;
-  for (int i = 0; i < plotCount(); ++i) {
-    for (const auto& curve : plot(i).curves().curves()) {
+  for (PlotView* view : plots()) {
+    for (const auto& curve : view->curves().curves()) {
       if (!paths.contains(curve->path())) paths << curve->path();
     }
   }
@@ -172,25 +141,32 @@ QStringList PlotPanel::paths() const {
 }
 
 void PlotPanel::append(const QString& path, std::span<const Sample> samples) {
-  for (int i = 0; i < plotCount(); ++i) {
-    if (Curve* curve = plot(i).curve(path)) curve->append(samples);
+  for (PlotView* view : plots()) {
+    if (Curve* curve = view->curve(path)) curve->append(samples);
   }
 }
 
 void PlotPanel::addMark(Mark mark) {
   marks_.add(std::move(mark));
-  for (int i = 0; i < plotCount(); ++i) plot(i).marksChanged();
+  for (PlotView* view : plots()) view->marksChanged();
+}
+
+void PlotPanel::setMarksShown(bool shown) {
+  if (shown == marks_shown_) return;
+  marks_shown_ = shown;
+  for (PlotView* view : plots()) view->setMarksShown(shown);
+  Q_EMIT marksShownChanged(shown);
 }
 
 void PlotPanel::beginEpoch(const QString& path) {
-  for (int i = 0; i < plotCount(); ++i) {
-    if (Curve* curve = plot(i).curve(path)) curve->beginEpoch();
+  for (PlotView* view : plots()) {
+    if (Curve* curve = view->curve(path)) curve->beginEpoch();
   }
 }
 
 void PlotPanel::setStale(const QString& path, const QString& reason) {
-  for (int i = 0; i < plotCount(); ++i) {
-    Curve* curve = plot(i).curve(path);
+  for (PlotView* view : plots()) {
+    Curve* curve = view->curve(path);
     if (curve != nullptr) curve->setStale(reason.isEmpty() ? WaitingFor(path) : reason);
   }
 }
@@ -198,7 +174,7 @@ void PlotPanel::setStale(const QString& path, const QString& reason) {
 void PlotPanel::setPaused(bool paused) {
   if (paused == paused_) return;
   paused_ = paused;
-  for (int i = 0; i < plotCount(); ++i) plot(i).setPaused(paused);
+  for (PlotView* view : plots()) view->setPaused(paused);
   head_->setPaused(paused);
   Q_EMIT pausedChanged(paused);
 }
@@ -211,10 +187,10 @@ void PlotPanel::setWindow(std::chrono::nanoseconds length) {
 void PlotPanel::askForCsv() {
   auto table = std::make_shared<CsvTable>(InSight(currentPlot()));
   if (table->empty()) {
-    Q_EMIT notice("There is nothing to save as CSV: the plot shows no samples");
+    Q_EMIT notice(Words::tr("There is nothing to save as CSV: the plot shows no samples"));
     return;
   }
-  askForFile("Save what is seen as CSV", "CSV (*.csv)", "csv",
+  askForFile(Words::tr("Save what is seen as CSV"), Words::tr("CSV (*.csv)"), "csv",
              [this, table](const QString& file) { csv_.save(std::move(*table), file); });
 }
 
@@ -225,45 +201,46 @@ void PlotPanel::askForFile(const QString& title, const QString& filter, const QS
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setNameFilter(filter);
   dialog->setDefaultSuffix(suffix);
-  dialog->selectFile(head_->tabs().tabText(currentIndex()) + '.' + suffix);
+  dialog->selectFile(head_->tabs().tabText(pages_->currentIndex()) + '.' + suffix);
   connect(dialog, &QFileDialog::fileSelected, this, std::move(handler));
   dialog->open();
 }
 
 void PlotPanel::askForPicture() {
-  askForFile("Save a picture of the plot", "PNG (*.png);;SVG (*.svg)", "png",
-             [this](const QString& file) { Q_EMIT notice(SavePicture(currentPlot(), file)); });
+  askForFile(Words::tr("Save a picture of the plot"), Words::tr("PNG (*.png);;SVG (*.svg)"), "png",
+             [this](const QString& file) {
+               SavePicture(currentPlot(), file, this,
+                           [this](const QString& sentence) { Q_EMIT notice(sentence); });
+             });
 }
 
 void PlotPanel::askToSaveLayout() {
-  askForFile("Save the layout of all plots", "Plot layout (*.plots.json)", "plots.json",
-             [this](const QString& file) { saveLayout(file); });
+  askForFile(Words::tr("Save the layout of all plots"), Words::tr("Plot layout (*.plots.json)"),
+             "plots.json", [this](const QString& file) { saveLayout(file); });
 }
 
 void PlotPanel::askForLayout() {
-  auto* dialog = new QFileDialog(this, "Open a layout of plots");
+  auto* dialog = new QFileDialog(this, Words::tr("Open a layout of plots"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
-  dialog->setNameFilter("Plot layout (*.plots.json *.json)");
+  dialog->setNameFilter(Words::tr("Plot layout (*.plots.json *.json)"));
   connect(dialog, &QFileDialog::fileSelected, this, &PlotPanel::openLayout);
   dialog->open();
 }
 
 void PlotPanel::saveLayout(const QString& name) {
-  QSaveFile file(name);
-  if (file.open(QIODevice::WriteOnly) && file.write(LayoutOf(*this)) >= 0 && file.commit()) {
-    return Q_EMIT notice(name + " saved");
-  }
-  Q_EMIT notice(name + " was not saved: " + file.errorString());
+  FileWriter::instance().write(name, LayoutOf(*this), this, [this, name](const QString& refusal) {
+    Q_EMIT notice(refusal.isEmpty() ? name + Words::tr(" saved") : NotSaved(name, refusal));
+  });
 }
 
 void PlotPanel::openLayout(const QString& name) {
   QFile file(name);
   if (!file.open(QIODevice::ReadOnly)) {
-    return Q_EMIT notice(name + " cannot be read: " + file.errorString());
+    return Q_EMIT notice(name + Words::tr(" cannot be read: ") + file.errorString());
   }
   if (const auto reason = ShowLayout(*this, file.readAll())) {
-    Q_EMIT notice(name + " is no layout of plots: " + *reason);
+    Q_EMIT notice(name + Words::tr(" is no layout of plots: ") + *reason);
   }
 }
 
@@ -277,8 +254,8 @@ void PlotPanel::askForRemap(const QString& path) {
   for (const CurveKey& key : candidates) names << key.path;
   auto* dialog = new QInputDialog(this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setWindowTitle("Show another signal");
-  dialog->setLabelText("In place of " + path);
+  dialog->setWindowTitle(Words::tr("Show another signal"));
+  dialog->setLabelText(Words::tr("In place of ") + path);
   dialog->setComboBoxItems(names);
   dialog->setComboBoxEditable(true);
   dialog->setTextValue(names.isEmpty() ? path : names.front());
@@ -296,10 +273,10 @@ void PlotPanel::askForRemap(const QString& path) {
 void PlotPanel::remap(const QString& given, const CurveKey& to) {
   const QString from = given;  // may be a curve's own
   if (from == to.path || to.path.isEmpty()) return;
-  for (int i = 0; i < plotCount(); ++i) {
-    if (plot(i).curve(from) == nullptr) continue;
-    add(plot(i), to);
-    removeFrom(plot(i), from);
+  for (PlotView* view : plots()) {
+    if (view->curve(from) == nullptr) continue;
+    add(*view, to);
+    removeFrom(*view, from);
   }
 }
 
@@ -320,10 +297,10 @@ void PlotPanel::setMemoryBudget(std::size_t bytes) {
 
 void PlotPanel::shareMemory() {
   std::size_t count = 0;
-  for (int i = 0; i < plotCount(); ++i) count += plot(i).curves().curves().size();
+  for (const PlotView* view : plots()) count += view->curves().curves().size();
   const std::size_t budget = memory_ / std::max<std::size_t>(count, 1);
-  for (int i = 0; i < plotCount(); ++i) {
-    for (const auto& curve : plot(i).curves().curves()) curve->setBudget(budget);
+  for (PlotView* view : plots()) {
+    for (const auto& curve : view->curves().curves()) curve->setBudget(budget);
   }
 }
 
@@ -331,8 +308,8 @@ void PlotPanel::updateHead() {
   if (plotCount() == 0) return;
   std::size_t used = 0;
   bool is_thinned = false;
-  for (int i = 0; i < plotCount(); ++i) {
-    for (const auto& curve : plot(i).curves().curves()) {
+  for (PlotView* view : plots()) {
+    for (const auto& curve : view->curves().curves()) {
       used += curve->bytes();
       is_thinned = is_thinned || curve->isThinned();
     }
@@ -341,6 +318,8 @@ void PlotPanel::updateHead() {
   head_->setFigures(currentPlot().figures());
   head_->setWindow(currentPlot().window().length());
   head_->setCursors(currentPlot().cursors().any());
+  head_->setSweeping(currentPlot().window().motion() == TimeWindow::Motion::kSweep);
+  head_->setWay(currentPlot().hasFormerView(), currentPlot().hasLaterView());
 }
 
 }  // namespace tendon::gui

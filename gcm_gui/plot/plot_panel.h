@@ -10,15 +10,18 @@
 #include <chrono>
 #include <functional>
 #include <span>
+#include <vector>
 
 class QStackedWidget;
 
 namespace tendon::gui {
 
 class PlotHead;
+class PlotPage;
 class PlotView;
 
-/// The plots of the window, one a tab.
+/// The plots of the window: pages of them, each a tab, in which plots lie below each other and show
+/// the same time. They are counted from the first page's topmost.
 ///
 /// The owner hears subscriptionWanted() and subscriptionReleased(), and brings what it gets by
 /// append(). A path may be in several plots; it is wanted once. GUI thread.
@@ -45,6 +48,9 @@ class PlotPanel : public QWidget {
   /// In all plots.
   void addMark(Mark mark);
   [[nodiscard]] const MarkTrack& marks() const { return marks_; }
+  /// In all plots. Marks that come while they are hidden are there afterwards.
+  void setMarksShown(bool shown);
+  [[nodiscard]] bool areMarksShown() const { return marks_shown_; }
 
   /// Stops the views; samples go on being kept.
   void setPaused(bool paused);
@@ -71,25 +77,39 @@ class PlotPanel : public QWidget {
   /// For the samples of all plots, in bytes.
   void setMemoryBudget(std::size_t bytes);
 
-  /// An empty plot, in front.
+  /// An empty plot on a page of its own, in front.
   PlotView& addPlot();
+  /// An empty plot below the current one, with the same time.
+  PlotView& splitPlot();
   /// The last one is emptied instead.
   void closePlot(int index);
-  [[nodiscard]] PlotView& currentPlot() const { return plot(currentIndex()); }
+  void closePlot(PlotView& view);
+  [[nodiscard]] PlotView& currentPlot() const;
   [[nodiscard]] PlotView& plot(int index) const;
   [[nodiscard]] int plotCount() const;
   [[nodiscard]] int currentIndex() const;
   void showPlot(int index);
+  /// Whether it shares its page with the plot before it.
+  [[nodiscard]] bool isBelow(int index) const;
 
  Q_SIGNALS:
   void subscriptionWanted(const QString& path);
   void subscriptionReleased(const QString& path);
   void pausedChanged(bool paused);
+  void marksShownChanged(bool shown);
   /// One sentence for the user.
   void notice(const QString& text);
 
  private:
   void buildTabs();
+  void connectHead();
+  void prepare(PlotView& view);
+  void closePage(int index);
+  void showPage(int index);
+  void move(const QString& path, quint64 from, PlotView& to);
+  [[nodiscard]] PlotPage& page(int index) const;
+  [[nodiscard]] PlotPage& pageOf(const PlotView& view) const;
+  [[nodiscard]] std::vector<PlotView*> plots() const;
   void add(PlotView& view, const CurveKey& key);
   void removeFrom(PlotView& view, const QString& path);
   void showTabMenu(const QPoint& position);
@@ -98,7 +118,7 @@ class PlotPanel : public QWidget {
   using FileHandler = std::function<void(const QString& file)>;
   void askForFile(const QString& title, const QString& filter, const QString& suffix,
                   FileHandler handler);
-  void nameTab(const PlotView& view);
+  void nameTab(PlotView& view);
   void updateHead();
   void shareMemory();
   [[nodiscard]] bool isPlotted(const QString& path) const;
@@ -106,11 +126,12 @@ class PlotPanel : public QWidget {
   CsvExport csv_;
   MarkTrack marks_;
   PlotHead* head_;
-  QStackedWidget* plots_;
+  QStackedWidget* pages_;
   std::function<QList<CurveKey>(const QString& path)> candidates_;
   QTimer head_timer_;
   std::size_t memory_ = kDefaultMemory;
   bool paused_ = false;
+  bool marks_shown_ = true;
 };
 
 }  // namespace tendon::gui

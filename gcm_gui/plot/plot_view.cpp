@@ -1,13 +1,14 @@
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/canvas/cursor_lines.h>
 #include <gcm_gui/plot/canvas/curve_layer.h>
 #include <gcm_gui/plot/canvas/gap_bands.h>
+#include <gcm_gui/plot/canvas/sweep_painter.h>
 #include <gcm_gui/plot/legend/legend_area.h>
+#include <gcm_gui/plot/legend/legend_entries.h>
 #include <gcm_gui/plot/marks/mark_flags.h>
 #include <gcm_gui/plot/plot_navigator.h>
 #include <gcm_gui/plot/plot_overlay.h>
 #include <gcm_gui/plot/plot_view.h>
-#include <gcm_gui/plot/rate_badge.h>
-#include <gcm_gui/plot/series/statistics.h>
 #include <gcm_gui/theme/icon.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
@@ -15,6 +16,7 @@
 #include <qwt_plot_grid.h>
 #include <qwt_scale_map.h>
 
+#include <QDrag>
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QMimeData>
@@ -29,10 +31,14 @@ namespace tendon::gui {
 namespace {
 
 constexpr int kFrame = 16;       // ms
-constexpr int kFigure = 8;       // characters of a number of the statistics
 constexpr int kLegendTicks = 6;  // frames between two changes of its numbers
-constexpr double kGrab = 5;      // pixels around a cursor
-constexpr auto kHint = "Select a value and press P, or drag it here";
+constexpr int kCurrentMark = 2;  // pixels at the left edge
+constexpr auto kHint = QT_TRANSLATE_NOOP("Words", "Select a value and press P, or drag it here");
+
+std::uint64_t NextId() {
+  static std::uint64_t last = 0;
+  return ++last;
+}
 
 std::int64_t LocalNow() {
   return std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -40,9 +46,18 @@ std::int64_t LocalNow() {
 
 }  // namespace
 
-PlotView::PlotView(QWidget* parent)
-    : QwtPlot(parent), axes_(*this), newest_ns_(std::numeric_limits<std::int64_t>::min()) {
-  setAccessibleName("Plot");
+PlotView::PlotView(QWidget* parent) : PlotView(std::make_shared<TimeLink>(), parent) {}
+
+PlotView::PlotView(std::shared_ptr<TimeLink> link, QWidget* parent)
+    : QwtPlot(parent),
+      axes_(*this),
+      link_(std::move(link)),
+      window_(link_->window()),
+      cursors_(link_->cursors()),
+      id_(NextId()),
+      newest_ns_(std::numeric_limits<std::int64_t>::min()) {
+  link_->join(curves_);
+  setAccessibleName(Words::tr("Plot"));
   setAcceptDrops(true);
   setSizePolicy(QSizePolicy::Expanding,
                 QSizePolicy::Expanding);  // QwtPlot would insist on its hint
@@ -55,6 +70,8 @@ PlotView::PlotView(QWidget* parent)
   connect(&timer_, &QTimer::timeout, this, &PlotView::refresh);
 }
 
+PlotView::~PlotView() { link_->leave(curves_); }
+
 void PlotView::build() {
   auto* canvas_widget = qobject_cast<QwtPlotCanvas*>(canvas());
   canvas_widget->setFrameStyle(QFrame::NoFrame);
@@ -62,7 +79,7 @@ void PlotView::build() {
   canvas_widget->setCursor(Qt::ArrowCursor);
   canvas_widget->setFocusIndicator(QwtPlotCanvas::CanvasFocusIndicator);
   canvas_widget->setObjectName("canvas");
-  canvas_widget->setAccessibleName("Plot canvas");
+  canvas_widget->setAccessibleName(Words::tr("Plot canvas"));
   setFrameStyle(QFrame::NoFrame);
   grid_ = new QwtPlotGrid;
   grid_->attach(this);
@@ -77,7 +94,8 @@ void PlotView::build() {
   live_pill_->setFocusPolicy(Qt::TabFocus);
   SetRole(*live_pill_, "primary");
   live_pill_->hide();
-  connect(live_pill_, &QPushButton::clicked, this, &PlotView::goLive);
+  connect(live_pill_, &QPushButton::clicked, this, &PlotView::goLiveTogether);
+  connect(&legendBox(), &Legend::dragRequested, this, &PlotView::startDrag);
   connect(&legendBox(), &Legend::removeRequested, this, &PlotView::curveRemovalRequested);
   connect(&legendBox(), &Legend::remapRequested, this, &PlotView::remapRequested);
   connect(&legendBox(), &Legend::toggled, this, [this](const QString& path) {
@@ -94,7 +112,7 @@ void PlotView::takeTheme() {
   axes_.takeTheme();
   grid_->setPen(Theme::instance().color(Token::kLine), 0);
   changed();
-  axes_.showValues(curves_.axes());
+  axes_.showValues(curves_.axes(), curves_.scale());
   updateLegend();
   if (curves_.empty()) replot();  // the timer stands still
 }
@@ -105,137 +123,34 @@ Curve& PlotView::addCurve(const CurveKey& key) {
   return curve;
 }
 
+std::unique_ptr<Curve> PlotView::takeCurve(const QString& path) {
+  std::unique_ptr<Curve> curve = curves_.take(path);
+  curvesChanged();
+  return curve;
+}
+
+void PlotView::adoptCurve(std::unique_ptr<Curve> curve) {
+  curves_.adopt(std::move(curve));
+  curvesChanged();
+}
+
 void PlotView::removeCurve(const QString& path) {
   if (curves_.remove(path)) curvesChanged();
 }
 
 void PlotView::curvesChanged() {
   const bool empty = curves_.empty();
-  overlay_->setHint(empty ? kHint : "");
+  overlay_->setHint(empty ? Words::tr(kHint) : QString());
   grid_->setVisible(!empty);
   axes_.setVisible(!empty);
-  setAccessibleDescription(empty ? kHint : QString("%1 curves").arg(curves_.curves().size()));
+  setAccessibleDescription(empty ? Words::tr(kHint)
+                                 : Words::tr("%1 curves").arg(curves_.curves().size()));
   if (isVisible() && !empty) timer_.start(kFrame);
   changed();
   axes_.showTime(window_);
-  axes_.showValues(curves_.axes());
+  axes_.showValues(curves_.axes(), curves_.scale());
   updateLegend();
   update();
-}
-
-void PlotView::setWindow(std::chrono::nanoseconds length) {
-  window_.setLength(length);
-  changed();
-}
-
-void PlotView::setPaused(bool paused) {
-  if (paused) {
-    window_.follow(now(), columns() * devicePixelRatioF());
-    window_.hold();
-  } else {
-    window_.goLive();
-  }
-  changed();
-}
-
-void PlotView::goLive() {
-  window_.goLive();
-  for (UnitAxis& axis : curves_.axes()) axis.fitted = true;
-  former_views_.clear();
-  changed();
-}
-
-bool PlotView::isLive() const { return window_.isLive(); }
-
-void PlotView::zoomTime(double factor, double x) {
-  window_.zoom(factor, invTransform(QwtAxis::XBottom, x));
-  changed();
-}
-
-void PlotView::zoomValues(double factor, double y) {
-  const QwtScaleMap map = canvasMap(QwtAxis::YLeft);
-  const double at = (y - map.p1()) / (map.p2() - map.p1());  // of the height, from below
-  for (UnitAxis& axis : curves_.axes()) {
-    const double fixed = axis.range.low + at * axis.range.span();
-    axis.range = {.low = fixed + (axis.range.low - fixed) * factor,
-                  .high = fixed + (axis.range.high - fixed) * factor};
-    axis.fitted = false;
-  }
-  changed();
-}
-
-void PlotView::panTime(double pixels) {
-  window_.pan((window_.to() - window_.from()) * pixels / columns());
-  changed();
-}
-
-void PlotView::panValues(double pixels) {
-  for (UnitAxis& axis : curves_.axes()) {
-    const double by = axis.range.span() * pixels / canvas()->height();
-    axis.range = {.low = axis.range.low + by, .high = axis.range.high + by};
-    axis.fitted = false;
-  }
-  changed();
-}
-
-void PlotView::zoomTo(const QRect& rect) {
-  remember();
-  window_.show(invTransform(QwtAxis::XBottom, rect.left()),
-               invTransform(QwtAxis::XBottom, rect.right()));
-  const QwtScaleMap map = canvasMap(QwtAxis::YLeft);
-  const auto part = [&](int y) { return (y - map.p1()) / (map.p2() - map.p1()); };
-  for (UnitAxis& axis : curves_.axes()) {
-    const AxisRange all = axis.range;
-    axis.range = {.low = all.low + part(rect.bottom()) * all.span(),
-                  .high = all.low + part(rect.top()) * all.span()};
-    axis.fitted = false;
-  }
-  changed();
-}
-
-void PlotView::remember() { former_views_.push_back({window_, curves_.axes()}); }
-
-void PlotView::goBack() {
-  if (former_views_.empty()) return;
-  const View former = std::move(former_views_.back());
-  former_views_.pop_back();
-  window_ = former.window;
-  for (UnitAxis& axis : curves_.axes()) {
-    for (const UnitAxis& there : former.axes) {
-      if (there.unit == axis.unit) {
-        axis.range = there.range;
-        axis.fitted = there.fitted;
-      }
-    }
-  }
-  changed();
-}
-
-void PlotView::placeCursor(Cursor cursor, double x) {
-  if (curves_.empty()) return;
-  cursors_.set(cursor, window_.timeAt(invTransform(QwtAxis::XBottom, x)));
-  changed();
-  Q_EMIT cursorsChanged(true);
-}
-
-std::optional<Cursor> PlotView::cursorAt(double x) const {
-  for (const Cursor cursor : kCursors) {
-    const auto time = cursors_.time(cursor);
-    if (time && std::abs(transform(QwtAxis::XBottom, window_.secondsAt(*time)) - x) <= kGrab) {
-      return cursor;
-    }
-  }
-  return std::nullopt;
-}
-
-void PlotView::showCursors(bool shown) {
-  cursors_.clear();
-  if (shown) {
-    placeCursor(Cursor::kA, columns() / 3);
-    placeCursor(Cursor::kB, columns() * 2 / 3);
-  }
-  changed();
-  Q_EMIT cursorsChanged(cursors_.any());
 }
 
 void PlotView::setFit(Fit fit) {
@@ -243,21 +158,17 @@ void PlotView::setFit(Fit fit) {
   changed();
 }
 
-void PlotView::setStatistics(bool shown) {
-  statistics_ = shown;
+void PlotView::setScale(ValueScale scale) {
+  curves_.setScale(scale);
+  link_->leave(curves_);  // the ranges that are remembered are of the other scale
+  link_->join(curves_);
+  changed();
   updateLegend();
 }
 
-QString PlotView::figuresOf(const Curve& curve) const {
-  if (!statistics_) return {};
-  const auto found =
-      StatisticsOf(curve.samples(), window_.timeAt(window_.from()), window_.timeAt(window_.to()));
-  if (!found) return {};
-  const AxisRange& range = curves_.axisOf(curve).range;
-  const auto text = [&](double value) { return LegendValue(value, range).rightJustified(kFigure); };
-  return QString("min%1  max%2  mean%3  σ%4  rms%5  p-p%6  %7")
-      .arg(text(found->lowest), text(found->highest), text(found->mean), text(found->deviation),
-           text(found->rms), text(found->span()), RateText(found->rate));
+void PlotView::setStatistics(bool shown) {
+  statistics_ = shown;
+  updateLegend();
 }
 
 void PlotView::setMarks(const MarkTrack& marks) {
@@ -267,34 +178,67 @@ void PlotView::setMarks(const MarkTrack& marks) {
   changed();
 }
 
+void PlotView::setMarksShown(bool shown) {
+  if (flags_ != nullptr) flags_->setVisible(shown);
+  changed();
+}
+
 QString PlotView::marksAt(double x) const {
-  if (flags_ == nullptr) return {};
-  return flags_->textAt(x, canvasMap(QwtAxis::XBottom), canvas()->contentsRect());
+  if (flags_ == nullptr || !flags_->isVisible()) return {};
+  QwtScaleMap map = canvasMap(QwtAxis::XBottom);
+  const double seconds = map.invTransform(x);
+  const double shift = window_.secondsAt(window_.shownAt(seconds)) - seconds;
+  map.setScaleInterval(map.s1() + shift, map.s2() + shift);
+  return flags_->textAt(x, map, canvas()->contentsRect());
+}
+
+// For who has no pointer to ask the flags with.
+void PlotView::describeMarks() {
+  const bool are_told = flags_ != nullptr && flags_->isVisible() && canvas()->hasFocus();
+  const QString text =
+      are_told ? flags_->textBetween(window_.firstTime(), window_.lastTime()) : QString();
+  if (text != canvas()->accessibleDescription()) canvas()->setAccessibleDescription(text);
 }
 
 void PlotView::setHover(std::optional<int> x) {
-  if (x == hover_) return;
-  hover_ = curves_.empty() ? std::nullopt : x;
-  updateLegend();
+  if (curves_.empty()) x = std::nullopt;
+  if (link_->setHover(x)) updateLegend();
 }
 
 std::vector<SourceFigures> PlotView::figures() const { return curves_.figures(now()); }
 
+void PlotView::setPlotsAbove(const std::vector<PlotView*>& plots) {
+  above_.assign(plots.begin(), plots.end());
+  changed();
+}
+
+void PlotView::setMarkedCurrent(bool marked) {
+  is_marked_current_ = marked;
+  update();
+}
+
 void PlotView::changed() {
+  link_->touch();
+  noticeChange();
+}
+
+// Of this plot, or of another that shows the same time.
+void PlotView::noticeChange() {
+  if (link_->revision() == seen_revision_) return;
+  seen_revision_ = link_->revision();
   dirty_ = true;
   updateLive();
 }
 
 void PlotView::updateLive() {
-  const auto& axes = curves_.axes();
-  const bool fitted =
-      std::all_of(axes.begin(), axes.end(), [](const UnitAxis& axis) { return axis.fitted; });
-  live_pill_->setVisible(!curves_.empty() && !(isLive() && fitted));
+  // The time is that of all, the values are its own.
+  live_pill_->setVisible(!curves_.empty() && (isLive() ? !isFitted() : isFirst()));
   // Live already, only its values are not: then there is less to go back to.
-  live_pill_->setText(isLive() ? "Fit" : "Live");
+  live_pill_->setText(isLive() ? Words::tr("Fit") : Words::tr("Live"));
   live_pill_->setIcon(ThemeIcon(isLive() ? "fit" : "play", Token::kOnAccent));
-  live_pill_->setAccessibleName(isLive() ? "Fit the values again" : "Follow live data again");
-  live_pill_->setToolTip(live_pill_->accessibleName() + " (double click)");
+  live_pill_->setAccessibleName(isLive() ? Words::tr("Fit the values again")
+                                         : Words::tr("Follow live data again"));
+  live_pill_->setToolTip(live_pill_->accessibleName() + Words::tr(" (double click)"));
   live_pill_->adjustSize();
   live_pill_->move(canvas()->width() - live_pill_->width() - 2 * kGrid, 2 * kGrid);
   if (was_live_ == isLive()) return;
@@ -302,7 +246,7 @@ void PlotView::updateLive() {
   Q_EMIT liveChanged(was_live_);
 }
 
-std::int64_t PlotView::now() const { return clock_.now(LocalNow()); }
+std::int64_t PlotView::now() const { return link_->clock().now(LocalNow()); }
 
 // As the time axis counts them; not quite the canvas' width.
 double PlotView::columns() const {
@@ -314,26 +258,65 @@ void PlotView::noticeSamples() {
   const std::int64_t newest = curves_.newestTime();
   if (newest == newest_ns_) return;
   newest_ns_ = newest;
-  clock_.hear(newest, LocalNow());
+  link_->clock().hear(newest, LocalNow());
   dirty_ = true;
+}
+
+// What is seen of the curves: a sweeping window shows the end of the length before, too.
+std::vector<SeenSlices> PlotView::seenSlices() const {
+  const QwtScaleMap map = canvasMap(QwtAxis::XBottom);
+  const QRect rect = canvas()->contentsRect();
+  const double ratio = canvas()->devicePixelRatioF();
+  std::vector<SeenSlices> seen{{.slices = layer_->slicesOf(map, rect, ratio)}};
+  if (!window_.isSweeping()) return seen;
+  QwtScaleMap former = map;
+  const double length = window_.to() - window_.from();
+  former.setScaleInterval(map.s1() - length, map.s2() - length);
+  SeenSlices before{.slices = layer_->slicesOf(former, rect, ratio), .pass = Pass::kFormer};
+  before.first =
+      static_cast<std::size_t>(window_.head() / length * static_cast<double>(before.slices.count));
+  seen.push_back(before);
+  return seen;
 }
 
 void PlotView::refresh() {
   noticeSamples();
-  const bool moved = window_.follow(now(), columns() * devicePixelRatioF());
-  if (ticks_++ % kLegendTicks == 0) updateLegend();
-  if (!moved && !std::exchange(dirty_, false)) return;
+  window_.follow(now(), columns() * devicePixelRatioF());
+  noticeChange();
+  const bool legend_is_due = ticks_++ % kLegendTicks == 0;
+  if (legend_is_due || link_->hover() != shown_hover_) updateLegend();
+  if (legend_is_due) noticeSideRoom();
+  if (legend_is_due) describeMarks();
+  if (window_ == drawn_window_ && !dirty_) return;
+  drawn_window_ = window_;
   dirty_ = false;
   const auto start = std::chrono::steady_clock::now();
   axes_.showTime(window_);
-  curves_.fitAxes(layer_->slicesOf(canvasMap(QwtAxis::XBottom), canvas()->contentsRect(),
-                                   canvas()->devicePixelRatioF()));
-  axes_.showValues(curves_.axes());
+  const std::vector<SeenSlices> seen = seenSlices();
+  curves_.fitAxes(seen);
+  const QStringList without = curves_.withoutPlace(seen);
+  overlay_->setNote(without.isEmpty()
+                        ? QString()
+                        : Words::tr("0 and less has no place on this axis: ") + without.join(", "));
+  axes_.showValues(curves_.axes(), curves_.scale());
   replot();
   using Time = FrameGovernor::Time;
   governor_.drew(std::chrono::duration_cast<Time>(std::chrono::steady_clock::now() - start));
   const auto interval = std::chrono::ceil<std::chrono::milliseconds>(governor_.interval());
   if (timer_.isActive() && timer_.intervalAsDuration() != interval) timer_.start(interval);
+}
+
+void PlotView::noticeSideRoom() {
+  const SideRoom room = axes_.wantedRoom();
+  if (room == side_room_) return;
+  side_room_ = room;
+  Q_EMIT sideRoomChanged();
+}
+
+void PlotView::drawItems(QPainter* painter, const QRectF& canvas_rect,
+                         const QwtScaleMap maps[QwtAxis::AxisPositions]) const {
+  if (!window_.isSweeping()) return QwtPlot::drawItems(painter, canvas_rect, maps);
+  DrawSweep(*this, window_, *painter, canvas_rect, maps);
 }
 
 void PlotView::drawCanvas(QPainter* painter) {
@@ -342,31 +325,19 @@ void PlotView::drawCanvas(QPainter* painter) {
 }
 
 void PlotView::updateLegend() {
+  shown_hover_ = link_->hover();
   std::optional<std::int64_t> at;
-  if (hover_) {
-    const double seconds = invTransform(QwtAxis::XBottom, *hover_);
-    at = window_.timeAt(seconds);
+  if (shown_hover_ && !curves_.empty()) {
+    const double seconds = invTransform(QwtAxis::XBottom, *shown_hover_);
+    at = window_.shownAt(seconds);
     const int decimals = DecimalsOf(PlotAxes::timeStep(window_)) + 2;
-    overlay_->setHairline(hover_, QString::number(seconds, 'f', decimals) + " s");
+    overlay_->setHairline(shown_hover_, QString::number(seconds, 'f', decimals) + " s");
   } else {
     overlay_->setHairline({});
   }
-  std::vector<LegendEntry> entries;
-  for (const auto& curve : curves_.curves()) {
-    const std::optional<double> value = at ? curve->valueAt(*at) : curve->latestValue();
-    const bool stale = curve->isStale() && !at;
-    entries.push_back(
-        {.path = curve->path(),
-         .name = stale ? ShortName(curve->path()) + " · " + curve->staleReason()
-                       : ShortName(curve->path()),
-         .value = value && !stale ? LegendValue(*value, curves_.axisOf(*curve).range) : QString(),
-         .unit = stale ? QString() : curve->unit(),
-         .color_index = curve->colorIndex(),
-         .stale = stale,
-         .shown = curve->isVisible(),
-         .figures = figuresOf(*curve)});
-  }
-  legendBox().setEntries(entries);
+  const TimeSpan seen{.from_ns = window_.firstTime(), .to_ns = window_.lastTime()};
+  legendBox().setEntries(
+      LegendEntriesOf(curves_, at, statistics_ ? std::optional(seen) : std::nullopt));
 }
 
 void PlotView::showEvent(QShowEvent* event) {
@@ -387,7 +358,10 @@ void PlotView::resizeEvent(QResizeEvent* event) {
 
 void PlotView::paintEvent(QPaintEvent* event) {
   QwtPlot::paintEvent(event);
-  axes_.paintUnits(curves_.axes());
+  if (!curves_.empty()) axes_.paint(curves_.axes());
+  if (!is_marked_current_) return;
+  QPainter painter(this);
+  painter.fillRect(0, 0, kCurrentMark, height(), Theme::instance().color(Token::kAccent));
 }
 
 void PlotView::dragEnterEvent(QDragEnterEvent* event) {
@@ -398,7 +372,23 @@ void PlotView::dropEvent(QDropEvent* event) {
   const QList<CurveKey> keys = PathsIn(*event->mimeData());
   if (keys.isEmpty()) return;
   event->acceptProposedAction();
-  Q_EMIT curvesDropped(keys);
+  const QByteArray from = event->mimeData()->data(kPlotMimeType);
+  if (from.isEmpty()) {
+    Q_EMIT curvesDropped(keys);
+  } else if (from.toULongLong() != id_) {
+    Q_EMIT curvesMoved(keys, from.toULongLong());
+  }
+}
+
+void PlotView::startDrag(const QString& path) {
+  const Curve* dragged = curve(path);
+  if (dragged == nullptr) return;
+  auto* signal = new QMimeData;
+  signal->setData(kPathMimeType, EncodedPaths({{path, dragged->unit()}}));
+  signal->setData(kPlotMimeType, QByteArray::number(qulonglong{id_}));
+  auto* drag = new QDrag(this);
+  drag->setMimeData(signal);
+  drag->exec(Qt::MoveAction | Qt::CopyAction, Qt::MoveAction);
 }
 
 }  // namespace tendon::gui

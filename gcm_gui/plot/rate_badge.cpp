@@ -1,3 +1,4 @@
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/rate_badge.h>
 #include <gcm_gui/theme/theme.h>
 
@@ -40,9 +41,9 @@ QString BadgeText(const std::vector<SourceFigures>& figures) {
   const QString rate = RateText(fastest);
   const bool alike = fastest == 0 || RateText(slowest) == rate;
   QString text = alike ? rate : Number(slowest) + QStringLiteral("–") + rate;
-  text += QStringLiteral(" · %1 lost").arg(Lost(figures));
-  if (repeated > 0) text += QStringLiteral(" · %1 repeated").arg(repeated);
-  if (silent > 0 && fastest > 0) text += QStringLiteral(" · %1 silent").arg(silent);
+  text += Words::tr(" · %1 lost").arg(Lost(figures));
+  if (repeated > 0) text += Words::tr(" · %1 repeated").arg(repeated);
+  if (silent > 0 && fastest > 0) text += Words::tr(" · %1 silent").arg(silent);
   return text;
 }
 
@@ -59,12 +60,12 @@ void RateBadge::setFigures(const std::vector<SourceFigures>& figures) {
   const QString badge = BadgeText(figures);
   if (badge != text()) {
     setText(badge);
-    setAccessibleName("Rate and lost rows: " + badge);
+    setAccessibleName(Words::tr("Rate and lost rows: ") + badge);
   }
   SetRole(*this, Lost(figures) > 0 ? "mono bad" : "mono dim");
   QStringList lines;
   for (const SourceFigures& each : figures) {
-    lines << QString("%1: %2, %3 rows lost, %4 repeated")
+    lines << Words::tr("%1: %2, %3 rows lost, %4 repeated")
                  .arg(each.source, RateText(each.rate))
                  .arg(each.lost)
                  .arg(each.repeated);

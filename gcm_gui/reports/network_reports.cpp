@@ -1,4 +1,5 @@
 #include <gcm_console/events/event_choice.h>
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/reports/network_reports.h>
 #include <tendon/gcm/lookup.h>
@@ -97,31 +98,26 @@ void NetworkReports::learn(const console::EventInbox::Content& content) {
   for (const EventSubscription& one : content.begun) {
     for (std::size_t i = 0; i < one.events.size(); ++i, ++next) {
       const MemberDescription& event = content.descriptions.at(next);
-      const Fingerprint type = event.signature.in;
-      const auto known = types_.find(type);
-      const bool is_known = known != types_.end() && known->second.ok();
-      if (!TakesArgument(event.signature) || is_known) continue;
-      if (!asked_types_.insert(type).second) continue;
-      client_.GetSchema(one.provided.process, type,
-                        [this, courier = courier_, type](const Result<Schema>& schema) {
-                          courier->post([this, type, schema] {
-                            asked_types_.erase(type);
-                            types_.insert_or_assign(type, schema);
-                          });
-                        });
+      if (TakesArgument(event.signature)) types_.want(event.signature.in, one.provided.process);
     }
+  }
+  for (const auto& [type, process] : types_.takeDue(SteadyClock().Now())) {
+    client_.GetSchema(
+        process, type, [this, courier = courier_, type = type](const Result<Schema>& schema) {
+          courier->post([this, type, schema] { types_.hear(type, schema, SteadyClock().Now()); });
+        });
   }
 }
 
 std::optional<QString> NetworkReports::valueOf(const console::HeardEvent& event) const {
   const Signature& signature = event.description.signature;
   if (!TakesArgument(signature)) return QString();
-  const auto type = types_.find(signature.in);
-  if (type == types_.end()) return std::nullopt;
-  if (!type->second)
-    return QStringLiteral("%1 bytes: ").arg(event.value.size()) +
-           ToQString(type->second.error().message);
-  const auto json = ToJson(*type->second, event.value);
+  const Result<Schema>* type = types_.find(signature.in);
+  if (type == nullptr) return std::nullopt;
+  if (!type->ok()) {
+    return Words::tr("%1 bytes: ").arg(event.value.size()) + ToQString(type->error().message);
+  }
+  const auto json = ToJson(**type, event.value);
   return ToQString(json ? *json : json.error().message);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <gcm_console/events/event_inbox.h>
+#include <gcm_gui/reports/asked_types.h>
 #include <gcm_gui/reports/system_reports.h>
 #include <gcm_gui/session/catalogue_store.h>
 #include <gcm_gui/session/courier.h>
@@ -11,7 +12,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <set>
 
 namespace tendon::gui {
 
@@ -58,8 +58,7 @@ class NetworkReports final : public SystemReports {
   std::map<const QObject*, QStringList> wanted_;
   QSet<const QObject*> known_owners_;
   std::map<InterfaceName, Listener> listeners_;
-  std::map<Fingerprint, Result<Schema>> types_;
-  std::set<Fingerprint> asked_types_;
+  AskedTypes types_;
   std::deque<console::HeardEvent> waiting_;
   QTimer drain_timer_;
   QTimer follow_soon_;

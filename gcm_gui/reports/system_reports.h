@@ -11,11 +11,13 @@
 
 namespace tendon::gui {
 
-/// An event as it arrived.
+/// An event that was raised.
 struct HeardEvent {
-  std::int64_t when = 0;  ///< ns since 1970, by this machine's clock
-  QString path;           ///< "robot/arm/Control.GoalReached"
-  QString value;          ///< JSON; empty where it carries none
+  /// When it was raised, by the steady clock of its process: ns since 1970, by this machine's
+  /// clock.
+  std::int64_t when = 0;
+  QString path;   ///< "robot/arm/Control.GoalReached"
+  QString value;  ///< JSON; empty where it carries none
 
   bool operator==(const HeardEvent&) const = default;
 };
@@ -39,7 +41,7 @@ class SystemReports : public QObject {
   virtual void listen(const QObject* owner, const QStringList& patterns) = 0;
 
   virtual void askHealth(Handler<message::SystemHealth> handler) = 0;
-  /// Of the connection of a required interface.
+  /// Of the connection of a required interface; asks its process: errors of GcmClient::GetCounts().
   virtual void askCounts(const InterfaceName& required, Handler<ConnectionCounts> handler) = 0;
   /// Of the mailboxes of a component.
   virtual void askFill(const std::string& process, const std::string& component,

@@ -1,4 +1,5 @@
 #include <gcm_gui/models/text.h>
+#include <gcm_gui/pictures/raw_picture.h>
 #include <gcm_gui/session/column_feed.h>
 #include <tendon/payload/json.h>
 
@@ -36,7 +37,8 @@ void ColumnFeed::OnSubscribed(const std::vector<Schema>& columns) {
   const std::lock_guard lock(mutex_);
   if (columns.empty()) return;
   schema_ = columns.front();
-  varies_ = HasSequence(*schema_);
+  is_picture_ = DescribesPicture(*schema_);
+  varies_ = !is_picture_ && HasSequence(*schema_);
   shape_ = std::make_shared<const std::vector<PlotChannel>>(Channels(*schema_));
   newest_row_.clear();
   fresh_ = true;
@@ -130,6 +132,11 @@ std::optional<ColumnValues> ColumnFeed::takeValues() {
   values.values.reserve(values.channels->size());
   for (const PlotChannel& channel : *values.channels) {
     values.values.push_back(ReadChannel(channel, newest_row_).value_or(kNone));
+  }
+  if (is_picture_) {
+    if (auto picture = PictureOf(*schema_, newest_row_)) {
+      values.picture = std::make_shared<const RawPicture>(*std::move(picture));
+    }
   }
   if (values.channels->empty()) {
     if (const auto json = ToJson(*schema_, newest_row_); json.ok()) values.text = ToQString(*json);

@@ -57,6 +57,7 @@ class ColumnFeed final : public RowSink {
 
   std::mutex mutex_;
   std::optional<Schema> schema_;
+  bool is_picture_ = false;
   bool varies_ = false;  // the schema has sequences, so each row may have other channels
   std::uint64_t epoch_ = 0;
   std::map<std::string, Tap> taps_;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <tendon/gcm/diagnosis.h>
-#include <tendon/manager/description.h>
 
 #include <functional>
 
@@ -12,18 +11,15 @@ namespace tendon::gui {
 class ConnectionChecks {
  public:
   using DiagnosisHandler = std::function<void(const Result<Diagnosis>&)>;
-  using CountsHandler = std::function<void(const Result<ConnectionCounts>&)>;
 
   ConnectionChecks() = default;
   ConnectionChecks(const ConnectionChecks&) = delete;
   ConnectionChecks& operator=(const ConnectionChecks&) = delete;
   virtual ~ConnectionChecks() = default;
 
-  /// All seven steps, as `gcm explain` takes them. Where the catalogue finds nothing bad the
+  /// All seven steps, as `gcm explain` takes them, and what is left where one is bad. The
   /// provider's process is asked, and may take as long as any request. Errors of Diagnose().
   virtual void diagnose(const message::Wire& wire, DiagnosisHandler handler) = 0;
-  /// Asks the process of the required interface: errors of GcmClient::GetCounts().
-  virtual void findCounts(const InterfaceName& required, CountsHandler handler) = 0;
 };
 
 }  // namespace tendon::gui

@@ -1,6 +1,6 @@
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/session/session.h>
-#include <tendon/gcm/text/step_text.h>
+#include <tendon/gcm/lookup.h>
 
 #include <algorithm>
 #include <chrono>
@@ -16,20 +16,6 @@ double SecondsSince(std::chrono::steady_clock::time_point start) {
 template <typename T>
 std::optional<Error> RefusalOf(const Result<T>& result) {
   return result.ok() ? std::nullopt : std::optional(result.error());
-}
-
-/// The newest step, which the window takes back only where it is one of a connection: what was
-/// ordered of a component elsewhere could set a robot in motion.
-Result<std::uint64_t> StepToUndo(const Result<message::History>& history) {
-  if (!history) return history.error();
-  const auto& all = history->entries;
-  const auto newest = std::find_if(
-      all.rbegin(), all.rend(), [](const auto& step) { return !step.undone && !step.passed_over; });
-  if (newest == all.rend()) return Error{ErrorCode::kFailed, "there is nothing to undo"};
-  if (newest->life.process.empty()) return newest->id;
-  return Error{ErrorCode::kFailed, "the last change is " + WholeText(*newest) +
-                                       ", not of a connection; to take it back: gcm undo --step " +
-                                       std::to_string(newest->id)};
 }
 
 }  // namespace
@@ -59,10 +45,10 @@ class Session::Listener final : public GcmListener {
 
 Session::Session(std::shared_ptr<Middleware> middleware, const std::string& address, bool hosted,
                  Role role, std::chrono::milliseconds timeout)
-    : courier_(std::make_shared<Courier>(this)) {
+    : undo_choice_(NameOfThisWindow()), courier_(std::make_shared<Courier>(this)) {
   link_.setAddress(ToQString(address), hosted);
   GcmClient::Options options;
-  options.name = "gcm-gui";
+  options.name = NameOfThisWindow();
   options.address = address;
   options.role = role;
   options.timeout = timeout;
@@ -161,7 +147,9 @@ void Session::undo() {
   const auto start = std::chrono::steady_clock::now();
   client_->GetHistory([this, courier = courier_, id, start](const auto& history) {
     courier->post([this, id, start, history] {
-      const Result<std::uint64_t> step = StepToUndo(history);
+      const Result<std::uint64_t> step =
+          history ? undo_choice_.Choose(*history, std::chrono::steady_clock::now(), WallClock())
+                  : Result<std::uint64_t>(history.error());
       if (!step) return finish(id, SecondsSince(start), step.error());
       undoStep(id, start, *step);
     });
@@ -226,12 +214,26 @@ void Session::callCommand(const std::string& path, const std::string& argument,
 }
 
 void Session::diagnose(const message::Wire& wire, DiagnosisHandler handler) {
-  const Result<Diagnosis> diagnosis = Diagnose(store_.catalogue(), wire);
-  if (!diagnosis || diagnosis->failure) {
-    return courier_->post([handler, diagnosis] { handler(diagnosis); });
+  const Catalog& catalogue = store_.catalogue();
+  const Result<Diagnosis> diagnosis = Diagnose(catalogue, wire);
+  if (!diagnosis) return courier_->post([handler, diagnosis] { handler(diagnosis); });
+  const auto tell = [this, courier = courier_, handler](Diagnosis complete,
+                                                        const Result<ConnectionCounts>& served) {
+    courier->post([this, handler, complete, served]() mutable {
+      if (complete.failure) AddRemainders(complete, store_.catalogue(), served);
+      handler(complete);
+    });
+  };
+  if (diagnosis->failure) {
+    const auto* provider = catalogue.FindProcess(wire.provided.process);
+    const auto present = provider != nullptr ? RequirePresent(provider->process) : Result<void>();
+    if (diagnosis->is_connected) return tell(*diagnosis, ConnectionCounts());
+    if (!present) return tell(*diagnosis, present.error());
+    return client_->GetServed(wire,
+                              [tell, diagnosis](const auto& served) { tell(*diagnosis, served); });
   }
   const auto start = std::chrono::steady_clock::now();
-  const auto heard = [courier = courier_, handler, diagnosis, start](const auto& answer) {
+  const auto heard = [tell, diagnosis, start](const auto& answer) {
     const auto end = std::chrono::steady_clock::now();
     auto complete = *diagnosis;
     const bool answers = answer.ok() || answer.error().code == ErrorCode::kNotFound;
@@ -239,16 +241,10 @@ void Session::diagnose(const message::Wire& wire, DiagnosisHandler handler) {
                  answers ? Result<std::chrono::microseconds>(
                                std::chrono::duration_cast<std::chrono::microseconds>(end - start))
                          : Result<std::chrono::microseconds>(answer.error()));
-    courier->post([handler, complete] { handler(complete); });
+    tell(complete, answers ? Result<ConnectionCounts>(ConnectionCounts()) : answer.error());
   };
   // Answered by the process itself, without a thread of a component's.
   client_->GetFill(wire.provided.process, wire.provided.component, heard);
-}
-
-void Session::findCounts(const InterfaceName& required, CountsHandler handler) {
-  client_->GetCounts(required, [courier = courier_, handler](const auto& counts) {
-    courier->post([handler, counts] { handler(counts); });
-  });
 }
 
 }  // namespace tendon::gui

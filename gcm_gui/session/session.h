@@ -9,6 +9,7 @@
 #include <gcm_gui/session/gcm_link.h>
 #include <gcm_gui/session/live_signals.h>
 #include <gcm_gui/session/system_actions.h>
+#include <gcm_gui/session/undo_choice.h>
 #include <gcm_gui/system/plan_worker.h>
 #include <tendon/gcm/client.h>
 
@@ -54,7 +55,6 @@ class Session : public QObject, public SystemActions, public CommandCalls, publi
                    AnswerHandler handler) override;
 
   void diagnose(const message::Wire& wire, DiagnosisHandler handler) override;
-  void findCounts(const InterfaceName& required, CountsHandler handler) override;
 
  private:
   class Listener;
@@ -73,6 +73,7 @@ class Session : public QObject, public SystemActions, public CommandCalls, publi
   CatalogueStore store_;
   GcmLink link_;
   ActivityModel activity_;
+  UndoChoice undo_choice_;
   std::shared_ptr<Courier> courier_;
   std::unique_ptr<GcmClient> client_;
   std::unique_ptr<LiveSignals> live_signals_;

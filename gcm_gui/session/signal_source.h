@@ -13,6 +13,8 @@
 
 namespace tendon::gui {
 
+struct RawPicture;
+
 /// The numbers in a column, in wire order; a new list when their number has changed.
 using ChannelList = std::shared_ptr<const std::vector<PlotChannel>>;
 
@@ -21,6 +23,7 @@ struct ColumnValues {
   ChannelList channels;        ///< never null
   std::vector<double> values;  ///< of each channel; NaN where the row has none. Empty before a row
   QString text;                ///< of a column without numbers, as JSON
+  std::shared_ptr<const RawPicture> picture = {};  ///< of a column that holds one, else null
 };
 
 /// Live data of state tables, by path. Two ways to have it: every row of one number (a signal, for

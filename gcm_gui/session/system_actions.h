@@ -21,7 +21,8 @@ class SystemActions {
   /// Connects a connected interface to another provider, as one step; to the former one again when
   /// that is refused.
   virtual void replaceConnection(const InterfaceName& required, const InterfaceName& provided) = 0;
-  /// Takes back the last step that stands.
+  /// Takes back the newest step that stands, whoever has made it; what is not this window's, or was
+  /// ordered of a component, only when it is asked for a second time.
   virtual void undo() = 0;
   /// Removes what is left of a lost process.
   virtual void forget(const std::string& process) = 0;

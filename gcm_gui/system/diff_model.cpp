@@ -1,3 +1,4 @@
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/row_roles.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/system/diff_model.h>
@@ -17,11 +18,11 @@ struct DifferenceWords {
 DifferenceWords WordsOf(SystemDifference::Kind kind) {
   switch (kind) {
     case SystemDifference::Kind::kMissing:
-      return {"−", "missing"};
+      return {"−", QT_TRANSLATE_NOOP("Words", "missing")};
     case SystemDifference::Kind::kExtra:
-      return {"+", "only running"};
+      return {"+", QT_TRANSLATE_NOOP("Words", "only running")};
     case SystemDifference::Kind::kChanged:
-      return {"~", "changed"};
+      return {"~", QT_TRANSLATE_NOOP("Words", "changed")};
   }
   return {"?", ""};
 }
@@ -45,7 +46,7 @@ StateMark MarkOf(PlanLine::Kind kind) {
 PlanLine LineOf(const PlanStep& step, const StepOutcome* outcome) {
   PlanLine line{PlanLine::Kind::kWaiting, ToQString(ToString(step)), {}};
   if (outcome == nullptr) {
-    if (step.takes_away) line.trail = QStringLiteral("takes away what runs");
+    if (step.takes_away) line.trail = Words::tr("takes away what runs");
     return line;
   }
   const QString reason =
@@ -82,14 +83,14 @@ QVariant DiffModel::data(const QModelIndex& index, int role) const {
     case Qt::ToolTipRole:
     case Qt::AccessibleTextRole:
       return QStringLiteral("%1: %2 %3")
-          .arg(what, QString::fromUtf8(word), ToQString(difference.how))
+          .arg(what, Words::tr(word), ToQString(difference.how))
           .trimmed();
     case kGlyphRole:
       return QString::fromUtf8(sign);
     case kDetailRole:
       return ToQString(difference.how);
     case kTrailRole:
-      return QString::fromUtf8(word);
+      return Words::tr(word);
     case kPathRole:
       return what.section(' ', 1);
     default:
@@ -102,7 +103,7 @@ QString SummaryOf(const SystemComparison& comparison) {
     return std::count_if(comparison.differences.begin(), comparison.differences.end(),
                          [kind](const auto& one) { return one.kind == kind; });
   };
-  return QStringLiteral("= %1   + %2 only running   − %3 missing   ~ %4 changed")
+  return Words::tr("= %1   + %2 only running   − %3 missing   ~ %4 changed")
       .arg(comparison.equal)
       .arg(count(SystemDifference::Kind::kExtra))
       .arg(count(SystemDifference::Kind::kMissing))
@@ -130,7 +131,7 @@ QVariant PlanModel::data(const QModelIndex& index, int role) const {
 void PlanModel::show(const Restore& restore) {
   std::vector<PlanLine> lines;
   for (const std::string& obstacle : restore.plan().obstacles) {
-    lines.push_back({PlanLine::Kind::kObstacle, ToQString(obstacle), QStringLiteral("cannot be")});
+    lines.push_back({PlanLine::Kind::kObstacle, ToQString(obstacle), Words::tr("cannot be")});
   }
   const auto& outcomes = restore.outcomes();
   const auto& steps = restore.plan().steps;

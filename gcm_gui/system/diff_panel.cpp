@@ -1,3 +1,4 @@
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/system/diff_panel.h>
 #include <gcm_gui/system/system_parts.h>
@@ -50,7 +51,7 @@ DiffPanel::DiffPanel(SystemDocument& document, Restore& restore, const QString& 
       refusal_(refusal),
       pages_(new QStackedWidget) {
   setObjectName(QStringLiteral("diffPanel"));
-  setAccessibleName(QStringLiteral("What runs beside its file"));
+  setAccessibleName(Words::tr("What runs beside its file"));
   setAutoFillBackground(true);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
@@ -67,15 +68,15 @@ QWidget* DiffPanel::buildDiff() {
   auto* page = new QWidget;
   summary_ = new QLabel;
   summary_->setObjectName(QStringLiteral("diff.summary"));
-  diff_list_ = MakeRowList(differences_, QStringLiteral("differences"), {});
-  diff_list_->setAccessibleName(QStringLiteral("Differences of what runs from its file"));
+  diff_list_ = MakeRowList(differences_, QStringLiteral("differences"),
+                           Words::tr("Differences of what runs from its file"), {});
   auto* buttons = new QHBoxLayout;
-  apply_ = MakeButton(QStringLiteral("Apply →"), "diff.apply", *buttons);
-  apply_->setToolTip(QStringLiteral("What runs becomes as this line of the file"));
-  update_ = MakeButton(QStringLiteral("← Update file"), "diff.update", *buttons);
-  update_->setToolTip(QStringLiteral("This line of the file becomes as it runs"));
+  apply_ = MakeButton(Words::tr("Apply →"), "diff.apply", *buttons);
+  apply_->setToolTip(Words::tr("What runs becomes as this line of the file"));
+  update_ = MakeButton(Words::tr("← Update file"), "diff.update", *buttons);
+  update_->setToolTip(Words::tr("This line of the file becomes as it runs"));
   buttons->addStretch();
-  restore_all_ = MakeButton(QStringLiteral("Restore all…"), "diff.restore", *buttons);
+  restore_all_ = MakeButton(Words::tr("Restore all…"), "diff.restore", *buttons);
   SetRole(*restore_all_, QStringLiteral("primary"));
   Frame(*page, *summary_, *diff_list_, *buttons);
   connect(apply_, &QPushButton::clicked, this, &DiffPanel::previewOne);
@@ -91,17 +92,16 @@ QWidget* DiffPanel::buildPlan() {
   auto* page = new QWidget;
   plan_text_ = new QLabel;
   plan_text_->setObjectName(QStringLiteral("plan.summary"));
-  step_list_ = MakeRowList(steps_, QStringLiteral("steps"), {});
-  step_list_->setAccessibleName(QStringLiteral("Steps of the plan"));
+  step_list_ = MakeRowList(steps_, QStringLiteral("steps"), Words::tr("Steps of the plan"), {});
   auto* buttons = new QHBoxLayout;
-  back_ = MakeButton(QStringLiteral("Back"), "plan.back", *buttons);
+  back_ = MakeButton(Words::tr("Back"), "plan.back", *buttons);
   buttons->addStretch();
-  go_on_ = new QCheckBox(QStringLiteral("Go on after an error"));
+  go_on_ = new QCheckBox(Words::tr("Go on after an error"));
   go_on_->setObjectName(QStringLiteral("plan.goOn"));
   buttons->addWidget(go_on_);
-  stop_ = MakeButton(QStringLiteral("Stop"), "plan.stop", *buttons);
-  undo_ = MakeButton(QStringLiteral("Undo restore"), "plan.undo", *buttons);
-  carry_out_ = MakeButton(QStringLiteral("Carry out"), "plan.carryOut", *buttons);
+  stop_ = MakeButton(Words::tr("Stop"), "plan.stop", *buttons);
+  undo_ = MakeButton(Words::tr("Undo restore"), "plan.undo", *buttons);
+  carry_out_ = MakeButton(Words::tr("Carry out"), "plan.carryOut", *buttons);
   SetRole(*carry_out_, QStringLiteral("primary"));
   Frame(*page, *plan_text_, *step_list_, *buttons);
   connect(back_, &QPushButton::clicked, &restore_, &Restore::leave);
@@ -126,7 +126,7 @@ void DiffPanel::previewOne() {
   const SystemDifference* line = currentLine();
   if (line == nullptr) return;
   restore_.preview(WithPartOf(WholeSystem(document_.catalogue()), document_.file(), line->what),
-                   ToQString(line->what) + QStringLiteral(" as in the file"));
+                   ToQString(line->what) + Words::tr(" as in the file"));
 }
 
 void DiffPanel::updateOne() {
@@ -138,11 +138,11 @@ void DiffPanel::showDiff() {
   const std::string chosen = line != nullptr ? line->what : std::string();
   differences_.show(document_.comparison());
   summary_->setText(document_.isOpen() ? SummaryOf(document_.comparison())
-                                       : QStringLiteral("No system file is open."));
+                                       : Words::tr("No system file is open."));
   diff_list_->setEmptyText(
       document_.isOpen()
-          ? QStringLiteral("What runs is as the file says.")
-          : QStringLiteral("Ctrl+S writes down what runs; Ctrl+O opens what was written down."));
+          ? Words::tr("What runs is as the file says.")
+          : Words::tr("Ctrl+S writes down what runs; Ctrl+O opens what was written down."));
   choose(chosen);
   showButtons();
 }
@@ -177,17 +177,20 @@ QString DiffPanel::planText() const {
     case Restore::Phase::kPreview:
       return QStringLiteral("To %1: %2; %3")
           .arg(restore_.goal(),
-               plan.steps.empty() ? QStringLiteral("nothing is to be done")
-                                  : CountText(static_cast<std::int64_t>(plan.steps.size()), "step"),
-               untouched == 0 ? QStringLiteral("nothing stays as it is")
-                              : QStringLiteral("will not touch ") + CountText(untouched, "item"));
+               plan.steps.empty() ? Words::tr("nothing is to be done")
+                                  : CountText(static_cast<std::int64_t>(plan.steps.size()),
+                                              Words::tr("%1 step"), Words::tr("%1 steps")),
+               untouched == 0
+                   ? Words::tr("nothing stays as it is")
+                   : Words::tr("will not touch ") +
+                         CountText(untouched, Words::tr("%1 item"), Words::tr("%1 items")));
     case Restore::Phase::kRunning:
-      return QStringLiteral("To %1: step %2 of %3")
+      return Words::tr("To %1: step %2 of %3")
           .arg(restore_.goal())
           .arg(restore_.outcomes().size() + 1)
           .arg(plan.steps.size());
     case Restore::Phase::kDone:
-      return QStringLiteral("To %1: %2 done, %3 failed, %4 left")
+      return Words::tr("To %1: %2 done, %3 failed, %4 left")
           .arg(restore_.goal())
           .arg(outcome.done)
           .arg(outcome.failed)

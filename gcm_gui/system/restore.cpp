@@ -1,5 +1,7 @@
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/system/restore.h>
 #include <gcm_gui/system/system_parts.h>
+#include <tendon/gcm/lookup.h>
 
 #include <QPointer>
 #include <utility>
@@ -7,12 +9,18 @@
 namespace tendon::gui {
 namespace {
 
-/// So that what a plan makes in processes that it starts is gone again.
+/// So that what a plan makes in processes that it starts is gone again, and one that it ends can be
+/// started again.
 SystemFile Before(const Plan& plan, SystemFile running) {
   for (const PlanStep& step : plan.steps) {
-    if (running.FindProcess(step.process) != nullptr) continue;
-    if (step.kind != PlanStep::Kind::kStartProcess) continue;
-    running.processes.push_back({.name = step.process, .components = {}});
+    const bool is_there = running.FindProcess(step.process) != nullptr;
+    if (step.kind == PlanStep::Kind::kStartProcess && !is_there) {
+      running.processes.push_back({.name = step.process, .components = {}});
+    }
+    if (step.kind != PlanStep::Kind::kEndProcess) continue;
+    for (auto& process : running.processes) {
+      if (process.name == step.process) process.start = SystemFile::Start{step.restart};
+    }
   }
   return running;
 }
@@ -24,7 +32,11 @@ Restore::Restore(const SystemDocument& document, PlanRunner& runner, QObject* pa
 
 void Restore::preview(const SystemFile& wanted, const QString& goal) {
   if (phase_ == Phase::kRunning) return;
-  plan_ = MakePlan(document_.catalogue(), wanted);
+  show(MakePlan(document_.catalogue(), wanted), goal);
+}
+
+void Restore::show(Plan plan, const QString& goal) {
+  plan_ = std::move(plan);
   goal_ = goal;
   outcomes_.clear();
   outcome_ = {};
@@ -33,12 +45,16 @@ void Restore::preview(const SystemFile& wanted, const QString& goal) {
 }
 
 void Restore::undo() {
-  if (canUndo()) preview(*std::exchange(before_, std::nullopt), QStringLiteral("what was before"));
+  if (!canUndo()) return;
+  const Catalog& now = document_.catalogue();
+  const SystemFile before = *std::exchange(before_, std::nullopt);
+  show(WithEnds(MakePlan(now, before), now, births_), Words::tr("what was before"));
 }
 
 void Restore::execute(AfterError after_error) {
   if (phase_ != Phase::kPreview || plan_.steps.empty()) return;
   before_ = Before(plan_, WholeSystem(document_.catalogue()));
+  births_.clear();
   phase_ = Phase::kRunning;
   Q_EMIT changed();
   runner_.carryOut(
@@ -46,6 +62,7 @@ void Restore::execute(AfterError after_error) {
       [self = QPointer(this)](std::size_t /*number*/, const StepOutcome& came) {
         if (self == nullptr) return;
         self->outcomes_.push_back(came);
+        self->noteBirth();
         Q_EMIT self->changed();
       },
       [self = QPointer(this)](const PlanOutcome& outcome) {
@@ -54,6 +71,16 @@ void Restore::execute(AfterError after_error) {
         self->phase_ = Phase::kDone;
         Q_EMIT self->changed();
       });
+}
+
+/// Of the step that is just over. The catalogue has heard of the process before.
+void Restore::noteBirth() {
+  if (outcomes_.size() > plan_.steps.size()) return;
+  const PlanStep& step = plan_.steps[outcomes_.size() - 1];
+  const bool is_birth = step.kind == PlanStep::Kind::kStartProcess;
+  if (!is_birth || outcomes_.back().fate != StepOutcome::Fate::kDone) return;
+  births_.push_back(step);
+  births_.back().instance = InstanceOf(document_.catalogue(), step.process);
 }
 
 void Restore::leave() {

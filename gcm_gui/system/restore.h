@@ -36,7 +36,7 @@ class Restore : public QObject {
   void execute(AfterError after_error);
   /// After the step that is being made.
   void stop() { runner_.stop(); }
-  /// Previews the system as it was before execute().
+  /// Previews the system as it was before execute(); processes that were started are ended.
   void undo();
   void leave();
 
@@ -44,6 +44,9 @@ class Restore : public QObject {
   void changed();
 
  private:
+  void show(Plan plan, const QString& goal);
+  void noteBirth();
+
   const SystemDocument& document_;
   PlanRunner& runner_;
   Phase phase_ = Phase::kIdle;
@@ -52,6 +55,7 @@ class Restore : public QObject {
   std::vector<StepOutcome> outcomes_;
   PlanOutcome outcome_;
   std::optional<SystemFile> before_;
+  std::vector<PlanStep> births_;  // of processes, since then, with the instances that came of them
 };
 
 }  // namespace tendon::gui

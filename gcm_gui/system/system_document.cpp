@@ -1,7 +1,9 @@
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/system/system_document.h>
 #include <gcm_gui/system/system_parts.h>
 #include <tendon/gcm/system/running_system.h>
+#include <tendon/gcm/system/system_index.h>
 
 #include <QFileInfo>
 #include <chrono>
@@ -12,8 +14,21 @@ namespace {
 
 constexpr std::chrono::milliseconds kSoon{200};  // many changes come as one
 
+using Layout = std::map<std::string, SystemFile::Position>;
+
+/// That of the components which the file has.
+Layout LayoutFor(const SystemFile& file, Layout layout) {
+  const SystemIndex index(file);
+  std::erase_if(layout, [&](const auto& one) {
+    const std::size_t slash = one.first.find('/');
+    return index.FindComponent(one.first.substr(0, slash), one.first.substr(slash + 1)) == nullptr;
+  });
+  return layout;
+}
+
 /// What is to be written, or why it is not.
-Result<SystemFile> SystemToSave(const std::string& path, RunningSystem running) {
+Result<SystemFile> SystemToSave(const std::string& path, RunningSystem running,
+                                const std::optional<Layout>& layout) {
   const auto former = ReadSystemFile(path);
   if (former) {
     running.file.name = former->name;
@@ -21,6 +36,7 @@ Result<SystemFile> SystemToSave(const std::string& path, RunningSystem running) 
   } else if (former.error().code != ErrorCode::kNotFound) {
     return former.error();
   }
+  if (layout) running.file.layout = LayoutFor(running.file, *layout);
   return std::move(running.file);
 }
 
@@ -31,6 +47,7 @@ QString FileName(const QString& path) { return QFileInfo(path).fileName(); }
 SystemDocument::SystemDocument(const CatalogueStore& store, QObject* parent)
     : QObject(parent), store_(store) {
   thread_.setMaxThreadCount(1);
+  comparing_.setMaxThreadCount(1);
   soon_.setSingleShot(true);
   soon_.setInterval(kSoon);
   connect(&soon_, &QTimer::timeout, this, &SystemDocument::hear);
@@ -39,12 +56,15 @@ SystemDocument::SystemDocument(const CatalogueStore& store, QObject* parent)
   });
 }
 
-SystemDocument::~SystemDocument() { thread_.waitForDone(); }
+SystemDocument::~SystemDocument() {
+  thread_.waitForDone();
+  comparing_.waitForDone();
+}
 
 QString SystemDocument::title() const {
   if (!isOpen()) return {};
   if (modified_ == 0) return FileName(path_);
-  return QStringLiteral("%1, modified since %2").arg(FileName(path_), ClockText(modified_).left(5));
+  return Words::tr("%1, modified since %2").arg(FileName(path_), ClockText(modified_).left(5));
 }
 
 void SystemDocument::hear() {
@@ -53,8 +73,22 @@ void SystemDocument::hear() {
 }
 
 void SystemDocument::compare() {
-  comparison_ = CompareSystems(file_, SystemOf(store_.catalogue(), file_.name).file,
-                               Threads::kUnknownInSecond);
+  is_behind_ = std::exchange(is_comparing_, true);
+  if (is_behind_) return;
+  comparing_.start([this, version = version_, file = file_,
+                    running = SystemOf(store_.catalogue(), file_.name).file] {
+    auto comparison = CompareSystems(file, running, Starts::kUnknownInSecond);
+    QMetaObject::invokeMethod(this, [this, version, comparison = std::move(comparison)] {
+      is_comparing_ = false;
+      const bool is_old = version != version_;
+      if (!is_old) show(comparison);
+      if (is_old || is_behind_) compare();
+    });
+  });
+}
+
+void SystemDocument::show(SystemComparison comparison) {
+  comparison_ = std::move(comparison);
   if (comparison_.differences.empty()) {
     modified_ = 0;
   } else if (modified_ == 0) {
@@ -63,36 +97,54 @@ void SystemDocument::compare() {
   Q_EMIT changed();
 }
 
-void SystemDocument::take(const QString& path, SystemFile file) {
-  path_ = path;
-  file_ = std::move(file);
-  modified_ = 0;
-  compare();
+void SystemDocument::take(const QString& path, const SystemFile& file, std::function<void()> done) {
+  comparing_.start([this, path, file, done = std::move(done),
+                    revision = store_.catalogue().revision(),
+                    running = SystemOf(store_.catalogue(), file.name).file] {
+    auto comparison = CompareSystems(file, running, Starts::kUnknownInSecond);
+    QMetaObject::invokeMethod(
+        this, [this, path, file, done, revision, comparison = std::move(comparison)] {
+          path_ = path;
+          file_ = file;
+          modified_ = 0;
+          ++version_;
+          show(comparison);
+          done();
+          if (store_.catalogue().revision() != revision) compare();
+        });
+  });
 }
 
+void SystemDocument::setLayout(Layout layout) { layout_ = std::move(layout); }
+
 void SystemDocument::open(const QString& path) {
-  thread_.start([this, path] {
+  read(path, [this, path](const Result<SystemFile>& read) {
+    if (!read) return Q_EMIT told(ToQString(read.error().message));
+    take(path, *read, [this] { Q_EMIT opened(); });
+  });
+}
+
+void SystemDocument::read(const QString& path,
+                          std::function<void(const Result<SystemFile>&)> done) {
+  thread_.start([this, path, done = std::move(done)] {
     auto read = ReadSystemFile(path.toStdString());
-    QMetaObject::invokeMethod(this, [this, path, read = std::move(read)] {
-      if (!read) return Q_EMIT told(ToQString(read.error().message));
-      take(path, *read);
-      Q_EMIT opened();
-    });
+    QMetaObject::invokeMethod(this, [done, read = std::move(read)] { done(read); });
   });
 }
 
 void SystemDocument::save(const QString& path) {
   const std::string name = FileName(path).section('.', 0, 0).toStdString();
-  thread_.start([this, path, running = SystemOf(store_.catalogue(), name)] {
+  thread_.start([this, path, running = SystemOf(store_.catalogue(), name), layout = layout_] {
     const std::string file = path.toStdString();
-    const auto system = SystemToSave(file, running);
+    const auto system = SystemToSave(file, running, layout);
     const auto written = system ? WriteSystemFile(file, *system) : Result<void>(system.error());
     const QString left_out = running.loose.empty() ? QString() : ToQString(running.LeftOut()[0]);
     QMetaObject::invokeMethod(this, [this, path, system, written, left_out] {
       if (!written) return Q_EMIT told(ToQString(written.error().message));
-      take(path, *system);
-      const QString saved = QStringLiteral("Saved to ") + FileName(path);
-      Q_EMIT told(left_out.isEmpty() ? saved : saved + QStringLiteral("; ") + left_out);
+      const QString saved = Words::tr("Saved to ") + FileName(path);
+      take(path, *system, [this, saved, left_out] {
+        Q_EMIT told(left_out.isEmpty() ? saved : saved + QStringLiteral("; ") + left_out);
+      });
     });
   });
 }
@@ -103,8 +155,7 @@ void SystemDocument::update(const std::string& what) {
     const auto written = WriteSystemFile(path.toStdString(), system);
     QMetaObject::invokeMethod(this, [this, path, system, written] {
       if (!written) return Q_EMIT told(ToQString(written.error().message));
-      take(path, system);
-      Q_EMIT told(QStringLiteral("Updated ") + FileName(path));
+      take(path, system, [this, path] { Q_EMIT told(Words::tr("Updated ") + FileName(path)); });
     });
   });
 }

@@ -11,18 +11,20 @@
 #include <QTimer>
 #include <cstdint>
 #include <functional>
+#include <map>
+#include <optional>
 #include <string>
 
 namespace tendon::gui {
 
 /// The system file of a window, and in what the running system differs from it. Files are read and
-/// written in a thread of its own; all else is of the GUI thread.
+/// written in a thread of its own, and compared in another; all else is of the GUI thread.
 class SystemDocument : public QObject {
   Q_OBJECT
 
  public:
   explicit SystemDocument(const CatalogueStore& store, QObject* parent = nullptr);
-  /// Waits for what is being read or written.
+  /// Waits for what is being read, written or compared.
   ~SystemDocument() override;
 
   [[nodiscard]] bool isOpen() const { return !path_.isEmpty(); }
@@ -35,7 +37,12 @@ class SystemDocument : public QObject {
   [[nodiscard]] QString title() const;
   [[nodiscard]] const Snapshots& snapshots() const { return snapshots_; }
 
+  /// Where components stand in the graph, by path: from now on it is saved with what runs, in place
+  /// of what the file says about it.
+  void setLayout(std::map<std::string, SystemFile::Position> layout);
   void open(const QString& path);
+  /// Reads a system file that is not this window's.
+  void read(const QString& path, std::function<void(const Result<SystemFile>&)> done);
   /// Writes down what runs; what the file knows besides is kept in it.
   void save(const QString& path);
   /// One thing of the file becomes as it runs; `what` is that of a SystemDifference.
@@ -50,8 +57,11 @@ class SystemDocument : public QObject {
 
  private:
   void hear();
+  /// Soon, with what runs now; once more where something has changed meanwhile.
   void compare();
-  void take(const QString& path, SystemFile file);
+  void show(SystemComparison comparison);
+  /// Is the window's file from the moment on when it has been compared; then `done` is called.
+  void take(const QString& path, const SystemFile& file, std::function<void()> done);
 
   const CatalogueStore& store_;
   QString path_;
@@ -59,8 +69,13 @@ class SystemDocument : public QObject {
   SystemComparison comparison_;
   std::int64_t modified_ = 0;  // ns since 1970; 0 while it is as the file says
   Snapshots snapshots_;
+  std::optional<std::map<std::string, SystemFile::Position>> layout_;
   QTimer soon_;
+  bool is_comparing_ = false;
+  bool is_behind_ = false;     // compare once more
+  std::uint64_t version_ = 0;  // of file_
   QThreadPool thread_;
+  QThreadPool comparing_;
 };
 
 }  // namespace tendon::gui

@@ -1,3 +1,4 @@
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/theme/head_row.h>
 #include <gcm_gui/theme/metrics.h>
@@ -29,14 +30,14 @@ CataloguePanel::CataloguePanel(CatalogueFilter& filter, Selection& selection, Si
   setAutoFillBackground(true);
   SetRole(*count_, QStringLiteral("dim"));
   count_->setObjectName(QStringLiteral("catalogueCount"));
-  auto* head = new HeadRow(QStringLiteral("Catalogue"));
+  auto* head = new HeadRow(Words::tr("Catalogue"));
   head->addRight(count_);
   field_->setObjectName(QStringLiteral("filter"));
-  field_->setAccessibleName(QStringLiteral("Filter the catalogue"));
-  field_->setPlaceholderText(QStringLiteral("Filter: arm type:read state:active"));
+  field_->setAccessibleName(Words::tr("Filter the catalogue"));
+  field_->setPlaceholderText(Words::tr("Filter: arm type:read state:active"));
   field_->setToolTip(
-      QStringLiteral("Words must all be in the path; also -word, type:, state:, "
-                     "proc:  (Ctrl+F)"));
+      Words::tr("Words must all be in the path; also -word, type:, state:, "
+                "proc:  (Ctrl+F)"));
   field_->setClearButtonEnabled(true);
   field_->installEventFilter(this);
   auto* around_field = new QVBoxLayout;
@@ -58,17 +59,18 @@ CataloguePanel::CataloguePanel(CatalogueFilter& filter, Selection& selection, Si
   const auto count_soon = [this] { count_soon_.start(); };
   connect(&filter_, &QAbstractItemModel::rowsInserted, this, count_soon);
   connect(&filter_, &QAbstractItemModel::rowsRemoved, this, count_soon);
-  tree_->setEmptyText(QStringLiteral("Nothing here yet."));
+  tree_->setEmptyText(Words::tr("Nothing here yet."));
   showCount();
 }
 
 void CataloguePanel::showCount() {
-  const int all = filter_.catalogue().itemCount();
-  const QString items = all == 0 ? QString() : CountText(all, QStringLiteral("item"));
   // A filter also finds the numbers below columns, which do not count as items.
-  count_->setText(filter_.active() ? QStringLiteral("%1 found").arg(filter_.matchCount()) : items);
-  tree_->setEmptyText(filter_.active() ? QStringLiteral("No row fits the filter.")
-                                       : QStringLiteral("Nothing here yet."));
+  const int count = filter_.matchCount();
+  const QString items =
+      count == 0 ? QString() : CountText(count, Words::tr("%1 item"), Words::tr("%1 items"));
+  count_->setText(filter_.active() ? Words::tr("%1 found").arg(count) : items);
+  tree_->setEmptyText(filter_.active() ? Words::tr("No row fits the filter.")
+                                       : Words::tr("Nothing here yet."));
 }
 
 void CataloguePanel::focusFilter() {

@@ -1,3 +1,4 @@
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/row_roles.h>
 #include <gcm_gui/views/catalogue_tree.h>
 #include <gcm_gui/views/row_delegate.h>
@@ -18,7 +19,7 @@ CatalogueTree::CatalogueTree(CatalogueFilter& filter, Selection& selection, Sign
                              QWidget* parent)
     : RowView(parent), filter_(filter), selection_(selection), source_(source) {
   setObjectName(QStringLiteral("catalogue"));
-  setAccessibleName(QStringLiteral("Catalogue"));
+  setAccessibleName(Words::tr("Catalogue"));
   setSelectionMode(ExtendedSelection);
   setDragEnabled(true);
   setDragDropMode(DragOnly);
@@ -57,48 +58,48 @@ void CatalogueTree::connectModel() {
   connect(selectionModel(), &QItemSelectionModel::selectionChanged, this,
           &CatalogueTree::publishSelection);
   connect(this, &QTreeView::doubleClicked, this, &CatalogueTree::activateRow);
-  const auto remember = [this](const QModelIndex& index, bool open) {
-    settle_.start();
-    if (restoring_ || filter_.active()) return;
-    const QString path = index.data(kPathRole).toString();
-    if (open) {
-      expanded_.insert(path);
-      collapsed_.remove(path);
-    } else {
-      expanded_.remove(path);
-      collapsed_.insert(path);
-    }
-  };
-  connect(this, &QTreeView::expanded, this,
-          [remember](const QModelIndex& i) { remember(i, true); });
-  connect(this, &QTreeView::collapsed, this,
-          [remember](const QModelIndex& i) { remember(i, false); });
+  connect(this, &QTreeView::expanded, this, [this](const QModelIndex& i) { remember(i, true); });
+  connect(this, &QTreeView::collapsed, this, [this](const QModelIndex& i) { remember(i, false); });
 }
 
-bool CatalogueTree::wantsExpanded(const QModelIndex& index) const {
+void CatalogueTree::Open::note(const QString& path, bool open) {
+  (open ? expanded : collapsed).insert(path);
+  (open ? collapsed : expanded).remove(path);
+}
+
+void CatalogueTree::remember(const QModelIndex& index, bool open) {
+  settle_.start();
+  if (restoring_) return;
   const QString path = index.data(kPathRole).toString();
-  const bool is_process = index.data(kKindRole).toInt() == static_cast<int>(ItemKind::kProcess);
-  return expanded_.contains(path) || (is_process && !collapsed_.contains(path));
+  if (filtered_) filtered_->note(path, open);
+  if (!filtered_ || open) own_.note(path, open);
 }
 
 void CatalogueTree::restore(const QModelIndex& parent, int first, int last) {
   const QScopedValueRollback guard(restoring_, true);
+  const Open& known = filtered_ ? *filtered_ : own_;
   for (int row = first; row <= last; ++row) {
     const QModelIndex index = model()->index(row, 0, parent);
-    if (wantsExpanded(index)) setExpanded(index, true);
-    restore(index, 0, model()->rowCount(index) - 1);
+    const QString path = index.data(kPathRole).toString();
+    const bool is_process = index.data(kKindRole).toInt() == static_cast<int>(ItemKind::kProcess);
+    if (is_process && !known.collapsed.contains(path)) setExpanded(index, true);
+    for (const QString& open : known.expanded) {
+      if (open.startsWith(path)) setExpanded(filter_.indexOf(open), true);
+    }
   }
 }
 
 void CatalogueTree::applyFilter() {
   const QScopedValueRollback guard(restoring_, true);
-  if (filter_.active() && filter_.matchCount() <= kMostExpanded) {
-    expandToDepth(3);
-  } else if (!filter_.active()) {
-    collapseAll();
-    restore({}, 0, filter_.rowCount({}) - 1);
-    scrollTo(currentIndex());
+  if (!filter_.active()) {
+    filtered_.reset();
+  } else if (!filtered_) {
+    filtered_ = own_;
   }
+  if (filter_.active() && filter_.matchCount() <= kMostExpanded) expandToDepth(3);
+  restore({}, 0, filter_.rowCount({}) - 1);
+  showSelection();
+  if (!filter_.active()) scrollTo(currentIndex());
   settle_.start();
 }
 

@@ -9,11 +9,14 @@
 #include <QSet>
 #include <QString>
 #include <QTimer>
+#include <optional>
 
 namespace tendon::gui {
 
 /// The catalogue on the screen. What is expanded and what is selected is kept by path, so that both
-/// come back with what they name. Live values are asked for only for rows that can be seen.
+/// come back with what they name. What is opened while there is a filter stays open without it;
+/// what is closed meanwhile is closed only until then. Live values are asked for only for rows that
+/// can be seen.
 class CatalogueTree : public RowView {
   Q_OBJECT
 
@@ -39,9 +42,18 @@ class CatalogueTree : public RowView {
   void scrollContentsBy(int dx, int dy) override;
 
  private:
+  /// Which rows are open, by path.
+  struct Open {
+    QSet<QString> expanded;
+    QSet<QString> collapsed;  // processes, which are open unless closed
+
+    void note(const QString& path, bool open);
+  };
+
   void connectModel();
+  void remember(const QModelIndex& index, bool open);
+  /// Expands, of these rows and all below them, those that were.
   void restore(const QModelIndex& parent, int first, int last);
-  [[nodiscard]] bool wantsExpanded(const QModelIndex& index) const;
   void applyFilter();
   void activateRow(const QModelIndex& index);
   void publishSelection();
@@ -51,8 +63,8 @@ class CatalogueTree : public RowView {
   CatalogueFilter& filter_;
   Selection& selection_;
   SignalSource& source_;
-  QSet<QString> expanded_;
-  QSet<QString> collapsed_;  // processes, which are open unless closed
+  Open own_;
+  std::optional<Open> filtered_;  // while there is a filter
   QTimer settle_;
   bool restoring_ = false;
   bool publishing_ = false;

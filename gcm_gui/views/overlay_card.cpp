@@ -1,3 +1,4 @@
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/theme/head_row.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
@@ -36,8 +37,8 @@ OverlayCard::OverlayCard(QWidget& place, QWidget* body)
   setFocusPolicy(Qt::StrongFocus);
   setAutoFillBackground(true);
   leave_->setObjectName(QStringLiteral("closeCard"));
-  leave_->setAccessibleName(QStringLiteral("Close"));
-  leave_->setToolTip(QStringLiteral("Close  (Esc)"));
+  leave_->setAccessibleName(Words::tr("Close"));
+  leave_->setToolTip(Words::tr("Close  (Esc)"));
   leave_->setText(QStringLiteral("✕"));
   leave_->setFocusPolicy(Qt::StrongFocus);
   SetRole(*leave_, QStringLiteral("dim"));

@@ -75,10 +75,11 @@ void RowView::currentChanged(const QModelIndex& current, const QModelIndex& prev
   viewport()->update();  // the frame of the focus is as wide as the view
 }
 
-RowView* MakeRowList(QAbstractItemModel& model, const QString& name, const QString& empty_text) {
+RowView* MakeRowList(QAbstractItemModel& model, const QString& name, const QString& title,
+                     const QString& empty_text) {
   auto* list = new RowView;
   list->setObjectName(name);
-  list->setAccessibleName(name);
+  list->setAccessibleName(title);
   list->setRootIsDecorated(false);
   list->setIndentation(0);
   list->rows().setLeftInset(10);

@@ -30,8 +30,8 @@ class RowView : public QTreeView {
   QString empty_text_;
 };
 
-/// A list: no arrows, the first column as wide as there is room.
+/// A list: no arrows, the first column as wide as there is room. `title` is for a screen reader.
 [[nodiscard]] RowView* MakeRowList(QAbstractItemModel& model, const QString& name,
-                                   const QString& empty_text);
+                                   const QString& title, const QString& empty_text);
 
 }  // namespace tendon::gui

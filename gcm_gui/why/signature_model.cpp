@@ -1,3 +1,4 @@
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/row_roles.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/theme/state_mark.h>
@@ -30,9 +31,8 @@ QString ShortRemark(const SignatureRow& row) {
     case Verdict::kSame:
       return QStringLiteral("same");
     case Verdict::kChanged:
-      return row.needed->signature.kind == row.offered->signature.kind
-                 ? QStringLiteral("other type")
-                 : QStringLiteral("other kind");
+      return row.needed->signature.kind == row.offered->signature.kind ? Words::tr("other type")
+                                                                       : Words::tr("other kind");
     default:
       return ToQString(row.remark);
   }
@@ -52,11 +52,11 @@ QVariant SignatureModel::headerData(int section, Qt::Orientation orientation, in
   if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
   switch (section) {
     case kNeeded:
-      return QStringLiteral("Needed");
+      return Words::tr("Needed");
     case kOffered:
-      return QStringLiteral("Offered");
+      return Words::tr("Offered");
     default:
-      return QStringLiteral("Difference");
+      return Words::tr("Difference");
   }
 }
 
@@ -65,7 +65,7 @@ SignatureModel::Cell SignatureModel::cellOf(const MemberDescription* member, boo
   QString types = ToQString(ToString(member->signature.kind));
   const QString of = TypesText(*member, TypeNames::kShort);
   if (!of.isEmpty()) types += ' ' + of;
-  if (member->optional) types += QStringLiteral(", optional");
+  if (member->optional) types += Words::tr(", optional");
   return {ToQString(member->name), types, is_event ? QStringLiteral("⚡") : QStringLiteral("ƒ")};
 }
 

@@ -1,3 +1,4 @@
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
@@ -40,19 +41,19 @@ struct VerdictLook {
 VerdictLook LookOf(Verdict verdict) {
   switch (verdict) {
     case Verdict::kGood:
-      return {"✓", "good", "ok"};
+      return {"✓", QT_TRANSLATE_NOOP("Words", "good"), "ok"};
     case Verdict::kBad:
-      return {"✗", "bad", "bad"};
+      return {"✗", QT_TRANSLATE_NOOP("Words", "bad"), "bad"};
     case Verdict::kNotReached:
       break;
   }
-  return {"·", "not reached", "dim"};
+  return {"·", QT_TRANSLATE_NOOP("Words", "not reached"), "dim"};
 }
 
 RowView* MakeSides(SignatureModel& model) {
   RowView* sides = MakeRowList(model, QStringLiteral("why.signatures"),
-                               QStringLiteral("Neither side has a member."));
-  sides->setAccessibleName(QStringLiteral("What is needed and what is offered, side by side"));
+                               Words::tr("What is needed and what is offered, side by side"),
+                               Words::tr("Neither side has a member."));
   sides->rows().setAllLeft(true);
   sides->setHeaderHidden(false);
   sides->header()->setSectionResizeMode(SignatureModel::kNeeded, QHeaderView::Stretch);
@@ -134,9 +135,8 @@ void StepList::addStep(int number, const DiagnosisStep& step) {
   const bool reached = step.verdict != Verdict::kNotReached;
   QLabel* text = addText(ToQString(step.text), reached ? QString() : QStringLiteral("dim"));
   text->setObjectName(QStringLiteral("why.step%1").arg(number));
-  text->setAccessibleName(QStringLiteral("Step %1, %2: %3")
-                              .arg(number)
-                              .arg(QString::fromLatin1(look.word), ToQString(step.text)));
+  text->setAccessibleName(
+      Words::tr("Step %1, %2: %3").arg(number).arg(Words::tr(look.word), ToQString(step.text)));
   grid_->addWidget(mark, row, 0);
   grid_->addWidget(count, row, 1);
   auto* line = new QHBoxLayout;
@@ -148,7 +148,7 @@ void StepList::addStep(int number, const DiagnosisStep& step) {
   }
   if (!step.fix.empty()) addFix(step);
   if (number != static_cast<int>(kSignatureStep) || !comparable_) return;
-  toggle_ = MakeLink(QStringLiteral("Show side by side"), QStringLiteral("why.sides"));
+  toggle_ = MakeLink(Words::tr("Show side by side"), QStringLiteral("why.sides"));
   toggle_->setCheckable(true);
   toggle_->setFocusPolicy(Qt::StrongFocus);
   toggle_->setFixedHeight(kLinkHeight);
@@ -160,17 +160,17 @@ void StepList::addFix(const DiagnosisStep& step) {
   const QString command = CommandOfFix(step.fix);
   auto* line = new QHBoxLayout;
   line->setSpacing(2 * kGrid);
-  QLabel* words = addText(QStringLiteral("fix: ") + ToQString(step.fix), {});
+  QLabel* words = addText(Words::tr("fix: ") + ToQString(step.fix), {});
   words->setObjectName(QStringLiteral("why.fix"));
   line->addWidget(words, 1);
-  QToolButton* copy = MakeLink(QStringLiteral("Copy"), QStringLiteral("why.copyFix"));
-  copy->setAccessibleName(QStringLiteral("Copy the fix: ") + command);
+  QToolButton* copy = MakeLink(Words::tr("Copy"), QStringLiteral("why.copyFix"));
+  copy->setAccessibleName(Words::tr("Copy the fix: ") + command);
   copy->setToolTip(command);
   copy->setFocusPolicy(Qt::StrongFocus);
   copy->setFixedHeight(kLinkHeight);
   connect(copy, &QToolButton::clicked, this, [this, command] {
     QGuiApplication::clipboard()->setText(command);
-    Q_EMIT copied(QStringLiteral("Copied: ") + command);
+    Q_EMIT copied(Words::tr("Copied: ") + command);
   });
   line->addWidget(copy, 0, Qt::AlignTop);
   grid_->addLayout(line, grid_->rowCount(), 2);
@@ -183,7 +183,7 @@ void StepList::addSides() {
 
 void StepList::showSides(bool shown) {
   sides_->setVisible(shown);
-  toggle_->setText(shown ? QStringLiteral("Hide the sides") : QStringLiteral("Show side by side"));
+  toggle_->setText(shown ? Words::tr("Hide the sides") : Words::tr("Show side by side"));
   toggle_->setAccessibleName(toggle_->text());
 }
 

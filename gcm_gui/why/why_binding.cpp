@@ -1,3 +1,4 @@
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/session/connection_checks.h>
 #include <gcm_gui/session/system_actions.h>
@@ -5,6 +6,7 @@
 #include <gcm_gui/why/why_card.h>
 #include <gcm_gui/why/why_report.h>
 #include <tendon/base/path.h>
+#include <tendon/gcm/text/leftover_text.h>
 
 #include <QPointer>
 #include <algorithm>
@@ -36,13 +38,13 @@ void WhyBinding::open(const QString& path) {
   const Catalog& catalogue = store_.catalogue();
   const auto required = RequiredOf(catalogue, path);
   if (!required) {
-    Q_EMIT notice(QStringLiteral("Select a required interface to see why it is connected or not"));
+    Q_EMIT notice(Words::tr("Select a required interface to see why it is connected or not"));
     return;
   }
   const auto provided = LikelyProvider(catalogue, refusals_, *required);
   if (!provided) {
     Q_EMIT notice(ToQString(ToString(*required)) +
-                  QStringLiteral(" is not connected, and nothing that is there resembles it"));
+                  Words::tr(" is not connected, and nothing that is there resembles it"));
     return;
   }
   wire_ = message::Wire{*required, *provided};
@@ -82,7 +84,9 @@ void WhyBinding::show(const message::Wire& wire, const Result<Diagnosis>& diagno
   if (refused != nullptr && refused->provided == wire.provided) report.refusal = *refused;
   const Catalog& catalogue = store_.catalogue();
   const bool is_tried = report.refusal || diagnosis->is_connected;
-  if (is_tried && diagnosis->failure) report.leftovers = LeftoversOf(catalogue, wire);
+  if (is_tried && diagnosis->failure) {
+    for (const auto& line : LeftoverTexts(*diagnosis)) report.leftovers.append(ToQString(line));
+  }
   card_.show(report, catalogue.FindRequired(wire.required), catalogue.FindProvided(wire.provided));
 }
 

@@ -1,3 +1,4 @@
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/theme/head_row.h>
 #include <gcm_gui/theme/metrics.h>
@@ -37,10 +38,10 @@ WhyCard::WhyCard(QWidget& place)
       history_(MakeLine(QStringLiteral("why.history"), QStringLiteral("dim"))),
       steps_(new StepList(signatures_)),
       leftovers_(MakeLine(QStringLiteral("why.leftovers"), {})),
-      retry_(new QPushButton(QStringLiteral("Retry"))),
-      copy_(new QPushButton(QStringLiteral("Copy report"))) {
+      retry_(new QPushButton(Words::tr("Retry"))),
+      copy_(new QPushButton(Words::tr("Copy report"))) {
   setObjectName(QStringLiteral("whyCard"));
-  setAccessibleName(QStringLiteral("Why?"));
+  setAccessibleName(Words::tr("Why?"));
   buildBody(body());
   buildHead();
   connect(steps_, &StepList::copied, this, &WhyCard::notice);
@@ -63,7 +64,7 @@ void WhyCard::buildHead() {
   retry_->setObjectName(QStringLiteral("why.retry"));
   retry_->setProperty("changesSystem", true);
   copy_->setObjectName(QStringLiteral("why.copyReport"));
-  copy_->setAccessibleName(QStringLiteral("Copy the report"));
+  copy_->setAccessibleName(Words::tr("Copy the report"));
   connect(retry_, &QPushButton::clicked, this, &WhyCard::retryRequested);
   connect(copy_, &QPushButton::clicked, this, &WhyCard::copyReport);
   head().addLeft(title_);
@@ -76,9 +77,9 @@ void WhyCard::begin(const message::Wire& wire) {
   report_.diagnosis.wire = wire;
   title_->setText(ShortName(wire.required) + QStringLiteral(" → ") + ShortName(wire.provided));
   title_->setToolTip(ToQString(ToString(wire.required) + " → " + ToString(wire.provided)));
-  setAccessibleName(QStringLiteral("Why? ") + title_->toolTip());
+  setAccessibleName(Words::tr("Why? ") + title_->toolTip());
   if (other || isHidden()) {
-    tell(QStringLiteral("checking …"));
+    tell(Words::tr("checking …"));
     steps_->setComparable(false);
     steps_->show({});
   }
@@ -100,9 +101,9 @@ void WhyCard::show(const WhyReport& report, const RequiredDescription* required,
   leftovers_->setVisible(!report.leftovers.isEmpty());
   const auto& failure = report.diagnosis.failure;
   const bool was_tried = report.refusal || report.diagnosis.is_connected;
-  retry_->setText(was_tried ? QStringLiteral("Retry") : QStringLiteral("Connect"));
-  retry_->setAccessibleName(was_tried ? QStringLiteral("Try the connection again")
-                                      : QStringLiteral("Connect them"));
+  retry_->setText(was_tried ? Words::tr("Retry") : Words::tr("Connect"));
+  retry_->setAccessibleName(was_tried ? Words::tr("Try the connection again")
+                                      : Words::tr("Connect them"));
   const bool works = report.diagnosis.is_connected && !failure;
   retry_->setVisible(!works && (!failure || failure->code != ErrorCode::kIncompatible));
   copy_->setEnabled(true);
@@ -121,7 +122,7 @@ void WhyCard::tell(const QString& sentence) {
 
 void WhyCard::copyReport() {
   QGuiApplication::clipboard()->setText(report_.text());
-  Q_EMIT notice(QStringLiteral("The report is in the clipboard"));
+  Q_EMIT notice(Words::tr("The report is in the clipboard"));
 }
 
 }  // namespace tendon::gui

@@ -1,6 +1,6 @@
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/why/why_report.h>
-#include <tendon/gcm/lookup.h>
 
 #include <algorithm>
 
@@ -29,16 +29,16 @@ QString WhyReport::verdict() const {
   const auto& steps = diagnosis.steps;
   const auto bad = std::ranges::find(steps, Verdict::kBad, &DiagnosisStep::verdict);
   if (bad != steps.end()) {
-    return QStringLiteral("fails at step %1 of %2").arg(bad - steps.begin() + 1).arg(steps.size());
+    return Words::tr("fails at step %1 of %2").arg(bad - steps.begin() + 1).arg(steps.size());
   }
-  return diagnosis.is_connected ? QStringLiteral("connected and working")
-                                : QStringLiteral("nothing keeps it from being connected");
+  return diagnosis.is_connected ? Words::tr("connected and working")
+                                : Words::tr("nothing keeps it from being connected");
 }
 
 QString WhyReport::history() const {
   if (!refusal) return {};
   const QString time = ClockText(refusal->when).section('.', 0, 0);
-  return QStringLiteral("refused at %1: %2").arg(time, refusal->reason);
+  return Words::tr("refused at %1: %2").arg(time, refusal->reason);
 }
 
 QString WhyReport::command() const {
@@ -59,29 +59,12 @@ QString WhyReport::text() const {
       lines.append(QStringLiteral("         ") + ToQString(detail));
     }
     if (!step.fix.empty()) {
-      lines.append(QStringLiteral("         fix: ") + ToQString(step.fix));
+      lines.append(Words::tr("         fix: ") + ToQString(step.fix));
     }
   }
   for (const QString& line : leftovers) lines.append(QStringLiteral("  ") + line);
-  lines.append(QStringLiteral("  the same in a terminal: ") + command());
+  lines.append(Words::tr("  the same in a terminal: ") + command());
   return lines.join('\n') + '\n';
-}
-
-QStringList LeftoversOf(const Catalog& catalogue, const message::Wire& wire) {
-  const ProcessEntry* owner = catalogue.FindProcess(wire.required.process);
-  const QString process = ToQString(wire.required.process);
-  if (owner == nullptr || !IsPresent(owner->process)) {
-    return {QStringLiteral("Rolled back: not known while %1 is not there").arg(process)};
-  }
-  const auto* connection = catalogue.FindConnection(wire.required);
-  if (connection == nullptr) {
-    return {QStringLiteral("Rolled back: nothing of it is left in %1").arg(process)};
-  }
-  if (connection->provided != wire.provided) {
-    return {QStringLiteral("Rolled back: %1 is connected to %2 as before")
-                .arg(Name(wire.required), Name(connection->provided))};
-  }
-  return {QStringLiteral("Kept: %1 makes it as soon as it can").arg(process)};
 }
 
 std::optional<InterfaceName> LikelyProvider(const Catalog& catalogue, const Refusals& refusals,

@@ -13,7 +13,7 @@ namespace tendon::gui {
 struct WhyReport {
   Diagnosis diagnosis;
   std::optional<RefusedConnection> refusal;  ///< the last one, of this very connection
-  QStringList leftovers;                     ///< what a refused request has left on either side
+  QStringList leftovers;                     ///< as LeftoverTexts(), of one that was tried
 
   /// "fails at step 5 of 7", "connected and working", "nothing keeps it from being connected".
   [[nodiscard]] QString verdict() const;
@@ -24,9 +24,6 @@ struct WhyReport {
   /// All of it for a mail: the steps are numbered and worded as `gcm explain` prints them.
   [[nodiscard]] QString text() const;
 };
-
-/// One line for each process: whether anything of the wished connection is left there.
-[[nodiscard]] QStringList LeftoversOf(const Catalog& catalogue, const message::Wire& wire);
 
 /// The provided interface that a user means who asks why `required` is not connected: the one that
 /// was refused, else the one it is connected to, else the best candidate.

@@ -1,3 +1,4 @@
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
 #include <gcm_gui/window/empty_state.h>
@@ -16,18 +17,33 @@ namespace {
 constexpr auto kUsualAddress = "127.0.0.1:10705";
 constexpr int kWidth = 540;
 
+/// Where the GCM starts processes they then run here, too.
+bool IsHere(const GcmLink& link) {
+  return link.isHosted() || link.address().startsWith(QStringLiteral("127.")) ||
+         link.address().startsWith(QStringLiteral("localhost:")) ||
+         link.address().startsWith(QStringLiteral("[::1]"));
+}
+
 }  // namespace
 
-EmptyState::EmptyState(const GcmLink& link, QWidget* parent)
-    : QWidget(parent), link_(link), title_(new QLabel), text_(new QLabel), command_(new QLineEdit) {
+EmptyState::EmptyState(const GcmLink& link, bool offers_demo, QWidget* parent)
+    : QWidget(parent),
+      link_(link),
+      offers_demo_(offers_demo),
+      title_(new QLabel),
+      text_(new QLabel),
+      demo_(buildDemo()),
+      terminal_(new QLabel),
+      command_(new QLineEdit) {
   setObjectName(QStringLiteral("emptyState"));
   SetRole(*title_, QStringLiteral("strong"));
   SetRole(*text_, QStringLiteral("dim"));
   text_->setWordWrap(true);
+  SetRole(*terminal_, QStringLiteral("dim"));
   command_->setReadOnly(true);
-  command_->setAccessibleName(QStringLiteral("Command for a terminal"));
+  command_->setAccessibleName(Words::tr("Command for a terminal"));
   SetRole(*command_, QStringLiteral("mono"));
-  auto* copy = new QPushButton(QStringLiteral("Copy"));
+  auto* copy = new QPushButton(Words::tr("Copy"));
   copy->setObjectName(QStringLiteral("copyStart"));
   connect(copy, &QPushButton::clicked, this,
           [this] { QGuiApplication::clipboard()->setText(command_->text()); });
@@ -41,6 +57,8 @@ EmptyState::EmptyState(const GcmLink& link, QWidget* parent)
   column->setSpacing(2 * kGrid);
   column->addWidget(title_);
   column->addWidget(text_);
+  column->addWidget(demo_);
+  column->addWidget(terminal_);
   column->addLayout(line);
   auto* middle = new QHBoxLayout(this);
   middle->addStretch(1);
@@ -50,23 +68,41 @@ EmptyState::EmptyState(const GcmLink& link, QWidget* parent)
   refresh();
 }
 
+QWidget* EmptyState::buildDemo() {
+  auto* demo = new QWidget;
+  auto* start = new QPushButton(Words::tr("Try the demo"));
+  start->setObjectName(QStringLiteral("tryDemo"));
+  start->setProperty("changesSystem", true);
+  SetRole(*start, QStringLiteral("primary"));
+  connect(start, &QPushButton::clicked, this, &EmptyState::demoRequested);
+  auto* meaning = new QLabel(Words::tr("Two processes with a simulated arm, on this machine."));
+  SetRole(*meaning, QStringLiteral("dim"));
+  auto* row = new QHBoxLayout(demo);
+  row->setContentsMargins(0, kGrid, 0, 2 * kGrid);
+  row->setSpacing(kInset);
+  row->addWidget(start);
+  row->addWidget(meaning, 1);
+  return demo;
+}
+
 void EmptyState::refresh() {
   const bool usual = link_.address() == QLatin1String(kUsualAddress);
   const QString gcm = usual ? QString() : QStringLiteral(" --gcm ") + link_.address();
-  if (link_.state() == GcmLink::State::kConnected) {
-    title_->setText(QStringLiteral("Nothing is running yet."));
-    text_->setText(
-        QStringLiteral("Start a process that joins this GCM and it appears here by "
-                       "itself. In a terminal:"));
+  const bool is_connected = link_.state() == GcmLink::State::kConnected;
+  if (is_connected) {
+    title_->setText(Words::tr("Nothing is running yet."));
+    text_->setText(Words::tr("A process that joins this GCM appears here by itself."));
+    terminal_->setText(Words::tr("To start one, in a terminal:"));
     command_->setText(QStringLiteral("lcm --name robot --system demo.json") + gcm);
   } else {
-    title_->setText(QStringLiteral("No GCM answers at %1.").arg(link_.address()));
+    title_->setText(Words::tr("No GCM answers at %1.").arg(link_.address()));
     text_->setText(
-        QStringLiteral("Looking every second; this window fills by itself when one "
-                       "appears. To start one, in a terminal there:"));
+        Words::tr("Looking every second; this window fills by itself when one appears."));
+    terminal_->setText(Words::tr("To start one, in a terminal there:"));
     command_->setText(QStringLiteral("gcm serve") + gcm);
   }
   command_->setCursorPosition(0);
+  demo_->setVisible(offers_demo_ && is_connected && IsHere(link_));
 }
 
 }  // namespace tendon::gui

@@ -9,20 +9,28 @@ class QLineEdit;
 
 namespace tendon::gui {
 
-/// What the middle of the window shows while no component is known: what that means, and the line
-/// for a terminal that changes it.
+/// What the middle of the window shows while no component is known: what that means, a button that
+/// starts the demo where that can be done, and the line for a terminal that changes it.
 class EmptyState : public QWidget {
   Q_OBJECT
 
  public:
-  explicit EmptyState(const GcmLink& link, QWidget* parent = nullptr);
+  /// `offers_demo`: there is one, for a GCM on this machine.
+  EmptyState(const GcmLink& link, bool offers_demo, QWidget* parent = nullptr);
+
+ Q_SIGNALS:
+  void demoRequested();
 
  private:
+  [[nodiscard]] QWidget* buildDemo();
   void refresh();
 
   const GcmLink& link_;
+  const bool offers_demo_;
   QLabel* title_;
   QLabel* text_;
+  QWidget* demo_;
+  QLabel* terminal_;
   QLineEdit* command_;
 };
 

@@ -3,9 +3,12 @@
 #include <gcm_gui/connect/candidate_panel.h>
 #include <gcm_gui/connect/match_card.h>
 #include <gcm_gui/graph/edge_health.h>
+#include <gcm_gui/graph/emphasis/graph_hover.h>
 #include <gcm_gui/graph/graph_scene.h>
 #include <gcm_gui/graph/graph_view.h>
+#include <gcm_gui/graph/search/graph_search.h>
 #include <gcm_gui/inspector/inspector.h>
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/row_roles.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/plot/plot_panel.h>
@@ -28,6 +31,8 @@
 #include <gcm_gui/window/commands/commands.h>
 #include <gcm_gui/window/empty_state.h>
 #include <gcm_gui/window/file/system_files.h>
+#include <gcm_gui/window/graph/graph_commands.h>
+#include <gcm_gui/window/help/keys_card.h>
 #include <gcm_gui/window/main_window.h>
 #include <gcm_gui/window/plot_binding.h>
 #include <gcm_gui/window/plots/mark_binding.h>
@@ -144,19 +149,19 @@ QWidget* MainWindow::buildRight() {
 
 void MainWindow::buildPanels(QSplitter& centre) {
   panels_ = new Panels(*this, centre);
-  panels_->add(catalogue_, QStringLiteral("Catalogue"), Qt::LeftDockWidgetArea, kCatalogueWidth,
+  panels_->add(catalogue_, Words::tr("Catalogue"), Qt::LeftDockWidgetArea, kCatalogueWidth,
                kLeastCatalogueWidth);
-  panels_->add(buildRight(), QStringLiteral("Inspector"), Qt::RightDockWidgetArea, kInspectorWidth,
+  panels_->add(buildRight(), Words::tr("Inspector"), Qt::RightDockWidgetArea, kInspectorWidth,
                kLeastInspectorWidth);
-  panels_->add(strip_, QStringLiteral("Activity"), Qt::BottomDockWidgetArea, kStripHeight,
+  panels_->add(strip_, Words::tr("Activity"), Qt::BottomDockWidgetArea, kStripHeight,
                kLeastStripHeight);
   connect(panels_, &Panels::shown, this, &MainWindow::showPerspective);
 }
 
 QSplitter* MainWindow::buildCentre() {
   centre_ = new TabPanel(QStringLiteral("centre"));
-  centre_->addPage(buildGraphPage(), QStringLiteral("Graph"));
-  centre_->addPage(buildConnectionsPage(), QStringLiteral("Connections"));
+  centre_->addPage(buildGraphPage(), Words::tr("Graph"));
+  centre_->addPage(buildConnectionsPage(), Words::tr("Connections"));
   files_ = new SystemFiles(parts_, *centre_, *this);
   notice_ = new NoticeLine(mode_, parts_.activity);
   centre_->addRight(notice_);
@@ -164,11 +169,7 @@ QSplitter* MainWindow::buildCentre() {
   plots_->setAutoFillBackground(true);
   plots_->setMinimumHeight(kLeastPlotsHeight);
   binding_ = new PlotBinding(*plots_, parts_.source, catalogue_model_, this);
-  auto* marks = new MarkBinding(*plots_, parts_.store, parts_.activity, plots_);
-  connect(&parts_.reports, &SystemReports::eventsArrived, marks,
-          [marks](const std::vector<HeardEvent>& events) {
-            for (const auto& event : events) marks->markEvent(event.path, event.value, event.when);
-          });
+  new MarkBinding(*plots_, parts_.store, parts_.activity, parts_.reports, plots_);
   auto* rows = new QSplitter(Qt::Vertical);
   rows->setObjectName(QStringLiteral("centreRows"));
   rows->setChildrenCollapsible(false);
@@ -185,22 +186,31 @@ QWidget* MainWindow::buildGraphPage() {
   scene_ = new GraphScene(parts_.store, selection_, mode_, this);
   graph_ = new GraphView(*scene_, selection_, mode_);
   new ZoomButtons(*graph_);
+  graph_commands_ = new GraphCommands(parts_, *graph_, *this);
   graph_page_ = new QStackedWidget;
-  graph_page_->addWidget(new EmptyState(parts_.link));
+  auto* empty = new EmptyState(parts_.link, !parts_.demo.isEmpty());
+  connect(empty, &EmptyState::demoRequested, this, [this] { files_->startDemo(); });
+  graph_page_->addWidget(empty);
   graph_page_->addWidget(graph_);
   return graph_page_;
 }
 
 QWidget* MainWindow::buildConnectionsPage() {
-  RowView* list = MakeRowList(connections_, QStringLiteral("connections"),
-                              QStringLiteral("Nothing is connected."));
+  RowView* list = MakeRowList(connections_, QStringLiteral("connections"), Words::tr("Connections"),
+                              Words::tr("Nothing is connected."));
   list->rows().setAllLeft(true);
   list->rows().setLeftInset(2 * kGrid);
   list->setHeaderHidden(false);
   list->header()->setSectionResizeMode(QHeaderView::Stretch);
   connect(list, &QTreeView::clicked, this, [this](const QModelIndex& index) {
+    if (mode_.active()) return pickInConnectMode(index.data(kPathRole).toString());
     selection_.select(index.siblingAtColumn(0).data(kPathRole).toString());
   });
+  connect(list->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+          [this, list](const QModelIndex& index) {
+            if (!list->hasFocus() || mode_.active()) return;
+            selection_.select(index.siblingAtColumn(0).data(kPathRole).toString());
+          });
   return list;
 }
 
@@ -208,6 +218,7 @@ void MainWindow::addFavourites() {
   auto* bar = new FavouriteBar(favourites_, parts_.store, parts_.calls);
   addToolBar(Qt::TopToolBarArea, bar);
   connect(bar, &FavouriteBar::notice, notice_, &NoticeLine::tell);
+  connect(&favourites_, &Favourites::notice, notice_, &NoticeLine::tell);
   connect(bar, &FavouriteBar::pathChosen, this, &MainWindow::goTo);
   connect(inspector_, &Inspector::favouriteRequested, &favourites_,
           [this](const QString& path, const QString& argument) {
@@ -235,7 +246,10 @@ void MainWindow::connectViews() {
           [this] { panels_->giveRoom(*strip_, kRoomToRead); });
   connect(strip_, &ActivityStrip::jumpRequested, this, &MainWindow::goTo);
   connect(strip_, &ActivityStrip::problemChosen, this, &MainWindow::goTo);
+  connect(strip_, &ActivityStrip::notice, notice_, &NoticeLine::tell);
   connect(files_, &SystemFiles::notice, notice_, &NoticeLine::tell);
+  graph_commands_->keepPlaces(parts_, files_->document());
+  connect(graph_commands_, &GraphCommands::notice, notice_, &NoticeLine::tell);
   connect(files_, &SystemFiles::titleChanged, this, &MainWindow::showLink);
   connect(plots_, &PlotPanel::notice, notice_, &NoticeLine::tell);
   connect(top_bar_, &TopBar::pauseRequested, plots_, &PlotPanel::setPaused);
@@ -258,7 +272,10 @@ void MainWindow::connectWhy() {
   connect(strip_, &ActivityStrip::problemChosen, why_, &WhyBinding::openProblem);
   connect(why_, &WhyBinding::notice, notice_, &NoticeLine::tell);
   match_ = new MatchCard(*centralWidget(), parts_.store, parts_.actions);
-  auto* health = new EdgeHealth(parts_.store, parts_.checks, this);
+  auto* health = new EdgeHealth(
+      parts_.reports, [this] { return graph_->seenConnections(); }, this);
+  connect(&scene_->hover(), &GraphHover::connectionPointed, health, &EdgeHealth::point);
+  connect(health, &EdgeHealth::counted, &scene_->hover(), &GraphHover::showReadout);
   connect(health, &EdgeHealth::found, scene_, &GraphScene::showWarning);
   connect(graph_, &GraphView::seenChanged, health, &EdgeHealth::setLooking);
 }
@@ -313,7 +330,7 @@ std::vector<InterfaceName> MainWindow::selectedRequired() const {
 void MainWindow::connectSelection() {
   if (const auto required = selectedRequired(); required.size() > 1) return match_->open(required);
   const auto path = ParsePath(selection_.current().toStdString());
-  if (!path.ok()) return notice_->tell(QStringLiteral("Select an interface to connect it"));
+  if (!path.ok()) return notice_->tell(Words::tr("Select an interface to connect it"));
   if (!path->interface.empty()) return startConnecting(selection_.current());
   const auto* component = parts_.store.catalogue().FindComponent(path->process, path->component);
   if (component != nullptr) {
@@ -323,7 +340,7 @@ void MainWindow::connectSelection() {
       return startConnecting(ToQString(ToString(name)));
     }
   }
-  notice_->tell(selection_.current() + QStringLiteral(" has no unconnected required interface"));
+  notice_->tell(selection_.current() + Words::tr(" has no unconnected required interface"));
 }
 
 void MainWindow::disconnectSelection() {
@@ -332,13 +349,13 @@ void MainWindow::disconnectSelection() {
   if (name.ok() && parts_.store.catalogue().FindConnection(*name) != nullptr) {
     return parts_.actions.disconnectInterface(*name);
   }
-  notice_->tell(QStringLiteral("Select a connected required interface to disconnect it"));
+  notice_->tell(Words::tr("Select a connected required interface to disconnect it"));
 }
 
 void MainWindow::callSelection() {
   panels_->reveal(*inspector_);
   if (!inspector_->focusCall()) {
-    notice_->tell(QStringLiteral("Select a command of a provided interface to call it"));
+    notice_->tell(Words::tr("Select a command of a provided interface to call it"));
   }
 }
 
@@ -353,9 +370,11 @@ void MainWindow::revealSelection() {
 }
 
 void MainWindow::escape() {
+  if (graph_->putBack() || graph_commands_->search().leave()) return;
   if (mode_.active()) return mode_.leave();
   if (why_card_->isVisible()) return why_card_->close();
   if (match_->isVisible()) return match_->close();
+  if (keys_->isVisible()) return keys_->close();
   notice_->tell({});
 }
 
@@ -372,12 +391,12 @@ void MainWindow::showLink() {
   const GcmLink& link = parts_.link;
   const QString file = files_->document().title();
   setWindowTitle((file.isEmpty() ? file : file + QStringLiteral(" – ")) +
-                 (link.isHosted() ? QStringLiteral("Hosting the GCM at %1 – gcm-gui")
-                                  : QStringLiteral("GCM at %1 – gcm-gui"))
+                 (link.isHosted() ? Words::tr("Hosting the GCM at %1 – gcm-gui")
+                                  : Words::tr("GCM at %1 – gcm-gui"))
                      .arg(link.address()));
   const bool outdated = parts_.link.state() == GcmLink::State::kLost;
   if (!outdated && lost_since_ > 0) {
-    notice_->tell(QStringLiteral("The GCM is back after ") + AgeText(WallClock() - lost_since_));
+    notice_->tell(Words::tr("The GCM is back after ") + AgeText(WallClock() - lost_since_));
   }
   lost_since_ = outdated ? parts_.link.since() : 0;
   catalogue_model_.setOutdated(outdated);

@@ -24,9 +24,11 @@ class CandidatePanel;
 class CataloguePanel;
 class CommandPalette;
 class Commands;
+class GraphCommands;
 class GraphScene;
 class GraphView;
 class Inspector;
+class KeysCard;
 class LostBanner;
 class MatchCard;
 class NoticeLine;
@@ -35,6 +37,7 @@ class PlotPanel;
 class SystemFiles;
 class TabPanel;
 class TopBar;
+class Tour;
 class WhyBinding;
 class WhyCard;
 
@@ -51,6 +54,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] Selection& selection() { return selection_; }
   [[nodiscard]] ConnectMode& connectMode() { return mode_; }
   [[nodiscard]] GraphView& graph() const { return *graph_; }
+  [[nodiscard]] GraphCommands& graphCommands() const { return *graph_commands_; }
   [[nodiscard]] CataloguePanel& catalogue() const { return *catalogue_; }
   [[nodiscard]] PlotPanel& plots() const { return *plots_; }
   [[nodiscard]] ActivityStrip& strip() const { return *strip_; }
@@ -58,6 +62,8 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] TopBar& topBar() const { return *top_bar_; }
   [[nodiscard]] CandidatePanel& candidates() const { return *candidates_; }
   [[nodiscard]] SystemFiles& files() const { return *files_; }
+  [[nodiscard]] TabPanel& centre() const { return *centre_; }
+  [[nodiscard]] Tour& tour() const { return *tour_; }
   [[nodiscard]] Panels& panels() const { return *panels_; }
   [[nodiscard]] Favourites& favourites() { return favourites_; }
   [[nodiscard]] CatalogueModel& catalogueModel() { return catalogue_model_; }
@@ -91,6 +97,7 @@ class MainWindow : public QMainWindow {
   void addCommands();
   void addSystemCommands();
   void addPlotCommands();
+  void addHelpCommands();
   void addPalette();
   void forbidChanges();
   void showPage();
@@ -117,6 +124,7 @@ class MainWindow : public QMainWindow {
   CataloguePanel* catalogue_ = nullptr;
   GraphScene* scene_ = nullptr;
   GraphView* graph_ = nullptr;
+  GraphCommands* graph_commands_ = nullptr;
   QStackedWidget* graph_page_ = nullptr;
   TabPanel* centre_ = nullptr;
   SystemFiles* files_ = nullptr;
@@ -131,6 +139,8 @@ class MainWindow : public QMainWindow {
   WhyCard* why_card_ = nullptr;
   WhyBinding* why_ = nullptr;
   MatchCard* match_ = nullptr;
+  KeysCard* keys_ = nullptr;
+  Tour* tour_ = nullptr;
   QTimer second_;
   std::int64_t lost_since_ = 0;  // of the GCM, ns since 1970; 0 while it is there
 };

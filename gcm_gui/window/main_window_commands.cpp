@@ -1,34 +1,72 @@
 #include <gcm_gui/activity/activity_strip.h>
+#include <gcm_gui/graph/graph_view.h>
+#include <gcm_gui/graph/search/graph_search.h>
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/plot_panel.h>
 #include <gcm_gui/plot/plot_view.h>
+#include <gcm_gui/theme/tendon_style.h>
 #include <gcm_gui/theme/theme.h>
+#include <gcm_gui/tour/tour.h>
 #include <gcm_gui/views/catalogue_panel.h>
 #include <gcm_gui/why/why_binding.h>
+#include <gcm_gui/window/bar/notice_line.h>
 #include <gcm_gui/window/bar/top_bar.h>
 #include <gcm_gui/window/commands/command_palette.h>
 #include <gcm_gui/window/commands/commands.h>
-#include <gcm_gui/window/file/about.h>
 #include <gcm_gui/window/file/read_only.h>
 #include <gcm_gui/window/file/system_files.h>
+#include <gcm_gui/window/graph/graph_commands.h>
+#include <gcm_gui/window/help/about.h>
+#include <gcm_gui/window/help/keys_card.h>
+#include <gcm_gui/window/help/window_tour.h>
 #include <gcm_gui/window/main_window.h>
 
+#include <QAbstractButton>
 #include <QAction>
+#include <QKeyEvent>
 #include <QMenu>
 #include <QMenuBar>
 
 namespace tendon::gui {
+namespace {
+
+/// A button that the keys have come to is pressed by Space, whatever Space does elsewhere.
+class ButtonsHaveSpace : public QObject {
+ public:
+  explicit ButtonsHaveSpace(QWidget& window) : QObject(&window), window_(window) {
+    window.installEventFilter(this);
+  }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() == QEvent::ShortcutOverride &&
+        static_cast<QKeyEvent*>(event)->key() == Qt::Key_Space) {
+      const auto* button = qobject_cast<const QAbstractButton*>(window_.focusWidget());
+      if (button != nullptr && HasKeyboardFocus(*button)) {
+        event->accept();
+        return true;
+      }
+    }
+    return QObject::eventFilter(watched, event);
+  }
+
+ private:
+  QWidget& window_;
+};
+
+}  // namespace
 
 void MainWindow::addCommands() {
   commands_ = new Commands(*this);
   top_bar_->addMenus(&commands_->bar());
   addSystemCommands();
   addPlotCommands();
+  graph_commands_->addCommands(*commands_);
   panels_->fill(commands_->menu(Commands::Menu::kView));
   commands_->menu(Commands::Menu::kView).addSeparator();
-  commands_->add(Commands::Menu::kView, QStringLiteral("Dark or light"), {},
+  commands_->add(Commands::Menu::kView, Words::tr("Dark or light"), {},
                  [] { Theme::instance().toggle(); });
-  commands_->add(Commands::Menu::kView, QStringLiteral("About gcm-gui"), {},
-                 [this] { ShowAbout(*this); });
+  addHelpCommands();
   auto* leave = new QAction(this);
   leave->setShortcut(Qt::Key_Escape);
   connect(leave, &QAction::triggered, this, &MainWindow::escape);
@@ -39,56 +77,91 @@ void MainWindow::addCommands() {
 
 void MainWindow::addSystemCommands() {
   files_->addCommands(*commands_);
-  const auto add = [this](const char* text, const QKeySequence& key, auto what) {
-    commands_->add(Commands::Menu::kSystem, QString::fromUtf8(text), key, what);
+  const auto add = [this](const QString& text, const QKeySequence& key, auto what) {
+    commands_->add(Commands::Menu::kSystem, text, key, what);
   };
-  add("&Connect…", Qt::Key_C, [this] { connectSelection(); });
-  add("&Disconnect", Qt::Key_D, [this] { disconnectSelection(); });
-  add("&Why is it connected, or not?", Qt::Key_W, [this] { why_->open(selection_.current()); });
-  add("C&all the command…", {}, [this] { callSelection(); });
-  add("&Undo", QKeySequence::Undo, [this] { parts_.actions.undo(); });
+  add(Words::tr("&Connect…"), Qt::Key_C, [this] { connectSelection(); });
+  add(Words::tr("&Disconnect"), Qt::Key_D, [this] { disconnectSelection(); });
+  add(Words::tr("&Why is it connected, or not?"), Qt::Key_W,
+      [this] { why_->open(selection_.current()); });
+  add(Words::tr("C&all the command…"), {}, [this] { callSelection(); });
+  add(Words::tr("&Undo"), QKeySequence::Undo, [this] {
+    if (!graph_commands_->undoMove()) parts_.actions.undo();
+  });
   commands_->menu(Commands::Menu::kSystem).addSeparator();
-  add("&Filter the catalogue", QKeySequence::Find, [this] { catalogue_->focusFilter(); });
-  add("&Show in graph and catalogue", Qt::Key_F4, [this] { revealSelection(); });
-  add("Search or &run…", QKeySequence(Qt::CTRL | Qt::Key_K), [this] { palette_->open(); });
-  add("C&onsole", QKeySequence(Qt::CTRL | Qt::Key_J), [this] {
+  add(Words::tr("&Filter the catalogue"), QKeySequence::Find, [this] {
+    // Where the focus is, there is what is looked for.
+    graph_->isAncestorOf(focusWidget()) || graph_->hasFocus() ? graph_commands_->search().open()
+                                                              : catalogue_->focusFilter();
+  });
+  add(Words::tr("&Show in graph and catalogue"), Qt::Key_F4, [this] { revealSelection(); });
+  add(Words::tr("Search or &run…"), QKeySequence(Qt::CTRL | Qt::Key_K),
+      [this] { palette_->open(); });
+  add(Words::tr("C&onsole"), QKeySequence(Qt::CTRL | Qt::Key_J), [this] {
     panels_->reveal(*strip_);
     strip_->showConsole();
   });
   commands_->menu(Commands::Menu::kSystem).addSeparator();
-  add("&Quit", QKeySequence(Qt::CTRL | Qt::Key_Q), [this] { close(); });
+  add(Words::tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), [this] { close(); });
 }
 
 void MainWindow::forbidChanges() {
   new ReadOnly(parts_.read_only, this);
+  mode_.forbid(parts_.read_only);
   QMenu& menu = commands_->menu(Commands::Menu::kSystem);
   menu.setToolTipsVisible(true);
-  for (const char* name : {"Connect", "Disconnect", "Call the command", "Undo"}) {
-    auto* action = menu.findChild<QAction*>(QString::fromLatin1(name));
+  for (const QString& name : {Words::tr("Connect"), Words::tr("Disconnect"),
+                              Words::tr("Call the command"), Words::tr("Undo")}) {
+    auto* action = menu.findChild<QAction*>(name);
     action->setEnabled(false);
     action->setToolTip(parts_.read_only);
+    if (action->shortcut().isEmpty()) continue;
+    auto* refusal = new QAction(this);  // its key says why, too
+    refusal->setShortcut(action->shortcut());
+    connect(refusal, &QAction::triggered, this,
+            [this, undoes = action->objectName() == Words::tr("Undo")] {
+              if (!undoes || !graph_commands_->undoMove()) notice_->tell(parts_.read_only);
+            });
+    addAction(refusal);
   }
 }
 
 void MainWindow::addPlotCommands() {
-  const auto add = [this](const char* text, const QKeySequence& key, auto what) -> QAction& {
-    return commands_->add(Commands::Menu::kPlot, QString::fromUtf8(text), key, what);
+  const auto add = [this](const QString& text, const QKeySequence& key, auto what) -> QAction& {
+    return commands_->add(Commands::Menu::kPlot, text, key, what);
   };
-  add("&Plot what is selected", Qt::Key_P, [this] { plotSelection(); });
-  add("&New plot", QKeySequence(Qt::CTRL | Qt::Key_T), [this] { plots_->addPlot(); });
+  add(Words::tr("&Plot what is selected"), Qt::Key_P, [this] { plotSelection(); });
+  add(Words::tr("&New plot"), QKeySequence(Qt::CTRL | Qt::Key_T), [this] { plots_->addPlot(); });
+  add(Words::tr("Plot &below, with the same time"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_T),
+      [this] { plots_->splitPlot(); });
+  add(Words::tr("Close t&his plot"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_W),
+      [this] { plots_->closePlot(plots_->currentIndex()); });
   commands_->menu(Commands::Menu::kPlot).addSeparator();
-  QAction& pause =
-      add("Pause &view", Qt::Key_Space, [this] { plots_->setPaused(!plots_->isPaused()); });
+  QAction& pause = add(Words::tr("Pause &view"), Qt::Key_Space,
+                       [this] { plots_->setPaused(!plots_->isPaused()); });
   pause.setCheckable(true);
+  new ButtonsHaveSpace(*this);
   connect(plots_, &PlotPanel::pausedChanged, &pause, &QAction::setChecked);
-  add("Follow &live data", {}, [this] { plots_->currentPlot().goLive(); });
-  add("Cursors &A and B", {}, [this] { plots_->toggleCursors(); });
+  add(Words::tr("Follow &live data"), {}, [this] { plots_->currentPlot().goLive(); });
+  add(Words::tr("Cursors &A and B"), {}, [this] { plots_->toggleCursors(); });
   commands_->menu(Commands::Menu::kPlot).addSeparator();
-  add("&Save what is seen as CSV…", QKeySequence(Qt::CTRL | Qt::Key_E),
+  add(Words::tr("&Save what is seen as CSV…"), QKeySequence(Qt::CTRL | Qt::Key_E),
       [this] { plots_->askForCsv(); });
-  add("Save a p&icture…", {}, [this] { plots_->askForPicture(); });
-  add("&Open a layout of plots…", {}, [this] { plots_->askForLayout(); });
-  add("Save the layou&t of plots…", {}, [this] { plots_->askToSaveLayout(); });
+  add(Words::tr("Save a p&icture…"), {}, [this] { plots_->askForPicture(); });
+  add(Words::tr("&Open a layout of plots…"), {}, [this] { plots_->askForLayout(); });
+  add(Words::tr("Save the layou&t of plots…"), {}, [this] { plots_->askToSaveLayout(); });
+}
+
+void MainWindow::addHelpCommands() {
+  tour_ = new Tour(WindowTour(*this), *this);
+  keys_ = new KeysCard(*centralWidget(), *commands_);
+  const auto add = [this](const QString& text, auto what) -> QAction& {
+    return commands_->add(Commands::Menu::kHelp, text, {}, what);
+  };
+  add(Words::tr("&Tour of the window"), [this] { tour_->start(); });
+  add(Words::tr("&Keys"), [this] { keys_->toggle(); }).setShortcuts({Qt::Key_F1, Qt::Key_Question});
+  commands_->menu(Commands::Menu::kHelp).addSeparator();
+  add(Words::tr("&About gcm-gui"), [this] { ShowAbout(*this); });
 }
 
 void MainWindow::addPalette() {

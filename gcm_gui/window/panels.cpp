@@ -1,3 +1,4 @@
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/window/panels.h>
 
 #include <QAction>
@@ -28,10 +29,10 @@ struct Arrangement {
   double plots;
 };
 constexpr std::array<Arrangement, 4> kArrangements{
-    {{"Layout for connecting", {280, 312, 124}, 0.40},
-     {"Layout for plotting", {280, 0, 0}, 0.72},
-     {"Layout for operating", {240, 420, 124}, 0.50},
-     {"Layout for diagnosing", {280, 312, 260}, 0.30}}};
+    {{QT_TRANSLATE_NOOP("Words", "Layout for connecting"), {280, 312, 124}, 0.40},
+     {QT_TRANSLATE_NOOP("Words", "Layout for plotting"), {280, 0, 0}, 0.72},
+     {QT_TRANSLATE_NOOP("Words", "Layout for operating"), {240, 420, 124}, 0.50},
+     {QT_TRANSLATE_NOOP("Words", "Layout for diagnosing"), {280, 312, 260}, 0.30}}};
 
 /// As large as wanted when it is first laid out.
 class Page final : public QWidget {
@@ -76,7 +77,7 @@ void Panels::add(QWidget* content, const QString& title, Qt::DockWidgetArea area
 
 void Panels::fill(QMenu& menu) {
   for (std::size_t i = 0; i < kArrangements.size(); ++i) {
-    QAction* action = menu.addAction(QString::fromLatin1(kArrangements[i].title), this,
+    QAction* action = menu.addAction(Words::tr(kArrangements[i].title), this,
                                      [this, i] { show(static_cast<Perspective>(i)); });
     action->setShortcut(QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + i)));
     window_.addAction(action);  // the key works while the menu is closed
@@ -84,10 +85,10 @@ void Panels::fill(QMenu& menu) {
   menu.addSeparator();
   for (const Panel& panel : panels_) menu.addAction(panel.dock->toggleViewAction());
   menu.addSeparator();
-  movable_ = menu.addAction(QStringLiteral("Panels can be moved"));
+  movable_ = menu.addAction(Words::tr("Panels can be moved"));
   movable_->setCheckable(true);
   connect(movable_, &QAction::toggled, this, &Panels::setMovable);
-  menu.addAction(QStringLiteral("Reset layout"), this, &Panels::reset);
+  menu.addAction(Words::tr("Reset layout"), this, &Panels::reset);
 }
 
 void Panels::setMovable(bool movable) {

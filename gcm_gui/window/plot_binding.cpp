@@ -1,3 +1,4 @@
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/catalogue_model.h>
 #include <gcm_gui/models/row_roles.h>
 #include <gcm_gui/plot/plot_panel.h>
@@ -42,13 +43,13 @@ void PlotBinding::plot(const QString& path) {
   const CatalogueItem* item = model_.item(model_.indexOf(path));
   if (item == nullptr) return;
   if (item->kind < ItemKind::kColumn || keys.isEmpty()) {
-    Q_EMIT notice(path + QStringLiteral(" is no number; select a column or a value of a state "
-                                        "table to plot it"));
+    Q_EMIT notice(path + Words::tr(" is no number; select a column or a value of a state "
+                                   "table to plot it"));
     return;
   }
   for (const CurveKey& key : keys.mid(0, kMostAtOnce)) panel_.addSignal(key.path, key.unit);
   if (keys.size() > kMostAtOnce) {
-    Q_EMIT notice(QStringLiteral("The first %1 of %2 numbers are plotted; select those you need")
+    Q_EMIT notice(Words::tr("The first %1 of %2 numbers are plotted; select those you need")
                       .arg(kMostAtOnce)
                       .arg(keys.size()));
   }

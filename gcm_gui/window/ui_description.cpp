@@ -1,6 +1,7 @@
 #include <gcm_gui/activity/activity_model.h>
 #include <gcm_gui/connect/candidate_list.h>
 #include <gcm_gui/connect/candidate_panel.h>
+#include <gcm_gui/files/file_writer.h>
 #include <gcm_gui/graph/graph_view.h>
 #include <gcm_gui/graph/items/component_item.h>
 #include <gcm_gui/graph/items/port_item.h>
@@ -18,7 +19,6 @@
 
 #include <QJsonArray>
 #include <QJsonDocument>
-#include <QSaveFile>
 #include <QTabBar>
 #include <chrono>
 
@@ -208,10 +208,10 @@ void UiDescription::write() {
                                 {"facts", facts()}};
   const QByteArray text = QJsonDocument(description).toJson();
   if (text == written_) return;
-  QSaveFile file(file_);  // readers see the old one or the new one, never a half
-  if (!file.open(QIODevice::WriteOnly)) return;
-  file.write(text);
-  if (file.commit()) written_ = text;
+  written_ = text;
+  FileWriter::instance().write(file_, text, this, [this](const QString& refusal) {
+    if (!refusal.isEmpty()) written_.clear();  // once more
+  });
 }
 
 }  // namespace tendon::gui

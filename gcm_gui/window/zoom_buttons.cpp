@@ -1,4 +1,5 @@
 #include <gcm_gui/graph/graph_view.h>
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/theme/icon.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
@@ -29,11 +30,11 @@ ZoomButtons::ZoomButtons(GraphView& graph) : QWidget(&graph) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(0);
-  QToolButton* out = MakeButton(QStringLiteral("zoomOut"), QStringLiteral("Smaller  (−)"));
+  QToolButton* out = MakeButton(QStringLiteral("zoomOut"), Words::tr("Smaller  (−)"));
   out->setText(QStringLiteral("−"));
-  QToolButton* in = MakeButton(QStringLiteral("zoomIn"), QStringLiteral("Larger  (+)"));
+  QToolButton* in = MakeButton(QStringLiteral("zoomIn"), Words::tr("Larger  (+)"));
   in->setText(QStringLiteral("+"));
-  QToolButton* fit = MakeButton(QStringLiteral("fit"), QStringLiteral("Show all  (0)"));
+  QToolButton* fit = MakeButton(QStringLiteral("fit"), Words::tr("Show all  (0)"));
   fit->setIcon(ThemeIcon(QStringLiteral("fit")));
   connect(out, &QToolButton::clicked, &graph, &GraphView::zoomOut);
   connect(in, &QToolButton::clicked, &graph, &GraphView::zoomIn);

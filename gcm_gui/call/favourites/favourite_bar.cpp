@@ -1,5 +1,7 @@
+#include <gcm_gui/call/careful.h>
 #include <gcm_gui/call/favourites/favourite_bar.h>
 #include <gcm_gui/call/hold_button.h>
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/state_of.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/theme/metrics.h>
@@ -28,12 +30,12 @@ QString TitleOf(const Favourite& favourite) {
 
 FavouriteBar::FavouriteBar(Favourites& favourites, const CatalogueStore& store, CommandCalls& calls,
                            QWidget* parent)
-    : QToolBar(QStringLiteral("Favourites"), parent),
+    : QToolBar(Words::tr("Favourites"), parent),
       favourites_(favourites),
       store_(store),
       calls_(calls) {
   setObjectName(QStringLiteral("favourites"));
-  setAccessibleName(QStringLiteral("Favourite commands"));
+  setAccessibleName(Words::tr("Favourite commands"));
   setAutoFillBackground(true);
   connect(&favourites, &Favourites::changed, this, &FavouriteBar::build);
   connect(&store, &CatalogueStore::changed, this, &FavouriteBar::refresh);
@@ -46,14 +48,14 @@ void FavouriteBar::build() {
   for (const Favourite& favourite : favourites_.all()) {
     auto* button = new HoldButton(TitleOf(favourite));
     button->setObjectName(QStringLiteral("favourite.") + favourite.path);
-    button->setAccessibleName(QStringLiteral("Call ") + favourite.path);
+    button->setAccessibleName(Words::tr("Call ") + favourite.path);
     button->setProperty("changesSystem", true);
     button->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(button, &HoldButton::called, this, [this, favourite] { call(favourite); });
     connect(button, &HoldButton::letGoEarly, this, [this] {
       Q_EMIT notice(
-          QStringLiteral("Not called: hold the button for 0.4 s, for this can set something in "
-                         "motion"));
+          Words::tr("Not called: hold the button for 0.4 s, for this can set something in "
+                    "motion"));
     });
     connect(button, &QWidget::customContextMenuRequested, this,
             [this, favourite, button](const QPoint& place) {
@@ -84,15 +86,14 @@ void FavouriteBar::show(const Button& one) {
   const bool is_there = command != nullptr && !IsGone(entry->process.state);
   one.button->setEnabled(is_there);
   if (!is_there) {
-    return one.button->setToolTip(QStringLiteral("Waiting for ") + one.favourite.path);
+    return one.button->setToolTip(Words::tr("Waiting for ") + one.favourite.path);
   }
   const auto* component = catalogue.FindComponent(path->process, path->component);
-  const bool is_careful = !command->hazard.empty() && component != nullptr &&
-                          component->state == ComponentState::kActive;
+  const bool is_careful = component != nullptr && NeedsCare(*command, component->state);
   one.button->setCareful(is_careful);
   one.button->setToolTip(CallLine(one.favourite.path, one.favourite.argument) +
-                         (is_careful ? QStringLiteral("\nIt can set something in motion: hold the "
-                                                      "button for 0.4 s")
+                         (is_careful ? Words::tr("\nIt can set something in motion: hold the "
+                                                 "button for 0.4 s")
                                      : QString()));
 }
 
@@ -105,12 +106,12 @@ void FavouriteBar::call(const Favourite& favourite) {
 void FavouriteBar::openMenu(const Favourite& favourite, const QPoint& place) {
   auto* menu = new QMenu(this);
   menu->setAttribute(Qt::WA_DeleteOnClose);
-  menu->addAction(QStringLiteral("Show the command"), this,
+  menu->addAction(Words::tr("Show the command"), this,
                   [this, favourite] { Q_EMIT pathChosen(favourite.path); });
-  menu->addAction(QStringLiteral("Copy as command"), this, [favourite] {
+  menu->addAction(Words::tr("Copy as command"), this, [favourite] {
     QApplication::clipboard()->setText(CallLine(favourite.path, favourite.argument));
   });
-  menu->addAction(QStringLiteral("Remove from favourites"), this,
+  menu->addAction(Words::tr("Remove from favourites"), this,
                   [this, favourite] { favourites_.remove(favourite); });
   menu->popup(place);
 }

@@ -1,4 +1,5 @@
 #include <gcm_gui/call/favourites/favourites.h>
+#include <gcm_gui/files/file_writer.h>
 
 #include <QDir>
 #include <QFile>
@@ -6,7 +7,6 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QSaveFile>
 
 namespace tendon::gui {
 
@@ -15,8 +15,10 @@ Favourites::Favourites(const QString& file, QObject* parent) : QObject(parent), 
 }
 
 void Favourites::load() {
+  if (file_.isEmpty()) return;
+  QDir().mkpath(QFileInfo(file_).path());
   QFile file(file_);
-  if (file_.isEmpty() || !file.open(QIODevice::ReadOnly)) return;
+  if (!file.open(QIODevice::ReadOnly)) return;
   const QJsonObject document = QJsonDocument::fromJson(file.readAll()).object();
   for (const auto& value : document[QStringLiteral("favourites")].toArray()) {
     const QJsonObject one = value.toObject();
@@ -39,17 +41,17 @@ void Favourites::remove(const Favourite& favourite) {
   Q_EMIT changed();
 }
 
-void Favourites::keep() const {
+void Favourites::keep() {
   if (file_.isEmpty()) return;
   QJsonArray list;
   for (const auto& [path, argument] : all_) {
     list.append(QJsonObject{{"path", path}, {"argument", argument}});
   }
-  QDir().mkpath(QFileInfo(file_).path());
-  QSaveFile file(file_);
-  if (!file.open(QIODevice::WriteOnly)) return;
-  file.write(QJsonDocument(QJsonObject{{"schema", 1}, {"favourites", list}}).toJson());
-  file.commit();
+  const QJsonObject document{{"schema", 1}, {"favourites", list}};
+  FileWriter::instance().write(file_, QJsonDocument(document).toJson(), this,
+                               [this](const QString& refusal) {
+                                 if (!refusal.isEmpty()) Q_EMIT notice(NotSaved(file_, refusal));
+                               });
 }
 
 }  // namespace tendon::gui

@@ -30,10 +30,12 @@ class Favourites : public QObject {
 
  Q_SIGNALS:
   void changed();
+  /// One sentence for the user, where they could not be kept.
+  void notice(const QString& text);
 
  private:
   void load();
-  void keep() const;
+  void keep();
 
   QString file_;
   QList<Favourite> all_;

@@ -1,5 +1,6 @@
 #include <gcm_gui/call/hold_button.h>
 #include <gcm_gui/call/repeat/repeat_row.h>
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/theme/metrics.h>
 
@@ -27,16 +28,16 @@ RepeatRow::RepeatRow(CommandCalls& calls, std::function<std::string()> argument,
       button_(new QPushButton) {
   setObjectName(QStringLiteral("call.repeatRow"));
   rate_->setObjectName(QStringLiteral("call.rate"));
-  rate_->setAccessibleName(QStringLiteral("Calls a second"));
+  rate_->setAccessibleName(Words::tr("Calls a second"));
   rate_->setRange(0.1, kHighestRate);
   rate_->setDecimals(1);
   rate_->setValue(1);
   rate_->setSuffix(QStringLiteral(" Hz"));
   times_->setObjectName(QStringLiteral("call.times"));
-  times_->setAccessibleName(QStringLiteral("How many calls"));
+  times_->setAccessibleName(Words::tr("How many calls"));
   times_->setRange(0, kMostTimes);
-  times_->setSpecialValueText(QStringLiteral("until stopped"));
-  times_->setSuffix(QStringLiteral(" times"));
+  times_->setSpecialValueText(Words::tr("until stopped"));
+  times_->setSuffix(Words::tr(" times"));
   button_->setObjectName(QStringLiteral("call.repeat"));
   button_->setProperty("changesSystem", true);
   button_->installEventFilter(this);
@@ -69,9 +70,9 @@ RepeatRow::RepeatRow(CommandCalls& calls, std::function<std::string()> argument,
 }
 
 QString RepeatRow::counts() const {
-  QString text = CountText(repeater_.called(), QStringLiteral("call"));
+  QString text = CountText(repeater_.called(), Words::tr("%1 call"), Words::tr("%1 calls"));
   if (repeater_.leftOut() > 0) {
-    text += QStringLiteral(", %1 left out: the one before took too long").arg(repeater_.leftOut());
+    text += Words::tr(", %1 left out: the one before took too long").arg(repeater_.leftOut());
   }
   return text;
 }
@@ -82,10 +83,10 @@ void RepeatRow::begin() {
 }
 
 void RepeatRow::showButton() {
-  const QString start = careful_ ? QStringLiteral("Hold to repeat") : QStringLiteral("Repeat");
-  button_->setText(repeater_.isRunning() && !careful_ ? QStringLiteral("Stop") : start);
-  button_->setToolTip(careful_ ? QStringLiteral("It can set something in motion: it is called as "
-                                                "long as the button is held down, from 0.4 s on")
+  const QString start = careful_ ? Words::tr("Hold to repeat") : Words::tr("Repeat");
+  button_->setText(repeater_.isRunning() && !careful_ ? Words::tr("Stop") : start);
+  button_->setToolTip(careful_ ? Words::tr("It can set something in motion: it is called as "
+                                           "long as the button is held down, from 0.4 s on")
                                : QString());
 }
 

@@ -44,10 +44,10 @@ void CardItem::setTexts(const QString& title, const QStringList& lines, double w
   size_ = QSizeF(std::ceil(width) + 2 * kInsetX + 2, std::ceil(height) + 2 * kInsetY);
 }
 
-void CardItem::place(const QPointF& corner, const QPointF& port) {
+void CardItem::place(const QPointF& corner, const QPointF& point) {
   prepareGeometryChange();
   setPos(corner);
-  port_ = port - corner;
+  port_ = point - corner;
 }
 
 QPainterPath CardItem::lineToPort() const {

@@ -8,15 +8,16 @@
 
 namespace tendon::gui {
 
-/// A small card that says why a port does not fit, with a thin line from the port.
+/// A small card about a point of the graph, such as a port that does not fit, with a thin line from
+/// there.
 class CardItem : public QGraphicsItem {
  public:
   CardItem();
 
   /// Lines are wrapped at `widest`.
   void setTexts(const QString& title, const QStringList& lines, double widest);
-  /// Its top left corner in the scene, and the port it speaks of.
-  void place(const QPointF& corner, const QPointF& port);
+  /// Its top left corner in the scene, and what it speaks of.
+  void place(const QPointF& corner, const QPointF& point);
 
   [[nodiscard]] QSizeF size() const { return size_; }
   [[nodiscard]] const QString& title() const { return title_; }

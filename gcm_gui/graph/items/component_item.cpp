@@ -1,5 +1,6 @@
 #include <gcm_gui/graph/items/component_item.h>
 #include <gcm_gui/graph/layout/node_metrics.h>
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/state_of.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
@@ -11,13 +12,13 @@
 namespace tendon::gui {
 namespace {
 
-constexpr double kFarAway = 0.35;  // below this scale names cannot be read
 constexpr double kBar = 3;
 constexpr double kStaleOpacity = 0.5;
+constexpr double kUsual = 2;  // of the order in depth
 
 }  // namespace
 
-ComponentItem::ComponentItem() { setZValue(2); }
+ComponentItem::ComponentItem() { setZValue(kUsual); }
 
 bool ComponentItem::show(const NodePicture& picture, const QRectF& rect, bool stale) {
   if (picture == picture_ && rect == sceneRect() && stale == stale_) return false;
@@ -27,7 +28,7 @@ bool ComponentItem::show(const NodePicture& picture, const QRectF& rect, bool st
   stale_ = stale;
   setPos(rect.topLeft());
   setOpacity(stale ? kStaleOpacity : 1.0);
-  setToolTip(picture.path + QStringLiteral(" · ") + (stale ? QStringLiteral("was ") : QString()) +
+  setToolTip(picture.path + QStringLiteral(" · ") + (stale ? Words::tr("was ") : QString()) +
              WordOf(MarkOf(picture.state)));
   std::size_t used = 0;
   showPorts(picture.required, Side::kRequired, used);
@@ -56,6 +57,12 @@ void ComponentItem::setSelected(bool selected) {
   update();
 }
 
+void ComponentItem::setRaised(bool raised) { setZValue(raised ? kRaisedNode : kUsual); }
+
+Token ComponentItem::token() const {
+  return stale_ ? Token::kStale : ColorOf(MarkOf(picture_.state));
+}
+
 QRectF ComponentItem::boundingRect() const { return QRectF({}, size_).adjusted(-1, -1, 1, 1); }
 
 void ComponentItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
@@ -73,7 +80,7 @@ void ComponentItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QW
   painter->drawRoundedRect(rect, kRadius, kRadius);
 
   painter->setPen(Qt::NoPen);
-  painter->setBrush(theme.color(stale_ ? Token::kStale : ColorOf(MarkOf(picture_.state))));
+  painter->setBrush(theme.color(token()));
   painter->drawRoundedRect(QRectF(0, 0, kBar, size_.height()), kBar / 2, kBar / 2);
   if (far_away) return;
 

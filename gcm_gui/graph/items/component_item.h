@@ -2,6 +2,7 @@
 
 #include <gcm_gui/graph/items/port_item.h>
 #include <gcm_gui/graph/layout/graph_picture.h>
+#include <gcm_gui/theme/tokens.h>
 
 #include <QGraphicsItem>
 #include <vector>
@@ -18,11 +19,15 @@ class ComponentItem : public QGraphicsItem {
   /// `rect` in the scene; `stale` when it is shown as it was. Whether anything of it has changed.
   bool show(const NodePicture& picture, const QRectF& rect, bool stale);
   void setSelected(bool selected);
+  /// Above what dims the rest.
+  void setRaised(bool raised);
 
   [[nodiscard]] const QString& path() const { return picture_.path; }
   [[nodiscard]] const std::vector<PortItem*>& ports() const { return ports_; }
   [[nodiscard]] QRectF sceneRect() const { return QRectF(pos(), size_); }
   [[nodiscard]] bool isStale() const { return stale_; }
+  /// The colour of its state.
+  [[nodiscard]] Token token() const;
 
   [[nodiscard]] int type() const override { return Type; }
   [[nodiscard]] QRectF boundingRect() const override;

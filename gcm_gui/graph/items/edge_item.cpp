@@ -1,4 +1,6 @@
 #include <gcm_gui/graph/items/edge_item.h>
+#include <gcm_gui/graph/layout/node_metrics.h>
+#include <gcm_gui/models/text.h>
 #include <gcm_gui/theme/state_mark.h>
 #include <gcm_gui/theme/theme.h>
 
@@ -6,6 +8,7 @@
 #include <QFontMetricsF>
 #include <QPainter>
 #include <QPainterPathStroker>
+#include <QStyleOptionGraphicsItem>
 #include <algorithm>
 #include <cmath>
 
@@ -47,6 +50,12 @@ QPainterPath Curve(const QPointF& from, const QPointF& to) {
 
 EdgeItem::EdgeItem() { setZValue(1); }
 
+void EdgeItem::setEnds(const InterfaceName& required, const InterfaceName& provided) {
+  name_ = required;
+  required_ = ToQString(ToString(required));
+  provided_ = ToQString(ToString(provided));
+}
+
 void EdgeItem::show(const QPointF& from, const QPointF& to, Look look, const QString& reason) {
   if (from == from_ && to == to_ && look == look_ && reason == reason_) return;
   prepareGeometryChange();
@@ -55,7 +64,7 @@ void EdgeItem::show(const QPointF& from, const QPointF& to, Look look, const QSt
   path_ = Curve(from, to);
   look_ = look;
   reason_ = reason;
-  raise();
+  order();
   showTip();
   isBroken() ? setCursor(Qt::PointingHandCursor) : unsetCursor();
   update();
@@ -64,7 +73,7 @@ void EdgeItem::show(const QPointF& from, const QPointF& to, Look look, const QSt
 void EdgeItem::setSelected(bool selected) {
   if (selected == selected_) return;
   selected_ = selected;
-  raise();
+  order();
   update();
 }
 
@@ -81,9 +90,15 @@ void EdgeItem::showTip() {
   setToolTip(lines.join('\n'));
 }
 
-void EdgeItem::raise() {
+void EdgeItem::setRaised(bool raised) {
+  if (raised == raised_) return;
+  raised_ = raised;
+  order();
+}
+
+void EdgeItem::order() {
   const bool on_top = look_ == Look::kPreview || (selected_ && look_ == Look::kFailed);
-  setZValue(on_top ? 3 : 1);
+  setZValue(raised_ ? kRaisedEdge : on_top ? 3 : 1);
 }
 
 QRectF EdgeItem::boundingRect() const {
@@ -113,6 +128,13 @@ void EdgeItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget
   pen.setCapStyle(Qt::FlatCap);
   painter->setPen(pen);
   painter->setBrush(Qt::NoBrush);
+  if (QStyleOptionGraphicsItem::levelOfDetailFromTransform(painter->worldTransform()) < kFarAway) {
+    painter->setRenderHint(QPainter::Antialiasing, false);
+    pen.setCosmetic(true);
+    pen.setWidthF(selected_ || raised_ || look_ == Look::kFailed ? 2 : 1);
+    painter->setPen(pen);
+    return painter->drawLine(from_, to_);
+  }
   painter->drawPath(path_);
   if (look_ == Look::kFailed && !reason_.isEmpty()) paintReason(*painter);
 }

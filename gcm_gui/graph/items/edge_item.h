@@ -1,6 +1,7 @@
 #pragma once
 
 #include <gcm_gui/graph/layout/graph_picture.h>
+#include <tendon/base/name.h>
 
 #include <QGraphicsItem>
 #include <QPainterPath>
@@ -19,12 +20,16 @@ class EdgeItem : public QGraphicsItem {
 
   void show(const QPointF& from, const QPointF& to, Look look, const QString& reason = {});
   /// Named by its required end.
-  void setRequired(const QString& path) { required_ = path; }
+  void setEnds(const InterfaceName& required, const InterfaceName& provided);
   void setSelected(bool selected);
   /// What is wrong with it although it stands; empty where nothing is.
   void setWarning(const QString& warning);
+  /// Above what dims the rest.
+  void setRaised(bool raised);
 
   [[nodiscard]] const QString& required() const { return required_; }
+  [[nodiscard]] const QString& provided() const { return provided_; }
+  [[nodiscard]] const InterfaceName& name() const { return name_; }
   [[nodiscard]] Look look() const { return look_; }
   [[nodiscard]] const QString& warning() const { return warning_; }
   [[nodiscard]] const QPainterPath& path() const { return path_; }
@@ -37,11 +42,13 @@ class EdgeItem : public QGraphicsItem {
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 
  private:
-  void raise();
+  void order();
   void showTip();
   void paintReason(QPainter& painter) const;
 
+  InterfaceName name_;  // of the required end
   QString required_;
+  QString provided_;
   QPointF from_;
   QPointF to_;
   QPainterPath path_;
@@ -49,6 +56,7 @@ class EdgeItem : public QGraphicsItem {
   QString reason_;
   QString warning_;
   bool selected_ = false;
+  bool raised_ = false;
 };
 
 }  // namespace tendon::gui

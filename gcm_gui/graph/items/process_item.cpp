@@ -1,14 +1,26 @@
 #include <gcm_gui/graph/items/process_item.h>
 #include <gcm_gui/graph/layout/node_metrics.h>
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/state_of.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
 
+#include <QFontMetricsF>
 #include <QPainter>
+#include <QStyleOptionGraphicsItem>
+#include <algorithm>
 #include <tuple>
 
 namespace tendon::gui {
+
+namespace {
+
+// Of the name seen from far away, in pixels.
+constexpr double kFarTitle = 20;
+constexpr double kLeastFarTitle = 64;
+
+}  // namespace
 
 ProcessItem::ProcessItem() { setZValue(0); }
 
@@ -46,6 +58,28 @@ QString ProcessItem::title() const {
 
 QRectF ProcessItem::boundingRect() const { return QRectF({}, size_).adjusted(-1, -1, 1, 1); }
 
+QColor ProcessItem::titleColor() const {
+  return Theme::instance().color(state_ == ProcessState::kSuspect ? Token::kWarning : Token::kDim);
+}
+
+void ProcessItem::paintFarTitle(QPainter& painter, double scale) const {
+  const Theme& theme = Theme::instance();
+  const QFontMetricsF metrics(theme.strong());
+  painter.save();
+  painter.translate(pos());
+  painter.scale(1 / scale, 1 / scale);
+  const double most = std::max(size_.width() * scale, kLeastFarTitle);
+  const QString text = metrics.elidedText(title(), Qt::ElideRight, most - kNodeInset);
+  const QRectF plate(0, 0, metrics.horizontalAdvance(text) + kNodeInset, kFarTitle);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(theme.color(Token::kPanel, 0.85));
+  painter.drawRoundedRect(plate, 4, 4);
+  painter.setFont(theme.strong());
+  painter.setPen(titleColor());
+  painter.drawText(plate, Qt::AlignCenter, text);
+  painter.restore();
+}
+
 void ProcessItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
   const Theme& theme = Theme::instance();
   const bool gone = IsGone(state_);
@@ -56,9 +90,11 @@ void ProcessItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWid
   painter->setBrush(theme.color(Token::kPanel, gone ? 0.5 : 1.0));
   painter->drawRoundedRect(QRectF({}, size_).adjusted(0.5, 0.5, -0.5, -0.5), kRadius + 2,
                            kRadius + 2);
+  const double scale =
+      QStyleOptionGraphicsItem::levelOfDetailFromTransform(painter->worldTransform());
+  if (scale < kFarAway) return;  // its title lies above its components then
   painter->setFont(theme.strong());
-  const bool suspect = state_ == ProcessState::kSuspect;
-  painter->setPen(theme.color(suspect ? Token::kWarning : Token::kDim));
+  painter->setPen(titleColor());
   const QRectF head(kNodeInset, 3, size_.width() - 2 * kNodeInset, 22);
   painter->drawText(head, static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter) | Qt::TextSingleLine,
                     title());
@@ -66,7 +102,7 @@ void ProcessItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWid
   painter->setFont(theme.text());
   painter->setPen(theme.color(Token::kDim));
   painter->drawText(head.translated(0, 26), static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter),
-                    QStringLiteral("no components"));
+                    Words::tr("no components"));
 }
 
 }  // namespace tendon::gui

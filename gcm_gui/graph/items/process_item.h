@@ -2,6 +2,7 @@
 
 #include <gcm_gui/graph/layout/graph_picture.h>
 
+#include <QColor>
 #include <QGraphicsItem>
 
 namespace tendon::gui {
@@ -20,12 +21,17 @@ class ProcessItem : public QGraphicsItem {
 
   [[nodiscard]] const QString& name() const { return name_; }
   [[nodiscard]] QString title() const;
+  /// From so far away that the title in the box could not be read: over the box's upper edge, in
+  /// its usual size on the screen. `painter` is in scene coordinates.
+  void paintFarTitle(QPainter& painter, double scale) const;
 
   [[nodiscard]] int type() const override { return Type; }
   [[nodiscard]] QRectF boundingRect() const override;
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 
  private:
+  [[nodiscard]] QColor titleColor() const;
+
   QString name_;
   ProcessState state_ = ProcessState::kAlive;
   std::int64_t since_ = 0;

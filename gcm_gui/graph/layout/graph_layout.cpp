@@ -1,3 +1,4 @@
+#include <gcm_gui/graph/layout/free_room.h>
 #include <gcm_gui/graph/layout/graph_layout.h>
 #include <gcm_gui/graph/layout/node_metrics.h>
 #include <gcm_gui/theme/theme.h>
@@ -18,6 +19,10 @@ constexpr ColumnLayout::Spacing kNodeSpacing{56, 12};
 constexpr ColumnLayout::Spacing kProcessSpacing{48, 16};
 constexpr graph::Size kEmptyProcess{128, 24};
 constexpr double kTitleSlack = 96;  // for " · lost 12 min"
+
+double WidthOfTitle(const QString& process) {
+  return QFontMetricsF(Theme::instance().strong()).horizontalAdvance(process) + kTitleSlack;
+}
 
 QString ProcessOf(const QString& path) { return path.section('/', 0, 0); }
 
@@ -87,13 +92,12 @@ bool GraphLayout::arrangeNodes(const ProcessPicture& process) {
 
 bool GraphLayout::update(const GraphPicture& picture) {
   takeAffinities(picture.affinities);
-  const QFontMetricsF strong(Theme::instance().strong());
   std::vector<ColumnLayout::Block> blocks;
-  bool moved = false;
+  bool moved = std::exchange(other_places_, false);
   for (const auto& process : picture.processes) {
     if (arrangeNodes(process)) moved = true;
     graph::Size size = process.nodes.empty() ? kEmptyProcess : insides_.at(process.name).size();
-    size.width = std::max(size.width, strong.horizontalAdvance(process.name) + kTitleSlack);
+    size.width = std::max(size.width, WidthOfTitle(process.name));
     size.width += 2 * kProcessInset;
     size.height += kProcessHead + kProcessInset;
     blocks.push_back({process.name.toStdString(), size, !process.nodes.empty()});
@@ -102,23 +106,75 @@ bool GraphLayout::update(const GraphPicture& picture) {
   EdgeCollector edges;
   for (const Affinity& affinity : across_) edges.Add(indices, affinity.provider, affinity.client);
   if (processes_.Arrange(std::move(blocks), edges.Take())) moved = true;
-  if (moved) placeNodes(picture);
+  if (moved) placeAll(picture);
   return moved;
 }
 
-QRectF GraphLayout::process(const QString& name) const {
-  return RectOf(processes_.rect(name.toStdString()));
+void GraphLayout::setPlaces(std::map<QString, QPointF> places) {
+  if (places == places_) return;
+  places_ = std::move(places);
+  other_places_ = true;
 }
 
-void GraphLayout::placeNodes(const GraphPicture& picture) {
+QRectF GraphLayout::columnRect(const QString& process) const {
+  return RectOf(processes_.rect(process.toStdString()));
+}
+
+bool GraphLayout::hasPlaced(const ProcessPicture& process) const {
+  if (places_.empty()) return false;
+  return std::any_of(process.nodes.begin(), process.nodes.end(),
+                     [this](const NodePicture& node) { return places_.contains(node.path); });
+}
+
+void GraphLayout::placeNodes(const ProcessPicture& process, const QRectF& box) {
+  const QPointF origin = box.topLeft() + QPointF(kProcessInset, kProcessHead);
+  const ColumnLayout& inside = insides_.at(process.name);
+  for (const auto& node : process.nodes) {
+    nodes_.insert(node.path, RectOf(inside.rect(node.path.toStdString())).translated(origin));
+  }
+}
+
+QRectF GraphLayout::placeByHand(const ProcessPicture& process) {
+  placeNodes(process, columnRect(process.name));
+  FreeRoom room({kNodeSpacing.columns, kNodeSpacing.rows});
+  QRectF all;
+  const auto put = [&](const QString& path, const QRectF& rect) {
+    nodes_.insert(path, rect);
+    room.Take(rect);
+    all |= rect;
+  };
+  for (const auto& node : process.nodes) {
+    const auto place = places_.find(node.path);
+    if (place != places_.end()) put(node.path, {place->second, nodes_.value(node.path).size()});
+  }
+  for (const auto& node : process.nodes) {
+    if (!places_.contains(node.path)) put(node.path, room.Beside(nodes_.value(node.path)));
+  }
+  all.setWidth(std::max(all.width(), WidthOfTitle(process.name)));
+  return all.adjusted(-kProcessInset, -kProcessHead, kProcessInset, kProcessInset);
+}
+
+void GraphLayout::placeAll(const GraphPicture& picture) {
+  boxes_.clear();
   nodes_.clear();
+  FreeRoom room({kProcessSpacing.columns, kProcessSpacing.rows});
+  bool any_by_hand = false;
+  std::vector<const ProcessPicture*> others;
   for (const auto& process : picture.processes) {
-    const QPointF origin =
-        this->process(process.name).topLeft() + QPointF(kProcessInset, kProcessHead);
-    const ColumnLayout& inside = insides_.at(process.name);
-    for (const auto& node : process.nodes) {
-      nodes_.insert(node.path, RectOf(inside.rect(node.path.toStdString())).translated(origin));
+    if (!hasPlaced(process)) {
+      others.push_back(&process);
+      continue;
     }
+    any_by_hand = true;
+    const QRectF box = placeByHand(process);
+    boxes_.insert(process.name, box);
+    room.Take(box);
+  }
+  for (const ProcessPicture* process : others) {
+    QRectF box = columnRect(process->name);
+    if (any_by_hand) room.Take(box = room.Beside(box));
+    boxes_.insert(process->name, box);
+    placeNodes(*process, box);
   }
 }
 

@@ -18,6 +18,15 @@ inline constexpr double kPortInset = 16;    ///< from a node's edge to a port's 
 inline constexpr double kProcessHead = 28;  ///< from a process box's top to its nodes
 inline constexpr double kProcessInset = 14;
 
+/// Below this scale names cannot be read: less is drawn.
+inline constexpr double kFarAway = 0.35;
+
+// What lies above the veil that dims all else of the graph.
+inline constexpr double kVeil = 5;
+inline constexpr double kRaisedEdge = 6;
+inline constexpr double kRaisedNode = 7;
+inline constexpr double kReadout = 8;
+
 /// What a node needs with the fonts of the theme.
 [[nodiscard]] QSizeF SizeOf(const NodePicture& node);
 

@@ -3,14 +3,18 @@
 #include <gcm_gui/models/catalogue_model.h>
 #include <gcm_gui/models/filter/filter_expression.h>
 
-#include <QSortFilterProxyModel>
+#include <QAbstractProxyModel>
 #include <QString>
 #include <QTimer>
+#include <optional>
+#include <unordered_map>
+#include <vector>
 
 namespace tendon::gui {
 
-/// The rows of a CatalogueModel that a filter means, and those above them.
-class CatalogueFilter : public QSortFilterProxyModel {
+/// The rows of a CatalogueModel that a filter means, and those above them. A new filter costs one
+/// look at each row of the model and is a reset; without a filter the rows are the model's own.
+class CatalogueFilter : public QAbstractProxyModel {
   Q_OBJECT
 
  public:
@@ -23,6 +27,16 @@ class CatalogueFilter : public QSortFilterProxyModel {
   [[nodiscard]] QModelIndex indexOf(const QString& path) const;
   [[nodiscard]] const CatalogueItem* item(const QModelIndex& index) const;
 
+  [[nodiscard]] QModelIndex index(int row, int column, const QModelIndex& parent) const override;
+  [[nodiscard]] QModelIndex parent(const QModelIndex& index) const override;
+  [[nodiscard]] int rowCount(const QModelIndex& parent) const override;
+  [[nodiscard]] bool hasChildren(const QModelIndex& parent) const override;
+  [[nodiscard]] int columnCount(const QModelIndex& parent) const override;
+  [[nodiscard]] QModelIndex mapToSource(const QModelIndex& index) const override;
+  [[nodiscard]] QModelIndex mapFromSource(const QModelIndex& index) const override;
+  [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation,
+                                    int role) const override;
+
  public Q_SLOTS:
   /// Takes effect when nothing more has been typed for 120 ms.
   void setText(const QString& text);
@@ -32,12 +46,32 @@ class CatalogueFilter : public QSortFilterProxyModel {
  Q_SIGNALS:
   void filterApplied();
 
- protected:
-  [[nodiscard]] bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
-
  private:
+  using Rows = std::vector<const CatalogueItem*>;
+  /// The rows that are shown below others, by these; null stands above the processes.
+  using Shown = std::unordered_map<const CatalogueItem*, Rows>;
+
+  void connectModel();
+  /// Enters what is shown at and below `item`, and adds how many rows are meant; false where that
+  /// is nothing.
+  bool collect(const CatalogueItem& item, Shown& shown, int& meant) const;
+  void collectAll();
+  void takeIn(const CatalogueItem& item);
+  void takeOut(const CatalogueItem& item);
+  void drop(const CatalogueItem& item);
+  void recheck(const CatalogueItem& item);
+  void hearChange(const QModelIndex& first, const QModelIndex& last, const QList<int>& roles);
+  /// How many rows at and below it have rows below them.
+  [[nodiscard]] std::size_t parentsIn(const CatalogueItem& item) const;
+  [[nodiscard]] bool isShown(const CatalogueItem& item) const;
+  [[nodiscard]] const Rows& below(const CatalogueItem* item) const;
+  [[nodiscard]] int rowOf(const CatalogueItem& item) const;
+  [[nodiscard]] QModelIndex indexFor(const CatalogueItem* item, int column = 0) const;
+
   CatalogueModel& model_;
   FilterExpression expression_;
+  Shown shown_;                 // of an active filter
+  std::optional<int> matches_;  // of an active filter; nothing once the model has changed
   QString pending_;
   QTimer typing_;
 };

@@ -1,3 +1,4 @@
+#include <gcm_gui/plot/axes/outer_labels.h>
 #include <gcm_gui/plot/canvas/axis_labels.h>
 #include <gcm_gui/plot/series/axis_range.h>
 
@@ -16,6 +17,13 @@ double Cleaned(double value, double step) { return std::abs(value) < step * 1e-6
 
 }  // namespace
 
+QString NumberText(double value, double step) {
+  const double shown = Cleaned(value, step);
+  const bool plain = std::abs(value) < kHuge && step > kTiny;
+  if (plain || shown == 0) return QString::number(shown, 'f', DecimalsOf(step));
+  return QString::number(shown, 'g', 5);
+}
+
 AxisLabels::AxisLabels() {
   enableComponent(Backbone, false);
   enableComponent(Ticks, false);
@@ -25,6 +33,12 @@ AxisLabels::AxisLabels() {
 void AxisLabels::setStep(double step) {
   if (step == step_) return;
   step_ = step;
+  invalidateCache();
+}
+
+void AxisLabels::setScale(ValueScale scale) {
+  if (scale == scale_) return;
+  scale_ = scale;
   invalidateCache();
 }
 
@@ -41,12 +55,7 @@ QwtText AxisLabels::label(double value) const {
   return text;
 }
 
-QString AxisLabels::textOf(double value) const {
-  const double shown = Cleaned(value, step_);
-  const bool plain = std::abs(value) < kHuge && step_ > kTiny;
-  if (plain || shown == 0) return QString::number(shown, 'f', DecimalsOf(step_));
-  return QString::number(shown, 'g', 5);
-}
+QString AxisLabels::textOf(double value) const { return ValueText(value, step_, scale_); }
 
 double AxisLabels::extent(const QFont& font) const {
   const double wanted = QwtScaleDraw::extent(font);

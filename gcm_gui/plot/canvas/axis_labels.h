@@ -1,5 +1,6 @@
 #pragma once
 
+#include <gcm_gui/plot/series/axis_range.h>
 #include <qwt_scale_draw.h>
 #include <qwt_text.h>
 
@@ -16,6 +17,8 @@ class AxisLabels : public QwtScaleDraw {
 
   /// The distance between two labels; decides how many digits they have.
   void setStep(double step);
+  /// Labels stand at places of this scale; see PlaceOf().
+  void setScale(ValueScale scale);
   /// Returns whether it was another one before; then the axis is to be painted anew.
   bool setColor(const QColor& color);
   [[nodiscard]] const QColor& color() const { return color_; }
@@ -29,9 +32,13 @@ class AxisLabels : public QwtScaleDraw {
 
  private:
   double step_ = 1;
+  ValueScale scale_ = ValueScale::kLinear;
   QColor color_;
   mutable double widest_ = 0;
 };
+
+/// `value` with the digits that tell multiples of `step` apart.
+[[nodiscard]] QString NumberText(double value, double step);
 
 /// "-25 s", "-2 min", and "now" at 0 while the plot is live.
 class TimeLabels final : public AxisLabels {

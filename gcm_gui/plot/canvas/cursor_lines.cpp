@@ -59,7 +59,7 @@ void CursorLines::draw(QPainter* painter, const QwtScaleMap& x_map, const QwtSca
   for (const Cursor cursor : kCursors) {
     const auto time = cursors_.time(cursor);
     if (!time) continue;
-    const double x = std::round(x_map.transform(window_.secondsAt(*time)));
+    const double x = std::round(x_map.transform(window_.pointOf(*time)));
     if (x < canvas_rect.left() || x > canvas_rect.right()) continue;
     painter->setPen(theme.color(Token::kText, 0.7));
     painter->drawLine(QPointF(x, canvas_rect.top()), QPointF(x, canvas_rect.bottom()));

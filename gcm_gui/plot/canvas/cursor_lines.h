@@ -1,5 +1,6 @@
 #pragma once
 
+#include <gcm_gui/plot/canvas/sweep_painter.h>
 #include <gcm_gui/plot/series/cursors.h>
 #include <gcm_gui/plot/series/curve_set.h>
 #include <gcm_gui/plot/series/time_window.h>
@@ -18,6 +19,7 @@ class CursorLines final : public QwtPlotItem {
   /// All must outlive this item.
   CursorLines(const CurveSet& curves, const TimeWindow& window, const Cursors& cursors);
 
+  [[nodiscard]] int rtti() const override { return kPlacesItself; }
   void draw(QPainter* painter, const QwtScaleMap& x_map, const QwtScaleMap& y_map,
             const QRectF& canvas_rect) const override;
 

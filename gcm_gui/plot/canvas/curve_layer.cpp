@@ -1,12 +1,13 @@
 #include <gcm_gui/plot/canvas/curve_layer.h>
+#include <gcm_gui/plot/canvas/late_samples.h>
 #include <gcm_gui/theme/theme.h>
 #include <qwt_scale_map.h>
 
 #include <QPaintEngine>
 #include <QPainter>
 #include <QPainterPath>
+#include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace tendon::gui {
 namespace {
@@ -15,8 +16,8 @@ constexpr double kZ = 20;         // above grid and gaps
 constexpr double kThickness = 2;  // logical pixels
 constexpr double kDotRadius = 2.5;
 constexpr double kLateRadius = 4;
-constexpr double kLate = 1.5;       // periods after the one before
-constexpr double kDotDistance = 8;  // samples as far apart as this are shown one by one
+constexpr double kNearest = 3;  // pixels between samples that have a dot each
+constexpr double kFar = 8;      // between those whose dots are of full size
 
 QwtScaleMap OnAxis(QwtScaleMap map, const AxisRange& range) {
   map.setScaleInterval(range.low, range.high);
@@ -45,6 +46,8 @@ void CurveLayer::draw(QPainter* painter, const QwtScaleMap& x_map, const QwtScal
                       const QRectF& canvas_rect) const {
   const double ratio = painter->device()->devicePixelRatioF();
   const TimeSlices slices = slicesOf(x_map, canvas_rect, ratio);
+  const bool is_former = window_.isSweeping() && x_map.s1() < window_.from();
+  const Pass pass = is_former ? Pass::kFormer : Pass::kPresent;
   const bool is_vector = painter->paintEngine()->type() == QPaintEngine::SVG;
   raster_.begin((canvas_rect.size() * ratio).expandedTo({1, 1}).toSize());
   for (const auto& curve : curves_.curves()) {
@@ -53,10 +56,11 @@ void CurveLayer::draw(QPainter* painter, const QwtScaleMap& x_map, const QwtScal
     const double at_zero = (map.transform(0) - canvas_rect.top()) * ratio;
     const double at_one = (map.transform(1) - canvas_rect.top()) * ratio;
     if (is_vector) {
-      drawLines(*painter, *curve, slices, map, canvas_rect);
+      drawLines(*painter, *curve, curve->envelope(slices, pass), map, canvas_rect);
       continue;
     }
-    raster_.draw(curve->envelope(slices), {.scale = at_one - at_zero, .offset = at_zero},
+    raster_.draw(curve->envelope(slices, pass),
+                 {.scale = at_one - at_zero, .offset = at_zero, .values = curves_.scale()},
                  kThickness / 2 * ratio, Theme::instance().curve(curve->colorIndex()));
   }
   if (!is_vector) raster_.paint(*painter, canvas_rect.topLeft(), ratio);
@@ -65,11 +69,15 @@ void CurveLayer::draw(QPainter* painter, const QwtScaleMap& x_map, const QwtScal
   }
 }
 
+double CurveLayer::rowOf(double value, const QwtScaleMap& map, const QRectF& rect) const {
+  const double place = PlaceOf(value, curves_.scale());
+  return std::isinf(place) ? rect.bottom() : map.transform(place);
+}
+
 // For pictures that can be scaled: from each slice's lowest value to its highest.
-void CurveLayer::drawLines(QPainter& painter, const Curve& curve, const TimeSlices& slices,
-                           const QwtScaleMap& map, const QRectF& rect) {
-  const Envelope& envelope = curve.envelope(slices);
-  const double step = rect.width() / static_cast<double>(slices.count);
+void CurveLayer::drawLines(QPainter& painter, const Curve& curve, const Envelope& envelope,
+                           const QwtScaleMap& map, const QRectF& rect) const {
+  const double step = rect.width() / static_cast<double>(envelope.low().size());
   QPainterPath path;
   bool is_open = false;
   for (std::size_t i = 0; i < envelope.low().size(); ++i) {
@@ -78,9 +86,9 @@ void CurveLayer::drawLines(QPainter& painter, const Curve& curve, const TimeSlic
       continue;
     }
     const double x = rect.left() + (static_cast<double>(i) + 0.5) * step;
-    const QPointF low(x, map.transform(envelope.low()[i]));
+    const QPointF low(x, rowOf(envelope.low()[i], map, rect));
     is_open ? path.lineTo(low) : path.moveTo(low);
-    path.lineTo(x, map.transform(envelope.high()[i]));
+    path.lineTo(x, rowOf(envelope.high()[i], map, rect));
     is_open = true;
   }
   painter.save();
@@ -92,6 +100,13 @@ void CurveLayer::drawLines(QPainter& painter, const Curve& curve, const TimeSlic
   painter.restore();
 }
 
+// As thick as the line where samples are as near as dots can be told apart, and thicker the farther
+// they are: so no dot appears or vanishes at once when one sample more is seen.
+double CurveLayer::DotRadius(double distance) {
+  const double part = (distance - kNearest) / (kFar - kNearest);
+  return kThickness / 2 + std::clamp(part, 0.0, 1.0) * (kDotRadius - kThickness / 2);
+}
+
 void CurveLayer::drawDots(QPainter& painter, const Curve& curve, const QwtScaleMap& x_map,
                           const QwtScaleMap& y_map, const QRectF& rect) const {
   const SampleRing& samples = curve.samples();
@@ -99,23 +114,25 @@ void CurveLayer::drawDots(QPainter& painter, const Curve& curve, const QwtScaleM
   const std::int64_t to = window_.timeAt(x_map.invTransform(rect.right()));
   const std::uint64_t first = samples.lowerBound(from);
   const std::uint64_t end = samples.lowerBound(to);
-  if (static_cast<double>(end - first) * kDotDistance > rect.width()) return;
-  const QwtScaleMap map = OnAxis(y_map, curves_.axisOf(curve).range);
+  if (first == end) return;
   const double width_ns = static_cast<double>(to - from);
+  const auto x_of = [&](std::uint64_t i) {
+    return rect.left() + static_cast<double>(samples.time(i) - from) / width_ns * rect.width();
+  };
+  const auto between = static_cast<double>(std::max<std::uint64_t>(end - first - 1, 1));
+  const double distance = end - first > 1 ? (x_of(end - 1) - x_of(first)) / between : kFar;
+  if (distance < kNearest) return;
+  const QwtScaleMap map = OnAxis(y_map, curves_.axisOf(curve).range);
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(Qt::NoPen);
-  const double rate = curve.rate();
-  const double late_ns = rate > 0 ? kLate * 1e9 / rate : std::numeric_limits<double>::infinity();
   const QColor color = Theme::instance().curve(curve.colorIndex());
   for (std::uint64_t i = first; i < end; ++i) {
     if (!std::isfinite(samples.value(i))) continue;
-    const bool is_late = i > samples.firstIndex() &&
-                         static_cast<double>(samples.time(i) - samples.time(i - 1)) > late_ns;
+    const bool is_late = IsLate(samples, i);
     painter.setBrush(is_late ? Theme::instance().color(Token::kWarning) : color);
-    const double x = static_cast<double>(samples.time(i) - from) / width_ns * rect.width();
-    const double radius = is_late ? kLateRadius : kDotRadius;
-    painter.drawEllipse(QPointF(rect.left() + x, map.transform(samples.value(i))), radius, radius);
+    const double radius = is_late ? kLateRadius : DotRadius(distance);
+    painter.drawEllipse(QPointF(x_of(i), rowOf(samples.value(i), map, rect)), radius, radius);
   }
   painter.restore();
 }

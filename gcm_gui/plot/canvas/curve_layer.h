@@ -21,10 +21,14 @@ class CurveLayer final : public QwtPlotItem {
             const QRectF& canvas_rect) const override;
 
  private:
-  static void drawLines(QPainter& painter, const Curve& curve, const TimeSlices& slices,
-                        const QwtScaleMap& map, const QRectF& rect);
+  void drawLines(QPainter& painter, const Curve& curve, const Envelope& envelope,
+                 const QwtScaleMap& map, const QRectF& rect) const;
+  [[nodiscard]] static double DotRadius(double distance);
   void drawDots(QPainter& painter, const Curve& curve, const QwtScaleMap& x_map,
                 const QwtScaleMap& y_map, const QRectF& rect) const;
+
+  /// Where a value is drawn: at the foot where it has no place on the axis.
+  [[nodiscard]] double rowOf(double value, const QwtScaleMap& map, const QRectF& rect) const;
 
   const CurveSet& curves_;
   const TimeWindow& window_;

@@ -1,3 +1,4 @@
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/canvas/gap_bands.h>
 #include <gcm_gui/theme/theme.h>
 #include <qwt_scale_map.h>
@@ -19,7 +20,7 @@ constexpr double kSilentHatch = 0.3;
 constexpr double kLabelSpace = 8;
 
 QString TextOf(std::uint64_t lost) {
-  return lost > 0 ? QString::number(lost) + " lost" : QStringLiteral("restarted");
+  return lost > 0 ? QString::number(lost) + Words::tr(" lost") : QStringLiteral("restarted");
 }
 
 }  // namespace

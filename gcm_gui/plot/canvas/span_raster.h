@@ -1,5 +1,6 @@
 #pragma once
 
+#include <gcm_gui/plot/series/axis_range.h>
 #include <gcm_gui/plot/series/envelope.h>
 
 #include <QColor>
@@ -14,10 +15,12 @@ class QPainter;
 
 namespace tendon::gui {
 
-/// From a value to a row of pixels: row = value * scale + offset.
+/// From a value to a row of pixels: row = place * scale + offset, of its place on the axis. A value
+/// that has none is drawn along the lowest row.
 struct RowScale {
   double scale = 1;
   double offset = 0;
+  ValueScale values = ValueScale::kLinear;
 };
 
 /// Draws envelopes as smooth lines into a picture of its own, which is painted in one go.

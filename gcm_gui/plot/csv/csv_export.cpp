@@ -1,37 +1,35 @@
+#include <gcm_gui/files/file_writer.h>
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/csv/csv_export.h>
 
-#include <QSaveFile>
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace tendon::gui {
 namespace {
 
-QString Save(const CsvTable& table, const QString& name) {
-  QSaveFile file(name);
-  const auto refusal = [&] {
-    return QString("%1 could not be saved: %2").arg(name, file.errorString());
-  };
-  if (!file.open(QIODevice::WriteOnly)) return refusal();
-  const auto figures = WriteCsv(table, file);
-  if (!figures || !file.commit()) return refusal();
-  const QString missing =
-      figures->lost == 0 ? QString("none lost") : QString("%1 lost ones marked").arg(figures->lost);
-  return QString("Saved %1 rows, %2, to %3").arg(figures->rows).arg(missing, name);
+QString Saved(const CsvFigures& figures, const QString& file) {
+  const QString missing = figures.lost == 0 ? Words::tr("none lost")
+                                            : Words::tr("%1 lost ones marked").arg(figures.lost);
+  return Words::tr("Saved %1 rows, %2, to %3").arg(figures.rows).arg(missing, file);
 }
 
 }  // namespace
 
-CsvExport::CsvExport(QObject* parent) : QObject(parent) { thread_.setMaxThreadCount(1); }
-
-CsvExport::~CsvExport() { thread_.waitForDone(); }
-
 void CsvExport::save(CsvTable table, const QString& file) {
-  const auto shared = std::make_shared<const CsvTable>(std::move(table));
-  thread_.start([this, shared, file] {
-    const QString sentence = Save(*shared, file);
-    QMetaObject::invokeMethod(
-        this, [this, sentence] { Q_EMIT finished(sentence); }, Qt::QueuedConnection);
+  const auto figures = std::make_shared<std::optional<CsvFigures>>();
+  const auto fill = [table = std::make_shared<const CsvTable>(std::move(table)),
+                     figures](QIODevice& device) {
+    *figures = WriteCsv(*table, device);
+    return figures->has_value();
+  };
+  FileWriter::exports().write(file, fill, this, [this, file, figures](const QString& refusal) {
+    if (!refusal.isEmpty()) {
+      Q_EMIT finished(NotSaved(file, refusal));
+    } else if (*figures) {  // else it was asked for again before it was begun
+      Q_EMIT finished(Saved(**figures, file));
+    }
   });
 }
 

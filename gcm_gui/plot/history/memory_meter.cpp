@@ -1,3 +1,4 @@
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/history/memory_meter.h>
 #include <gcm_gui/theme/theme.h>
 
@@ -23,10 +24,11 @@ void MemoryMeter::setFigures(std::size_t used, std::size_t budget, bool is_thinn
   const double part =
       static_cast<double>(used) / static_cast<double>(std::max<std::size_t>(budget, 1));
   const QString text =
-      QString("%1 of %2 MB for samples")
+      Words::tr("%1 of %2 MB for samples")
           .arg(static_cast<double>(used) / kMega, 0, 'f', 1)
           .arg(static_cast<double>(budget) / kMega, 0, 'f', 0) +
-      (is_thinned ? "; older ones are kept as lowest and highest value of each 100 ms" : "");
+      (is_thinned ? Words::tr("; older ones are kept as lowest and highest value of each 100 ms")
+                  : "");
   setAccessibleName(text);
   setToolTip(text);
   part_ = std::clamp(part, 0.0, 1.0);

@@ -25,10 +25,14 @@ struct CurveLayout {
 
 struct PlotLayout {
   nanoseconds window = std::chrono::seconds(30);
+  bool is_below = false;
+  bool is_sweeping = false;
+  bool is_logarithmic = false;
   std::vector<CurveLayout> curves;
 };
 
-QJsonObject JsonOf(const PlotView& view) {
+// What is as usual is left out.
+QJsonObject JsonOf(const PlotView& view, bool is_below) {
   QJsonArray curves;
   for (const auto& curve : view.curves().curves()) {
     QJsonObject one{{"path", curve->path()}, {"unit", curve->unit()}};
@@ -36,7 +40,11 @@ QJsonObject JsonOf(const PlotView& view) {
     curves.append(one);
   }
   const double seconds = static_cast<double>(view.window().length().count()) / kNanoseconds;
-  return {{"window", seconds}, {"curves", curves}};
+  QJsonObject plot{{"window", seconds}, {"curves", curves}};
+  if (is_below) plot["below"] = true;
+  if (view.window().motion() == TimeWindow::Motion::kSweep) plot["sweep"] = true;
+  if (view.scale() == ValueScale::kLogarithmic) plot["logarithmic"] = true;
+  return plot;
 }
 
 std::optional<PlotLayout> PlotOf(const QJsonValue& json) {
@@ -45,6 +53,9 @@ std::optional<PlotLayout> PlotOf(const QJsonValue& json) {
   if (!json.isObject() || !json["curves"].isArray()) return std::nullopt;
   if (seconds <= 0 || seconds > kLongest) return std::nullopt;
   plot.window = nanoseconds(static_cast<std::int64_t>(seconds * kNanoseconds));
+  plot.is_below = json["below"].toBool();
+  plot.is_sweeping = json["sweep"].toBool();
+  plot.is_logarithmic = json["logarithmic"].toBool();
   for (const QJsonValue& one : json["curves"].toArray()) {
     const QString path = one["path"].toString();
     if (path.isEmpty()) return std::nullopt;
@@ -57,8 +68,12 @@ std::optional<PlotLayout> PlotOf(const QJsonValue& json) {
 
 QByteArray LayoutOf(const PlotPanel& panel) {
   QJsonArray plots;
-  for (int i = 0; i < panel.plotCount(); ++i) plots.append(JsonOf(panel.plot(i)));
-  return QJsonDocument(QJsonObject{{"version", kVersion}, {"plots", plots}}).toJson();
+  for (int i = 0; i < panel.plotCount(); ++i) {
+    plots.append(JsonOf(panel.plot(i), panel.isBelow(i)));
+  }
+  QJsonObject layout{{"version", kVersion}, {"plots", plots}};
+  if (!panel.areMarksShown()) layout["marks"] = false;
+  return QJsonDocument(layout).toJson();
 }
 
 std::optional<QString> ShowLayout(PlotPanel& panel, const QByteArray& layout) {
@@ -81,13 +96,18 @@ std::optional<QString> ShowLayout(PlotPanel& panel, const QByteArray& layout) {
   while (panel.plotCount() > 1) panel.closePlot(0);
   panel.closePlot(0);
   for (std::size_t i = 0; i < plots.size(); ++i) {
-    PlotView& view = i == 0 ? panel.plot(0) : panel.addPlot();
-    view.setWindow(plots[i].window);
-    for (const CurveLayout& curve : plots[i].curves) {
+    const PlotLayout& plot = plots[i];
+    PlotView& view = i == 0 ? panel.plot(0) : plot.is_below ? panel.splitPlot() : panel.addPlot();
+    view.setWindow(plot.window);
+    using Motion = TimeWindow::Motion;
+    view.setMotion(plot.is_sweeping ? Motion::kSweep : Motion::kScroll);
+    view.setScale(plot.is_logarithmic ? ValueScale::kLogarithmic : ValueScale::kLinear);
+    for (const CurveLayout& curve : plot.curves) {
       panel.addSignal(curve.key.path, curve.key.unit);
       view.curve(curve.key.path)->setVisible(!curve.is_hidden);
     }
   }
+  panel.setMarksShown(document["marks"].toBool(true));
   panel.showPlot(0);
   return std::nullopt;
 }

@@ -8,8 +8,9 @@ namespace tendon::gui {
 
 class PlotPanel;
 
-/// The plots as a file: which paths are in which plot, how far each looks back, and what is hidden.
-/// It holds paths and no values, so what it names may come later, or again.
+/// The plots as a file: which paths are in which plot, which plots lie below each other, how far
+/// each looks back, how it moves, whether its values are logarithmic, and what is hidden. It holds
+/// paths and no values, so what it names may come later, or again.
 [[nodiscard]] QByteArray LayoutOf(const PlotPanel& panel);
 
 /// Puts the plots of `layout` in place of those there are. A signal that is not there is waited

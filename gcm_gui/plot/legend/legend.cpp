@@ -1,8 +1,10 @@
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/legend/legend.h>
 #include <gcm_gui/theme/icon.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
 
+#include <QApplication>
 #include <QFontMetrics>
 #include <QGridLayout>
 #include <QKeyEvent>
@@ -131,6 +133,20 @@ void LegendRow::paintEvent(QPaintEvent*) {
 
 void LegendRow::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return event->ignore();
+  pressed_ = event->pos();
+}
+
+void LegendRow::mouseMoveEvent(QMouseEvent* event) {
+  if (!pressed_) return;
+  const QPoint moved = event->pos() - *pressed_;
+  if (moved.manhattanLength() < QApplication::startDragDistance()) return;
+  pressed_.reset();
+  Q_EMIT dragRequested(entry_.path);
+}
+
+void LegendRow::mouseReleaseEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton || !pressed_) return event->ignore();
+  pressed_.reset();
   if (markRect().contains(event->pos())) {
     Q_EMIT removeRequested(entry_.path);
   } else if (entry_.stale && valueRect().contains(event->pos())) {
@@ -158,7 +174,7 @@ void LegendRow::keyPressEvent(QKeyEvent* event) {
 
 Legend::Legend(QWidget* parent) : QFrame(parent), grid_(new QGridLayout(this)) {
   setObjectName("legend");
-  setAccessibleName("Legend");
+  setAccessibleName(Words::tr("Legend"));
   grid_->setContentsMargins(0, 0, 0, 0);
   grid_->setVerticalSpacing(0);
   grid_->setHorizontalSpacing(kBetween);
@@ -193,6 +209,7 @@ void Legend::makeRows(std::size_t count) {
     auto* row = new LegendRow(this);
     connect(row, &LegendRow::toggled, this, &Legend::toggled);
     connect(row, &LegendRow::removeRequested, this, &Legend::removeRequested);
+    connect(row, &LegendRow::dragRequested, this, &Legend::dragRequested);
     connect(row, &LegendRow::remapRequested, this, &Legend::remapRequested);
     rows_.push_back(row);
   }

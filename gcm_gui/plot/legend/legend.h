@@ -3,9 +3,11 @@
 #include <gcm_gui/plot/series/curve_set.h>
 
 #include <QFrame>
+#include <QPoint>
 #include <QStaticText>
 #include <QString>
 #include <functional>
+#include <optional>
 #include <vector>
 
 class QLabel;
@@ -28,7 +30,8 @@ struct LegendEntry {
 };
 
 /// One curve: colour, name, value, unit, and a cross to remove it, which appears under the mouse
-/// and with the focus. A click or Space hides and shows the curve, Delete removes it. One that is
+/// and with the focus. A click or Space hides and shows the curve, Delete removes it, and dragging
+/// it takes the signal elsewhere. One that is
 /// waited for offers "remap…" in place of its value; the key is R.
 class LegendRow : public QWidget {
   Q_OBJECT
@@ -49,11 +52,14 @@ class LegendRow : public QWidget {
   void removeRequested(const QString& path);
   /// Another signal is to be shown in its place.
   void remapRequested(const QString& path);
+  void dragRequested(const QString& path);
 
  protected:
   bool event(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
@@ -64,6 +70,7 @@ class LegendRow : public QWidget {
   [[nodiscard]] bool isPointedAt() const { return underMouse() || hasFocus(); }
 
   LegendEntry entry_;
+  std::optional<QPoint> pressed_;
   QStaticText name_;
   QStaticText value_;
   QStaticText unit_;
@@ -90,6 +97,7 @@ class Legend : public QFrame {
   void toggled(const QString& path);
   void removeRequested(const QString& path);
   void remapRequested(const QString& path);
+  void dragRequested(const QString& path);
 
  private:
   void makeRows(std::size_t count);

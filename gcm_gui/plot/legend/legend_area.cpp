@@ -1,5 +1,5 @@
+#include <gcm_gui/plot/axes/plot_axes.h>
 #include <gcm_gui/plot/legend/legend_area.h>
-#include <gcm_gui/plot/plot_axes.h>
 #include <gcm_gui/theme/metrics.h>
 #include <qwt_plot.h>
 
@@ -10,6 +10,8 @@
 namespace tendon::gui {
 namespace {
 
+constexpr int kOneRow = 18;
+constexpr int kLeastPlot = 110;   // with its axis: a low plot has a lower legend
 constexpr double kHighest = 0.4;  // of the plot
 constexpr int kEdge = kInset;
 
@@ -39,9 +41,10 @@ void LegendArea::place() {
   setVisible(!legend_->isHidden());
   const int width = plot_.width() - 2 * kEdge;
   legend_->setRoom(width - verticalScrollBar()->sizeHint().width());
-  const int most = static_cast<int>(kHighest * plot_.height());
+  const int share = static_cast<int>(kHighest * plot_.height());
+  const int most = std::min(share, std::max(kOneRow, plot_.height() - kLeastPlot));
   const int height = legend_->isHidden() ? 0 : std::min(legend_->height(), most);
-  plot_.setContentsMargins(0, PlotAxes::kTop, 0, height + 2 * kGrid);
+  plot_.setContentsMargins(0, PlotAxes::kTop, plot_.contentsMargins().right(), height + 2 * kGrid);
   setGeometry(kEdge, plot_.height() - height - kGrid, width, height);
 }
 

@@ -1,3 +1,4 @@
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/marks/mark_flags.h>
 #include <gcm_gui/theme/icon.h>
 #include <gcm_gui/theme/metrics.h>
@@ -9,6 +10,7 @@
 #include <QStringList>
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace tendon::gui {
 namespace {
@@ -97,10 +99,19 @@ QString MarkFlags::textAt(double x, const QwtScaleMap& x_map, const QRectF& canv
       if (lines.size() < kMostLines) lines << mark->text;
     }
     const auto rest = static_cast<qsizetype>(flag.marks.size()) - lines.size();
-    if (rest > 0) lines << QString("and %1 more").arg(rest);
+    if (rest > 0) lines << Words::tr("and %1 more").arg(rest);
     return lines.join('\n');
   }
   return {};
+}
+
+QString MarkFlags::textBetween(std::int64_t from_ns, std::int64_t to_ns) const {
+  const auto [first, end] = track_.between(from_ns, to_ns);
+  QStringList lines;
+  for (auto mark = end - std::min<std::ptrdiff_t>(end - first, kMostLines); mark != end; ++mark) {
+    lines << mark->text;
+  }
+  return lines.join('\n');
 }
 
 void MarkFlags::draw(QPainter* painter, const QwtScaleMap& x_map, const QwtScaleMap&,

@@ -5,6 +5,7 @@
 #include <qwt_plot_item.h>
 
 #include <QString>
+#include <cstdint>
 #include <vector>
 
 namespace tendon::gui {
@@ -28,6 +29,9 @@ class MarkFlags final : public QwtPlotItem {
   [[nodiscard]] std::vector<Flag> flags(const QwtScaleMap& x_map, const QRectF& canvas_rect) const;
   /// All of those of the flag at `x`, a line each; empty where there is none.
   [[nodiscard]] QString textAt(double x, const QwtScaleMap& x_map, const QRectF& canvas_rect) const;
+
+  /// The newest of those in [from_ns, to_ns], a line each.
+  [[nodiscard]] QString textBetween(std::int64_t from_ns, std::int64_t to_ns) const;
 
   void draw(QPainter* painter, const QwtScaleMap& x_map, const QwtScaleMap& y_map,
             const QRectF& canvas_rect) const override;

@@ -1,14 +1,16 @@
+#include <gcm_gui/files/file_writer.h>
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/picture/plot_picture.h>
 #include <gcm_gui/plot/plot_view.h>
 #include <gcm_gui/theme/theme.h>
 #include <qwt_plot_canvas.h>
 
+#include <QBuffer>
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QImage>
 #include <QPainter>
 #include <QPixmap>
-#include <QSaveFile>
 #include <QSvgGenerator>
 
 namespace tendon::gui {
@@ -16,9 +18,10 @@ namespace {
 
 constexpr int kScale = 2;
 
-bool WriteSvg(PlotView& view, QIODevice& device) {
+QByteArray SvgOf(PlotView& view) {
+  QBuffer buffer;
   QSvgGenerator generator;
-  generator.setOutputDevice(&device);
+  generator.setOutputDevice(&buffer);
   generator.setSize(view.size());
   generator.setViewBox(view.rect());
   generator.setTitle(view.accessibleName());
@@ -28,28 +31,34 @@ bool WriteSvg(PlotView& view, QIODevice& device) {
   painter.fillRect(view.rect(), Theme::instance().color(Token::kPanel));
   view.render(&painter);
   canvas.setPaintAttribute(QwtPlotCanvas::BackingStore, true);
-  return painter.end();
+  painter.end();
+  return buffer.data();
 }
 
-bool WriteImage(PlotView& view, QIODevice& device) {
+QImage ImageOf(PlotView& view) {
   QImage image(view.size() * kScale, QImage::Format_RGB32);
   image.setDevicePixelRatio(kScale);
   image.fill(Theme::instance().color(Token::kPanel));
   view.render(&image);
-  return image.save(&device, "PNG");
+  return image;
 }
 
 }  // namespace
 
 void CopyPicture(PlotView& view) { QGuiApplication::clipboard()->setPixmap(view.grab()); }
 
-QString SavePicture(PlotView& view, const QString& name) {
-  QSaveFile file(name);
-  const bool is_svg = name.endsWith(".svg", Qt::CaseInsensitive);
-  const bool is_written =
-      file.open(QIODevice::WriteOnly) && (is_svg ? WriteSvg(view, file) : WriteImage(view, file));
-  if (is_written && file.commit()) return name + " saved";
-  return name + " was not saved: " + file.errorString();
+void SavePicture(PlotView& view, const QString& name, const QObject* context,
+                 const std::function<void(const QString& sentence)>& told) {
+  const auto done = [name, told](const QString& refusal) {
+    told(refusal.isEmpty() ? name + Words::tr(" saved") : NotSaved(name, refusal));
+  };
+  FileWriter& writer = FileWriter::exports();
+  if (name.endsWith(".svg", Qt::CaseInsensitive)) {
+    return writer.write(name, SvgOf(view), context, done);
+  }
+  writer.write(
+      name, [image = ImageOf(view)](QIODevice& file) { return image.save(&file, "PNG"); }, context,
+      done);
 }
 
 }  // namespace tendon::gui

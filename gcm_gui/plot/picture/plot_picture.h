@@ -1,6 +1,9 @@
 #pragma once
 
 #include <QString>
+#include <functional>
+
+class QObject;
 
 namespace tendon::gui {
 
@@ -10,7 +13,9 @@ class PlotView;
 void CopyPicture(PlotView& view);
 
 /// As SVG where the file is named so, with curves as lines that can be scaled; else as an image of
-/// twice the points. Returns a sentence for the user: what was saved, or why not.
-[[nodiscard]] QString SavePicture(PlotView& view, const QString& file);
+/// twice the points. As it is seen now; it is encoded and written in a thread of its own, and then
+/// `told`, unless `context` is gone, hears a sentence for the user: what was saved, or why not.
+void SavePicture(PlotView& view, const QString& file, const QObject* context,
+                 const std::function<void(const QString& sentence)>& told);
 
 }  // namespace tendon::gui

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace tendon::gui {
 namespace {
@@ -27,6 +28,11 @@ AxisRange Widened(const AxisRange& data) {
 }
 
 }  // namespace
+
+double PlaceOf(double value, ValueScale scale) {
+  if (scale == ValueScale::kLinear) return value;
+  return value > 0 ? std::log10(value) : -std::numeric_limits<double>::infinity();
+}
 
 double NiceStep(double span, int most) {
   const double least = span / most;

@@ -16,6 +16,13 @@ struct AxisRange {
   bool operator==(const AxisRange&) const = default;
 };
 
+/// How values are spread over an axis.
+enum class ValueScale { kLinear, kLogarithmic };
+
+/// Where a value stands on an axis, whose range is one of such places: itself, or its decimal
+/// logarithm; minus infinity for a value that has none, because it is 0 or less.
+[[nodiscard]] double PlaceOf(double value, ValueScale scale);
+
 /// 1, 2 or 5 times a power of ten, so that at most `most` steps fit into `span`.
 [[nodiscard]] double NiceStep(double span, int most);
 /// The same in seconds, and in minutes and hours beyond 30 s.

@@ -1,3 +1,4 @@
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/series/curve.h>
 
 #include <algorithm>
@@ -10,7 +11,7 @@ constexpr std::int64_t kSecondNs = 1'000'000'000;
 
 }  // namespace
 
-QString WaitingFor(const QString& path) { return "waiting for " + SourceOf(path); }
+QString WaitingFor(const QString& path) { return Words::tr("waiting for ") + SourceOf(path); }
 
 Curve::Curve(CurveKey key, int color_index)
     : key_(std::move(key)), color_index_(color_index), stale_reason_(WaitingFor(key_.path)) {}
@@ -32,7 +33,7 @@ void Curve::setBudget(std::size_t bytes) {
 bool Curve::isThinned() const { return samples_.firstIndex() > 0 && !samples_.empty(); }
 
 // Of the time before the oldest sample there is.
-void Curve::showHistory(const TimeSlices& slices) const {
+void Curve::showHistory(Envelope& envelope, const TimeSlices& slices) const {
   if (!isThinned()) return;
   const std::int64_t until = samples_.time(samples_.firstIndex());
   const auto& buckets = history_.buckets();
@@ -41,7 +42,7 @@ void Curve::showHistory(const TimeSlices& slices) const {
       [](std::int64_t time_ns, const auto& bucket) { return time_ns < bucket.from_ns; });
   for (auto each = first; each != buckets.end() && each->from_ns < until; ++each) {
     const std::int64_t end = std::min(each->from_ns + CoarseHistory::kWidthNs, until);
-    envelope_.widen(each->from_ns, end, each->low, each->high);
+    envelope.widen(each->from_ns, end, each->low, each->high);
   }
 }
 
@@ -72,14 +73,15 @@ double Curve::rate() const {
   return static_cast<double>(end - 1 - first) * kSecondNs / static_cast<double>(span);
 }
 
-const Envelope& Curve::envelope(const TimeSlices& slices) const {
-  if (slices != envelope_slices_ || samples_.endIndex() != envelope_end_) {
-    envelope_.build(samples_, slices);
-    showHistory(slices);
-    envelope_slices_ = slices;
-    envelope_end_ = samples_.endIndex();
+const Envelope& Curve::envelope(const TimeSlices& slices, Pass pass) const {
+  Drawn& drawn = drawn_[static_cast<std::size_t>(pass)];
+  if (slices != drawn.slices || samples_.endIndex() != drawn.end) {
+    drawn.envelope.build(samples_, slices);
+    showHistory(drawn.envelope, slices);
+    drawn.slices = slices;
+    drawn.end = samples_.endIndex();
   }
-  return envelope_;
+  return drawn.envelope;
 }
 
 }  // namespace tendon::gui

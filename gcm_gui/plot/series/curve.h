@@ -6,11 +6,16 @@
 #include <gcm_gui/plot/series/signal_path.h>
 
 #include <QString>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
 
 namespace tendon::gui {
+
+/// Which pass of a sweeping window a part of time belongs to; any other window has only the
+/// present.
+enum class Pass { kPresent, kFormer };
 
 /// One signal in one plot: its samples, its colour, and whether its source is heard of. GUI thread.
 class Curve {
@@ -21,6 +26,7 @@ class Curve {
   [[nodiscard]] const QString& unit() const { return key_.unit; }
   /// For Theme::curve().
   [[nodiscard]] int colorIndex() const { return color_index_; }
+  void setColorIndex(int index) { color_index_ = index; }
 
   /// Ends staleness.
   void append(std::span<const Sample> samples);
@@ -47,12 +53,19 @@ class Curve {
   [[nodiscard]] std::optional<double> latestValue() const;
   /// Rows a second that arrived, over the latest second of the source's time; 0 with less than two.
   [[nodiscard]] double rate() const;
-  /// The curve as slices show it. Built when asked for other slices than the last time, or when
-  /// samples have come.
-  [[nodiscard]] const Envelope& envelope(const TimeSlices& slices) const;
+  /// The curve as slices show it. Built when asked for other slices than the last time of the same
+  /// pass, or when samples have come.
+  [[nodiscard]] const Envelope& envelope(const TimeSlices& slices,
+                                         Pass pass = Pass::kPresent) const;
 
  private:
-  void showHistory(const TimeSlices& slices) const;
+  struct Drawn {
+    Envelope envelope;
+    TimeSlices slices;
+    std::uint64_t end = 0;  // of the samples
+  };
+
+  void showHistory(Envelope& envelope, const TimeSlices& slices) const;
 
   CurveKey key_;
   int color_index_;
@@ -60,9 +73,7 @@ class Curve {
   QString stale_reason_;
   SampleRing samples_;
   CoarseHistory history_;
-  mutable Envelope envelope_;
-  mutable TimeSlices envelope_slices_;
-  mutable std::uint64_t envelope_end_ = 0;
+  mutable std::array<Drawn, 2> drawn_;  // of each pass
 };
 
 /// "waiting for robot/arm/state"

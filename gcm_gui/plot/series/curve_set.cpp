@@ -3,9 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace tendon::gui {
 namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+constexpr AxisRange kNothing{.low = kInfinity, .high = -kInfinity};
+constexpr double kDecadesAboveZero = 6;
 
 UnitAxis* AxisFor(std::vector<UnitAxis>& axes, const QString& unit) {
   const auto found = std::find_if(axes.begin(), axes.end(),
@@ -35,6 +41,23 @@ bool CurveSet::remove(const QString& path) {
       std::erase_if(curves_, [&](const auto& curve) { return curve->path() == path; }) > 0;
   updateAxes();
   return removed;
+}
+
+std::unique_ptr<Curve> CurveSet::take(const QString& path) {
+  const auto found = std::find_if(curves_.begin(), curves_.end(),
+                                  [&](const auto& curve) { return curve->path() == path; });
+  if (found == curves_.end()) return nullptr;
+  std::unique_ptr<Curve> taken = std::move(*found);
+  curves_.erase(found);
+  updateAxes();
+  return taken;
+}
+
+Curve& CurveSet::adopt(std::unique_ptr<Curve> curve) {
+  curve->setColorIndex(freeColor());
+  curves_.push_back(std::move(curve));
+  updateAxes();
+  return *curves_.back();
 }
 
 Curve* CurveSet::find(const QString& path) const {
@@ -78,19 +101,63 @@ void CurveSet::setFit(Fit fit) {
   }
 }
 
-void CurveSet::fitAxes(const TimeSlices& slices) {
+void CurveSet::setScale(ValueScale scale) {
+  scale_ = scale;
+  setFit(fit_);
+}
+
+QStringList CurveSet::withoutPlace(std::span<const SeenSlices> seen) const {
+  QStringList names;
+  if (scale_ == ValueScale::kLinear) return names;
+  for (const auto& curve : curves_) {
+    const bool is_low = std::any_of(seen.begin(), seen.end(), [&](const SeenSlices& part) {
+      return curve->envelope(part.slices, part.pass).lowest() <= 0;
+    });
+    if (curve->isVisible() && is_low) names << ShortName(curve->path());
+  }
+  return names;
+}
+
+// In places. low > high when there is nothing.
+AxisRange CurveSet::extremesOf(const UnitAxis& axis, std::span<const SeenSlices> seen) const {
+  AxisRange data = kNothing;
+  for (const auto& curve : curves_) {
+    if (curve->unit() != axis.unit || !curve->isVisible()) continue;
+    for (const SeenSlices& part : seen) {
+      const AxisRange extremes = extremesOf(*curve, part);
+      data.low = std::min(data.low, extremes.low);
+      data.high = std::max(data.high, extremes.high);
+    }
+  }
+  return data;
+}
+
+AxisRange CurveSet::extremesOf(const Curve& curve, const SeenSlices& seen) const {
+  const Envelope& envelope = curve.envelope(seen.slices, seen.pass);
+  const bool all_have_places = scale_ == ValueScale::kLinear || envelope.lowest() > 0;
+  if (all_have_places && seen.first == 0) {
+    return {.low = PlaceOf(envelope.lowest(), scale_), .high = PlaceOf(envelope.highest(), scale_)};
+  }
+  AxisRange data = kNothing;
+  for (std::size_t i = seen.first; i < envelope.low().size(); ++i) {
+    const double high = envelope.high()[i];
+    const double low = envelope.low()[i] > 0 || all_have_places ? envelope.low()[i] : high;
+    const bool has_place = low <= high && (all_have_places || low > 0);
+    if (!has_place) continue;
+    data.low = std::min(data.low, PlaceOf(low, scale_));
+    data.high = std::max(data.high, PlaceOf(high, scale_));
+  }
+  // A line on its way to 0 and below comes as near to it as one likes.
+  if (!all_have_places) data.low = std::max(data.low, data.high - kDecadesAboveZero);
+  return data;
+}
+
+void CurveSet::fitAxes(std::span<const SeenSlices> seen) {
   for (UnitAxis& axis : axes_) {
     if (!axis.fitted) continue;
-    AxisRange data{.low = std::numeric_limits<double>::infinity(),
-                   .high = -std::numeric_limits<double>::infinity()};
-    for (const auto& curve : curves_) {
-      if (curve->unit() != axis.unit || !curve->isVisible()) continue;
-      const Envelope& envelope = curve->envelope(slices);
-      data.low = std::min(data.low, envelope.lowest());
-      data.high = std::max(data.high, envelope.highest());
-    }
+    AxisRange data = extremesOf(axis, seen);
     if (data.low > data.high) continue;
-    if (fit_ == Fit::kSymmetric) {
+    if (fit_ == Fit::kSymmetric && scale_ == ValueScale::kLinear) {
       const double most = std::max(std::abs(data.low), std::abs(data.high));
       data = {.low = -most, .high = most};
     }

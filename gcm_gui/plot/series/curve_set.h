@@ -4,8 +4,10 @@
 #include <gcm_gui/plot/series/curve.h>
 
 #include <QString>
+#include <QStringList>
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace tendon::gui {
@@ -20,11 +22,18 @@ enum class Fit {
 /// The Y axis of all curves of one unit.
 struct UnitAxis {
   QString unit;
-  AxisRange range;
+  AxisRange range;     ///< of places: see PlaceOf()
   bool fitted = true;  ///< follows the visible data; else the user's choice
   AxisRange grown{};   ///< the data it was fitted to, of all time with Fit::kGrow
   bool has_grown = false;
   int color_index = -1;  ///< of its only curve; -1 when it has several
+};
+
+/// Slices of which those before `first` are hidden.
+struct SeenSlices {
+  TimeSlices slices;
+  Pass pass = Pass::kPresent;
+  std::size_t first = 0;
 };
 
 /// How one state table's rows arrive.
@@ -35,15 +44,18 @@ struct SourceFigures {
   std::uint64_t repeated = 0;
 };
 
-/// The curves of one plot, in the order of their coming, and an axis for each unit among them: the
-/// first axis is written at the left, the second at the right; the curves of others fill the
-/// height.
+/// The curves of one plot, in the order of their coming, and an axis for each unit among them. The
+/// axes of the first four are written, see PlotAxes; the curves of others fill the height.
 class CurveSet {
  public:
   /// The one there is, when it is there already.
   Curve& add(const CurveKey& key);
   /// Returns whether there was one.
   bool remove(const QString& path);
+  /// With its samples, for adopt() of another set; nullptr when there is none.
+  [[nodiscard]] std::unique_ptr<Curve> take(const QString& path);
+  /// In a colour that is free here. Its path must not be here yet.
+  Curve& adopt(std::unique_ptr<Curve> curve);
   /// nullptr when there is none. Stays where it is until it is removed.
   [[nodiscard]] Curve* find(const QString& path) const;
 
@@ -56,8 +68,14 @@ class CurveSet {
   /// Of all axes.
   void setFit(Fit fit);
   [[nodiscard]] Fit fit() const { return fit_; }
+  /// Of all axes, which are fitted anew. A logarithmic one cannot be symmetric: it is kClose then.
+  void setScale(ValueScale scale);
+  [[nodiscard]] ValueScale scale() const { return scale_; }
+  /// Names of the curves that have values in the slices which a logarithmic axis has no place for:
+  /// 0 and less. Empty on a linear one.
+  [[nodiscard]] QStringList withoutPlace(std::span<const SeenSlices> seen) const;
   /// Fits the axes that follow the data to what the slices show.
-  void fitAxes(const TimeSlices& slices);
+  void fitAxes(std::span<const SeenSlices> seen);
   /// Time of the newest sample of all; INT64_MIN without any.
   [[nodiscard]] std::int64_t newestTime() const;
   /// A source of which several columns are plotted counts once. One that is silent since a second
@@ -66,11 +84,14 @@ class CurveSet {
 
  private:
   void updateAxes();
+  [[nodiscard]] AxisRange extremesOf(const UnitAxis& axis, std::span<const SeenSlices> seen) const;
+  [[nodiscard]] AxisRange extremesOf(const Curve& curve, const SeenSlices& seen) const;
   [[nodiscard]] int freeColor() const;
 
   std::vector<std::unique_ptr<Curve>> curves_;
   std::vector<UnitAxis> axes_;
   Fit fit_ = Fit::kClose;
+  ValueScale scale_ = ValueScale::kLinear;
 };
 
 }  // namespace tendon::gui

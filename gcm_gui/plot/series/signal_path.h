@@ -24,6 +24,8 @@ struct CurveKey {
 
 /// Dragged values: one a line, path and unit separated by a tabulator.
 inline constexpr auto kPathMimeType = "application/x-tendon-path";
+/// With them, when they are dragged out of a plot: its id, in digits.
+inline constexpr auto kPlotMimeType = "application/x-tendon-plot";
 [[nodiscard]] QByteArray EncodedPaths(const QList<CurveKey>& keys);
 /// Empty when there are none. Lines without a path are left out.
 [[nodiscard]] QList<CurveKey> PathsIn(const QMimeData& data);

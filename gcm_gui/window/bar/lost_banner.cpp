@@ -1,3 +1,4 @@
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
@@ -17,8 +18,7 @@ LostBanner::LostBanner(const GcmLink& link, QWidget* parent)
   SetRole(*meaning_, QStringLiteral("dim"));
   // Narrower than its words rather than make the window wider.
   meaning_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  meaning_->setText(
-      QStringLiteral("Values and plots come straight from their processes and go on."));
+  meaning_->setText(Words::tr("Values and plots come straight from their processes and go on."));
   meaning_->setToolTip(meaning_->text());
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(kInset, 0, kInset, 0);
@@ -38,9 +38,8 @@ void LostBanner::setNow(qint64 now) {
 
 void LostBanner::refresh() {
   setVisible(link_.state() == GcmLink::State::kLost);
-  since_->show(
-      StateMark::kLost,
-      QStringLiteral("What is grey is as it was %1 ago").arg(AgeText(now_ - link_.since())));
+  since_->show(StateMark::kLost,
+               Words::tr("What is grey is as it was %1 ago").arg(AgeText(now_ - link_.since())));
   setAccessibleName(text());
 }
 

@@ -1,3 +1,4 @@
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
@@ -42,20 +43,20 @@ void NoticeLine::hear(const Action& finished) {
   const QString time = DurationText(finished.seconds);
   switch (finished.verb) {
     case Action::Verb::kConnect:
-      return tell(QStringLiteral("Connected in %1 · Ctrl+Z undoes").arg(time));
+      return tell(Words::tr("Connected in %1 · Ctrl+Z undoes").arg(time));
     case Action::Verb::kDisconnect:
-      return tell(QStringLiteral("Disconnected in %1 · Ctrl+Z undoes").arg(time));
+      return tell(Words::tr("Disconnected in %1 · Ctrl+Z undoes").arg(time));
     case Action::Verb::kReplace:
-      return tell(QStringLiteral("Replaced in %1 · Ctrl+Z undoes").arg(time));
+      return tell(Words::tr("Replaced in %1 · Ctrl+Z undoes").arg(time));
     case Action::Verb::kUndo:
-      return tell(QStringLiteral("Undone in %1").arg(time));
+      return tell(Words::tr("Undone in %1").arg(time));
     case Action::Verb::kForget:
-      return tell(QStringLiteral("Forgotten"));
+      return tell(Words::tr("Forgotten"));
     case Action::Verb::kCall:
-      return tell(QStringLiteral("Called in %1").arg(time));
+      return tell(Words::tr("Called in %1").arg(time));
     case Action::Verb::kLogLevel:
-      return tell(QStringLiteral("%1 logs %2 and above")
-                      .arg(ToQString(finished.process), finished.argument));
+      return tell(
+          Words::tr("%1 logs %2 and above").arg(ToQString(finished.process), finished.argument));
   }
 }
 
@@ -63,13 +64,13 @@ void NoticeLine::showMode() {
   const PortName& port = mode_.chosen();
   const QString side =
       port.side == Side::kRequired ? QStringLiteral("provided") : QStringLiteral("required");
-  before_ = mode_.former() ? QStringLiteral("Replace ") : QStringLiteral("Connect ");
+  before_ = mode_.former() ? Words::tr("Replace ") : Words::tr("Connect ");
   path_ = ToQString(ToString(mode_.former() ? *mode_.former() : port.name));
-  const QString other = mode_.former() ? QStringLiteral("other ") + side : side;
-  after_ = mode_.best() == nullptr ? QStringLiteral(" · no %1 interface fits").arg(other)
-           : mode_.former()        ? QStringLiteral(" · pick another %1 interface").arg(side)
-                                   : QStringLiteral(" · pick a %1 interface").arg(side);
-  after_ += mode_.former() ? QStringLiteral(" · D disconnects · Esc") : QStringLiteral(" · Esc");
+  const QString other = mode_.former() ? Words::tr("other ") + side : side;
+  after_ = mode_.best() == nullptr ? Words::tr(" · no %1 interface fits").arg(other)
+           : mode_.former()        ? Words::tr(" · pick another %1 interface").arg(side)
+                                   : Words::tr(" · pick a %1 interface").arg(side);
+  after_ += mode_.former() ? Words::tr(" · D disconnects · Esc") : Words::tr(" · Esc");
 }
 
 void NoticeLine::refresh() {

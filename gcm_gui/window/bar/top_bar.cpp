@@ -1,3 +1,4 @@
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/state_of.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/theme/icon.h>
@@ -26,13 +27,12 @@ QString Counts(const Catalog& catalogue) {
     components += static_cast<std::int64_t>(entry.components.size());
     connections += static_cast<std::int64_t>(entry.connections.size());
   }
-  const auto count = [](std::int64_t number, const char* noun) {
-    return QStringLiteral("%1 %2%3").arg(number).arg(QLatin1String(noun),
-                                                     QLatin1String(number == 1 ? "" : "s"));
+  const auto count = [](std::int64_t number, const QString& one, const QString& many) {
+    return (number == 1 ? one : many).arg(number);
   };
-  return QStringList{
-      QStringLiteral("%1 process%2").arg(processes).arg(QLatin1String(processes == 1 ? "" : "es")),
-      count(components, "component"), count(connections, "connection")}
+  return QStringList{count(processes, Words::tr("%1 process"), Words::tr("%1 processes")),
+                     count(components, Words::tr("%1 component"), Words::tr("%1 components")),
+                     count(connections, Words::tr("%1 connection"), Words::tr("%1 connections"))}
       .join(QStringLiteral(" · "));
 }
 
@@ -44,8 +44,8 @@ TopBar::TopBar(const CatalogueStore& store, const GcmLink& link, QWidget* parent
       link_(link),
       link_pill_(new Pill),
       problem_pill_(new Pill),
-      search_(new QPushButton(QStringLiteral("Search or run   Ctrl+K"))),
-      pause_(new QPushButton(QStringLiteral("Pause view"))),
+      search_(new QPushButton(Words::tr("Search or run   Ctrl+K"))),
+      pause_(new QPushButton(Words::tr("Pause view"))),
       theme_(new QPushButton) {
   setObjectName(QStringLiteral("topBar"));
   setAutoFillBackground(true);
@@ -79,18 +79,18 @@ void TopBar::addButtons() {
   auto* row = static_cast<QHBoxLayout*>(layout());
   search_->setObjectName(QStringLiteral("searchOrRun"));
   search_->setIcon(ThemeIcon(QStringLiteral("search")));
-  search_->setToolTip(QStringLiteral("Finds all that can be done and all there is  (Ctrl+K)"));
+  search_->setToolTip(Words::tr("Finds all that can be done and all there is  (Ctrl+K)"));
   search_->setFocusPolicy(Qt::TabFocus);
   SetRole(*search_, QStringLiteral("field"));
   connect(search_, &QPushButton::clicked, this, &TopBar::paletteRequested);
   pause_->setObjectName(QStringLiteral("pause"));
   pause_->setCheckable(true);
-  pause_->setToolTip(QStringLiteral("Stops what is drawn, never the data  (Space)"));
+  pause_->setToolTip(Words::tr("Stops what is drawn, never the data  (Space)"));
   pause_->setFocusPolicy(Qt::TabFocus);
   connect(pause_, &QPushButton::clicked, this, &TopBar::pauseRequested);
   theme_->setObjectName(QStringLiteral("theme"));
-  theme_->setAccessibleName(QStringLiteral("Dark or light"));
-  theme_->setToolTip(QStringLiteral("Dark or light"));
+  theme_->setAccessibleName(Words::tr("Dark or light"));
+  theme_->setToolTip(Words::tr("Dark or light"));
   theme_->setIcon(ThemeIcon(QStringLiteral("theme"), Token::kText));
   theme_->setFocusPolicy(Qt::TabFocus);
   connect(theme_, &QPushButton::clicked, &Theme::instance(), &Theme::toggle);
@@ -110,37 +110,37 @@ void TopBar::showLink() {
   const QString age = AgeText(now_ - link_.since());
   switch (link_.state()) {
     case GcmLink::State::kSearching:
-      link_pill_->show(StateMark::kPending, QStringLiteral("No GCM found at ") + link_.address(),
-                       QStringLiteral("looking every second"));
+      link_pill_->show(StateMark::kPending, Words::tr("No GCM found at ") + link_.address(),
+                       Words::tr("looking every second"));
       break;
     case GcmLink::State::kLost:
-      link_pill_->show(StateMark::kLost, QStringLiteral("GCM lost %1 ago").arg(age),
-                       QStringLiteral("retrying ") + link_.address());
+      link_pill_->show(StateMark::kLost, Words::tr("GCM lost %1 ago").arg(age),
+                       Words::tr("retrying ") + link_.address());
       break;
     case GcmLink::State::kConnected:
       link_pill_->show(StateMark::kActive,
-                       link_.isHosted() ? QStringLiteral("Hosting the GCM on this machine")
-                                        : QStringLiteral("GCM at ") + link_.address(),
+                       link_.isHosted() ? Words::tr("Hosting the GCM on this machine")
+                                        : Words::tr("GCM at ") + link_.address(),
                        Counts(store_.catalogue()));
       break;
   }
   link_pill_->setToolTip(
-      QStringLiteral("The global component manager (GCM) at %1 knows every process and makes their "
-                     "connections.")
+      Words::tr("The global component manager (GCM) at %1 knows every process and makes their "
+                "connections.")
           .arg(link_.address()) +
       (link_.reason().isEmpty() ? QString() : '\n' + link_.reason()));
 }
 
 void TopBar::showProblemCount(int count) {
   problem_pill_->show(StateMark::kWarning, QString::number(count));
-  problem_pill_->setAccessibleName(count == 1 ? QStringLiteral("1 problem")
-                                              : QStringLiteral("%1 problems").arg(count));
+  problem_pill_->setAccessibleName(count == 1 ? Words::tr("1 problem")
+                                              : Words::tr("%1 problems").arg(count));
   problem_pill_->setVisible(count > 0);
 }
 
 void TopBar::showPaused(bool paused) {
   pause_->setChecked(paused);
-  pause_->setText(paused ? QStringLiteral("Resume view") : QStringLiteral("Pause view"));
+  pause_->setText(paused ? Words::tr("Resume view") : Words::tr("Pause view"));
   pause_->setIcon(
       ThemeIcon(paused ? QStringLiteral("play") : QStringLiteral("pause"), Token::kText));
 }

@@ -1,3 +1,4 @@
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/views/row_view.h>
 #include <gcm_gui/window/commands/command_palette.h>
@@ -22,12 +23,13 @@ CommandPalette::CommandPalette(QList<QAction*> actions, const CatalogueModel& ca
                                QWidget& window)
     : QFrame(&window), model_(std::move(actions), catalogue), field_(new QLineEdit) {
   setObjectName(QStringLiteral("palette"));
-  setAccessibleName(QStringLiteral("Search or run"));
+  setAccessibleName(Words::tr("Search or run"));
   setAutoFillBackground(true);
   field_->setObjectName(QStringLiteral("palette.field"));
-  field_->setAccessibleName(QStringLiteral("What to do or where to go"));
-  field_->setPlaceholderText(QStringLiteral("What to do, or a name to go to"));
-  list_ = MakeRowList(model_, QStringLiteral("palette.list"), QStringLiteral("Nothing fits."));
+  field_->setAccessibleName(Words::tr("What to do or where to go"));
+  field_->setPlaceholderText(Words::tr("What to do, or a name to go to"));
+  list_ = MakeRowList(model_, QStringLiteral("palette.list"), Words::tr("Search or run"),
+                      Words::tr("Nothing fits."));
   list_->setFocusPolicy(Qt::NoFocus);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(2 * kGrid, 2 * kGrid, 2 * kGrid, 2 * kGrid);

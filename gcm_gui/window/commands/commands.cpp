@@ -1,3 +1,4 @@
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/window/commands/commands.h>
 
 #include <QAction>
@@ -12,8 +13,9 @@ Commands::Commands(QWidget& window)
   bar_->setObjectName(QStringLiteral("menus"));
   bar_->setNativeMenuBar(false);
   bar_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);  // the last menus would go first
-  menus_ = {bar_->addMenu(QStringLiteral("&System")), bar_->addMenu(QStringLiteral("&Plot")),
-            bar_->addMenu(QStringLiteral("&View"))};
+  menus_ = {bar_->addMenu(Words::tr("&System")), bar_->addMenu(Words::tr("&Plot")),
+            bar_->addMenu(Words::tr("&Graph")), bar_->addMenu(Words::tr("&View")),
+            bar_->addMenu(Words::tr("&Help"))};
 }
 
 QAction& Commands::add(Menu menu, const QString& text, const QKeySequence& key,

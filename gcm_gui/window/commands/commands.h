@@ -20,7 +20,7 @@ class Commands : public QObject {
   Q_OBJECT
 
  public:
-  enum class Menu { kSystem, kPlot, kView };
+  enum class Menu { kSystem, kPlot, kGraph, kView, kHelp };
 
   /// Keys work anywhere in `window`.
   explicit Commands(QWidget& window);
@@ -30,13 +30,15 @@ class Commands : public QObject {
   [[nodiscard]] QMenu& menu(Menu menu) const { return *menus_[static_cast<std::size_t>(menu)]; }
   /// To be placed by the caller.
   [[nodiscard]] QMenuBar& bar() const { return *bar_; }
+  /// From the left.
+  [[nodiscard]] const std::array<QMenu*, 5>& menus() const { return menus_; }
   /// In the order of the menus.
   [[nodiscard]] QList<QAction*> actions() const;
 
  private:
   QWidget& window_;
   QMenuBar* bar_;
-  std::array<QMenu*, 3> menus_{};
+  std::array<QMenu*, 5> menus_{};
 };
 
 /// The text of an action as it is read: without the menu's letter and dots.

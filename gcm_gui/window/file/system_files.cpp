@@ -1,3 +1,4 @@
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/session/gcm_link.h>
 #include <gcm_gui/system/diff_panel.h>
@@ -24,7 +25,8 @@ SystemFiles::SystemFiles(const WindowParts& parts, TabPanel& centre, QWidget& wi
       document_(parts.store),
       restore_(document_, parts.plans),
       panel_(new DiffPanel(document_, restore_, parts.read_only)),
-      page_(centre.addPage(panel_, QStringLiteral("Diff"))) {
+      page_(centre.addPage(panel_, Words::tr("Diff"))),
+      demo_(parts.demo) {
   connect(&document_, &SystemDocument::told, this, &SystemFiles::notice);
   connect(&document_, &SystemDocument::changed, this, &SystemFiles::titleChanged);
   connect(&document_, &SystemDocument::opened, this, &SystemFiles::showTab);
@@ -32,19 +34,21 @@ SystemFiles::SystemFiles(const WindowParts& parts, TabPanel& centre, QWidget& wi
   connect(&document_, &SystemDocument::told, this, [this] { brings_up_ = false; });
   connect(&restore_, &Restore::changed, this, [this] {
     if (!is_previewing_) brings_up_ = false;
+    if (starts_demo_) showDemo();
   });
 }
 
 void SystemFiles::addCommands(Commands& commands) {
-  const auto add = [&](const char* text, const QKeySequence& key, auto what) {
-    commands.add(Commands::Menu::kSystem, QString::fromUtf8(text), key, what);
+  const auto add = [&](const QString& text, const QKeySequence& key, auto what) {
+    commands.add(Commands::Menu::kSystem, text, key, what);
   };
   QMenu& menu = commands.menu(Commands::Menu::kSystem);
-  add("&Open a system file…", QKeySequence::Open, [this] { open(); });
-  add("Sa&ve what runs", QKeySequence::Save, [this] { save(); });
-  add("Save what runs &as…", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), [this] { saveAs(); });
-  add("&Restore the system file…", {}, [this] { restoreAll(); });
-  QMenu* states = menu.addMenu(QStringLiteral("&Go back to a state"));
+  add(Words::tr("&Open a system file…"), QKeySequence::Open, [this] { open(); });
+  add(Words::tr("Sa&ve what runs"), QKeySequence::Save, [this] { save(); });
+  add(Words::tr("Save what runs &as…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S),
+      [this] { saveAs(); });
+  add(Words::tr("&Restore the system file…"), {}, [this] { restoreAll(); });
+  QMenu* states = menu.addMenu(Words::tr("&Go back to a state"));
   states->setObjectName(QStringLiteral("states"));
   connect(states, &QMenu::aboutToShow, this, [this, states] { fillStates(*states); });
   menu.addSeparator();
@@ -63,17 +67,58 @@ void SystemFiles::previewBringUp() {
   is_previewing_ = false;
 }
 
+void SystemFiles::startDemo() {
+  document_.read(demo_, [this](const Result<SystemFile>& demo) {
+    if (demo) return carryOutDemo(*demo);
+    Q_EMIT notice(Words::tr("The demo is not beside this program: ") +
+                  ToQString(demo.error().message));
+  });
+}
+
+void SystemFiles::carryOutDemo(SystemFile demo) {
+  if (restore_.phase() == Restore::Phase::kRunning) {
+    showTab();
+    return Q_EMIT notice(Words::tr("A plan is being carried out; the demo comes after it"));
+  }
+  for (auto& process : demo.processes) {
+    if (!process.start) process.start.emplace();
+  }
+  brings_up_ = false;
+  restore_.preview(demo, Words::tr("the demo"));
+  if (restore_.plan().steps.empty()) {
+    restore_.leave();
+    return Q_EMIT notice(Words::tr("The demo is running already"));
+  }
+  starts_demo_ = true;
+  restore_.execute(AfterError::kStop);
+}
+
+void SystemFiles::showDemo() {
+  if (restore_.phase() == Restore::Phase::kRunning) {
+    return Q_EMIT notice(Words::tr("Starting the demo: step %1 of %2")
+                             .arg(restore_.outcomes().size() + 1)
+                             .arg(restore_.plan().steps.size()));
+  }
+  if (restore_.phase() != Restore::Phase::kDone) return;
+  starts_demo_ = false;
+  if (const auto& error = restore_.outcome().error) {
+    showTab();  // which step it was, and what was done before it
+    return Q_EMIT notice(Words::tr("The demo was not started: ") + ToQString(error->message));
+  }
+  Q_EMIT notice(Words::tr("The demo runs: click a hollow port, then one that lights up"));
+}
+
 void SystemFiles::showTab() { centre_.setCurrent(page_); }
 
 QFileDialog* SystemFiles::makeDialog(const QString& title) {
   auto* dialog = new QFileDialog(&window_, title);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setNameFilter(QStringLiteral("System files (*%1)").arg(QString::fromLatin1(kSuffix)));
+  dialog->setNameFilter(Words::tr("System files (*%1)").arg(QString::fromLatin1(kSuffix)));
   return dialog;
 }
 
 void SystemFiles::open() {
-  QFileDialog* dialog = makeDialog(QStringLiteral("Open a system file"));
+  QFileDialog* dialog = makeDialog(Words::tr("Open a system file"));
   dialog->setFileMode(QFileDialog::ExistingFile);
   connect(dialog, &QFileDialog::fileSelected, &document_, &SystemDocument::open);
   dialog->open();
@@ -85,7 +130,7 @@ void SystemFiles::save() {
 }
 
 void SystemFiles::saveAs() {
-  QFileDialog* dialog = makeDialog(QStringLiteral("Save what runs"));
+  QFileDialog* dialog = makeDialog(Words::tr("Save what runs"));
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix(QString::fromLatin1(kSuffix).mid(1));
   dialog->selectFile(document_.isOpen() ? document_.path() : QStringLiteral("system.gcm.json"));
@@ -95,7 +140,7 @@ void SystemFiles::saveAs() {
 
 void SystemFiles::restoreAll() {
   if (!document_.isOpen()) {
-    return Q_EMIT notice(QStringLiteral("Open a system file first: Ctrl+O"));
+    return Q_EMIT notice(Words::tr("Open a system file first: Ctrl+O"));
   }
   showTab();
   panel_->previewAll();
@@ -105,13 +150,13 @@ void SystemFiles::fillStates(QMenu& menu) {
   menu.clear();
   const auto& all = document_.snapshots().all();
   for (auto it = all.rbegin(); it != all.rend(); ++it) {
-    const QString goal = QStringLiteral("State at ") + ClockText(it->when).left(8);
+    const QString goal = Words::tr("State at ") + ClockText(it->when).left(8);
     menu.addAction(goal, this, [this, goal, system = it->system] {
       showTab();
       restore_.preview(system, goal.toLower());
     });
   }
-  if (menu.isEmpty()) menu.addAction(QStringLiteral("Nothing has changed yet"))->setEnabled(false);
+  if (menu.isEmpty()) menu.addAction(Words::tr("Nothing has changed yet"))->setEnabled(false);
 }
 
 }  // namespace tendon::gui

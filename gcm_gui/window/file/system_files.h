@@ -29,6 +29,8 @@ class SystemFiles : public QObject {
 
   /// Opens a system file and shows the plan for it, which waits for the user.
   void bringUp(const QString& path);
+  /// Starts the system that shows what Tendon is, on the GCM's host.
+  void startDemo();
 
  Q_SIGNALS:
   /// One sentence for the user.
@@ -41,6 +43,8 @@ class SystemFiles : public QObject {
   void open();
   void restoreAll();
   void previewBringUp();
+  void carryOutDemo(SystemFile demo);
+  void showDemo();
   void fillStates(QMenu& menu);
   [[nodiscard]] QFileDialog* makeDialog(const QString& title);
   void showTab();
@@ -52,6 +56,8 @@ class SystemFiles : public QObject {
   Restore restore_;
   DiffPanel* panel_;
   int page_;
+  QString demo_;
+  bool starts_demo_ = false;
   bool brings_up_ = false;      // the plan for the file follows what joins
   bool is_previewing_ = false;  // it is just made anew
 };

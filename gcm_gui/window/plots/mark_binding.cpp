@@ -1,13 +1,19 @@
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/state_of.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/plot/plot_panel.h>
+#include <gcm_gui/window/plots/audit_line.h>
 #include <gcm_gui/window/plots/mark_binding.h>
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
 namespace tendon::gui {
 namespace {
+
+constexpr std::int64_t kLatestLog = 2'000'000'000;  // ns on the way from a process to here
+constexpr int kOwnCalls = 32;                       // newest actions that are looked at
 
 std::int64_t SteadyNow() {
   return std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -16,6 +22,9 @@ std::int64_t SteadyNow() {
 /// On the steady clock, of `when`, ns since 1970.
 std::int64_t SteadyTimeOf(std::int64_t when) { return SteadyNow() - (WallClock() - when); }
 
+/// "robot/arm" of a path of one of its signals or events.
+QString ComponentOf(const QString& path) { return path.section('/', 0, 1); }
+
 QString LastPart(const QString& path) { return path.section('.', -1).section('/', -1); }
 
 QString Name(const InterfaceName& name) { return ToQString(ToString(name)); }
@@ -23,8 +32,16 @@ QString Name(const InterfaceName& name) { return ToQString(ToString(name)); }
 }  // namespace
 
 MarkBinding::MarkBinding(PlotPanel& panel, CatalogueStore& store, ActivityModel& activity,
-                         QObject* parent)
-    : QObject(parent), panel_(panel) {
+                         SystemReports& reports, QObject* parent)
+    : QObject(parent), panel_(panel), activity_(activity), reports_(reports) {
+  connect(&panel, &PlotPanel::subscriptionWanted, this, &MarkBinding::follow);
+  connect(&panel, &PlotPanel::subscriptionReleased, this, &MarkBinding::follow);
+  connect(&panel, &PlotPanel::marksShownChanged, this, &MarkBinding::follow);
+  connect(&reports, &SystemReports::logArrived, this, &MarkBinding::markLog);
+  connect(&reports, &SystemReports::eventsArrived, this,
+          [this](const std::vector<HeardEvent>& events) {
+            for (const HeardEvent& event : events) markEvent(event);
+          });
   connect(&activity, &ActivityModel::finished, this, &MarkBinding::markAction);
   connect(&store, &CatalogueStore::changed, this, &MarkBinding::compare);
   Touched all;
@@ -37,11 +54,73 @@ void MarkBinding::add(Mark::Kind kind, const QString& label, const QString& text
       {.kind = kind, .time_ns = SteadyNow(), .label = label, .text = text, .is_bad = is_bad});
 }
 
-void MarkBinding::markEvent(const QString& path, const QString& value, qint64 when) {
+void MarkBinding::follow() {
+  components_plotted_.clear();
+  for (const QString& path : panel_.paths()) {
+    const QString component = ComponentOf(path);
+    if (!components_plotted_.contains(component)) components_plotted_ << component;
+  }
+  QStringList patterns;
+  if (panel_.areMarksShown()) {
+    for (const QString& component : components_plotted_.mid(0, kMostListenedTo)) {
+      patterns << component + QStringLiteral("/*");
+    }
+  }
+  reports_.listen(this, patterns);
+  if (patterns.isEmpty()) events_.clear();
+  if (!patterns.isEmpty() && !std::exchange(watches_log_, true)) reports_.watchLog();
+}
+
+// What others listen to arrives here, too.
+void MarkBinding::markEvent(const HeardEvent& event) {
+  if (!components_plotted_.contains(ComponentOf(event.path))) return;
+  Marked& marked = events_[event.path];
+  if (event.when - marked.when < kEventPauseNs && event.when >= marked.when) {
+    ++marked.unmarked;
+    return;
+  }
+  QString text = (event.path + ' ' + event.value).trimmed();
+  if (marked.unmarked > 0) {
+    text += Words::tr(", and %1 more since the mark before").arg(marked.unmarked);
+  }
+  marked = {.when = event.when};
   panel_.addMark({.kind = Mark::Kind::kEvent,
-                  .time_ns = SteadyTimeOf(when),
-                  .label = LastPart(path),
-                  .text = (path + ' ' + value).trimmed()});
+                  .time_ns = SteadyTimeOf(event.when),
+                  .label = LastPart(event.path),
+                  .text = text});
+}
+
+// The commands of other programs, which the processes note that they go to. What was noted before
+// this window watched is left out.
+void MarkBinding::markLog(const LogBatch& batch) {
+  const bool is_new = std::exchange(log_is_current_, log_is_current_ || batch.is_current);
+  if (!is_new) return;
+  for (const message::LogRecord& record : batch.records) {
+    const auto sent = SentCommandOf(record);
+    if (!sent || isOwnCall(sent->path)) continue;
+    const std::int64_t now = WallClock();
+    // The clock of another host may be anywhere.
+    const bool is_near = record.time <= now && now - record.time < kLatestLog;
+    panel_.addMark({.kind = Mark::Kind::kCommand,
+                    .time_ns = SteadyTimeOf(is_near ? record.time : now),
+                    .label = LastPart(sent->path),
+                    .text = Words::tr("call ") + sent->path + Words::tr(" by ") + sent->who +
+                            (sent->is_refused ? Words::tr(": refused") : ""),
+                    .is_bad = sent->is_refused});
+  }
+}
+
+// It is marked when its answer comes. A call is in the list of actions before it is sent.
+bool MarkBinding::isOwnCall(const QString& path) const {
+  const int newest = std::min(activity_.rowCount(), kOwnCalls);
+  for (int row = 0; row < newest; ++row) {
+    const Action& action = activity_.action(row);
+    if (action.verb != Action::Verb::kCall || action.command != path) continue;
+    const auto took = static_cast<std::int64_t>(action.seconds * 1e9);
+    const bool is_running = action.outcome == Action::Outcome::kRunning;
+    if (is_running || WallClock() - (action.when + took) < kLatestLog) return true;
+  }
+  return false;
 }
 
 // What was done to connections is marked when the catalogue says so, whoever did it.
@@ -50,7 +129,7 @@ void MarkBinding::markAction(const Action& action) {
   const bool is_refused = action.outcome == Action::Outcome::kRefused;
   if (!is_call && !is_refused) return;
   const QString object = is_call ? action.command : Name(action.required);
-  QString text = (is_call ? "call " + object + ' ' + action.argument : object).trimmed();
+  QString text = (is_call ? Words::tr("call ") + object + ' ' + action.argument : object).trimmed();
   if (is_refused) text += ": " + action.refusal;
   panel_.addMark({.kind = is_call ? Mark::Kind::kCommand : Mark::Kind::kConnection,
                   .time_ns = SteadyTimeOf(action.when),
@@ -83,7 +162,7 @@ void MarkBinding::compareProcess(const Catalog& catalogue, const std::string& pr
   const ProcessState former = std::exchange(known->second, state);
   if (is_new || IsGone(former) == IsGone(state)) return;
   const QString name = ToQString(process);
-  const QString what = IsGone(state) ? QStringLiteral(" lost") : QStringLiteral(" is back");
+  const QString what = IsGone(state) ? Words::tr(" lost") : Words::tr(" is back");
   add(Mark::Kind::kState, name + what,
       (name + what + ' ' + ToQString(IsGone(state) ? entry->process.reason : "")).trimmed(),
       IsGone(state));
@@ -116,8 +195,9 @@ void MarkBinding::compareConnections(const Catalog& catalogue, const TouchedPart
     const bool stands = now != nullptr && now->state == ConnectionState::kActive;
     if (stands) return false;
     const QString why = now != nullptr ? ' ' + ToQString(now->reason) : QString();
-    add(Mark::Kind::kConnection, ToQString(required.component) + " disconnected",
-        Name(required) + " is no longer connected to " + Name(provided) + why, now != nullptr);
+    add(Mark::Kind::kConnection, ToQString(required.component) + Words::tr(" disconnected"),
+        Name(required) + Words::tr(" is no longer connected to ") + Name(provided) + why,
+        now != nullptr);
     return true;
   });
   const ProcessEntry* entry = catalogue.FindProcess(part.process);
@@ -128,8 +208,9 @@ void MarkBinding::compareConnections(const Catalog& catalogue, const TouchedPart
     if (known != connections_.end() && known->second == connection.provided) continue;
     connections_[connection.required] = connection.provided;
     if (!components_.contains({part.process, connection.required.component})) continue;
-    add(Mark::Kind::kConnection, ToQString(connection.required.component) + " connected",
-        Name(connection.required) + " is connected to " + Name(connection.provided), false);
+    add(Mark::Kind::kConnection, ToQString(connection.required.component) + Words::tr(" connected"),
+        Name(connection.required) + Words::tr(" is connected to ") + Name(connection.provided),
+        false);
   }
 }
 

@@ -204,7 +204,7 @@ TEST_F(CallPanelTest, ItIsCalledByAButtonThatIsHeld) {
 
   QTest::mousePress(&Button(), Qt::LeftButton);
   EXPECT_EQ(calls_.calls.size(), 0);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return calls_.calls.size() == 1; }));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return calls_.calls.size() == 1; }, 20000));
   QTest::mouseRelease(&Button(), Qt::LeftButton);
 
   EXPECT_EQ(calls_.calls.size(), 1);
@@ -214,7 +214,7 @@ TEST_F(CallPanelTest, AButtonThatIsHeldOnCallsOnce) {
   ShowStop();
   panel_.setCareful(true);
   QTest::mousePress(&Button(), Qt::LeftButton);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return calls_.calls.size() == 1; }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return calls_.calls.size() == 1; }, 20000));
   calls_.answer(std::string(), 0.001);
 
   Q_EMIT Button().pressed();  // the pointer has left it, and come back

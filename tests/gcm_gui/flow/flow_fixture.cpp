@@ -7,7 +7,6 @@
 #include <QImage>
 #include <QPainter>
 #include <QTabBar>
-#include <map>
 #include <utility>
 
 #include "support/wait.h"
@@ -17,28 +16,35 @@ namespace {
 
 constexpr const char* kTimeout = "20000";  // ms
 
-/// Who talks to each other shares the secret of one user: ours.
-std::map<std::string, std::string> Environment(const std::string& state) {
-  return {{"XDG_RUNTIME_DIR", qEnvironmentVariable("XDG_RUNTIME_DIR").toStdString()},
-          {"XDG_STATE_HOME", state}};
-}
-
 }  // namespace
 
-std::unique_ptr<Program> FlowFixture::StartLcm(const std::string& name) const {
-  return std::make_unique<Program>(
-      Program::Words{std::string(TENDON_BIN) + "/lcm", "--name", name, "--gcm", address_,
-                     "--timeout", kTimeout, "--system", TENDON_DEMO_SYSTEM},
-      Environment(home_.path().string()));
+std::map<std::string, std::string> FlowFixture::FlowEnvironment() const {
+  return {{"XDG_RUNTIME_DIR", qEnvironmentVariable("XDG_RUNTIME_DIR").toStdString()},
+          {"XDG_STATE_HOME", home_.path().string()}};
 }
 
-void FlowFixture::SetUp() {
+std::unique_ptr<Program> FlowFixture::StartLcm(const std::string& name,
+                                               const std::string& system) const {
+  return std::make_unique<Program>(
+      Program::Words{std::string(TENDON_BIN) + "/lcm", "--name", name, "--gcm", address_,
+                     "--timeout", kTimeout, "--system", system},
+      FlowEnvironment());
+}
+
+std::unique_ptr<Program> FlowFixture::StartGcmVerb(const Program::Words& words) const {
+  Program::Words all{std::string(TENDON_BIN) + "/gcm", "--gcm", address_};
+  all.insert(all.end(), words.begin(), words.end());
+  return std::make_unique<Program>(all, FlowEnvironment());
+}
+
+void FlowFixture::StartGcm() {
   gcm_ = std::make_unique<Program>(
       Program::Words{std::string(TENDON_BIN) + "/gcm", "--gcm", address_, "serve"},
-      Environment(home_.path().string()));
+      FlowEnvironment());
   ASSERT_TRUE(EventuallyTrue([this] { return gcm_->out().starts_with("GCM at "); })) << gcm_->err();
-  robot_ = StartLcm("robot");
-  desk_ = StartLcm("desk");
+}
+
+void FlowFixture::OpenWindow() {
   const program::NetworkOptions network;
   session_ = std::make_unique<Session>(*program::MakeMiddleware(network), address_, false,
                                        Role::kOperator, std::chrono::seconds(20));
@@ -47,19 +53,31 @@ void FlowFixture::SetUp() {
   parts.console.network = network;
   parts.console.timeout = std::chrono::seconds(20);
   parts.console.color = console::ColorChoice::kNever;
+  parts.demo = QStringLiteral(TENDON_BIN "/../share/tendon/systems/demo.json");
   window_ = std::make_unique<MainWindow>(parts);
   window_->show();
   window_->activateWindow();
   ASSERT_TRUE(QTest::qWaitForWindowActive(window_.get(), kFlowPatience));
-  const auto is_active = [this](const char* process, const char* component) {
-    const auto* found = session_->store().catalogue().FindComponent(process, component);
+}
+
+void FlowFixture::SetUp() {
+  ASSERT_NO_FATAL_FAILURE(StartGcm());
+  robot_ = StartLcm("robot");
+  desk_ = StartLcm("desk");
+  ASSERT_NO_FATAL_FAILURE(OpenWindow());
+  ASSERT_TRUE(Eventually([this] { return IsDemoRunning(); })) << robot_->err() << desk_->err();
+}
+
+bool FlowFixture::IsDemoRunning() const {
+  const Catalog& catalogue = session_->store().catalogue();
+  const auto is_active = [&](const char* process, const char* component) {
+    const auto* found = catalogue.FindComponent(process, component);
     return found != nullptr && found->state == ComponentState::kActive;
   };
-  ASSERT_TRUE(Eventually([&] {
-    return is_active("robot", "arm") && is_active("desk", "teleoperation") &&
-           session_->store().catalogue().FindConnection({"desk", "supervisor", "Robot"}) != nullptr;
-  })) << robot_->err()
-      << desk_->err();
+  return is_active("robot", "arm") && is_active("robot", "host_monitor") &&
+         is_active("desk", "teleoperation") && is_active("desk", "supervisor") &&
+         is_active("desk", "old_arm") &&
+         catalogue.FindConnection({"desk", "supervisor", "Robot"}) != nullptr;
 }
 
 void FlowFixture::TearDown() {

@@ -6,6 +6,7 @@
 
 #include <QTest>
 #include <functional>
+#include <map>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -23,6 +24,10 @@ class FlowFixture : public ::testing::Test {
   void SetUp() override;
   void TearDown() override;
 
+  /// In place of the one before.
+  void StartGcm();
+  void OpenWindow();
+  [[nodiscard]] bool IsDemoRunning() const;
   [[nodiscard]] bool Eventually(const std::function<bool()>& holds) {
     return QTest::qWaitFor(holds, kFlowPatience);
   }
@@ -40,7 +45,12 @@ class FlowFixture : public ::testing::Test {
   /// Pictures of the window for people: dark and light, with one and two dots a pixel.
   void Grab(const QString& name);
 
-  std::unique_ptr<Program> StartLcm(const std::string& name) const;
+  /// Who talks to each other shares the secret of one user: ours.
+  [[nodiscard]] std::map<std::string, std::string> FlowEnvironment() const;
+  std::unique_ptr<Program> StartLcm(const std::string& name,
+                                    const std::string& system = TENDON_DEMO_SYSTEM) const;
+  /// `gcm` with these words, as another program on this machine.
+  std::unique_ptr<Program> StartGcmVerb(const Program::Words& words) const;
 
   const std::string address_ = "127.0.0.1:" + std::to_string(FreePort());
   const test::Folder home_;

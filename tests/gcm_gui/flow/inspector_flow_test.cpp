@@ -122,7 +122,7 @@ TEST_F(InspectorFlow, AFavouriteWaitsForItsComponentAndHealsWhenItReturns) {
   robot_.reset();  // killed
   EXPECT_TRUE(Eventually([&] { return !favourite.isEnabled(); }));
   robot_ = StartLcm("robot");
-  EXPECT_TRUE(Eventually([&] { return favourite.isEnabled(); }));
+  EXPECT_TRUE(Eventually([&] { return favourite.isEnabled() && IsDemoRunning(); }));
   Click(favourite);
   EXPECT_TRUE(Called(2));
 }

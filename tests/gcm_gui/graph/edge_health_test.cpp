@@ -1,38 +1,85 @@
 #include <gcm_gui/graph/edge_health.h>
 #include <gtest/gtest.h>
 
+#include <QSet>
 #include <QSignalSpy>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "support/fakes.h"
-#include "support/sample_system.h"
 
 namespace tendon::gui {
 namespace {
 
 class EdgeHealthTest : public ::testing::Test {
  protected:
-  EdgeHealthTest() { store_.apply(system_.TakeChanges()); }
+  EdgeHealthTest() { reports_.answers_counts = false; }
 
-  SystemBuilder system_ = LookSystem(0);
-  CatalogueStore store_;
-  ScriptedChecks checks_;
-  EdgeHealth health_{store_, checks_};
-  QSignalSpy found_{&health_, &EdgeHealth::found};
-};
-
-TEST_F(EdgeHealthTest, OneIsAskedAboutAfterTheOther) {
-  health_.look();
-  health_.look();
-  ASSERT_EQ(checks_.counted.size(), 1) << "the first has not answered";
-
-  for (int i = 0; i < 3; ++i) {
-    checks_.counts(ConnectionCounts{});
-    health_.look();
+  static InterfaceName Client(int i) { return {"desk", "client" + std::to_string(i), "Robot"}; }
+  void See(int count) {
+    for (int i = 0; i < count; ++i) seen_.push_back(Client(i));
+  }
+  void AnswerAll(const Result<ConnectionCounts>& counts) {
+    for (const auto& handler : std::exchange(reports_.count_handlers, {})) handler(counts);
   }
 
-  ASSERT_EQ(checks_.counted.size(), 4);
-  EXPECT_EQ(QStringList(checks_.counted.mid(0, 3)).removeDuplicates(), 0);
-  EXPECT_EQ(checks_.counted[3], checks_.counted[0]) << "there are three";
+  ScriptedReports reports_;
+  std::vector<InterfaceName> seen_;
+  EdgeHealth health_{reports_, [this] { return seen_; }};
+  QSignalSpy found_{&health_, &EdgeHealth::found};
+  QSignalSpy counted_{&health_, &EdgeHealth::counted};
+};
+
+TEST_F(EdgeHealthTest, OnlyWhatCanBeSeenIsAskedAbout) {
+  health_.look();
+  EXPECT_TRUE(reports_.counted.isEmpty());
+
+  See(2);
+  health_.look();
+
+  EXPECT_EQ(reports_.counted, (QStringList{"desk/client0/Robot", "desk/client1/Robot"}));
+}
+
+TEST_F(EdgeHealthTest, OfManyAFewAreAskedAboutAtOnceAndAllInTurn) {
+  See(20);
+  const auto most = static_cast<qsizetype>(EdgeHealth::kMostAtOnce);
+
+  health_.look();
+  health_.look();
+  EXPECT_EQ(reports_.counted.size(), most) << "the first have not answered";
+
+  for (int i = 0; i < 2; ++i) {
+    AnswerAll(ConnectionCounts{});
+    health_.look();
+  }
+  EXPECT_EQ(reports_.counted.size(), 3 * most);
+  EXPECT_EQ(QSet<QString>(reports_.counted.begin(), reports_.counted.end()).size(), 20);
+}
+
+TEST_F(EdgeHealthTest, TheOneThatIsPointedAtIsAskedAboutAtOnceAndTold) {
+  health_.point("desk/client3/Robot");
+  ASSERT_EQ(reports_.counted, QStringList{"desk/client3/Robot"});
+
+  ConnectionCounts counts;
+  counts.taken = 12;
+  AnswerAll(counts);
+
+  ASSERT_EQ(counted_.size(), 1);
+  EXPECT_TRUE(counted_[0][1].toStringList().contains("12 calls and events"));
+
+  health_.point({});
+  health_.look();
+  EXPECT_EQ(reports_.counted.size(), 1);
+}
+
+TEST_F(EdgeHealthTest, WithoutAnAnswerTheReasonIsTold) {
+  health_.point("desk/client3/Robot");
+
+  AnswerAll(Error{ErrorCode::kTimeout, "no answer from desk in 1 s"});
+
+  ASSERT_EQ(counted_.size(), 1);
+  EXPECT_EQ(counted_[0][1].toStringList(), QStringList{"no answer from desk in 1 s"});
 }
 
 TEST_F(EdgeHealthTest, WhatIsLostMeanwhileIsAWarningOnce) {

@@ -1,10 +1,15 @@
+#include <gcm_gui/graph/emphasis/graph_hover.h>
 #include <gcm_gui/graph/items/component_item.h>
+#include <gcm_gui/graph/search/graph_search.h>
 #include <gcm_gui/models/text.h>
 #include <gtest/gtest.h>
 #include <tendon/base/os/thread.h>
 
 #include <QCoreApplication>
+#include <QLineEdit>
 #include <QString>
+#include <QTest>
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <string>
@@ -69,6 +74,48 @@ TEST_F(GraphScaleTest, AThousandComponentsAreShownAndFollowed) {
     selection_.select(QString::fromStdString(LargeProcess(9) + '/' + LargeComponent(9)));
   });
   Time("nothing is known any more", [&] { scene_.setOutdated(true); });
+}
+
+TEST_F(GraphScaleTest, PanningDrawsLessFromFarAwayAndNearOnlyWhatIsSeen) {
+  view_.show();
+  Show();
+  while (store_.isTelling()) QCoreApplication::processEvents();
+  view_.fit();
+  const auto ports = scene_.ports();
+  const auto are_drawn = [&] {
+    const QRectF seen = view_.seen();
+    return std::any_of(ports.begin(), ports.end(), [&](const auto* port) {
+      return port->isVisible() && seen.contains(port->scenePos());
+    });
+  };
+  const auto pan = [&](const char* what) {
+    QTest::keyClick(&view_, Qt::Key_Right, Qt::ShiftModifier);
+    view_.viewport()->repaint();
+    Time(what, [&] {
+      QTest::keyClick(&view_, Qt::Key_Right, Qt::ShiftModifier);
+      view_.viewport()->repaint();
+    });
+  };
+
+  pan("a step of panning over all of it");
+  EXPECT_FALSE(are_drawn());
+
+  view_.goTo(QString::fromStdString(LargeProcess(9) + '/' + LargeComponent(9)));
+  while (view_.transform().m11() < 1) view_.zoomIn();
+  pan("a step of panning at 1:1");
+  EXPECT_LT(view_.items(view_.viewport()->rect()).size(), 1000);
+  EXPECT_TRUE(are_drawn());
+
+  Time("the pointer comes to one", [&] {
+    scene_.hover().pointNow(QString::fromStdString(LargeProcess(9) + '/' + LargeComponent(9)));
+  });
+  GraphSearch search(view_);
+  search.open();
+  Time("a word is looked for", [&] { search.field().setText("component_1"); });
+  EXPECT_FALSE(search.found().isEmpty());
+  Time("one is carried", [&] {
+    scene_.carry({{QString::fromStdString(LargeProcess(9) + '/' + LargeComponent(9)), {0, 0}}});
+  });
 }
 
 }  // namespace

@@ -1,9 +1,11 @@
 #include <gcm_gui/models/filter/catalogue_filter.h>
+#include <gcm_gui/models/row_roles.h>
 #include <gtest/gtest.h>
 
 #include <QAbstractItemModelTester>
 #include <QSignalSpy>
 #include <QTest>
+#include <random>
 
 #include "support/sample_system.h"
 
@@ -106,6 +108,107 @@ TEST_F(CatalogueFilterTest, FollowsTheModelWhileItFilters) {
   store_.apply(system.TakeChanges());
 
   EXPECT_FALSE(Shows("desk/teleoperation"));
+}
+
+TEST_F(CatalogueFilterTest, WhatComesAndGoesTakesAlongWhatStandsAboveItForItsSakeAlone) {
+  SystemBuilder system = LookSystem(0);
+  (void)system.TakeChanges();
+  filter_.applyText("getwrench");
+  const int before = filter_.matchCount();
+  ComponentDescription sensor = *system.catalog().FindComponent("robot", "force_sensor");
+  sensor.name = "second";
+
+  system.Process("lab").Component("lab", Task("other", 0, {})).Component("lab", sensor);
+  store_.apply(system.TakeChanges());
+  EXPECT_TRUE(Shows("lab/second/Wrench.GetWrench"));
+  EXPECT_FALSE(Shows("lab/other"));
+  EXPECT_EQ(filter_.matchCount(), before + 1);
+
+  system.RemoveComponent("lab", "second");
+  store_.apply(system.TakeChanges());
+  EXPECT_FALSE(Shows("lab"));
+  EXPECT_EQ(filter_.matchCount(), before);
+
+  filter_.applyText({});
+  EXPECT_TRUE(Shows("lab/other"));
+}
+
+TEST_F(CatalogueFilterTest, ValuesOfRowsThatAreShownGoOn) {
+  filter_.applyText("joints");
+  QSignalSpy changed(&filter_, &QAbstractItemModel::dataChanged);
+  const auto shape =
+      std::make_shared<const std::vector<PlotChannel>>(Channels(Schema(Schema::Kind::kFloat64)));
+
+  model_.showValues("robot/arm/state.Joints", {shape, {0.5}, {}});
+  EXPECT_GE(changed.count(), 1);
+  const QModelIndex row = filter_.indexOf("robot/arm/state.Joints");
+  EXPECT_EQ(row.siblingAtColumn(CatalogueModel::kValue).data().toString(), "0.5000");
+
+  filter_.applyText("getwrench");
+  changed.clear();
+  model_.showValues("robot/arm/state.Joints", {shape, {0.75}, {}});
+  EXPECT_EQ(changed.count(), 0);
+}
+
+QStringList ShownPaths(const CatalogueFilter& filter, const QModelIndex& parent) {
+  QStringList paths;
+  for (int row = 0; row < filter.rowCount(parent); ++row) {
+    const QModelIndex index = filter.index(row, 0, parent);
+    paths.append(index.data(kPathRole).toString());
+    paths += ShownPaths(filter, index);
+  }
+  return paths;
+}
+
+/// By looking at everything.
+QStringList WantedPaths(const FilterExpression& expression, const CatalogueItem& item) {
+  QStringList paths;
+  for (const auto& child : item.children) paths += WantedPaths(expression, *child);
+  if (!paths.isEmpty() || expression.Matches(item)) paths.prepend(item.path);
+  return paths;
+}
+
+/// Any change at any time; QAbstractItemModelTester aborts on the first inconsistency.
+TEST_F(CatalogueFilterTest, FollowsRandomChangesAndShowsWhatANewFilterWould) {
+  SystemBuilder system;
+  std::mt19937 random(20261123);
+  const auto pick = [&](int count) {
+    return static_cast<int>(random() % static_cast<unsigned>(count));
+  };
+  const auto process = [&] { return "p" + std::to_string(pick(3)); };
+  const auto component = [&] { return "c" + std::to_string(pick(4)); };
+  const QStringList filters{"x1", "type:required state:!connected", "c1 -state", "state:lost", ""};
+  store_.replace(system.catalog());
+  for (int step = 0; step < 500; ++step) {
+    if (step % 50 == 0) filter_.applyText(filters[step / 50 % filters.size()]);
+    switch (pick(6)) {
+      case 0:
+        system.Process(process(), pick(2) == 0 ? ProcessState::kLost : ProcessState::kAlive, step);
+        break;
+      case 1:
+        pick(2) == 0 ? system.RemoveProcess(process())
+                     : system.RemoveComponent(process(), component());
+        break;
+      case 2:
+        system.Connect({process(), component(), "Arm"}, {process(), component(), "state"});
+        break;
+      default: {
+        std::vector<ColumnDescription> columns;
+        for (int i = pick(3); i >= 0; --i) columns.push_back(Column("x" + std::to_string(i), "t"));
+        ComponentDescription task = Task(component(), 0, columns);
+        if (pick(2) == 0) task.required.push_back({"Arm", {Read("Get", "t")}, {}, false});
+        system.Component(process(), task);
+      }
+    }
+    store_.apply(system.TakeChanges());
+
+    const FilterExpression expression(filters[step / 50 % filters.size()]);
+    QStringList wanted;
+    for (int row = 0; row < model_.rowCount({}); ++row) {
+      wanted += WantedPaths(expression, *model_.item(model_.index(row, 0, {})));
+    }
+    ASSERT_EQ(ShownPaths(filter_, {}), wanted) << "after step " << step;
+  }
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
+#include <gcm_gui/pictures/raw_picture.h>
 #include <gcm_gui/session/live_signals.h>
 #include <gtest/gtest.h>
 #include <tendon/payload/codec.h>
+#include <tendon/payload/robot/image.h>
 
 #include <QSignalSpy>
 #include <map>
@@ -203,6 +205,38 @@ TEST_F(LiveSignalsTest, WhatIsStillUsedIsKept) {
   for (int sweep = 0; sweep < 10; ++sweep) live_.dropUnused();
 
   EXPECT_EQ(telemetry_.entries.size(), 1u);
+}
+
+TEST_F(LiveSignalsTest, AColumnThatHoldsAPictureIsOneAndItsBytesAreNoNumbers) {
+  QObject owner;
+  live_.watch(&owner, {"robot/arm/state.Video"});
+  robot::Image image;
+  image.width = 40;
+  image.height = 30;
+  image.encoding = "mono8";
+  image.step = 40;
+  image.data.assign(1200, 7);
+  ColumnValues heard;
+  QObject::connect(&live_, &SignalSource::valuesArrived, &owner,
+                   [&](const QString&, const ColumnValues& values) { heard = values; });
+
+  Sink().OnSubscribed({SchemaOf<robot::Image>()});
+  const std::vector<std::uint64_t> ticks{1};
+  const std::vector<std::int64_t> times{1};
+  std::vector<std::byte> cell;
+  Encode(image, cell);
+  RowBatch batch;
+  batch.count = 1;
+  batch.ticks = ticks;
+  batch.times = times;
+  batch.cell = [&](std::size_t, std::size_t) { return std::span<const std::byte>(cell); };
+  Sink().OnRows(batch);
+  live_.drainValues();
+
+  ASSERT_NE(heard.picture, nullptr);
+  EXPECT_EQ(heard.picture->width, 40U);
+  EXPECT_EQ(heard.picture->data.size(), 1200);
+  EXPECT_LT(heard.channels->size(), 20U);
 }
 
 TEST_F(LiveSignalsTest, WhatIsNoPathOfAColumnIsLeftAlone) {

@@ -52,10 +52,11 @@ class SessionTest : public ::testing::Test {
     return QTest::qWaitFor(holds, kSessionPatience);
   }
   bool EverythingIsThere() {
-    return Eventually([&] {
-      return Catalogue().FindProvided(kPlantControl) != nullptr &&
-             Catalogue().FindRequired(kOperated) != nullptr;
-    });
+    const auto is_active = [&](const char* process, const char* component) {
+      const auto* found = Catalogue().FindComponent(process, component);
+      return found != nullptr && found->state == ComponentState::kActive;
+    };
+    return Eventually([&] { return is_active("robot", "plant") && is_active("desk", "operator"); });
   }
 
   QTemporaryDir folder_;
@@ -89,7 +90,27 @@ TEST_F(SessionTest, ConnectsDisconnectsAndUndoesWithoutWaiting) {
   EXPECT_FALSE(session_->activity().action(0).refusal.isEmpty());
 }
 
-TEST_F(SessionTest, WhatWasOrderedOfAComponentElsewhereIsNotTakenBackByTheWindow) {
+TEST_F(SessionTest, WhatAnotherHasDoneIsTakenBackAtTheSecondTime) {
+  ASSERT_TRUE(EverythingIsThere());
+  GcmClient console(Node(), {.name = "gcm connect", .address = manager_->address()});
+  ASSERT_TRUE(console.WaitUntilWatching().ok());
+  std::atomic<bool> is_recorded = false;
+  console.Connect(kOperated, kPlantControl, [&](const auto&) { is_recorded = true; });
+  ASSERT_TRUE(Eventually([&] { return is_recorded && IsConnected(); }));
+
+  session_->undo();
+  ASSERT_TRUE(Eventually(
+      [&] { return session_->activity().action(0).outcome == Action::Outcome::kRefused; }));
+  const QString refusal = session_->activity().action(0).refusal;
+  EXPECT_TRUE(refusal.contains("by gcm connect ") && refusal.contains(" ago"))
+      << refusal.toStdString();
+  EXPECT_TRUE(IsConnected());
+
+  session_->undo();
+  EXPECT_TRUE(Eventually([&] { return Catalogue().FindConnection(kOperated) == nullptr; }));
+}
+
+TEST_F(SessionTest, WhatWasOrderedOfAComponentIsTakenBackAtTheSecondTime) {
   ASSERT_TRUE(EverythingIsThere());
   GcmClient console(Node(), {.name = "gcm stop", .address = manager_->address()});
   ASSERT_TRUE(console.WaitUntilWatching().ok());
@@ -103,6 +124,7 @@ TEST_F(SessionTest, WhatWasOrderedOfAComponentElsewhereIsNotTakenBackByTheWindow
       [&] { return session_->activity().action(0).outcome == Action::Outcome::kRefused; }));
 
   EXPECT_TRUE(session_->activity().action(0).refusal.contains("stop robot/plant"));
+  EXPECT_TRUE(session_->activity().action(0).refusal.contains("in motion"));
   EXPECT_EQ(robot_->Find("plant")->state(), ComponentState::kFinished);
 }
 

@@ -79,7 +79,10 @@ TEST_F(PlotLayoutTest, IsKeptInAFileAndAFileThatIsNoneIsTold) {
   const QTemporaryDir folder;
   const QString file = folder.filePath("mine.plots.json");
   panel_.addSignal(kOld, "rad");
+  QSignalSpy saved(&panel_, &PlotPanel::notice);
   panel_.saveLayout(file);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return saved.count() == 1; }, 20'000));
+  EXPECT_EQ(saved[0][0].toString(), file + " saved");
   PlotPanel other;
   other.openLayout(file);
   EXPECT_EQ(other.paths(), QStringList{kOld});

@@ -79,17 +79,22 @@ TEST_F(PlotMenuTest, ThePictureIsCopied) {
 
 TEST_F(PlotMenuTest, ThePictureIsSavedAsPointsOrAsLines) {
   const QTemporaryDir folder;
+  const auto save = [this](const QString& file) {
+    QString told;
+    SavePicture(view(), file, &view(), [&told](const QString& sentence) { told = sentence; });
+    EXPECT_TRUE(QTest::qWaitFor([&told] { return !told.isEmpty(); }, 20'000));
+    return told;
+  };
 
-  EXPECT_EQ(SavePicture(view(), folder.filePath("a.png")), folder.filePath("a.png") + " saved");
+  EXPECT_EQ(save(folder.filePath("a.png")), folder.filePath("a.png") + " saved");
   EXPECT_EQ(QImage(folder.filePath("a.png")).size(), view().size() * 2);
-  EXPECT_EQ(SavePicture(view(), folder.filePath("a.svg")), folder.filePath("a.svg") + " saved");
+  EXPECT_EQ(save(folder.filePath("a.svg")), folder.filePath("a.svg") + " saved");
   QFile svg(folder.filePath("a.svg"));
   ASSERT_TRUE(svg.open(QIODevice::ReadOnly));
   const std::string text = svg.readAll().toStdString();
   EXPECT_THAT(text, testing::HasSubstr("<path"));
   EXPECT_THAT(text, testing::Not(testing::HasSubstr("<image")));
-  EXPECT_THAT(SavePicture(view(), "/no/such/folder/a.png").toStdString(),
-              testing::HasSubstr("was not saved"));
+  EXPECT_THAT(save("/no/such/folder/a.png").toStdString(), testing::HasSubstr("was not saved"));
 }
 
 }  // namespace

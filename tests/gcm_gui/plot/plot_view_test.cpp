@@ -115,14 +115,15 @@ TEST_F(PlotViewTest, TheCanvasStaysWhereItIsWithASecondAxisAndWithLongerNumbers)
   EXPECT_EQ(view_.canvas()->geometry(), before);
 }
 
-TEST_F(PlotViewTest, AThirdUnitIsDrawnThoughItHasNoAxisOfItsOwn) {
-  view_.addCurve({"p/a/state.x", "rad"}).append(Rows(0, 10'000));
-  view_.addCurve({"p/a/state.v", "rad/s"}).append(Rows(0, 10'000));
+TEST_F(PlotViewTest, AFifthUnitIsDrawnThoughItHasNoAxisOfItsOwn) {
+  for (const char* unit : {"rad", "rad/s", "V", "A"}) {
+    view_.addCurve({QString("p/a/state.") + unit, unit}).append(Rows(0, 10'000));
+  }
   view_.addCurve({"p/a/state.t", "Nm"}).append(Rows(0, 10'000, [](double t) {
     return 1e5 * std::cos(t);
   }));
 
-  EXPECT_GT(pixelsOf(Painted(view_), Theme::instance().curve(2)), 500);
+  EXPECT_GT(pixelsOf(Painted(view_), Theme::instance().curve(4)), 500);
 }
 
 TEST_F(PlotViewTest, PausingStopsTheViewAndLosesNoSample) {

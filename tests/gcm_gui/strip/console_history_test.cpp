@@ -1,10 +1,18 @@
 #include <gcm_gui/console/console_history.h>
+#include <gcm_gui/files/file_writer.h>
 #include <gtest/gtest.h>
 
+#include <QCoreApplication>
+#include <QDir>
+#include <QFile>
+#include <QSignalSpy>
 #include <QTemporaryDir>
+#include <chrono>
 
 namespace tendon::gui {
 namespace {
+
+constexpr std::chrono::seconds kPatience{20};
 
 TEST(ConsoleHistory, UpGoesBackAndDownComesToWhatWasTyped) {
   ConsoleHistory history;
@@ -40,8 +48,35 @@ TEST(ConsoleHistory, TheNextWindowKnowsWhatWasTyped) {
   const QTemporaryDir folder;
   const QString file = folder.filePath("below/console");
   ConsoleHistory(file).add("ls größe");
+  ASSERT_TRUE(FileWriter::instance().waitForWritten(kPatience));
 
   EXPECT_EQ(ConsoleHistory(file).lines(), QStringList{"ls größe"});
+}
+
+TEST(ConsoleHistory, ThatItCannotBeKeptIsSaidOnceUntilItCanAgain) {
+  const QTemporaryDir folder;
+  const QString file = folder.filePath("console");
+  ASSERT_TRUE(QDir().mkdir(file));  // in the way of the file
+  ConsoleHistory history(file);
+  QSignalSpy notice(&history, &ConsoleHistory::notice);
+  const auto add = [&](const QString& line) {
+    history.add(line);
+    EXPECT_TRUE(FileWriter::instance().waitForWritten(kPatience));
+    QCoreApplication::processEvents();
+  };
+
+  add("ls");
+  add("status");
+  ASSERT_EQ(notice.count(), 1);
+  EXPECT_TRUE(notice[0][0].toString().startsWith(file + " was not saved: "));
+  EXPECT_EQ(history.lines().size(), 2);
+
+  ASSERT_TRUE(QDir().rmdir(file));
+  add("top");
+  EXPECT_EQ(ConsoleHistory(file).lines(), (QStringList{"ls", "status", "top"}));
+  ASSERT_TRUE(QFile::remove(file) && QDir().mkdir(file));
+  add("tree");
+  EXPECT_EQ(notice.count(), 2);
 }
 
 }  // namespace

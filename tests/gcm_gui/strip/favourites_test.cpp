@@ -1,11 +1,13 @@
 #include <gcm_gui/call/favourites/favourite_bar.h>
 #include <gcm_gui/call/favourites/favourites.h>
 #include <gcm_gui/call/hold_button.h>
+#include <gcm_gui/files/file_writer.h>
 #include <gtest/gtest.h>
 
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <chrono>
 
 #include "support/fakes.h"
 #include "support/sample_system.h"
@@ -13,6 +15,7 @@
 namespace tendon::gui {
 namespace {
 
+constexpr std::chrono::seconds kPatience{20};
 const Favourite kStop{"robot/controller/Control.Stop", ""};
 
 TEST(Favourites, TheyAreThereTheNextTime) {
@@ -25,10 +28,24 @@ TEST(Favourites, TheyAreThereTheNextTime) {
     favourites.add({"a/b/C.Set", "{\"x\":1}"});
   }
 
+  ASSERT_TRUE(FileWriter::instance().waitForWritten(kPatience));
   Favourites again(file);
   EXPECT_EQ(again.all(), (QList<Favourite>{kStop, {"a/b/C.Set", "{\"x\":1}"}}));
   again.remove(kStop);
+  ASSERT_TRUE(FileWriter::instance().waitForWritten(kPatience));
   EXPECT_EQ(Favourites(file).all().size(), 1);
+}
+
+TEST(Favourites, ThatTheyCannotBeKeptIsSaid) {
+  const QTemporaryDir folder;
+  Favourites favourites(folder.path());  // which is no file
+  QSignalSpy notice(&favourites, &Favourites::notice);
+
+  favourites.add(kStop);
+
+  ASSERT_TRUE(QTest::qWaitFor([&] { return notice.count() == 1; }, 20000));
+  EXPECT_TRUE(notice[0][0].toString().startsWith(folder.path() + " was not saved: "));
+  EXPECT_EQ(favourites.all().size(), 1);
 }
 
 TEST(Favourites, AButtonWaitsForItsComponent) {

@@ -41,9 +41,10 @@ void ScriptedReports::listen(const QObject* owner, const QStringList& patterns) 
   wanted_[owner] = patterns;
 }
 
-void ScriptedReports::askCounts(const InterfaceName& /*required*/,
-                                Handler<ConnectionCounts> handler) {
-  handler(counts);
+void ScriptedReports::askCounts(const InterfaceName& required, Handler<ConnectionCounts> handler) {
+  counted.append(Name(required));
+  if (answers_counts) return handler(counts);
+  count_handlers.push_back(std::move(handler));
 }
 
 void ScriptedReports::askFill(const std::string& /*process*/, const std::string& /*component*/,
@@ -81,11 +82,6 @@ void ScriptedChecks::diagnose(const message::Wire& wire, DiagnosisHandler handle
   diagnosis = std::move(handler);
 }
 
-void ScriptedChecks::findCounts(const InterfaceName& required, CountsHandler handler) {
-  counted.append(QString::fromStdString(ToString(required)));
-  counts = std::move(handler);
-}
-
 void ScriptedSignals::watch(const QObject* owner, const QSet<QString>& columns) {
   watched_[owner] = columns;
 }
@@ -101,6 +97,12 @@ void ScriptedSignals::send(const QString& column, const Schema& schema,
   ChannelList& shape = shapes_[column];
   if (shape == nullptr) shape = std::make_shared<const std::vector<PlotChannel>>(Channels(schema));
   Q_EMIT valuesArrived(column, ColumnValues{shape, values, {}});
+}
+
+void ScriptedSignals::sendPicture(const QString& column, const RawPicture& picture) {
+  ChannelList& shape = shapes_[column];
+  if (shape == nullptr) shape = std::make_shared<const std::vector<PlotChannel>>();
+  Q_EMIT valuesArrived(column, {shape, {}, {}, std::make_shared<const RawPicture>(picture)});
 }
 
 Schema JointSchema(std::uint32_t joints) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <gcm_gui/pictures/raw_picture.h>
 #include <gcm_gui/reports/system_reports.h>
 #include <gcm_gui/session/command_calls.h>
 #include <gcm_gui/session/connection_checks.h>
@@ -48,12 +49,9 @@ class ScriptedCalls final : public CommandCalls {
 class ScriptedChecks final : public ConnectionChecks {
  public:
   void diagnose(const message::Wire& wire, DiagnosisHandler handler) override;
-  void findCounts(const InterfaceName& required, CountsHandler handler) override;
 
   std::vector<message::Wire> diagnosed;
   DiagnosisHandler diagnosis;  ///< of the newest question
-  QStringList counted;
-  CountsHandler counts;  ///< of the newest question
 };
 
 /// Remembers the plan; the test says how its steps went.
@@ -93,6 +91,8 @@ class ScriptedSignals final : public SignalSource {
   [[nodiscard]] QSet<QString> watched() const;
   /// A newest row of `column`, whose value has this schema.
   void send(const QString& column, const Schema& schema, const std::vector<double>& values);
+  /// The same, of a column that holds a picture.
+  void sendPicture(const QString& column, const RawPicture& picture);
 
   QMap<QString, int> subscribed;
 
@@ -122,6 +122,9 @@ class ScriptedReports final : public SystemReports {
   bool watches_log = false;
   Result<message::SystemHealth> health = message::SystemHealth();
   Result<ConnectionCounts> counts = Error{ErrorCode::kNotFound, "nothing is known"};
+  QStringList counted;         ///< of which connections the counts were asked
+  bool answers_counts = true;  ///< at once; else the test does
+  std::vector<Handler<ConnectionCounts>> count_handlers;  ///< that wait for the test
   Result<MailboxFill> fill = MailboxFill();
 
  private:

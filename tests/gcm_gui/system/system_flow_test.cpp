@@ -110,6 +110,7 @@ class SystemFlowTest : public ::testing::Test {
     for (const auto& [choice, word] :
          {std::pair{Theme::Choice::kDark, "dark"}, std::pair{Theme::Choice::kLight, "light"}}) {
       Theme::instance().choose(choice);
+      QTest::qWait(100);  // timers that lay out and draw have their turn
       for (const int scale : {1, 2}) {
         QImage image(window_->size() * scale, QImage::Format_RGB32);
         image.setDevicePixelRatio(scale);
@@ -183,6 +184,7 @@ TEST_F(SystemFlowTest, AFileThatIsOpenedShowsItsPlanAndWaits) {
   session_->disconnectInterface(kFlowRequired);
   ASSERT_TRUE(Eventually([&] { return !IsConnected(); }));
   Open({}, Role::kOperator);
+  ASSERT_TRUE(EverythingIsThere());
 
   window_->files().bringUp(File());
 
@@ -200,6 +202,7 @@ TEST_F(SystemFlowTest, AViewersWindowSaysWhyItChangesNothing) {
   ASSERT_TRUE(Eventually([&] { return !IsConnected(); }));
   const QString reason = "this window only looks";
   Open(reason, Role::kViewer);
+  ASSERT_TRUE(EverythingIsThere());
 
   window_->files().bringUp(File());
 

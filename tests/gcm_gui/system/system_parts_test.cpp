@@ -32,7 +32,7 @@ TEST(SystemParts, WhatTheOtherLacksIsRemoved) {
   without.connections.clear();
 
   const auto differences =
-      CompareSystems(ArmSystem(), without, Threads::kUnknownInSecond).differences;
+      CompareSystems(ArmSystem(), without, Starts::kUnknownInSecond).differences;
 
   ASSERT_EQ(differences.size(), 1);
   EXPECT_EQ(WithPartOf(ArmSystem(), without, differences[0].what), without);

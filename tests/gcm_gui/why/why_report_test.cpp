@@ -53,22 +53,5 @@ TEST_F(WhyReportTest, AUserWhoAsksMeansWhatWasRefusedThenWhatIsConnectedThenTheB
   EXPECT_EQ(LikelyProvider(system_.catalog(), refusals_, kReported), kController);
 }
 
-TEST_F(WhyReportTest, ItSaysWhatARefusedRequestHasLeft) {
-  const auto left = [&] {
-    return LeftoversOf(system_.catalog(), {kReported, kController}).join(' ');
-  };
-  EXPECT_EQ(left(), "Rolled back: nothing of it is left in desk");
-
-  system_.Connect(kReported, {"robot", "arm", "Drives"});
-  EXPECT_EQ(left(),
-            "Rolled back: desk/teleoperation/Robot is connected to robot/arm/Drives as before");
-
-  system_.Connect(kReported, kController, ConnectionState::kPending);
-  EXPECT_EQ(left(), "Kept: desk makes it as soon as it can");
-
-  system_.Process("desk", ProcessState::kLost);
-  EXPECT_EQ(left(), "Rolled back: not known while desk is not there");
-}
-
 }  // namespace
 }  // namespace tendon::gui

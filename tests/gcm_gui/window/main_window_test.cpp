@@ -2,6 +2,7 @@
 #include <gcm_gui/activity/activity_strip.h>
 #include <gcm_gui/connect/candidate_list.h>
 #include <gcm_gui/connect/candidate_panel.h>
+#include <gcm_gui/console/console_page.h>
 #include <gcm_gui/graph/graph_view.h>
 #include <gcm_gui/graph/items/component_item.h>
 #include <gcm_gui/inspector/inspector.h>
@@ -405,6 +406,12 @@ TEST_F(MainWindowTest, ALostProcessCanBeForgotten) {
   QTest::mouseClick(window_.findChild<QPushButton*>("forget"), Qt::LeftButton);
 
   EXPECT_EQ(actions_.asked, QStringList{"forget vision"});
+}
+
+TEST_F(MainWindowTest, WhatTheConsoleCannotKeepIsSaidInTheWindow) {
+  Q_EMIT window_.strip().console().notice("console was not saved: the disk is full");
+
+  EXPECT_EQ(Notice(), "console was not saved: the disk is full");
 }
 
 TEST_F(MainWindowTest, WithNothingRunningItSaysWhatToStart) {

@@ -1,10 +1,12 @@
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/plot/plot_panel.h>
+#include <gcm_gui/window/plots/audit_line.h>
 #include <gcm_gui/window/plots/mark_binding.h>
 #include <gmock/gmock.h>
 
 #include <chrono>
 
+#include "support/fakes.h"
 #include "support/sample_system.h"
 
 namespace tendon::gui {
@@ -13,6 +15,8 @@ namespace {
 std::int64_t SteadyTime() {
   return std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
+
+const QString kSignal = QStringLiteral("robot/arm/state.Joints.position[0]");
 
 class MarkBindingTest : public testing::Test {
  protected:
@@ -28,11 +32,25 @@ class MarkBindingTest : public testing::Test {
     activity_.finish(activity_.begin(std::move(action)), 0.01, refusal);
   }
 
+  void raise(const QString& path, std::int64_t when = WallClock()) {
+    Q_EMIT reports_.eventsArrived({{when, path, "{\"joint\": 2}"}});
+  }
+  /// A line of robot's audit log.
+  void sent(const std::string& what, bool is_current) {
+    LogBatch batch{.is_current = is_current};
+    batch.records.push_back({.time = WallClock(),
+                             .process = "robot",
+                             .source = "audit",
+                             .text = "desk (operator, 10.0.0.7:1): call a command " + what});
+    Q_EMIT reports_.logArrived(batch);
+  }
+
   SystemBuilder system_ = LookSystem(0);
   CatalogueStore store_;
   ActivityModel activity_;
   PlotPanel panel_;
-  MarkBinding binding_{panel_, store_, activity_};
+  ScriptedReports reports_;
+  MarkBinding binding_{panel_, store_, activity_, reports_};
   const InterfaceName required_{"desk", "teleoperation", "Robot"};
   const InterfaceName provided_{"robot", "controller", "Control"};
 };
@@ -88,11 +106,93 @@ TEST_F(MarkBindingTest, ACallIsMarkedWhenItWasMadeAndARefusalIsBad) {
   EXPECT_GE(first.time_ns, before - kClocksApart);
 }
 
-TEST_F(MarkBindingTest, AnEventIsMarkedAtTheTimeItCame) {
-  binding_.markEvent("robot/arm/Control.LimitExceeded", "{\"joint\": 2}", WallClock());
+TEST_F(MarkBindingTest, EventsOfWhatIsPlottedAreListenedToAndMarkedAndNoOthers) {
+  EXPECT_TRUE(reports_.listened().isEmpty());
+  panel_.addSignal(kSignal, "rad");
+  EXPECT_EQ(reports_.listened(), QStringList{"robot/arm/*"});
 
+  raise("robot/arm/Control.LimitExceeded");
+  raise("robot/sensor/Control.TooHot");
   ASSERT_EQ(labels(), QStringList{"LimitExceeded"});
   EXPECT_EQ(panel_.marks().all().back().kind, Mark::Kind::kEvent);
+  EXPECT_EQ(panel_.marks().all().back().text, "robot/arm/Control.LimitExceeded {\"joint\": 2}");
+
+  panel_.removeSignal(kSignal);
+  EXPECT_TRUE(reports_.listened().isEmpty());
+}
+
+TEST_F(MarkBindingTest, WhileMarksAreHiddenNoEventIsListenedTo) {
+  panel_.addSignal(kSignal, "rad");
+
+  panel_.setMarksShown(false);
+  EXPECT_TRUE(reports_.listened().isEmpty());
+
+  panel_.setMarksShown(true);
+  EXPECT_EQ(reports_.listened().size(), 1);
+}
+
+TEST_F(MarkBindingTest, SoManyComponentsAreListenedToAndNoMore) {
+  for (int i = 0; i < 40; ++i) panel_.addSignal(QString("robot/c%1/state.x").arg(i), "rad");
+
+  EXPECT_EQ(reports_.listened().size(), MarkBinding::kMostListenedTo);
+}
+
+TEST_F(MarkBindingTest, EventsThatComeFastAreOneMarkThatCountsThem) {
+  panel_.addSignal(kSignal, "rad");
+  const std::int64_t now = WallClock();
+  for (int i = 0; i < 10; ++i) raise("robot/arm/Control.Tick", now + i * 1'000'000);
+  raise("robot/arm/Control.Tick", now + MarkBinding::kEventPauseNs);
+
+  ASSERT_EQ(labels().size(), 2);
+  EXPECT_THAT(panel_.marks().all().back().text.toStdString(), testing::HasSubstr("9 more"));
+}
+
+TEST_F(MarkBindingTest, ACommandOfAnotherProgramIsMarkedWhenAProcessHasNotedIt) {
+  panel_.addSignal(kSignal, "rad");
+  ASSERT_TRUE(reports_.watches_log);
+  sent("before this window watched", false);
+  sent("arm/Control.MoveTo: allowed", true);  // the first that is new comes behind it
+  sent("arm/Control.MoveTo: allowed", true);
+  sent("arm/Control.Stop: refused", true);
+
+  ASSERT_EQ(labels(), (QStringList{"MoveTo", "Stop"}));
+  const Mark& mark = panel_.marks().all().front();
+  EXPECT_EQ(mark.kind, Mark::Kind::kCommand);
+  EXPECT_EQ(mark.text, "call robot/arm/Control.MoveTo by desk (operator, 10.0.0.7:1)");
+  EXPECT_TRUE(panel_.marks().all().back().is_bad);
+}
+
+TEST_F(MarkBindingTest, ACallOfThisWindowIsMarkedOnce) {
+  panel_.addSignal(kSignal, "rad");
+  sent("nothing", true);
+  Action call;
+  call.verb = Action::Verb::kCall;
+  call.command = "robot/arm/Control.MoveTo";
+  call.when = WallClock();
+  const auto id = activity_.begin(call);
+
+  sent("arm/Control.MoveTo: allowed", true);
+  activity_.finish(id, 0.01, {});
+
+  EXPECT_EQ(labels(), QStringList{"MoveTo"});
+}
+
+TEST(SentCommand, IsReadFromWhatAProcessNotes) {
+  message::LogRecord record{.process = "robot", .source = "audit"};
+  const auto path_of = [&](const char* text) {
+    record.text = text;
+    const auto sent = SentCommandOf(record);
+    return sent ? sent->path : QString();
+  };
+
+  EXPECT_EQ(path_of("desk (viewer, [::1]:7): call a command a/B.C: refused"), "robot/a/B.C");
+  EXPECT_EQ(path_of("x: call a command no: allowed (operator, y): call a command a/B.C: allowed"),
+            "robot/a/B.C");
+  EXPECT_EQ(path_of("desk (operator, y): connect a b: allowed"), QString());
+  EXPECT_EQ(path_of("desk (operator, y): call a command : allowed"), QString());
+  EXPECT_EQ(path_of("and 12 more of one program"), QString());
+  record.source = "arm";
+  EXPECT_EQ(path_of("desk (operator, y): call a command a/B.C: allowed"), QString());
 }
 
 }  // namespace

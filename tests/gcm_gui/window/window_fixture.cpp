@@ -13,4 +13,10 @@ WindowFixture::WindowFixture(std::int64_t lost_since) : system_(LookSystem(lost_
   (void)QTest::qWaitForWindowActive(&window_, kPatience);
 }
 
+WindowParts WindowFixture::Parts() {
+  WindowParts parts{store_, link_, activity_, actions_, source_, calls_, checks_, plans_, reports_};
+  parts.demo = QStringLiteral(TENDON_DEMO_SYSTEM);
+  return parts;
+}
+
 }  // namespace tendon::gui

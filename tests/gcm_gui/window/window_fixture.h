@@ -20,6 +20,7 @@ class WindowFixture : public ::testing::Test {
  protected:
   explicit WindowFixture(std::int64_t lost_since = 0);
 
+  [[nodiscard]] WindowParts Parts();
   void Show() { store_.apply(system_.TakeChanges()); }
 
   SystemBuilder system_;
@@ -32,8 +33,7 @@ class WindowFixture : public ::testing::Test {
   ScriptedChecks checks_;
   ScriptedPlans plans_;
   ScriptedReports reports_;
-  MainWindow window_{
-      {store_, link_, activity_, actions_, source_, calls_, checks_, plans_, reports_}};
+  MainWindow window_{Parts()};
 };
 
 }  // namespace tendon::gui

@@ -1,3 +1,4 @@
+#include <gcm_gui/files/file_writer.h>
 #include <gcm_gui/plot/csv/csv_export.h>
 #include <gcm_gui/plot/plot_panel.h>
 #include <gtest/gtest.h>
@@ -9,6 +10,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
+#include <chrono>
+#include <future>
 
 #include "../samples.h"
 
@@ -61,6 +64,22 @@ TEST_F(CsvExportTest, WithoutSamplesThereIsNothingToAsk) {
   EXPECT_TRUE(told_.front().front().toString().startsWith("There is nothing to save"));
 }
 
+/// Holds up all files that are asked for after it, until it answers.
+class SlowDisk {
+ public:
+  explicit SlowDisk(const QTemporaryDir& folder) {
+    const auto wait = [answered = go_.get_future().share()](QIODevice&) {
+      answered.wait();
+      return true;
+    };
+    FileWriter::exports().write(folder.filePath("slow"), wait, nullptr, {});
+  }
+  void answer() { go_.set_value(); }
+
+ private:
+  std::promise<void> go_;
+};
+
 TEST(CsvExport, AFileThatCannotBeWrittenIsToldAndNothingIsLeft) {
   QTemporaryDir folder;
   const QString file = folder.filePath("no/such/folder/x.csv");
@@ -70,7 +89,37 @@ TEST(CsvExport, AFileThatCannotBeWrittenIsToldAndNothingIsLeft) {
   csv.save({}, file);
 
   ASSERT_TRUE(QTest::qWaitFor([&] { return !finished.isEmpty(); }, kPatience));
-  EXPECT_TRUE(finished.front().front().toString().startsWith(file + " could not be saved: "));
+  EXPECT_TRUE(finished.front().front().toString().startsWith(file + " was not saved: "));
+}
+
+TEST(CsvExport, ASlowDiskHoldsUpNeitherWhoSavesNorHisEnd) {
+  const QTemporaryDir folder;
+  const QString file = folder.filePath("x.csv");
+  SlowDisk disk(folder);
+
+  { CsvExport().save({.curves = {{.path = kX, .times = {1}, .values = {2}}}}, file); }
+
+  EXPECT_FALSE(QFile::exists(file));
+  disk.answer();
+  ASSERT_TRUE(FileWriter::exports().waitForWritten(std::chrono::milliseconds(kPatience)));
+  EXPECT_TRUE(QFile::exists(file));
+}
+
+TEST(CsvExport, AFileAskedForTwiceIsToldOfOnceWhereItIsWrittenOnce) {
+  const QTemporaryDir folder;
+  SlowDisk disk(folder);
+  CsvExport csv;
+  QSignalSpy finished(&csv, &CsvExport::finished);
+  const QString file = folder.filePath("x.csv");
+
+  csv.save({}, file);
+  csv.save({.curves = {{.path = kX, .times = {1}, .values = {2}}}}, file);
+  disk.answer();
+
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !finished.isEmpty(); }, kPatience));
+  QCoreApplication::processEvents();
+  ASSERT_EQ(finished.size(), 1);
+  EXPECT_EQ(finished.front().front().toString(), "Saved 1 rows, none lost, to " + file);
 }
 
 }  // namespace

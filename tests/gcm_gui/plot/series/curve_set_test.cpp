@@ -1,12 +1,15 @@
 #include <gcm_gui/plot/series/curve_set.h>
 #include <gmock/gmock.h>
 
+#include <array>
+
 #include "../samples.h"
 
 namespace tendon::gui {
 namespace {
 
-constexpr TimeSlices kTenSeconds{.from_ns = 0, .to_ns = 10 * kSecond, .count = 1000};
+constexpr std::array kTenSeconds{
+    SeenSlices{.slices = {.from_ns = 0, .to_ns = 10 * kSecond, .count = 1000}}};
 
 TEST(CurveSet, EachUnitHasAnAxisAndCurvesOfAUnitShareIt) {
   CurveSet set;

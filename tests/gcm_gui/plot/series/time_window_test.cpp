@@ -74,5 +74,69 @@ TEST(TimeWindow, GoingLiveShowsTheLengthThatWasChosenLast) {
   EXPECT_DOUBLE_EQ(window.to(), 0);
 }
 
+TEST(SweepingTime, TheAxisRestsWhileTheHeadMovesAndBeginsAnewAfterALength) {
+  TimeWindow window;
+  window.setLength(10s);
+  window.setMotion(TimeWindow::Motion::kSweep);
+  window.follow(23 * kSecond, 1000);
+  EXPECT_EQ(window.origin(), 20 * kSecond);
+  EXPECT_DOUBLE_EQ(window.head(), 3);
+
+  EXPECT_TRUE(window.follow(29 * kSecond, 1000));
+  EXPECT_EQ(window.origin(), 20 * kSecond);
+  EXPECT_TRUE(window.follow(31 * kSecond, 1000));
+
+  EXPECT_EQ(window.origin(), 30 * kSecond);
+  EXPECT_DOUBLE_EQ(window.head(), 1);
+  EXPECT_EQ(window.firstTime(), 21 * kSecond);
+  EXPECT_EQ(window.lastTime(), 31 * kSecond);
+}
+
+TEST(SweepingTime, RightOfTheHeadIsTheLengthBefore) {
+  TimeWindow window;
+  window.setLength(10s);
+  window.setMotion(TimeWindow::Motion::kSweep);
+  window.follow(23 * kSecond, 1000);
+
+  EXPECT_EQ(window.shownAt(2), 22 * kSecond);
+  EXPECT_EQ(window.shownAt(7), 17 * kSecond);
+  EXPECT_DOUBLE_EQ(window.pointOf(17 * kSecond), 7);
+}
+
+TEST(SweepingTime, ZoomingGoesToTimeThatRunsFromLeftToRight) {
+  TimeWindow window;
+  window.setLength(10s);
+  window.setMotion(TimeWindow::Motion::kSweep);
+  window.follow(23 * kSecond, 1000);
+  TimeWindow across = window;
+
+  window.zoom(0.5, 7);
+  EXPECT_FALSE(window.isSweeping());
+  EXPECT_EQ(window.firstTime(), 15 * kSecond);
+  EXPECT_EQ(window.lastTime(), 20 * kSecond);
+
+  across.show(2, 7);  // over the head: from what was longer ago to what is newer
+  EXPECT_EQ(across.firstTime(), 17 * kSecond);
+  EXPECT_EQ(across.lastTime(), 22 * kSecond);
+
+  across.goLive();
+  EXPECT_TRUE(across.isSweeping());
+}
+
+TEST(SweepingTime, AHeldOneKeepsItsPictureUntilItIsToScroll) {
+  TimeWindow window;
+  window.setLength(10s);
+  window.setMotion(TimeWindow::Motion::kSweep);
+  window.follow(23 * kSecond, 1000);
+  window.hold();
+  EXPECT_TRUE(window.isSweeping());
+  EXPECT_FALSE(window.follow(25 * kSecond, 1000));
+
+  window.setMotion(TimeWindow::Motion::kScroll);
+
+  EXPECT_EQ(window.firstTime(), 13 * kSecond);
+  EXPECT_EQ(window.lastTime(), 23 * kSecond);
+}
+
 }  // namespace
 }  // namespace tendon::gui

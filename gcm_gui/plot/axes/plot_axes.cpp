@@ -1,5 +1,5 @@
+#include <gcm_gui/plot/axes/plot_axes.h>
 #include <gcm_gui/plot/canvas/axis_labels.h>
-#include <gcm_gui/plot/plot_axes.h>
 #include <gcm_gui/plot/series/axis_range.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
@@ -9,20 +9,20 @@
 #include <qwt_scale_widget.h>
 
 #include <QFontMetrics>
+#include <QMargins>
 #include <QPainter>
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace tendon::gui {
 namespace {
 
 constexpr std::array kValueAxes{QwtAxis::YLeft, QwtAxis::YRight};
 constexpr std::array kAxes{QwtAxis::XBottom, QwtAxis::YLeft, QwtAxis::YRight};
-constexpr int kSide = 46;  // labels of a Y axis, and the empty side without one
 constexpr int kTimeSteps = 6;
-constexpr int kValueSteps = 7;
 
-QwtScaleDiv Division(const AxisRange& range, double step) {
-  const std::vector<double> ticks = TicksOf(range, step);
+QwtScaleDiv Division(const AxisRange& range, const std::vector<double>& ticks) {
   return QwtScaleDiv(range.low, range.high, {}, {}, QList<double>(ticks.begin(), ticks.end()));
 }
 
@@ -75,41 +75,69 @@ double PlotAxes::timeStep(const TimeWindow& window) {
 
 void PlotAxes::showTime(const TimeWindow& window) {
   const double step = timeStep(window);
+  const AxisRange range{.low = window.from(), .high = window.to()};
   auto& labels = LabelsOf<TimeLabels>(plot_, QwtAxis::XBottom);
   labels.setStep(step);
-  if (labels.setLive(window.isLive())) plot_.axisWidget(QwtAxis::XBottom)->update();
-  plot_.setAxisScaleDiv(QwtAxis::XBottom,
-                        Division({.low = window.from(), .high = window.to()}, step));
+  if (labels.setLive(window.isLive() && !window.isSweeping()))
+    plot_.axisWidget(QwtAxis::XBottom)->update();
+  plot_.setAxisScaleDiv(QwtAxis::XBottom, Division(range, TicksOf(range, step)));
 }
 
-void PlotAxes::showValues(const std::vector<UnitAxis>& axes) {
-  const Theme& theme = Theme::instance();
+void PlotAxes::showValues(const std::vector<UnitAxis>& axes, ValueScale scale) {
   // The right one keeps its place while it has nothing to say.
   plot_.axisScaleDraw(QwtAxis::YRight)
       ->enableComponent(QwtAbstractScaleDraw::Labels, axes.size() > 1);
   for (std::size_t i = 0; i < kValueAxes.size() && i < axes.size(); ++i) {
     const AxisRange& range = axes[i].range;
-    const double step = NiceStep(range.span(), kValueSteps);
+    const ValueTicks ticks = TicksOf(range, scale, kValueSteps);
     auto& labels = LabelsOf<AxisLabels>(plot_, kValueAxes[i]);
-    labels.setStep(step);
-    plot_.setAxisScaleDiv(kValueAxes[i], Division(range, step));
-    const bool colored = axes.size() > 1 && axes[i].color_index >= 0;
-    const QColor color = colored ? theme.curve(axes[i].color_index) : theme.color(Token::kDim);
-    if (labels.setColor(color)) plot_.axisWidget(kValueAxes[i])->update();
+    labels.setScale(scale);
+    labels.setStep(ticks.step);
+    plot_.setAxisScaleDiv(kValueAxes[i], Division(range, ticks.places));
+    if (labels.setColor(AxisColor(axes, i))) plot_.axisWidget(kValueAxes[i])->update();
   }
+  if (!outer_.show(axes, scale)) return;
+  placeSides();
+  plot_.update();
 }
 
-void PlotAxes::paintUnits(const std::vector<UnitAxis>& axes) const {
+SideRoom PlotAxes::wantedRoom() const {
+  const auto extent = [this](QwtAxisId axis) {
+    return static_cast<int>(std::ceil(plot_.axisScaleDraw(axis)->extent(plot_.axisFont(axis))));
+  };
+  return {.left = extent(QwtAxis::YLeft), .right = extent(QwtAxis::YRight) + outer_.width()};
+}
+
+void PlotAxes::setRoom(const SideRoom& least) {
+  if (least == least_) return;
+  least_ = least;
+  placeSides();
+}
+
+// The outer axes, and what stays empty, lie in the plot's margin.
+void PlotAxes::placeSides() {
+  plot_.axisScaleDraw(QwtAxis::YLeft)->setMinimumExtent(std::max(kSide, least_.left));
+  const SideRoom wanted = wantedRoom();
+  QMargins margins = plot_.contentsMargins();
+  margins.setRight(outer_.width() + std::max(0, least_.right - wanted.right));
+  plot_.setContentsMargins(margins);
+  plot_.updateLayout();
+}
+
+void PlotAxes::paint(const std::vector<UnitAxis>& axes) const {
   QPainter painter(&plot_);
   painter.setFont(Theme::instance().small());
-  const QRect area = plot_.canvas()->geometry();
+  const QRect canvas = plot_.canvas()->geometry();
+  const int outer_left = plot_.axisWidget(QwtAxis::YRight)->geometry().right() + 1;
   for (std::size_t i = 0; i < kValueAxes.size() && i < axes.size(); ++i) {
     const bool left = i == 0;
-    const QRect place = left ? QRect(2 * kGrid, 0, area.width(), kTop)
-                             : QRect(area.left(), 0, area.width() + kSide - kGrid, kTop);
+    const QRect place = left ? QRect(2 * kGrid, 0, canvas.width(), kTop)
+                             : QRect(canvas.left(), 0, outer_left - canvas.left() - kGrid, kTop);
     painter.setPen(LabelsOf<AxisLabels>(plot_, kValueAxes[i]).color());
     painter.drawText(place, (left ? Qt::AlignLeft : Qt::AlignRight), axes[i].unit);
   }
+  outer_.paint(painter, QRect(outer_left, canvas.top(), 1, canvas.height()));
+  outer_.paintUnits(painter, outer_left, kTop);
 }
 
 }  // namespace tendon::gui

@@ -1,0 +1,2272 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de_DE">
+<context>
+    <name>Words</name>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>log level</source>
+        <translation>Protokollstufe</translation>
+    </message>
+    <message>
+        <source> · %1 times</source>
+        <translation> · %1-mal</translation>
+    </message>
+    <message>
+        <source> · undone</source>
+        <translation> · rückgängig</translation>
+    </message>
+    <message>
+        <source>What you do to the system is listed here.</source>
+        <translation>Hier steht, was am System verändert wurde.</translation>
+    </message>
+    <message>
+        <source>Nothing is wrong.</source>
+        <translation>Es ist alles in Ordnung.</translation>
+    </message>
+    <message>
+        <source>Activity</source>
+        <translation>Aktivität</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>Probleme</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Ereignisse</translation>
+    </message>
+    <message>
+        <source>Console</source>
+        <translation>Konsole</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Copy as command</source>
+        <translation>Als Befehl kopieren</translation>
+    </message>
+    <message>
+        <source>Problems %1</source>
+        <translation>Probleme %1</translation>
+    </message>
+    <message>
+        <source> is lost</source>
+        <translation> ist verloren</translation>
+    </message>
+    <message>
+        <source> does not answer; its values may be old</source>
+        <translation> antwortet nicht; die Werte können veraltet sein</translation>
+    </message>
+    <message>
+        <source> is faulted</source>
+        <translation> ist gestört</translation>
+    </message>
+    <message>
+        <source> is not connected</source>
+        <translation> ist nicht verbunden</translation>
+    </message>
+    <message>
+        <source>…
+The whole answer: Copy as command</source>
+        <translation>…
+Die ganze Antwort: Als Befehl kopieren</translation>
+    </message>
+    <message>
+        <source>Call a command</source>
+        <translation>Befehl aufrufen</translation>
+    </message>
+    <message>
+        <source>Answer</source>
+        <translation>Antwort</translation>
+    </message>
+    <message>
+        <source>Argument as JSON</source>
+        <translation>Argument als JSON</translation>
+    </message>
+    <message>
+        <source>Call</source>
+        <translation>Aufrufen</translation>
+    </message>
+    <message>
+        <source>Not called: hold the button for 0.4 s, for this can set something in motion</source>
+        <translation>Nicht aufgerufen: den Knopf 0,4 s halten, denn das kann etwas in Bewegung setzen</translation>
+    </message>
+    <message>
+        <source>Ask again</source>
+        <translation>Erneut fragen</translation>
+    </message>
+    <message>
+        <source>The argument as text, instead of a form</source>
+        <translation>Das Argument als Text statt als Formular</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copies the line that does the same in a terminal</source>
+        <translation>Kopiert die Zeile, die im Terminal dasselbe tut</translation>
+    </message>
+    <message>
+        <source>Add to the favourites</source>
+        <translation>Zu den Favoriten</translation>
+    </message>
+    <message>
+        <source>Adds a button for this command and argument</source>
+        <translation>Legt einen Knopf für diesen Befehl mit diesem Argument an</translation>
+    </message>
+    <message>
+        <source>Repeat</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Calls it again and again</source>
+        <translation>Ruft ihn immer wieder auf</translation>
+    </message>
+    <message>
+        <source>Call </source>
+        <translation>Aufruf von </translation>
+    </message>
+    <message>
+        <source>Asking what it takes…</source>
+        <translation>Argument wird erfragt…</translation>
+    </message>
+    <message>
+        <source>Hold to call</source>
+        <translation>Zum Aufruf halten</translation>
+    </message>
+    <message>
+        <source>It can set something in motion: hold the button for 0.4 s, or press Ctrl+Enter twice</source>
+        <translation>Das kann etwas in Bewegung setzen: den Knopf 0,4 s halten oder zweimal Strg+Enter drücken</translation>
+    </message>
+    <message>
+        <source>Ctrl+Enter</source>
+        <translation>Strg+Enter</translation>
+    </message>
+    <message>
+        <source>Ctrl+Enter again calls it: this can set something in motion</source>
+        <translation>Nochmals Strg+Enter ruft auf: das kann etwas in Bewegung setzen</translation>
+    </message>
+    <message>
+        <source>Calling…</source>
+        <translation>Aufruf läuft…</translation>
+    </message>
+    <message>
+        <source>Done in </source>
+        <translation>Fertig nach </translation>
+    </message>
+    <message>
+        <source>JSON of </source>
+        <translation>JSON von </translation>
+    </message>
+    <message>
+        <source>Favourites</source>
+        <translation>Favoriten</translation>
+    </message>
+    <message>
+        <source>Favourite commands</source>
+        <translation>Bevorzugte Befehle</translation>
+    </message>
+    <message>
+        <source>Waiting for </source>
+        <translation>Wartet auf </translation>
+    </message>
+    <message>
+        <source>
+It can set something in motion: hold the button for 0.4 s</source>
+        <translation>
+Das kann etwas in Bewegung setzen: den Knopf 0,4 s halten</translation>
+    </message>
+    <message>
+        <source>Show the command</source>
+        <translation>Befehl zeigen</translation>
+    </message>
+    <message>
+        <source>Remove from favourites</source>
+        <translation>Aus den Favoriten entfernen</translation>
+    </message>
+    <message>
+        <source>Calls a second</source>
+        <translation>Aufrufe pro Sekunde</translation>
+    </message>
+    <message>
+        <source>How many calls</source>
+        <translation>Anzahl der Aufrufe</translation>
+    </message>
+    <message>
+        <source>until stopped</source>
+        <translation>bis Stopp</translation>
+    </message>
+    <message>
+        <source> times</source>
+        <translation> Mal</translation>
+    </message>
+    <message>
+        <source>%1 call</source>
+        <translation>%1 Aufruf</translation>
+    </message>
+    <message>
+        <source>%1 calls</source>
+        <translation>%1 Aufrufe</translation>
+    </message>
+    <message>
+        <source>, %1 left out: the one before took too long</source>
+        <translation>, %1 ausgelassen: der vorige dauerte zu lange</translation>
+    </message>
+    <message>
+        <source>Hold to repeat</source>
+        <translation>Zum Wiederholen halten</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>It can set something in motion: it is called as long as the button is held down, from 0.4 s on</source>
+        <translation>Das kann etwas in Bewegung setzen: Aufrufe erfolgen, solange der Knopf gehalten wird, ab 0,4 s</translation>
+    </message>
+    <message>
+        <source>Candidates</source>
+        <translation>Kandidaten</translation>
+    </message>
+    <message>
+        <source>No candidate fits the filter.</source>
+        <translation>Kein Kandidat passt zum Filter.</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>Candidates for a connection</source>
+        <translation>Kandidaten für eine Verbindung</translation>
+    </message>
+    <message>
+        <source>Esc leaves</source>
+        <translation>Esc beendet</translation>
+    </message>
+    <message>
+        <source>Filter the candidates</source>
+        <translation>Kandidaten filtern</translation>
+    </message>
+    <message>
+        <source>Filter; Enter picks, so do 1 to 9</source>
+        <translation>Filter; Enter wählt, ebenso 1 bis 9</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>%1 is connected to %2. What it could be connected to instead:</source>
+        <translation>%1 ist mit %2 verbunden. Womit es stattdessen verbunden werden könnte:</translation>
+    </message>
+    <message>
+        <source>What %1 could be connected to:</source>
+        <translation>Womit %1 verbunden werden könnte:</translation>
+    </message>
+    <message>
+        <source>What could be connected to %1:</source>
+        <translation>Was mit %1 verbunden werden könnte:</translation>
+    </message>
+    <message>
+        <source>
+Has %1 of the commands and events that are needed.</source>
+        <translation>
+Hat %1 der benötigten Befehle und Ereignisse.</translation>
+    </message>
+    <message>
+        <source>replaces %1</source>
+        <translation>ersetzt %1</translation>
+    </message>
+    <message>
+        <source>%1 more; type to find one</source>
+        <translation>%1 weitere; zum Suchen tippen</translation>
+    </message>
+    <message>
+        <source>None of %1 fits at all</source>
+        <translation>Keiner von %1 passt</translation>
+    </message>
+    <message>
+        <source>%1 more do not fit at all</source>
+        <translation>%1 weitere passen gar nicht</translation>
+    </message>
+    <message>
+        <source>is what it is connected to now</source>
+        <translation>ist schon die jetzige Verbindung</translation>
+    </message>
+    <message>
+        <source> does not fit: </source>
+        <translation> passt nicht: </translation>
+    </message>
+    <message>
+        <source>Match by name and type</source>
+        <translation>Nach Name und Typ zuordnen</translation>
+    </message>
+    <message>
+        <source>%1 of %2 have something to connect to. Space checks, Enter connects what is checked.</source>
+        <translation>%1 von %2 haben ein Gegenstück. Die Leertaste hakt an, Enter verbindet das Angehakte.</translation>
+    </message>
+    <message>
+        <source>nothing that is there fits</source>
+        <translation>nichts Vorhandenes passt</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>eine von %1</translation>
+    </message>
+    <message>
+        <source>Connect %1</source>
+        <translation>Verbinden: %1</translation>
+    </message>
+    <message>
+        <source> interfaces</source>
+        <translation> Schnittstellen</translation>
+    </message>
+    <message>
+        <source>Console output</source>
+        <translation>Konsolenausgabe</translation>
+    </message>
+    <message>
+        <source>The language of gcm shell: try ls, watch, call … or help. Tab completes, Ctrl+C interrupts, Ctrl+R searches what was typed.</source>
+        <translation>Die Sprache von gcm shell: zum Beispiel ls, watch, call … oder help. Tab ergänzt, Strg+C bricht ab, Strg+R sucht im Getippten.</translation>
+    </message>
+    <message>
+        <source>Console line</source>
+        <translation>Konsolenzeile</translation>
+    </message>
+    <message>
+        <source>search &apos;%1&apos;:</source>
+        <translation>Suche „%1“:</translation>
+    </message>
+    <message>
+        <source>nothing with &apos;%1&apos;:</source>
+        <translation>nichts mit „%1“:</translation>
+    </message>
+    <message>
+        <source>… Ctrl+C</source>
+        <translation>… Strg+C</translation>
+    </message>
+    <message>
+        <source>%1 event</source>
+        <translation>%1 Ereignis</translation>
+    </message>
+    <message>
+        <source>%1 events</source>
+        <translation>%1 Ereignisse</translation>
+    </message>
+    <message>
+        <source>no event</source>
+        <translation>kein Ereignis</translation>
+    </message>
+    <message>
+        <source> · %1 a second</source>
+        <translation> · %1 pro Sekunde</translation>
+    </message>
+    <message>
+        <source> · %1 lost</source>
+        <translation> · %1 verloren</translation>
+    </message>
+    <message>
+        <source> · %1 waiting</source>
+        <translation> · %1 wartend</translation>
+    </message>
+    <message>
+        <source>No event has been raised since this page was opened.</source>
+        <translation>Seit diese Seite offen ist, gab es kein Ereignis.</translation>
+    </message>
+    <message>
+        <source>Whose events are listed</source>
+        <translation>Wessen Ereignisse gezeigt werden</translation>
+    </message>
+    <message>
+        <source>All components</source>
+        <translation>Alle Komponenten</translation>
+    </message>
+    <message>
+        <source>Selected component</source>
+        <translation>Ausgewählte Komponente</translation>
+    </message>
+    <message>
+        <source>Filter the events</source>
+        <translation>Ereignisse filtern</translation>
+    </message>
+    <message>
+        <source>Filter: words, from:robot/arm, -word</source>
+        <translation>Filter: Wörter, from:robot/arm, -Wort</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>The list stands still; what comes is shown afterwards</source>
+        <translation>Die Liste steht still; was kommt, wird danach gezeigt</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Leeren</translation>
+    </message>
+    <message>
+        <source>Select a component to see its events.</source>
+        <translation>Eine Komponente auswählen, um ihre Ereignisse zu sehen.</translation>
+    </message>
+    <message>
+        <source>it cannot be encoded</source>
+        <translation>es lässt sich nicht kodieren</translation>
+    </message>
+    <message>
+        <source>%1 was not saved: %2</source>
+        <translation>%1 wurde nicht gespeichert: %2</translation>
+    </message>
+    <message>
+        <source>%1 calls found no room</source>
+        <translation>%1 Aufrufe fanden keinen Platz</translation>
+    </message>
+    <message>
+        <source>%1 events were lost</source>
+        <translation>%1 Ereignisse gingen verloren</translation>
+    </message>
+    <message>
+        <source>%1 of %2 calls wait</source>
+        <translation>%1 von %2 Aufrufen warten</translation>
+    </message>
+    <message>
+        <source>answers after </source>
+        <translation>antwortet nach </translation>
+    </message>
+    <message>
+        <source>Save a picture of the graph</source>
+        <translation>Bild des Graphen speichern</translation>
+    </message>
+    <message>
+        <source>SVG, as large as you like (*.svg)</source>
+        <translation>SVG, beliebig groß (*.svg)</translation>
+    </message>
+    <message>
+        <source>PNG, as it is seen (*.png)</source>
+        <translation>PNG, wie zu sehen (*.png)</translation>
+    </message>
+    <message>
+        <source>DOT, for Graphviz (*.dot)</source>
+        <translation>DOT, für Graphviz (*.dot)</translation>
+    </message>
+    <message>
+        <source>end its name in .svg, .png or .dot to say what it is</source>
+        <translation>der Name muss auf .svg, .png oder .dot enden, um zu sagen, was es ist</translation>
+    </message>
+    <message>
+        <source> saved</source>
+        <translation> gespeichert</translation>
+    </message>
+    <message>
+        <source>The picture of the graph is in the clipboard</source>
+        <translation>Das Bild des Graphen ist in der Zwischenablage</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>und %1 weitere</translation>
+    </message>
+    <message>
+        <source> does not fit</source>
+        <translation> passt nicht</translation>
+    </message>
+    <message>
+        <source>connecting …</source>
+        <translation>wird verbunden …</translation>
+    </message>
+    <message>
+        <source>System graph</source>
+        <translation>Systemgraph</translation>
+    </message>
+    <message>
+        <source>was </source>
+        <translation>war </translation>
+    </message>
+    <message>
+        <source>no components</source>
+        <translation>keine Komponenten</translation>
+    </message>
+    <message>
+        <source>Map of the graph</source>
+        <translation>Übersichtskarte des Graphen</translation>
+    </message>
+    <message>
+        <source>The frame is what is seen; Shift and arrow keys in the graph move it</source>
+        <translation>Der Rahmen ist der sichtbare Teil; Umschalt und Pfeiltasten im Graphen verschieben ihn</translation>
+    </message>
+    <message>
+        <source>Drag the frame to see another part  (M hides the map)</source>
+        <translation>Den Rahmen ziehen, um einen anderen Teil zu sehen  (M blendet die Übersichtskarte aus)</translation>
+    </message>
+    <message>
+        <source>Find in the graph</source>
+        <translation>Im Graphen suchen</translation>
+    </message>
+    <message>
+        <source>Component or interface</source>
+        <translation>Komponente oder Schnittstelle</translation>
+    </message>
+    <message>
+        <source>The one before  (Shift+Enter)</source>
+        <translation>Voriger Treffer  (Umschalt+Enter)</translation>
+    </message>
+    <message>
+        <source>The next one  (Enter)</source>
+        <translation>Nächster Treffer  (Enter)</translation>
+    </message>
+    <message>
+        <source>End the search  (Esc)</source>
+        <translation>Suche beenden  (Esc)</translation>
+    </message>
+    <message>
+        <source>nothing fits</source>
+        <translation>nichts passt</translation>
+    </message>
+    <message>
+        <source>%1 found</source>
+        <translation>%1 gefunden</translation>
+    </message>
+    <message>
+        <source>No event has been raised since this was opened.</source>
+        <translation>Seit dies offen ist, gab es kein Ereignis.</translation>
+    </message>
+    <message>
+        <source>%1 lost</source>
+        <translation>%1 verloren</translation>
+    </message>
+    <message>
+        <source>Processor</source>
+        <translation>Prozessor</translation>
+    </message>
+    <message>
+        <source>Of one core, in the last second</source>
+        <translation>Von einem Kern, in der letzten Sekunde</translation>
+    </message>
+    <message>
+        <source>Memory</source>
+        <translation>Speicher</translation>
+    </message>
+    <message>
+        <source>Resident</source>
+        <translation>Resident</translation>
+    </message>
+    <message>
+        <source>Clock</source>
+        <translation>Uhr</translation>
+    </message>
+    <message>
+        <source>How far its clock is ahead of the GCM&apos;s, and how sure that is</source>
+        <translation>Wie weit die Uhr der des GCM vorgeht und wie sicher das ist</translation>
+    </message>
+    <message>
+        <source>%1 of %2 wait in the fullest mailbox of the component</source>
+        <translation>%1 von %2 warten im vollsten Postfach der Komponente</translation>
+    </message>
+    <message>
+        <source>no answer</source>
+        <translation>keine Antwort</translation>
+    </message>
+    <message>
+        <source>Period</source>
+        <translation>Periode</translation>
+    </message>
+    <message>
+        <source> · now </source>
+        <translation> · jetzt </translation>
+    </message>
+    <message>
+        <source>How often it is to run, and how often it did in the last second</source>
+        <translation>Wie oft sie laufen soll und wie oft sie es in der letzten Sekunde tat</translation>
+    </message>
+    <message>
+        <source>Starts late by</source>
+        <translation>Verspätung</translation>
+    </message>
+    <message>
+        <source>%1 · max %2</source>
+        <translation>%1 · max. %2</translation>
+    </message>
+    <message>
+        <source>In the last second half of the cycles began no later than %1 after they were due, 99 of 100 no later than %2, all no later than %3</source>
+        <translation>In der letzten Sekunde begann die Hälfte der Zyklen höchstens %1 nach ihrem Termin, 99 von 100 höchstens %2, alle höchstens %3</translation>
+    </message>
+    <message>
+        <source>Skipped cycles</source>
+        <translation>Übersprungene Zyklen</translation>
+    </message>
+    <message>
+        <source>Since its start, because a cycle before took too long</source>
+        <translation>Seit dem Start, weil ein Zyklus davor zu lange dauerte</translation>
+    </message>
+    <message>
+        <source>Busy</source>
+        <translation>Auslastung</translation>
+    </message>
+    <message>
+        <source>How much of its period it computes, mean of the last second</source>
+        <translation>Welchen Teil ihrer Periode sie rechnet, Mittel der letzten Sekunde</translation>
+    </message>
+    <message>
+        <source>Inspector</source>
+        <translation>Inspektor</translation>
+    </message>
+    <message>
+        <source>Forget this process</source>
+        <translation>Prozess vergessen</translation>
+    </message>
+    <message>
+        <source>Removes what is left of it from the catalogue</source>
+        <translation>Entfernt aus dem Katalog, was von ihm übrig ist</translation>
+    </message>
+    <message>
+        <source>Interfaces</source>
+        <translation>Schnittstellen</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>Config</source>
+        <translation>Konfiguration</translation>
+    </message>
+    <message>
+        <source>This component has no interfaces.</source>
+        <translation>Diese Komponente hat keine Schnittstellen.</translation>
+    </message>
+    <message>
+        <source>This component has no state table.</source>
+        <translation>Diese Komponente hat keine Zustandstabelle.</translation>
+    </message>
+    <message>
+        <source>Why?</source>
+        <translation>Warum?</translation>
+    </message>
+    <message>
+        <source>Why is </source>
+        <translation>Warum ist </translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation>Trennen</translation>
+    </message>
+    <message>
+        <source>Select a component in the catalogue or in the graph to see what it offers and needs.</source>
+        <translation>Eine Komponente im Katalog oder im Graphen auswählen, um zu sehen, was sie anbietet und benötigt.</translation>
+    </message>
+    <message>
+        <source> is not there.</source>
+        <translation> ist nicht da.</translation>
+    </message>
+    <message>
+        <source> since</source>
+        <translation> seit</translation>
+    </message>
+    <message>
+        <source>Host</source>
+        <translation>Rechner</translation>
+    </message>
+    <message>
+        <source>Process id</source>
+        <translation>Prozess-ID</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>Components</source>
+        <translation>Komponenten</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Grund</translation>
+    </message>
+    <message>
+        <source> does not answer</source>
+        <translation> antwortet nicht</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>Klasse</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>Störung</translation>
+    </message>
+    <message>
+        <source>Process</source>
+        <translation>Prozess</translation>
+    </message>
+    <message>
+        <source>%1 client</source>
+        <translation>%1 Client</translation>
+    </message>
+    <message>
+        <source>%1 clients</source>
+        <translation>%1 Clients</translation>
+    </message>
+    <message>
+        <source>No record fits. What the processes log is listed here.</source>
+        <translation>Kein Eintrag passt. Hier steht, was die Prozesse protokollieren.</translation>
+    </message>
+    <message>
+        <source>Least level that is shown</source>
+        <translation>Niedrigste gezeigte Stufe</translation>
+    </message>
+    <message>
+        <source>All levels</source>
+        <translation>Alle Stufen</translation>
+    </message>
+    <message>
+        <source>Info and above</source>
+        <translation>Info und höher</translation>
+    </message>
+    <message>
+        <source>Warnings and errors</source>
+        <translation>Warnungen und Fehler</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Filter the log</source>
+        <translation>Protokoll filtern</translation>
+    </message>
+    <message>
+        <source>Set level…</source>
+        <translation>Stufe setzen…</translation>
+    </message>
+    <message>
+        <source>From which level on a process logs, until it ends</source>
+        <translation>Ab welcher Stufe ein Prozess protokolliert, bis er endet</translation>
+    </message>
+    <message>
+        <source>Empties this list; the processes and the GCM keep theirs</source>
+        <translation>Leert diese Liste; die Prozesse und der GCM behalten ihre</translation>
+    </message>
+    <message>
+        <source> and above</source>
+        <translation> und höher</translation>
+    </message>
+    <message>
+        <source>There is no process</source>
+        <translation>Es gibt keinen Prozess</translation>
+    </message>
+    <message>
+        <source>%1 record</source>
+        <translation>%1 Eintrag</translation>
+    </message>
+    <message>
+        <source>%1 records</source>
+        <translation>%1 Einträge</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Required</source>
+        <translation>Benötigt</translation>
+    </message>
+    <message>
+        <source>Provided</source>
+        <translation>Angeboten</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>%1 from %2, %3</source>
+        <translation>%1 von %2, %3</translation>
+    </message>
+    <message>
+        <source>Picture, </source>
+        <translation>Bild, </translation>
+    </message>
+    <message>
+        <source>%1 channels</source>
+        <translation>%1 Kanäle</translation>
+    </message>
+    <message>
+        <source>a picture of encoding &apos;%1&apos; is not drawn, only: %2</source>
+        <translation>ein Bild der Kodierung „%1“ wird nicht gezeichnet, nur: %2</translation>
+    </message>
+    <message>
+        <source>a picture of %1 pixels has none to draw</source>
+        <translation>ein Bild von %1 Pixeln hat keine zu zeichnen</translation>
+    </message>
+    <message>
+        <source>a picture of %1 pixels is too large to be drawn: at most %2</source>
+        <translation>ein Bild von %1 Pixeln ist zu groß zum Zeichnen: höchstens %2</translation>
+    </message>
+    <message>
+        <source>%1 pixels of %2 take %3 bytes a row, but step says %4</source>
+        <translation>%1 Pixel in %2 brauchen %3 Bytes pro Zeile, aber step sagt %4</translation>
+    </message>
+    <message>
+        <source>%1 rows of %2 bytes do not fit data of %3 bytes</source>
+        <translation>%1 Zeilen zu %2 Bytes passen nicht zu Daten von %3 Bytes</translation>
+    </message>
+    <message>
+        <source> lost</source>
+        <translation> verloren</translation>
+    </message>
+    <message>
+        <source>none lost</source>
+        <translation>keine verloren</translation>
+    </message>
+    <message>
+        <source>%1 lost ones marked</source>
+        <translation>%1 verlorene markiert</translation>
+    </message>
+    <message>
+        <source>Saved %1 rows, %2, to %3</source>
+        <translation>%1 Zeilen, %2, gespeichert in %3</translation>
+    </message>
+    <message>
+        <source>%1 of %2 MB for samples</source>
+        <translation>%1 von %2 MB für Messwerte</translation>
+    </message>
+    <message>
+        <source>; older ones are kept as lowest and highest value of each 100 ms</source>
+        <translation>; von älteren bleibt je 100 ms der kleinste und der größte Wert</translation>
+    </message>
+    <message>
+        <source>Legend</source>
+        <translation>Legende</translation>
+    </message>
+    <message>
+        <source>min%1  max%2  mean%3  σ%4  rms%5  p-p%6  %7</source>
+        <translation>min%1  max%2  mittel%3  σ%4  rms%5  p-p%6  %7</translation>
+    </message>
+    <message>
+        <source>Close this plot</source>
+        <translation>Diesen Plot schließen</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>New plot</source>
+        <translation>Neuer Plot</translation>
+    </message>
+    <message>
+        <source>A plot below, with the same time  (Ctrl+Shift+T)</source>
+        <translation>Plot darunter, mit derselben Zeit  (Strg+Umschalt+T)</translation>
+    </message>
+    <message>
+        <source>How long the plot looks back</source>
+        <translation>Wie weit der Plot zurückreicht</translation>
+    </message>
+    <message>
+        <source>Back to what was shown before  (Alt+Left)</source>
+        <translation>Zurück zum zuvor Gezeigten  (Alt+Links)</translation>
+    </message>
+    <message>
+        <source>Forward again  (Alt+Right)</source>
+        <translation>Wieder vor  (Alt+Rechts)</translation>
+    </message>
+    <message>
+        <source>Cursors A and B  (A, B; Delete)</source>
+        <translation>Cursor A und B  (A, B; Entf)</translation>
+    </message>
+    <message>
+        <source>Save what is seen as CSV  (Ctrl+E)</source>
+        <translation>Sichtbares als CSV speichern  (Strg+E)</translation>
+    </message>
+    <message>
+        <source>Sweep: the curves stay, and are written over from the left  (S)</source>
+        <translation>Durchlauf: die Kurven bleiben stehen und werden von links überschrieben  (S)</translation>
+    </message>
+    <message>
+        <source>Pause the view</source>
+        <translation>Ansicht anhalten</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Plots</translation>
+    </message>
+    <message>
+        <source>Last </source>
+        <translation>Letzte </translation>
+    </message>
+    <message>
+        <source>How long the plot looks back: </source>
+        <translation>Wie weit der Plot zurückreicht: </translation>
+    </message>
+    <message>
+        <source>Resume the view</source>
+        <translation>Ansicht fortsetzen</translation>
+    </message>
+    <message>
+        <source>Resume the view (Space)</source>
+        <translation>Ansicht fortsetzen (Leertaste)</translation>
+    </message>
+    <message>
+        <source>Pause the view, not the data (Space)</source>
+        <translation>Ansicht anhalten, nicht die Daten (Leertaste)</translation>
+    </message>
+    <message>
+        <source>Fit what is seen</source>
+        <translation>Sichtbares einpassen</translation>
+    </message>
+    <message>
+        <source>Only grow</source>
+        <translation>Nur wachsen</translation>
+    </message>
+    <message>
+        <source>Symmetric around 0</source>
+        <translation>Symmetrisch um 0</translation>
+    </message>
+    <message>
+        <source>Logarithmic</source>
+        <translation>Logarithmisch</translation>
+    </message>
+    <message>
+        <source>Statistics</source>
+        <translation>Statistik</translation>
+    </message>
+    <message>
+        <source>Marks</source>
+        <translation>Markierungen</translation>
+    </message>
+    <message>
+        <source>Sweep</source>
+        <translation>Durchlauf</translation>
+    </message>
+    <message>
+        <source>Follow live data</source>
+        <translation>Live-Daten folgen</translation>
+    </message>
+    <message>
+        <source>Back to what was shown before</source>
+        <translation>Zurück zum zuvor Gezeigten</translation>
+    </message>
+    <message>
+        <source>Forward again</source>
+        <translation>Wieder vor</translation>
+    </message>
+    <message>
+        <source>A plot below</source>
+        <translation>Plot darunter</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>Bild kopieren</translation>
+    </message>
+    <message>
+        <source>Save picture…</source>
+        <translation>Bild speichern…</translation>
+    </message>
+    <message>
+        <source>Save what is seen as CSV…</source>
+        <translation>Sichtbares als CSV speichern…</translation>
+    </message>
+    <message>
+        <source>Open layout…</source>
+        <translation>Anordnung öffnen…</translation>
+    </message>
+    <message>
+        <source>Save layout of all plots…</source>
+        <translation>Anordnung aller Plots speichern…</translation>
+    </message>
+    <message>
+        <source>There is nothing to save as CSV: the plot shows no samples</source>
+        <translation>Nichts als CSV zu speichern: der Plot zeigt keine Messwerte</translation>
+    </message>
+    <message>
+        <source>Save what is seen as CSV</source>
+        <translation>Sichtbares als CSV speichern</translation>
+    </message>
+    <message>
+        <source>CSV (*.csv)</source>
+        <translation>CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>Save a picture of the plot</source>
+        <translation>Bild des Plots speichern</translation>
+    </message>
+    <message>
+        <source>PNG (*.png);;SVG (*.svg)</source>
+        <translation>PNG (*.png);;SVG (*.svg)</translation>
+    </message>
+    <message>
+        <source>Save the layout of all plots</source>
+        <translation>Die Anordnung aller Plots speichern</translation>
+    </message>
+    <message>
+        <source>Plot layout (*.plots.json)</source>
+        <translation>Plot-Anordnung (*.plots.json)</translation>
+    </message>
+    <message>
+        <source>Open a layout of plots</source>
+        <translation>Plot-Anordnung öffnen</translation>
+    </message>
+    <message>
+        <source>Plot layout (*.plots.json *.json)</source>
+        <translation>Plot-Anordnung (*.plots.json *.json)</translation>
+    </message>
+    <message>
+        <source> cannot be read: </source>
+        <translation> kann nicht gelesen werden: </translation>
+    </message>
+    <message>
+        <source> is no layout of plots: </source>
+        <translation> ist keine Plot-Anordnung: </translation>
+    </message>
+    <message>
+        <source>Show another signal</source>
+        <translation>Anderes Signal zeigen</translation>
+    </message>
+    <message>
+        <source>In place of </source>
+        <translation>Anstelle von </translation>
+    </message>
+    <message>
+        <source>Close plots</source>
+        <translation>Plots schließen</translation>
+    </message>
+    <message>
+        <source>Close plot</source>
+        <translation>Plot schließen</translation>
+    </message>
+    <message>
+        <source>Plot %1</source>
+        <translation>Plot %1</translation>
+    </message>
+    <message>
+        <source>Plot </source>
+        <translation>Plot </translation>
+    </message>
+    <message>
+        <source>Select a value and press P, or drag it here</source>
+        <translation>Einen Wert auswählen und P drücken oder ihn hierher ziehen</translation>
+    </message>
+    <message>
+        <source>Plot</source>
+        <translation>Plot</translation>
+    </message>
+    <message>
+        <source>Plot canvas</source>
+        <translation>Zeichenfläche des Plots</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Einpassen</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>Live</translation>
+    </message>
+    <message>
+        <source>Fit the values again</source>
+        <translation>Werte wieder einpassen</translation>
+    </message>
+    <message>
+        <source>Follow live data again</source>
+        <translation>Live-Daten wieder folgen</translation>
+    </message>
+    <message>
+        <source> (double click)</source>
+        <translation> (Doppelklick)</translation>
+    </message>
+    <message>
+        <source>0 and less has no place on this axis: </source>
+        <translation>0 und weniger hat auf dieser Achse keinen Platz: </translation>
+    </message>
+    <message>
+        <source> · %1 repeated</source>
+        <translation> · %1 wiederholt</translation>
+    </message>
+    <message>
+        <source> · %1 silent</source>
+        <translation> · %1 stumm</translation>
+    </message>
+    <message>
+        <source>Rate and lost rows: </source>
+        <translation>Rate und verlorene Zeilen: </translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 rows lost, %4 repeated</source>
+        <translation>%1: %2, %3 Zeilen verloren, %4 wiederholt</translation>
+    </message>
+    <message>
+        <source>waiting for </source>
+        <translation>wartet auf </translation>
+    </message>
+    <message>
+        <source>stands for </source>
+        <translation>besteht seit </translation>
+    </message>
+    <message>
+        <source>round trip </source>
+        <translation>hin und zurück </translation>
+    </message>
+    <message>
+        <source>%1 calls and events</source>
+        <translation>%1 Aufrufe und Ereignisse</translation>
+    </message>
+    <message>
+        <source>%1 of %2 wait</source>
+        <translation>%1 von %2 warten</translation>
+    </message>
+    <message>
+        <source>%1 refused, %2 replaced, %3 events lost</source>
+        <translation>%1 abgelehnt, %2 ersetzt, %3 Ereignisse verloren</translation>
+    </message>
+    <message>
+        <source>%1 bytes: </source>
+        <translation>%1 Bytes: </translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>fehlend</translation>
+    </message>
+    <message>
+        <source>only running</source>
+        <translation>nur laufend</translation>
+    </message>
+    <message>
+        <source>changed</source>
+        <translation>geändert</translation>
+    </message>
+    <message>
+        <source>takes away what runs</source>
+        <translation>nimmt Laufendes weg</translation>
+    </message>
+    <message>
+        <source>= %1   + %2 only running   − %3 missing   ~ %4 changed</source>
+        <translation>= %1   + %2 nur laufend   − %3 fehlend   ~ %4 geändert</translation>
+    </message>
+    <message>
+        <source>cannot be</source>
+        <translation>geht nicht</translation>
+    </message>
+    <message>
+        <source>What runs beside its file</source>
+        <translation>Laufendes System neben seiner Datei</translation>
+    </message>
+    <message>
+        <source>Differences of what runs from its file</source>
+        <translation>Unterschiede des laufenden Systems zu seiner Datei</translation>
+    </message>
+    <message>
+        <source>Apply →</source>
+        <translation>Anwenden →</translation>
+    </message>
+    <message>
+        <source>What runs becomes as this line of the file</source>
+        <translation>Das laufende System wird wie diese Zeile der Datei</translation>
+    </message>
+    <message>
+        <source>← Update file</source>
+        <translation>← Datei anpassen</translation>
+    </message>
+    <message>
+        <source>This line of the file becomes as it runs</source>
+        <translation>Diese Zeile der Datei wird wie das laufende System</translation>
+    </message>
+    <message>
+        <source>Restore all…</source>
+        <translation>Alles herstellen…</translation>
+    </message>
+    <message>
+        <source>Steps of the plan</source>
+        <translation>Schritte des Plans</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Go on after an error</source>
+        <translation>Nach Fehlern fortfahren</translation>
+    </message>
+    <message>
+        <source>Undo restore</source>
+        <translation>Zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Carry out</source>
+        <translation>Ausführen</translation>
+    </message>
+    <message>
+        <source> as in the file</source>
+        <translation> wie in der Datei</translation>
+    </message>
+    <message>
+        <source>No system file is open.</source>
+        <translation>Keine Systemdatei ist offen.</translation>
+    </message>
+    <message>
+        <source>What runs is as the file says.</source>
+        <translation>Das laufende System entspricht der Datei.</translation>
+    </message>
+    <message>
+        <source>Ctrl+S writes down what runs; Ctrl+O opens what was written down.</source>
+        <translation>Strg+S speichert das laufende System; Strg+O öffnet ein gespeichertes.</translation>
+    </message>
+    <message>
+        <source>nothing is to be done</source>
+        <translation>nichts zu tun</translation>
+    </message>
+    <message>
+        <source>%1 step</source>
+        <translation>%1 Schritt</translation>
+    </message>
+    <message>
+        <source>%1 steps</source>
+        <translation>%1 Schritte</translation>
+    </message>
+    <message>
+        <source>nothing stays as it is</source>
+        <translation>nichts bleibt, wie es ist</translation>
+    </message>
+    <message>
+        <source>will not touch </source>
+        <translation>unberührt bleiben </translation>
+    </message>
+    <message>
+        <source>%1 item</source>
+        <translation>%1 Element</translation>
+    </message>
+    <message>
+        <source>%1 items</source>
+        <translation>%1 Elemente</translation>
+    </message>
+    <message>
+        <source>To %1: step %2 of %3</source>
+        <translation>Ziel %1: Schritt %2 von %3</translation>
+    </message>
+    <message>
+        <source>To %1: %2 done, %3 failed, %4 left</source>
+        <translation>Ziel %1: %2 erledigt, %3 gescheitert, %4 übrig</translation>
+    </message>
+    <message>
+        <source>what was before</source>
+        <translation>wie zuvor</translation>
+    </message>
+    <message>
+        <source>%1, modified since %2</source>
+        <translation>%1, geändert seit %2</translation>
+    </message>
+    <message>
+        <source>Saved to </source>
+        <translation>Gespeichert in </translation>
+    </message>
+    <message>
+        <source>Updated </source>
+        <translation>Angepasst: </translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>Rundgang</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>Überspringen</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Tour, %1: %2</source>
+        <translation>Rundgang, %1: %2</translation>
+    </message>
+    <message>
+        <source>Catalogue</source>
+        <translation>Katalog</translation>
+    </message>
+    <message>
+        <source>Filter the catalogue</source>
+        <translation>Katalog filtern</translation>
+    </message>
+    <message>
+        <source>Filter: arm type:read state:active</source>
+        <translation>Filter: arm type:read state:active</translation>
+    </message>
+    <message>
+        <source>Words must all be in the path; also -word, type:, state:, proc:  (Ctrl+F)</source>
+        <translation>Alle Wörter müssen im Pfad stehen; auch -Wort, type:, state:, proc:  (Strg+F)</translation>
+    </message>
+    <message>
+        <source>Nothing here yet.</source>
+        <translation>Noch nichts da.</translation>
+    </message>
+    <message>
+        <source>No row fits the filter.</source>
+        <translation>Keine Zeile passt zum Filter.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Close  (Esc)</source>
+        <translation>Schließen  (Esc)</translation>
+    </message>
+    <message>
+        <source>other type</source>
+        <translation>anderer Typ</translation>
+    </message>
+    <message>
+        <source>other kind</source>
+        <translation>andere Art</translation>
+    </message>
+    <message>
+        <source>Needed</source>
+        <translation>Benötigt</translation>
+    </message>
+    <message>
+        <source>Offered</source>
+        <translation>Angeboten</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Unterschied</translation>
+    </message>
+    <message>
+        <source>, optional</source>
+        <translation>, optional</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>in Ordnung</translation>
+    </message>
+    <message>
+        <source>bad</source>
+        <translation>gescheitert</translation>
+    </message>
+    <message>
+        <source>not reached</source>
+        <translation>nicht erreicht</translation>
+    </message>
+    <message>
+        <source>Neither side has a member.</source>
+        <translation>Keine Seite hat Befehle oder Ereignisse.</translation>
+    </message>
+    <message>
+        <source>What is needed and what is offered, side by side</source>
+        <translation>Benötigtes und Angebotenes nebeneinander</translation>
+    </message>
+    <message>
+        <source>Step %1, %2: %3</source>
+        <translation>Schritt %1, %2: %3</translation>
+    </message>
+    <message>
+        <source>Show side by side</source>
+        <translation>Nebeneinander zeigen</translation>
+    </message>
+    <message>
+        <source>fix: </source>
+        <translation>Abhilfe: </translation>
+    </message>
+    <message>
+        <source>Copy the fix: </source>
+        <translation>Abhilfe kopieren: </translation>
+    </message>
+    <message>
+        <source>Copied: </source>
+        <translation>Kopiert: </translation>
+    </message>
+    <message>
+        <source>Hide the sides</source>
+        <translation>Seiten ausblenden</translation>
+    </message>
+    <message>
+        <source>Select a required interface to see why it is connected or not</source>
+        <translation>Eine benötigte Schnittstelle auswählen, um zu sehen, warum sie verbunden ist oder nicht</translation>
+    </message>
+    <message>
+        <source> is not connected, and nothing that is there resembles it</source>
+        <translation> ist nicht verbunden, und nichts Vorhandenes ähnelt ihr</translation>
+    </message>
+    <message>
+        <source>Retry</source>
+        <translation>Nochmals</translation>
+    </message>
+    <message>
+        <source>Copy report</source>
+        <translation>Bericht kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the report</source>
+        <translation>Den Bericht kopieren</translation>
+    </message>
+    <message>
+        <source>Why? </source>
+        <translation>Warum? </translation>
+    </message>
+    <message>
+        <source>checking …</source>
+        <translation>wird geprüft …</translation>
+    </message>
+    <message>
+        <source>Try the connection again</source>
+        <translation>Verbindung nochmals versuchen</translation>
+    </message>
+    <message>
+        <source>Connect them</source>
+        <translation>Beide verbinden</translation>
+    </message>
+    <message>
+        <source>The report is in the clipboard</source>
+        <translation>Der Bericht ist in der Zwischenablage</translation>
+    </message>
+    <message>
+        <source>fails at step %1 of %2</source>
+        <translation>scheitert bei Schritt %1 von %2</translation>
+    </message>
+    <message>
+        <source>connected and working</source>
+        <translation>verbunden und in Betrieb</translation>
+    </message>
+    <message>
+        <source>nothing keeps it from being connected</source>
+        <translation>nichts steht der Verbindung im Weg</translation>
+    </message>
+    <message>
+        <source>refused at %1: %2</source>
+        <translation>abgelehnt um %1: %2</translation>
+    </message>
+    <message>
+        <source>         fix: </source>
+        <translation>         Abhilfe: </translation>
+    </message>
+    <message>
+        <source>  the same in a terminal: </source>
+        <translation>  dasselbe im Terminal: </translation>
+    </message>
+    <message>
+        <source>Values and plots come straight from their processes and go on.</source>
+        <translation>Werte und Plots kommen direkt von ihren Prozessen und laufen weiter.</translation>
+    </message>
+    <message>
+        <source>What is grey is as it was %1 ago</source>
+        <translation>Graues zeigt den Stand vor %1</translation>
+    </message>
+    <message>
+        <source>Connected in %1 · Ctrl+Z undoes</source>
+        <translation>Verbunden in %1 · Strg+Z macht rückgängig</translation>
+    </message>
+    <message>
+        <source>Disconnected in %1 · Ctrl+Z undoes</source>
+        <translation>Getrennt in %1 · Strg+Z macht rückgängig</translation>
+    </message>
+    <message>
+        <source>Replaced in %1 · Ctrl+Z undoes</source>
+        <translation>Ersetzt in %1 · Strg+Z macht rückgängig</translation>
+    </message>
+    <message>
+        <source>Undone in %1</source>
+        <translation>Rückgängig in %1</translation>
+    </message>
+    <message>
+        <source>Forgotten</source>
+        <translation>Vergessen</translation>
+    </message>
+    <message>
+        <source>Called in %1</source>
+        <translation>Aufgerufen in %1</translation>
+    </message>
+    <message>
+        <source>%1 logs %2 and above</source>
+        <translation>%1 protokolliert %2 und höher</translation>
+    </message>
+    <message>
+        <source>Replace </source>
+        <translation>Ersatz für </translation>
+    </message>
+    <message>
+        <source>Connect </source>
+        <translation>Verbindung für </translation>
+    </message>
+    <message>
+        <source>other </source>
+        <translation>andere </translation>
+    </message>
+    <message>
+        <source> · no %1 interface fits</source>
+        <translation> · keine %1-Schnittstelle passt</translation>
+    </message>
+    <message>
+        <source> · pick another %1 interface</source>
+        <translation> · eine andere %1-Schnittstelle wählen</translation>
+    </message>
+    <message>
+        <source> · pick a %1 interface</source>
+        <translation> · eine %1-Schnittstelle wählen</translation>
+    </message>
+    <message>
+        <source> · D disconnects · Esc</source>
+        <translation> · D trennt · Esc</translation>
+    </message>
+    <message>
+        <source> · Esc</source>
+        <translation> · Esc</translation>
+    </message>
+    <message>
+        <source>%1 process</source>
+        <translation>%1 Prozess</translation>
+    </message>
+    <message>
+        <source>%1 processes</source>
+        <translation>%1 Prozesse</translation>
+    </message>
+    <message>
+        <source>%1 component</source>
+        <translation>%1 Komponente</translation>
+    </message>
+    <message>
+        <source>%1 components</source>
+        <translation>%1 Komponenten</translation>
+    </message>
+    <message>
+        <source>%1 connection</source>
+        <translation>%1 Verbindung</translation>
+    </message>
+    <message>
+        <source>%1 connections</source>
+        <translation>%1 Verbindungen</translation>
+    </message>
+    <message>
+        <source>Search or run   Ctrl+K</source>
+        <translation>Suchen oder ausführen   Strg+K</translation>
+    </message>
+    <message>
+        <source>Pause view</source>
+        <translation>Ansicht anhalten</translation>
+    </message>
+    <message>
+        <source>Finds all that can be done and all there is  (Ctrl+K)</source>
+        <translation>Findet alles, was man tun kann und was es gibt  (Strg+K)</translation>
+    </message>
+    <message>
+        <source>Stops what is drawn, never the data  (Space)</source>
+        <translation>Hält die Zeichnung an, nie die Daten  (Leertaste)</translation>
+    </message>
+    <message>
+        <source>Dark or light</source>
+        <translation>Dunkel oder hell</translation>
+    </message>
+    <message>
+        <source>No GCM found at </source>
+        <translation>Kein GCM gefunden unter </translation>
+    </message>
+    <message>
+        <source>looking every second</source>
+        <translation>Suche jede Sekunde</translation>
+    </message>
+    <message>
+        <source>GCM lost %1 ago</source>
+        <translation>GCM vor %1 verloren</translation>
+    </message>
+    <message>
+        <source>retrying </source>
+        <translation>neuer Versuch: </translation>
+    </message>
+    <message>
+        <source>Hosting the GCM on this machine</source>
+        <translation>Eigener GCM auf diesem Rechner</translation>
+    </message>
+    <message>
+        <source>GCM at </source>
+        <translation>GCM unter </translation>
+    </message>
+    <message>
+        <source>The global component manager (GCM) at %1 knows every process and makes their connections.</source>
+        <translation>Der globale Komponentenmanager (GCM) unter %1 kennt jeden Prozess und stellt die Verbindungen her.</translation>
+    </message>
+    <message>
+        <source>1 problem</source>
+        <translation>1 Problem</translation>
+    </message>
+    <message>
+        <source>%1 problems</source>
+        <translation>%1 Probleme</translation>
+    </message>
+    <message>
+        <source>Resume view</source>
+        <translation>Ansicht fortsetzen</translation>
+    </message>
+    <message>
+        <source>Search or run</source>
+        <translation>Suchen oder ausführen</translation>
+    </message>
+    <message>
+        <source>What to do or where to go</source>
+        <translation>Was zu tun ist oder wohin es geht</translation>
+    </message>
+    <message>
+        <source>What to do, or a name to go to</source>
+        <translation>Was zu tun ist, oder ein Name als Ziel</translation>
+    </message>
+    <message>
+        <source>Nothing fits.</source>
+        <translation>Nichts passt.</translation>
+    </message>
+    <message>
+        <source>&amp;System</source>
+        <translation>&amp;System</translation>
+    </message>
+    <message>
+        <source>&amp;Plot</source>
+        <translation>&amp;Plot</translation>
+    </message>
+    <message>
+        <source>&amp;Graph</source>
+        <translation>&amp;Graph</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>Command for a terminal</source>
+        <translation>Befehl für ein Terminal</translation>
+    </message>
+    <message>
+        <source>Try the demo</source>
+        <translation>Demo ausprobieren</translation>
+    </message>
+    <message>
+        <source>Two processes with a simulated arm, on this machine.</source>
+        <translation>Zwei Prozesse mit einem simulierten Arm, auf diesem Rechner.</translation>
+    </message>
+    <message>
+        <source>Nothing is running yet.</source>
+        <translation>Noch läuft nichts.</translation>
+    </message>
+    <message>
+        <source>A process that joins this GCM appears here by itself.</source>
+        <translation>Ein Prozess, der diesem GCM beitritt, erscheint hier von selbst.</translation>
+    </message>
+    <message>
+        <source>To start one, in a terminal:</source>
+        <translation>Zum Starten im Terminal:</translation>
+    </message>
+    <message>
+        <source>No GCM answers at %1.</source>
+        <translation>Unter %1 antwortet kein GCM.</translation>
+    </message>
+    <message>
+        <source>Looking every second; this window fills by itself when one appears.</source>
+        <translation>Suche jede Sekunde; sobald einer erscheint, füllt sich dieses Fenster von selbst.</translation>
+    </message>
+    <message>
+        <source>To start one, in a terminal there:</source>
+        <translation>Zum Starten dort im Terminal:</translation>
+    </message>
+    <message>
+        <source>Diff</source>
+        <translation>Vergleich</translation>
+    </message>
+    <message>
+        <source>&amp;Open a system file…</source>
+        <translation>Systemdatei ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve what runs</source>
+        <translation>&amp;Laufendes System speichern</translation>
+    </message>
+    <message>
+        <source>Save what runs &amp;as…</source>
+        <translation>Laufendes System speichern &amp;unter…</translation>
+    </message>
+    <message>
+        <source>&amp;Restore the system file…</source>
+        <translation>System aus Datei &amp;herstellen…</translation>
+    </message>
+    <message>
+        <source>&amp;Go back to a state</source>
+        <translation>&amp;Zurück zu einem Stand</translation>
+    </message>
+    <message>
+        <source>The demo is not beside this program: </source>
+        <translation>Die Demo liegt nicht neben diesem Programm: </translation>
+    </message>
+    <message>
+        <source>A plan is being carried out; the demo comes after it</source>
+        <translation>Ein Plan wird gerade ausgeführt; die Demo kommt danach</translation>
+    </message>
+    <message>
+        <source>the demo</source>
+        <translation>Demo</translation>
+    </message>
+    <message>
+        <source>The demo is running already</source>
+        <translation>Die Demo läuft schon</translation>
+    </message>
+    <message>
+        <source>Starting the demo: step %1 of %2</source>
+        <translation>Demo wird gestartet: Schritt %1 von %2</translation>
+    </message>
+    <message>
+        <source>The demo was not started: </source>
+        <translation>Die Demo wurde nicht gestartet: </translation>
+    </message>
+    <message>
+        <source>The demo runs: click a hollow port, then one that lights up</source>
+        <translation>Die Demo läuft: einen hohlen Anschluss anklicken, dann einen, der aufleuchtet</translation>
+    </message>
+    <message>
+        <source>System files (*%1)</source>
+        <translation>Systemdateien (*%1)</translation>
+    </message>
+    <message>
+        <source>Open a system file</source>
+        <translation>Systemdatei öffnen</translation>
+    </message>
+    <message>
+        <source>Save what runs</source>
+        <translation>Laufendes System speichern</translation>
+    </message>
+    <message>
+        <source>Open a system file first: Ctrl+O</source>
+        <translation>Zuerst eine Systemdatei öffnen: Strg+O</translation>
+    </message>
+    <message>
+        <source>State at </source>
+        <translation>Wie um </translation>
+    </message>
+    <message>
+        <source>Nothing has changed yet</source>
+        <translation>Noch nichts geändert</translation>
+    </message>
+    <message>
+        <source>&amp;Find in the graph…</source>
+        <translation>Im Graphen &amp;suchen…</translation>
+    </message>
+    <message>
+        <source>Show &amp;all of it</source>
+        <translation>&amp;Alles zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Map of the graph</source>
+        <translation>Übersichts&amp;karte des Graphen</translation>
+    </message>
+    <message>
+        <source>&amp;Undo the last move</source>
+        <translation>Letzte &amp;Verschiebung rückgängig machen</translation>
+    </message>
+    <message>
+        <source>Nothing has been moved</source>
+        <translation>Nichts wurde verschoben</translation>
+    </message>
+    <message>
+        <source>&amp;Reset the layout of the graph</source>
+        <translation>Anordnung des Graphen &amp;zurücksetzen</translation>
+    </message>
+    <message>
+        <source>All stand where the layout puts them · Ctrl+Z undoes</source>
+        <translation>Alle stehen, wo die Anordnung sie hinstellt · Strg+Z macht rückgängig</translation>
+    </message>
+    <message>
+        <source>Save a &amp;picture of the graph…</source>
+        <translation>&amp;Bild des Graphen speichern…</translation>
+    </message>
+    <message>
+        <source>&amp;Copy the picture of the graph</source>
+        <translation>Bild des Graphen k&amp;opieren</translation>
+    </message>
+    <message>
+        <source>Moved back</source>
+        <translation>Zurückverschoben</translation>
+    </message>
+    <message>
+        <source>Logo of Tendon</source>
+        <translation>Logo von Tendon</translation>
+    </message>
+    <message>
+        <source>Shows and steers a system of Tendon components.</source>
+        <translation>Zeigt und steuert ein System aus Tendon-Komponenten.</translation>
+    </message>
+    <message>
+        <source>Versions</source>
+        <translation>Versionen</translation>
+    </message>
+    <message>
+        <source>Library</source>
+        <translation>Bibliothek</translation>
+    </message>
+    <message>
+        <source>Terms of the library</source>
+        <translation>Bedingungen der Bibliothek</translation>
+    </message>
+    <message>
+        <source>What it is made of, and under which terms</source>
+        <translation>Woraus es besteht und unter welchen Bedingungen</translation>
+    </message>
+    <message>
+        <source>Copy versions</source>
+        <translation>Versionen kopieren</translation>
+    </message>
+    <message>
+        <source>Copied</source>
+        <translation>Kopiert</translation>
+    </message>
+    <message>
+        <source>About gcm-gui</source>
+        <translation>Über gcm-gui</translation>
+    </message>
+    <message>
+        <source>Everywhere</source>
+        <translation>Überall</translation>
+    </message>
+    <message>
+        <source>Tab, Shift+Tab</source>
+        <translation>Tab, Umschalt+Tab</translation>
+    </message>
+    <message>
+        <source>To the next, the last part</source>
+        <translation>Zum nächsten, zum vorigen Teil</translation>
+    </message>
+    <message>
+        <source>Alt+S, P, G, V, H</source>
+        <translation>Alt+S, P, G, A, H</translation>
+    </message>
+    <message>
+        <source>The menus</source>
+        <translation>Die Menüs</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Leaves the connect mode, a card, a field</source>
+        <translation>Verlässt den Verbindungsmodus, eine Karte, ein Feld</translation>
+    </message>
+    <message>
+        <source>In the graph</source>
+        <translation>Im Graphen</translation>
+    </message>
+    <message>
+        <source>Arrows</source>
+        <translation>Pfeiltasten</translation>
+    </message>
+    <message>
+        <source>Select the next component</source>
+        <translation>Nächste Komponente auswählen</translation>
+    </message>
+    <message>
+        <source>Closer, farther, all of it</source>
+        <translation>Näher, weiter weg, alles</translation>
+    </message>
+    <message>
+        <source>1 … 9, Enter</source>
+        <translation>1 … 9, Enter</translation>
+    </message>
+    <message>
+        <source>While connecting: pick that one, the best</source>
+        <translation>Beim Verbinden: diesen wählen, den besten</translation>
+    </message>
+    <message>
+        <source>In a plot</source>
+        <translation>In einem Plot</translation>
+    </message>
+    <message>
+        <source>Zoom in time; with Ctrl in values</source>
+        <translation>Zoomen in der Zeit; mit Strg in den Werten</translation>
+    </message>
+    <message>
+        <source>Left, Right</source>
+        <translation>Links, Rechts</translation>
+    </message>
+    <message>
+        <source>Move in time</source>
+        <translation>In der Zeit verschieben</translation>
+    </message>
+    <message>
+        <source>Alt+Left</source>
+        <translation>Alt+Links</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>Follow the data again</source>
+        <translation>Den Daten wieder folgen</translation>
+    </message>
+    <message>
+        <source>A, B, Delete</source>
+        <translation>A, B, Entf</translation>
+    </message>
+    <message>
+        <source>Place the cursors, remove them</source>
+        <translation>Cursor setzen, entfernen</translation>
+    </message>
+    <message>
+        <source>In a plot&apos;s legend</source>
+        <translation>In der Legende eines Plots</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Leertaste</translation>
+    </message>
+    <message>
+        <source>Hide the curve, show it</source>
+        <translation>Kurve ausblenden, einblenden</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Entf</translation>
+    </message>
+    <message>
+        <source>Remove it</source>
+        <translation>Kurve entfernen</translation>
+    </message>
+    <message>
+        <source>Another signal in its place</source>
+        <translation>Anderes Signal an ihrer Stelle</translation>
+    </message>
+    <message>
+        <source>In a form</source>
+        <translation>In einem Formular</translation>
+    </message>
+    <message>
+        <source>Call the command; a second time where it sets something in motion</source>
+        <translation>Befehl aufrufen; ein zweites Mal, wo er etwas in Bewegung setzt</translation>
+    </message>
+    <message>
+        <source>In the console</source>
+        <translation>In der Konsole</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Tab</translation>
+    </message>
+    <message>
+        <source>Completes</source>
+        <translation>Ergänzt</translation>
+    </message>
+    <message>
+        <source>Ctrl+R</source>
+        <translation>Strg+R</translation>
+    </message>
+    <message>
+        <source>Searches what was typed</source>
+        <translation>Sucht im Getippten</translation>
+    </message>
+    <message>
+        <source>Ctrl+C, Ctrl+L</source>
+        <translation>Strg+C, Strg+L</translation>
+    </message>
+    <message>
+        <source>Interrupts; clears</source>
+        <translation>Bricht ab; leert</translation>
+    </message>
+    <message>
+        <source>Keys: </source>
+        <translation>Tasten: </translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>All that runs</source>
+        <translation>Alles, was läuft</translation>
+    </message>
+    <message>
+        <source>Every process, its components and their interfaces appear here by themselves; type into the filter to find one.</source>
+        <translation>Jeder Prozess, seine Komponenten und deren Schnittstellen erscheinen hier von selbst; zum Suchen in den Filter tippen.</translation>
+    </message>
+    <message>
+        <source>Connect with two clicks</source>
+        <translation>Mit zwei Klicks verbinden</translation>
+    </message>
+    <message>
+        <source>Click a hollow port, then one that lights up: they are connected, and Ctrl+Z takes it back.</source>
+        <translation>Einen hohlen Anschluss anklicken, dann einen, der aufleuchtet: beide sind verbunden, und Strg+Z macht es rückgängig.</translation>
+    </message>
+    <message>
+        <source>Look inside</source>
+        <translation>Hineinsehen</translation>
+    </message>
+    <message>
+        <source>What is selected shows its values, commands and events here, and a click on a command gives a form that calls it.</source>
+        <translation>Ausgewähltes zeigt hier seine Werte, Befehle und Ereignisse, und ein Klick auf einen Befehl öffnet ein Formular, das ihn aufruft.</translation>
+    </message>
+    <message>
+        <source>Plot it live</source>
+        <translation>Live plotten</translation>
+    </message>
+    <message>
+        <source>Select a value and press P: every sample of it is drawn, and you can zoom and measure while more arrive.</source>
+        <translation>Einen Wert auswählen und P drücken: jeder Messwert wird gezeichnet, und man kann zoomen und messen, während weitere eintreffen.</translation>
+    </message>
+    <message>
+        <source>Nothing is lost</source>
+        <translation>Nichts geht verloren</translation>
+    </message>
+    <message>
+        <source>What you did is listed here, with a way back and the line that does the same in a terminal; problems, the log and a console are beside it.</source>
+        <translation>Hier steht, was getan wurde, mit einem Weg zurück und der Zeile, die im Terminal dasselbe tut; Probleme, Protokoll und Konsole sind daneben.</translation>
+    </message>
+    <message>
+        <source>Everything by its name</source>
+        <translation>Alles über seinen Namen</translation>
+    </message>
+    <message>
+        <source>Ctrl+K finds all that can be done and all there is; F1 shows the keys, and the menu Help this tour.</source>
+        <translation>Strg+K findet alles, was man tun kann und was es gibt; F1 zeigt die Tasten und das Menü Hilfe diesen Rundgang.</translation>
+    </message>
+    <message>
+        <source>Graph</source>
+        <translation>Graph</translation>
+    </message>
+    <message>
+        <source>Connections</source>
+        <translation>Verbindungen</translation>
+    </message>
+    <message>
+        <source>Nothing is connected.</source>
+        <translation>Nichts ist verbunden.</translation>
+    </message>
+    <message>
+        <source>Select an interface to connect it</source>
+        <translation>Eine Schnittstelle auswählen, um sie zu verbinden</translation>
+    </message>
+    <message>
+        <source> has no unconnected required interface</source>
+        <translation> hat keine unverbundene benötigte Schnittstelle</translation>
+    </message>
+    <message>
+        <source>Select a connected required interface to disconnect it</source>
+        <translation>Eine verbundene benötigte Schnittstelle auswählen, um sie zu trennen</translation>
+    </message>
+    <message>
+        <source>Select a command of a provided interface to call it</source>
+        <translation>Einen Befehl einer angebotenen Schnittstelle auswählen, um ihn aufzurufen</translation>
+    </message>
+    <message>
+        <source>Hosting the GCM at %1 – gcm-gui</source>
+        <translation>Eigener GCM unter %1 – gcm-gui</translation>
+    </message>
+    <message>
+        <source>GCM at %1 – gcm-gui</source>
+        <translation>GCM unter %1 – gcm-gui</translation>
+    </message>
+    <message>
+        <source>The GCM is back after </source>
+        <translation>Der GCM ist zurück nach </translation>
+    </message>
+    <message>
+        <source>&amp;Connect…</source>
+        <translation>&amp;Verbinden…</translation>
+    </message>
+    <message>
+        <source>&amp;Disconnect</source>
+        <translation>&amp;Trennen</translation>
+    </message>
+    <message>
+        <source>&amp;Why is it connected, or not?</source>
+        <translation>&amp;Warum verbunden oder nicht?</translation>
+    </message>
+    <message>
+        <source>C&amp;all the command…</source>
+        <translation>Befehl &amp;aufrufen…</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Filter the catalogue</source>
+        <translation>Katalog f&amp;iltern</translation>
+    </message>
+    <message>
+        <source>&amp;Show in graph and catalogue</source>
+        <translation>In &amp;Graph und Katalog zeigen</translation>
+    </message>
+    <message>
+        <source>Search or &amp;run…</source>
+        <translation>&amp;Suchen oder ausführen…</translation>
+    </message>
+    <message>
+        <source>C&amp;onsole</source>
+        <translation>&amp;Konsole</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>Call the command</source>
+        <translation>Befehl aufrufen</translation>
+    </message>
+    <message>
+        <source>&amp;Plot what is selected</source>
+        <translation>Ausgewähltes &amp;plotten</translation>
+    </message>
+    <message>
+        <source>&amp;New plot</source>
+        <translation>&amp;Neuer Plot</translation>
+    </message>
+    <message>
+        <source>Plot &amp;below, with the same time</source>
+        <translation>Plot &amp;darunter, mit derselben Zeit</translation>
+    </message>
+    <message>
+        <source>Close t&amp;his plot</source>
+        <translation>Diesen Plot s&amp;chließen</translation>
+    </message>
+    <message>
+        <source>Pause &amp;view</source>
+        <translation>Ansicht an&amp;halten</translation>
+    </message>
+    <message>
+        <source>Follow &amp;live data</source>
+        <translation>&amp;Live-Daten folgen</translation>
+    </message>
+    <message>
+        <source>Cursors &amp;A and B</source>
+        <translation>Cursor &amp;A und B</translation>
+    </message>
+    <message>
+        <source>&amp;Save what is seen as CSV…</source>
+        <translation>&amp;Sichtbares als CSV speichern…</translation>
+    </message>
+    <message>
+        <source>Save a p&amp;icture…</source>
+        <translation>&amp;Bild speichern…</translation>
+    </message>
+    <message>
+        <source>&amp;Open a layout of plots…</source>
+        <translation>Plot-Anordnung ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>Save the layou&amp;t of plots…</source>
+        <translation>Plot-Anordnun&amp;g speichern…</translation>
+    </message>
+    <message>
+        <source>&amp;Tour of the window</source>
+        <translation>&amp;Rundgang durch das Fenster</translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>&amp;Tasten</translation>
+    </message>
+    <message>
+        <source>&amp;About gcm-gui</source>
+        <translation>Ü&amp;ber gcm-gui</translation>
+    </message>
+    <message>
+        <source>Layout for connecting</source>
+        <translation>Anordnung zum Verbinden</translation>
+    </message>
+    <message>
+        <source>Layout for plotting</source>
+        <translation>Anordnung zum Plotten</translation>
+    </message>
+    <message>
+        <source>Layout for operating</source>
+        <translation>Anordnung zum Bedienen</translation>
+    </message>
+    <message>
+        <source>Layout for diagnosing</source>
+        <translation>Anordnung zur Diagnose</translation>
+    </message>
+    <message>
+        <source>Panels can be moved</source>
+        <translation>Bereiche sind verschiebbar</translation>
+    </message>
+    <message>
+        <source>Reset layout</source>
+        <translation>Anordnung zurücksetzen</translation>
+    </message>
+    <message>
+        <source> is no number; select a column or a value of a state table to plot it</source>
+        <translation> ist keine Zahl; zum Plotten eine Spalte oder einen Wert einer Zustandstabelle auswählen</translation>
+    </message>
+    <message>
+        <source>The first %1 of %2 numbers are plotted; select those you need</source>
+        <translation>Die ersten %1 von %2 Zahlen sind geplottet; die benötigten auswählen</translation>
+    </message>
+    <message>
+        <source>, and %1 more since the mark before</source>
+        <translation>, und %1 weitere seit der vorigen Markierung</translation>
+    </message>
+    <message>
+        <source>call </source>
+        <translation>Aufruf </translation>
+    </message>
+    <message>
+        <source> by </source>
+        <translation> durch </translation>
+    </message>
+    <message>
+        <source>: refused</source>
+        <translation>: abgelehnt</translation>
+    </message>
+    <message>
+        <source> is back</source>
+        <translation> ist zurück</translation>
+    </message>
+    <message>
+        <source> disconnected</source>
+        <translation> getrennt</translation>
+    </message>
+    <message>
+        <source> is no longer connected to </source>
+        <translation> ist nicht mehr verbunden mit </translation>
+    </message>
+    <message>
+        <source> connected</source>
+        <translation> verbunden</translation>
+    </message>
+    <message>
+        <source> is connected to </source>
+        <translation> ist verbunden mit </translation>
+    </message>
+    <message>
+        <source>Smaller  (−)</source>
+        <translation>Kleiner  (−)</translation>
+    </message>
+    <message>
+        <source>Larger  (+)</source>
+        <translation>Größer  (+)</translation>
+    </message>
+    <message>
+        <source>Show all  (0)</source>
+        <translation>Alles zeigen  (0)</translation>
+    </message>
+</context>
+<context>
+    <name>tendon::gui::Words::Words</name>
+    <message>
+        <source>%1 curves</source>
+        <translation>%1 Kurven</translation>
+    </message>
+</context>
+</TS>

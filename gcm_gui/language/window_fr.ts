@@ -1,0 +1,2272 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="fr_FR">
+<context>
+    <name>Words</name>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>log level</source>
+        <translation>niveau du journal</translation>
+    </message>
+    <message>
+        <source> · %1 times</source>
+        <translation> · %1 fois</translation>
+    </message>
+    <message>
+        <source> · undone</source>
+        <translation> · annulé</translation>
+    </message>
+    <message>
+        <source>What you do to the system is listed here.</source>
+        <translation>Ce que vous faites au système est noté ici.</translation>
+    </message>
+    <message>
+        <source>Nothing is wrong.</source>
+        <translation>Tout va bien.</translation>
+    </message>
+    <message>
+        <source>Activity</source>
+        <translation>Activité</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>Problèmes</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Journal</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Événements</translation>
+    </message>
+    <message>
+        <source>Console</source>
+        <translation>Console</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Copy as command</source>
+        <translation>Copier en commande</translation>
+    </message>
+    <message>
+        <source>Problems %1</source>
+        <translation>Problèmes %1</translation>
+    </message>
+    <message>
+        <source> is lost</source>
+        <translation> est perdu</translation>
+    </message>
+    <message>
+        <source> does not answer; its values may be old</source>
+        <translation> ne répond pas ; ses valeurs peuvent être anciennes</translation>
+    </message>
+    <message>
+        <source> is faulted</source>
+        <translation> est en défaut</translation>
+    </message>
+    <message>
+        <source> is not connected</source>
+        <translation> n&apos;est pas connectée</translation>
+    </message>
+    <message>
+        <source>…
+The whole answer: Copy as command</source>
+        <translation>…
+La réponse entière : Copier en commande</translation>
+    </message>
+    <message>
+        <source>Call a command</source>
+        <translation>Appeler une commande</translation>
+    </message>
+    <message>
+        <source>Answer</source>
+        <translation>Réponse</translation>
+    </message>
+    <message>
+        <source>Argument as JSON</source>
+        <translation>Argument en JSON</translation>
+    </message>
+    <message>
+        <source>Call</source>
+        <translation>Appeler</translation>
+    </message>
+    <message>
+        <source>Not called: hold the button for 0.4 s, for this can set something in motion</source>
+        <translation>Pas appelée : maintenir le bouton 0,4 s, car cela peut mettre quelque chose en mouvement</translation>
+    </message>
+    <message>
+        <source>Ask again</source>
+        <translation>Redemander</translation>
+    </message>
+    <message>
+        <source>The argument as text, instead of a form</source>
+        <translation>L&apos;argument en texte, au lieu d&apos;un formulaire</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copier</translation>
+    </message>
+    <message>
+        <source>Copies the line that does the same in a terminal</source>
+        <translation>Copie la ligne qui fait la même chose dans un terminal</translation>
+    </message>
+    <message>
+        <source>Add to the favourites</source>
+        <translation>Ajouter aux favoris</translation>
+    </message>
+    <message>
+        <source>Adds a button for this command and argument</source>
+        <translation>Ajoute un bouton pour cette commande et cet argument</translation>
+    </message>
+    <message>
+        <source>Repeat</source>
+        <translation>Répéter</translation>
+    </message>
+    <message>
+        <source>Calls it again and again</source>
+        <translation>L&apos;appelle encore et encore</translation>
+    </message>
+    <message>
+        <source>Call </source>
+        <translation>Appeler </translation>
+    </message>
+    <message>
+        <source>Asking what it takes…</source>
+        <translation>Demande de l&apos;argument attendu…</translation>
+    </message>
+    <message>
+        <source>Hold to call</source>
+        <translation>Maintenir pour appeler</translation>
+    </message>
+    <message>
+        <source>It can set something in motion: hold the button for 0.4 s, or press Ctrl+Enter twice</source>
+        <translation>Cela peut mettre quelque chose en mouvement : maintenir le bouton 0,4 s ou appuyer deux fois sur Ctrl+Entrée</translation>
+    </message>
+    <message>
+        <source>Ctrl+Enter</source>
+        <translation>Ctrl+Entrée</translation>
+    </message>
+    <message>
+        <source>Ctrl+Enter again calls it: this can set something in motion</source>
+        <translation>Encore Ctrl+Entrée pour appeler : cela peut mettre quelque chose en mouvement</translation>
+    </message>
+    <message>
+        <source>Calling…</source>
+        <translation>Appel en cours…</translation>
+    </message>
+    <message>
+        <source>Done in </source>
+        <translation>Terminé en </translation>
+    </message>
+    <message>
+        <source>JSON of </source>
+        <translation>JSON de </translation>
+    </message>
+    <message>
+        <source>Favourites</source>
+        <translation>Favoris</translation>
+    </message>
+    <message>
+        <source>Favourite commands</source>
+        <translation>Commandes favorites</translation>
+    </message>
+    <message>
+        <source>Waiting for </source>
+        <translation>En attente de </translation>
+    </message>
+    <message>
+        <source>
+It can set something in motion: hold the button for 0.4 s</source>
+        <translation>
+Cela peut mettre quelque chose en mouvement : maintenir le bouton 0,4 s</translation>
+    </message>
+    <message>
+        <source>Show the command</source>
+        <translation>Montrer la commande</translation>
+    </message>
+    <message>
+        <source>Remove from favourites</source>
+        <translation>Retirer des favoris</translation>
+    </message>
+    <message>
+        <source>Calls a second</source>
+        <translation>Appels par seconde</translation>
+    </message>
+    <message>
+        <source>How many calls</source>
+        <translation>Nombre d&apos;appels</translation>
+    </message>
+    <message>
+        <source>until stopped</source>
+        <translation>jusqu&apos;à l&apos;arrêt</translation>
+    </message>
+    <message>
+        <source> times</source>
+        <translation> fois</translation>
+    </message>
+    <message>
+        <source>%1 call</source>
+        <translation>%1 appel</translation>
+    </message>
+    <message>
+        <source>%1 calls</source>
+        <translation>%1 appels</translation>
+    </message>
+    <message>
+        <source>, %1 left out: the one before took too long</source>
+        <translation>, %1 omis : le précédent a duré trop longtemps</translation>
+    </message>
+    <message>
+        <source>Hold to repeat</source>
+        <translation>Maintenir pour répéter</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Arrêter</translation>
+    </message>
+    <message>
+        <source>It can set something in motion: it is called as long as the button is held down, from 0.4 s on</source>
+        <translation>Cela peut mettre quelque chose en mouvement : les appels durent tant que le bouton est maintenu, à partir de 0,4 s</translation>
+    </message>
+    <message>
+        <source>Candidates</source>
+        <translation>Candidats</translation>
+    </message>
+    <message>
+        <source>No candidate fits the filter.</source>
+        <translation>Aucun candidat ne répond au filtre.</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Connecter</translation>
+    </message>
+    <message>
+        <source>Candidates for a connection</source>
+        <translation>Candidats à une connexion</translation>
+    </message>
+    <message>
+        <source>Esc leaves</source>
+        <translation>Esc pour quitter</translation>
+    </message>
+    <message>
+        <source>Filter the candidates</source>
+        <translation>Filtrer les candidats</translation>
+    </message>
+    <message>
+        <source>Filter; Enter picks, so do 1 to 9</source>
+        <translation>Filtre ; Entrée choisit, de même 1 à 9</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Remplacer</translation>
+    </message>
+    <message>
+        <source>%1 is connected to %2. What it could be connected to instead:</source>
+        <translation>%1 est connectée à %2. À quoi elle pourrait être connectée à la place :</translation>
+    </message>
+    <message>
+        <source>What %1 could be connected to:</source>
+        <translation>À quoi %1 pourrait être connectée :</translation>
+    </message>
+    <message>
+        <source>What could be connected to %1:</source>
+        <translation>Ce qui pourrait être connecté à %1 :</translation>
+    </message>
+    <message>
+        <source>
+Has %1 of the commands and events that are needed.</source>
+        <translation>
+Possède %1 des commandes et événements requis.</translation>
+    </message>
+    <message>
+        <source>replaces %1</source>
+        <translation>remplace %1</translation>
+    </message>
+    <message>
+        <source>%1 more; type to find one</source>
+        <translation>%1 autres ; taper pour chercher</translation>
+    </message>
+    <message>
+        <source>None of %1 fits at all</source>
+        <translation>Aucun des %1 ne convient</translation>
+    </message>
+    <message>
+        <source>%1 more do not fit at all</source>
+        <translation>%1 autres ne conviennent pas du tout</translation>
+    </message>
+    <message>
+        <source>is what it is connected to now</source>
+        <translation>est déjà la connexion actuelle</translation>
+    </message>
+    <message>
+        <source> does not fit: </source>
+        <translation> ne convient pas : </translation>
+    </message>
+    <message>
+        <source>Match by name and type</source>
+        <translation>Associer par nom et type</translation>
+    </message>
+    <message>
+        <source>%1 of %2 have something to connect to. Space checks, Enter connects what is checked.</source>
+        <translation>%1 sur %2 ont un vis-à-vis. Espace coche, Entrée connecte ce qui est coché.</translation>
+    </message>
+    <message>
+        <source>nothing that is there fits</source>
+        <translation>rien de présent ne convient</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>une parmi %1</translation>
+    </message>
+    <message>
+        <source>Connect %1</source>
+        <translation>Connecter %1</translation>
+    </message>
+    <message>
+        <source> interfaces</source>
+        <translation> interfaces</translation>
+    </message>
+    <message>
+        <source>Console output</source>
+        <translation>Sortie de la console</translation>
+    </message>
+    <message>
+        <source>The language of gcm shell: try ls, watch, call … or help. Tab completes, Ctrl+C interrupts, Ctrl+R searches what was typed.</source>
+        <translation>Le langage de gcm shell : essayer ls, watch, call … ou help. Tab complète, Ctrl+C interrompt, Ctrl+R cherche dans ce qui a été tapé.</translation>
+    </message>
+    <message>
+        <source>Console line</source>
+        <translation>Ligne de la console</translation>
+    </message>
+    <message>
+        <source>search &apos;%1&apos;:</source>
+        <translation>recherche « %1 » :</translation>
+    </message>
+    <message>
+        <source>nothing with &apos;%1&apos;:</source>
+        <translation>rien avec « %1 » :</translation>
+    </message>
+    <message>
+        <source>… Ctrl+C</source>
+        <translation>… Ctrl+C</translation>
+    </message>
+    <message>
+        <source>%1 event</source>
+        <translation>%1 événement</translation>
+    </message>
+    <message>
+        <source>%1 events</source>
+        <translation>%1 événements</translation>
+    </message>
+    <message>
+        <source>no event</source>
+        <translation>aucun événement</translation>
+    </message>
+    <message>
+        <source> · %1 a second</source>
+        <translation> · %1 par seconde</translation>
+    </message>
+    <message>
+        <source> · %1 lost</source>
+        <translation> · pertes : %1</translation>
+    </message>
+    <message>
+        <source> · %1 waiting</source>
+        <translation> · %1 en attente</translation>
+    </message>
+    <message>
+        <source>No event has been raised since this page was opened.</source>
+        <translation>Aucun événement depuis l&apos;ouverture de cette page.</translation>
+    </message>
+    <message>
+        <source>Whose events are listed</source>
+        <translation>De qui les événements sont listés</translation>
+    </message>
+    <message>
+        <source>All components</source>
+        <translation>Tous les composants</translation>
+    </message>
+    <message>
+        <source>Selected component</source>
+        <translation>Composant sélectionné</translation>
+    </message>
+    <message>
+        <source>Filter the events</source>
+        <translation>Filtrer les événements</translation>
+    </message>
+    <message>
+        <source>Filter: words, from:robot/arm, -word</source>
+        <translation>Filtre : mots, from:robot/arm, -mot</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>The list stands still; what comes is shown afterwards</source>
+        <translation>La liste est figée ; ce qui arrive est montré ensuite</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Vider</translation>
+    </message>
+    <message>
+        <source>Select a component to see its events.</source>
+        <translation>Sélectionner un composant pour voir ses événements.</translation>
+    </message>
+    <message>
+        <source>it cannot be encoded</source>
+        <translation>encodage impossible</translation>
+    </message>
+    <message>
+        <source>%1 was not saved: %2</source>
+        <translation>%1 n&apos;a pas été enregistré : %2</translation>
+    </message>
+    <message>
+        <source>%1 calls found no room</source>
+        <translation>%1 appels n&apos;ont pas trouvé de place</translation>
+    </message>
+    <message>
+        <source>%1 events were lost</source>
+        <translation>%1 événements ont été perdus</translation>
+    </message>
+    <message>
+        <source>%1 of %2 calls wait</source>
+        <translation>%1 appels sur %2 en attente</translation>
+    </message>
+    <message>
+        <source>answers after </source>
+        <translation>répond après </translation>
+    </message>
+    <message>
+        <source>Save a picture of the graph</source>
+        <translation>Enregistrer une image du graphe</translation>
+    </message>
+    <message>
+        <source>SVG, as large as you like (*.svg)</source>
+        <translation>SVG, aussi grand que voulu (*.svg)</translation>
+    </message>
+    <message>
+        <source>PNG, as it is seen (*.png)</source>
+        <translation>PNG, tel qu&apos;affiché (*.png)</translation>
+    </message>
+    <message>
+        <source>DOT, for Graphviz (*.dot)</source>
+        <translation>DOT, pour Graphviz (*.dot)</translation>
+    </message>
+    <message>
+        <source>end its name in .svg, .png or .dot to say what it is</source>
+        <translation>terminer son nom par .svg, .png ou .dot pour dire ce que c&apos;est</translation>
+    </message>
+    <message>
+        <source> saved</source>
+        <translation> enregistré</translation>
+    </message>
+    <message>
+        <source>The picture of the graph is in the clipboard</source>
+        <translation>L&apos;image du graphe est dans le presse-papiers</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>et %1 autres</translation>
+    </message>
+    <message>
+        <source> does not fit</source>
+        <translation> ne convient pas</translation>
+    </message>
+    <message>
+        <source>connecting …</source>
+        <translation>connexion …</translation>
+    </message>
+    <message>
+        <source>System graph</source>
+        <translation>Graphe du système</translation>
+    </message>
+    <message>
+        <source>was </source>
+        <translation>était </translation>
+    </message>
+    <message>
+        <source>no components</source>
+        <translation>aucun composant</translation>
+    </message>
+    <message>
+        <source>Map of the graph</source>
+        <translation>Carte du graphe</translation>
+    </message>
+    <message>
+        <source>The frame is what is seen; Shift and arrow keys in the graph move it</source>
+        <translation>Le cadre est la partie visible ; Maj et les flèches dans le graphe le déplacent</translation>
+    </message>
+    <message>
+        <source>Drag the frame to see another part  (M hides the map)</source>
+        <translation>Glisser le cadre pour voir une autre partie  (M masque la carte)</translation>
+    </message>
+    <message>
+        <source>Find in the graph</source>
+        <translation>Chercher dans le graphe</translation>
+    </message>
+    <message>
+        <source>Component or interface</source>
+        <translation>Composant ou interface</translation>
+    </message>
+    <message>
+        <source>The one before  (Shift+Enter)</source>
+        <translation>Le précédent  (Maj+Entrée)</translation>
+    </message>
+    <message>
+        <source>The next one  (Enter)</source>
+        <translation>Le suivant  (Entrée)</translation>
+    </message>
+    <message>
+        <source>End the search  (Esc)</source>
+        <translation>Terminer la recherche  (Esc)</translation>
+    </message>
+    <message>
+        <source>nothing fits</source>
+        <translation>rien ne convient</translation>
+    </message>
+    <message>
+        <source>%1 found</source>
+        <translation>trouvés : %1</translation>
+    </message>
+    <message>
+        <source>No event has been raised since this was opened.</source>
+        <translation>Aucun événement depuis l&apos;ouverture.</translation>
+    </message>
+    <message>
+        <source>%1 lost</source>
+        <translation>pertes : %1</translation>
+    </message>
+    <message>
+        <source>Processor</source>
+        <translation>Processeur</translation>
+    </message>
+    <message>
+        <source>Of one core, in the last second</source>
+        <translation>D&apos;un cœur, dans la dernière seconde</translation>
+    </message>
+    <message>
+        <source>Memory</source>
+        <translation>Mémoire</translation>
+    </message>
+    <message>
+        <source>Resident</source>
+        <translation>Résidente</translation>
+    </message>
+    <message>
+        <source>Clock</source>
+        <translation>Horloge</translation>
+    </message>
+    <message>
+        <source>How far its clock is ahead of the GCM&apos;s, and how sure that is</source>
+        <translation>De combien son horloge avance sur celle du GCM, et avec quelle certitude</translation>
+    </message>
+    <message>
+        <source>%1 of %2 wait in the fullest mailbox of the component</source>
+        <translation>%1 sur %2 en attente dans la boîte aux lettres la plus pleine du composant</translation>
+    </message>
+    <message>
+        <source>no answer</source>
+        <translation>sans réponse</translation>
+    </message>
+    <message>
+        <source>Period</source>
+        <translation>Période</translation>
+    </message>
+    <message>
+        <source> · now </source>
+        <translation> · maintenant </translation>
+    </message>
+    <message>
+        <source>How often it is to run, and how often it did in the last second</source>
+        <translation>À quelle cadence il doit tourner, et à laquelle il a tourné dans la dernière seconde</translation>
+    </message>
+    <message>
+        <source>Starts late by</source>
+        <translation>Retard</translation>
+    </message>
+    <message>
+        <source>%1 · max %2</source>
+        <translation>%1 · max %2</translation>
+    </message>
+    <message>
+        <source>In the last second half of the cycles began no later than %1 after they were due, 99 of 100 no later than %2, all no later than %3</source>
+        <translation>Dans la dernière seconde, la moitié des cycles a commencé au plus %1 après l&apos;échéance, 99 sur 100 au plus %2, tous au plus %3</translation>
+    </message>
+    <message>
+        <source>Skipped cycles</source>
+        <translation>Cycles sautés</translation>
+    </message>
+    <message>
+        <source>Since its start, because a cycle before took too long</source>
+        <translation>Depuis son démarrage, parce qu&apos;un cycle précédent a duré trop longtemps</translation>
+    </message>
+    <message>
+        <source>Busy</source>
+        <translation>Occupation</translation>
+    </message>
+    <message>
+        <source>How much of its period it computes, mean of the last second</source>
+        <translation>Part de sa période passée à calculer, moyenne de la dernière seconde</translation>
+    </message>
+    <message>
+        <source>Inspector</source>
+        <translation>Inspecteur</translation>
+    </message>
+    <message>
+        <source>Forget this process</source>
+        <translation>Oublier ce processus</translation>
+    </message>
+    <message>
+        <source>Removes what is left of it from the catalogue</source>
+        <translation>Retire du catalogue ce qu&apos;il en reste</translation>
+    </message>
+    <message>
+        <source>Interfaces</source>
+        <translation>Interfaces</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Valeurs</translation>
+    </message>
+    <message>
+        <source>Config</source>
+        <translation>Configuration</translation>
+    </message>
+    <message>
+        <source>This component has no interfaces.</source>
+        <translation>Ce composant n&apos;a pas d&apos;interfaces.</translation>
+    </message>
+    <message>
+        <source>This component has no state table.</source>
+        <translation>Ce composant n&apos;a pas de table d&apos;état.</translation>
+    </message>
+    <message>
+        <source>Why?</source>
+        <translation>Pourquoi ?</translation>
+    </message>
+    <message>
+        <source>Why is </source>
+        <translation>Pourquoi </translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation>Déconnecter</translation>
+    </message>
+    <message>
+        <source>Select a component in the catalogue or in the graph to see what it offers and needs.</source>
+        <translation>Sélectionner un composant dans le catalogue ou le graphe pour voir ce qu&apos;il fournit et requiert.</translation>
+    </message>
+    <message>
+        <source> is not there.</source>
+        <translation> n&apos;est pas là.</translation>
+    </message>
+    <message>
+        <source> since</source>
+        <translation> depuis</translation>
+    </message>
+    <message>
+        <source>Host</source>
+        <translation>Machine</translation>
+    </message>
+    <message>
+        <source>Process id</source>
+        <translation>ID du processus</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>Components</source>
+        <translation>Composants</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Raison</translation>
+    </message>
+    <message>
+        <source> does not answer</source>
+        <translation> ne répond pas</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>Classe</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>Défaut</translation>
+    </message>
+    <message>
+        <source>Process</source>
+        <translation>Processus</translation>
+    </message>
+    <message>
+        <source>%1 client</source>
+        <translation>%1 client</translation>
+    </message>
+    <message>
+        <source>%1 clients</source>
+        <translation>%1 clients</translation>
+    </message>
+    <message>
+        <source>No record fits. What the processes log is listed here.</source>
+        <translation>Aucune entrée ne convient. Ce que journalisent les processus est listé ici.</translation>
+    </message>
+    <message>
+        <source>Least level that is shown</source>
+        <translation>Plus bas niveau affiché</translation>
+    </message>
+    <message>
+        <source>All levels</source>
+        <translation>Tous les niveaux</translation>
+    </message>
+    <message>
+        <source>Info and above</source>
+        <translation>Info et au-dessus</translation>
+    </message>
+    <message>
+        <source>Warnings and errors</source>
+        <translation>Avertissements et erreurs</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>Erreurs</translation>
+    </message>
+    <message>
+        <source>Filter the log</source>
+        <translation>Filtrer le journal</translation>
+    </message>
+    <message>
+        <source>Set level…</source>
+        <translation>Régler le niveau…</translation>
+    </message>
+    <message>
+        <source>From which level on a process logs, until it ends</source>
+        <translation>À partir de quel niveau un processus journalise, jusqu&apos;à sa fin</translation>
+    </message>
+    <message>
+        <source>Empties this list; the processes and the GCM keep theirs</source>
+        <translation>Vide cette liste ; les processus et le GCM gardent les leurs</translation>
+    </message>
+    <message>
+        <source> and above</source>
+        <translation> et au-dessus</translation>
+    </message>
+    <message>
+        <source>There is no process</source>
+        <translation>Il n&apos;y a aucun processus</translation>
+    </message>
+    <message>
+        <source>%1 record</source>
+        <translation>%1 entrée</translation>
+    </message>
+    <message>
+        <source>%1 records</source>
+        <translation>%1 entrées</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valeur</translation>
+    </message>
+    <message>
+        <source>Required</source>
+        <translation>Requise</translation>
+    </message>
+    <message>
+        <source>Provided</source>
+        <translation>Fournie</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>État</translation>
+    </message>
+    <message>
+        <source>%1 from %2, %3</source>
+        <translation>%1 de %2, %3</translation>
+    </message>
+    <message>
+        <source>Picture, </source>
+        <translation>Image, </translation>
+    </message>
+    <message>
+        <source>%1 channels</source>
+        <translation>%1 canaux</translation>
+    </message>
+    <message>
+        <source>a picture of encoding &apos;%1&apos; is not drawn, only: %2</source>
+        <translation>une image d&apos;encodage « %1 » n&apos;est pas dessinée, seulement : %2</translation>
+    </message>
+    <message>
+        <source>a picture of %1 pixels has none to draw</source>
+        <translation>une image de %1 pixels n&apos;en a aucun à dessiner</translation>
+    </message>
+    <message>
+        <source>a picture of %1 pixels is too large to be drawn: at most %2</source>
+        <translation>une image de %1 pixels est trop grande pour être dessinée : au plus %2</translation>
+    </message>
+    <message>
+        <source>%1 pixels of %2 take %3 bytes a row, but step says %4</source>
+        <translation>%1 pixels en %2 prennent %3 octets par ligne, mais step indique %4</translation>
+    </message>
+    <message>
+        <source>%1 rows of %2 bytes do not fit data of %3 bytes</source>
+        <translation>%1 lignes de %2 octets ne correspondent pas à des données de %3 octets</translation>
+    </message>
+    <message>
+        <source> lost</source>
+        <translation> perdu</translation>
+    </message>
+    <message>
+        <source>none lost</source>
+        <translation>aucune perdue</translation>
+    </message>
+    <message>
+        <source>%1 lost ones marked</source>
+        <translation>%1 perdues marquées</translation>
+    </message>
+    <message>
+        <source>Saved %1 rows, %2, to %3</source>
+        <translation>%1 lignes, %2, enregistrées dans %3</translation>
+    </message>
+    <message>
+        <source>%1 of %2 MB for samples</source>
+        <translation>%1 sur %2 Mo pour les échantillons</translation>
+    </message>
+    <message>
+        <source>; older ones are kept as lowest and highest value of each 100 ms</source>
+        <translation>, les plus anciens étant gardés comme plus petite et plus grande valeur par 100 ms</translation>
+    </message>
+    <message>
+        <source>Legend</source>
+        <translation>Légende</translation>
+    </message>
+    <message>
+        <source>min%1  max%2  mean%3  σ%4  rms%5  p-p%6  %7</source>
+        <translation>min%1  max%2  moy%3  σ%4  rms%5  p-p%6  %7</translation>
+    </message>
+    <message>
+        <source>Close this plot</source>
+        <translation>Fermer ce graphique</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>New plot</source>
+        <translation>Nouveau graphique</translation>
+    </message>
+    <message>
+        <source>A plot below, with the same time  (Ctrl+Shift+T)</source>
+        <translation>Graphique en dessous, avec le même temps  (Ctrl+Maj+T)</translation>
+    </message>
+    <message>
+        <source>How long the plot looks back</source>
+        <translation>Durée que montre le graphique</translation>
+    </message>
+    <message>
+        <source>Back to what was shown before  (Alt+Left)</source>
+        <translation>Revenir à la vue précédente  (Alt+Gauche)</translation>
+    </message>
+    <message>
+        <source>Forward again  (Alt+Right)</source>
+        <translation>Avancer de nouveau  (Alt+Droite)</translation>
+    </message>
+    <message>
+        <source>Cursors A and B  (A, B; Delete)</source>
+        <translation>Curseurs A et B  (A, B ; Suppr)</translation>
+    </message>
+    <message>
+        <source>Save what is seen as CSV  (Ctrl+E)</source>
+        <translation>Enregistrer la partie visible en CSV  (Ctrl+E)</translation>
+    </message>
+    <message>
+        <source>Sweep: the curves stay, and are written over from the left  (S)</source>
+        <translation>Balayage : les courbes restent en place et sont réécrites à partir de la gauche  (S)</translation>
+    </message>
+    <message>
+        <source>Pause the view</source>
+        <translation>Figer la vue</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Graphiques</translation>
+    </message>
+    <message>
+        <source>Last </source>
+        <translation>Dernières </translation>
+    </message>
+    <message>
+        <source>How long the plot looks back: </source>
+        <translation>Durée que montre le graphique : </translation>
+    </message>
+    <message>
+        <source>Resume the view</source>
+        <translation>Reprendre la vue</translation>
+    </message>
+    <message>
+        <source>Resume the view (Space)</source>
+        <translation>Reprendre la vue (Espace)</translation>
+    </message>
+    <message>
+        <source>Pause the view, not the data (Space)</source>
+        <translation>Figer la vue, pas les données (Espace)</translation>
+    </message>
+    <message>
+        <source>Fit what is seen</source>
+        <translation>Ajuster au visible</translation>
+    </message>
+    <message>
+        <source>Only grow</source>
+        <translation>Seulement agrandir</translation>
+    </message>
+    <message>
+        <source>Symmetric around 0</source>
+        <translation>Symétrique autour de 0</translation>
+    </message>
+    <message>
+        <source>Logarithmic</source>
+        <translation>Logarithmique</translation>
+    </message>
+    <message>
+        <source>Statistics</source>
+        <translation>Statistiques</translation>
+    </message>
+    <message>
+        <source>Marks</source>
+        <translation>Marques</translation>
+    </message>
+    <message>
+        <source>Sweep</source>
+        <translation>Balayage</translation>
+    </message>
+    <message>
+        <source>Follow live data</source>
+        <translation>Suivre le direct</translation>
+    </message>
+    <message>
+        <source>Back to what was shown before</source>
+        <translation>Revenir à la vue précédente</translation>
+    </message>
+    <message>
+        <source>Forward again</source>
+        <translation>Avancer de nouveau</translation>
+    </message>
+    <message>
+        <source>A plot below</source>
+        <translation>Graphique en dessous</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>Copier l&apos;image</translation>
+    </message>
+    <message>
+        <source>Save picture…</source>
+        <translation>Enregistrer l&apos;image…</translation>
+    </message>
+    <message>
+        <source>Save what is seen as CSV…</source>
+        <translation>Enregistrer la partie visible en CSV…</translation>
+    </message>
+    <message>
+        <source>Open layout…</source>
+        <translation>Ouvrir une disposition…</translation>
+    </message>
+    <message>
+        <source>Save layout of all plots…</source>
+        <translation>Enregistrer la disposition de tous les graphiques…</translation>
+    </message>
+    <message>
+        <source>There is nothing to save as CSV: the plot shows no samples</source>
+        <translation>Rien à enregistrer en CSV : le graphique ne montre aucun échantillon</translation>
+    </message>
+    <message>
+        <source>Save what is seen as CSV</source>
+        <translation>Enregistrer la partie visible en CSV</translation>
+    </message>
+    <message>
+        <source>CSV (*.csv)</source>
+        <translation>CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>Save a picture of the plot</source>
+        <translation>Enregistrer une image du graphique</translation>
+    </message>
+    <message>
+        <source>PNG (*.png);;SVG (*.svg)</source>
+        <translation>PNG (*.png);;SVG (*.svg)</translation>
+    </message>
+    <message>
+        <source>Save the layout of all plots</source>
+        <translation>Enregistrer la disposition de tous les graphiques</translation>
+    </message>
+    <message>
+        <source>Plot layout (*.plots.json)</source>
+        <translation>Disposition de graphiques (*.plots.json)</translation>
+    </message>
+    <message>
+        <source>Open a layout of plots</source>
+        <translation>Ouvrir une disposition de graphiques</translation>
+    </message>
+    <message>
+        <source>Plot layout (*.plots.json *.json)</source>
+        <translation>Disposition de graphiques (*.plots.json *.json)</translation>
+    </message>
+    <message>
+        <source> cannot be read: </source>
+        <translation> ne peut pas être lu : </translation>
+    </message>
+    <message>
+        <source> is no layout of plots: </source>
+        <translation> n&apos;est pas une disposition de graphiques : </translation>
+    </message>
+    <message>
+        <source>Show another signal</source>
+        <translation>Montrer un autre signal</translation>
+    </message>
+    <message>
+        <source>In place of </source>
+        <translation>À la place de </translation>
+    </message>
+    <message>
+        <source>Close plots</source>
+        <translation>Fermer les graphiques</translation>
+    </message>
+    <message>
+        <source>Close plot</source>
+        <translation>Fermer le graphique</translation>
+    </message>
+    <message>
+        <source>Plot %1</source>
+        <translation>Graphique %1</translation>
+    </message>
+    <message>
+        <source>Plot </source>
+        <translation>Graphique </translation>
+    </message>
+    <message>
+        <source>Select a value and press P, or drag it here</source>
+        <translation>Sélectionner une valeur et appuyer sur P, ou la glisser ici</translation>
+    </message>
+    <message>
+        <source>Plot</source>
+        <translation>Graphique</translation>
+    </message>
+    <message>
+        <source>Plot canvas</source>
+        <translation>Surface du graphique</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Ajuster</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>Direct</translation>
+    </message>
+    <message>
+        <source>Fit the values again</source>
+        <translation>Ajuster de nouveau aux valeurs</translation>
+    </message>
+    <message>
+        <source>Follow live data again</source>
+        <translation>Suivre de nouveau le direct</translation>
+    </message>
+    <message>
+        <source> (double click)</source>
+        <translation> (double clic)</translation>
+    </message>
+    <message>
+        <source>0 and less has no place on this axis: </source>
+        <translation>0 et moins n&apos;a pas de place sur cet axe : </translation>
+    </message>
+    <message>
+        <source> · %1 repeated</source>
+        <translation> · %1 en double</translation>
+    </message>
+    <message>
+        <source> · %1 silent</source>
+        <translation> · %1 sans signal</translation>
+    </message>
+    <message>
+        <source>Rate and lost rows: </source>
+        <translation>Cadence et lignes perdues : </translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 rows lost, %4 repeated</source>
+        <translation>%1 : %2, %3 lignes perdues, %4 en double</translation>
+    </message>
+    <message>
+        <source>waiting for </source>
+        <translation>en attente de </translation>
+    </message>
+    <message>
+        <source>stands for </source>
+        <translation>établie depuis </translation>
+    </message>
+    <message>
+        <source>round trip </source>
+        <translation>aller-retour </translation>
+    </message>
+    <message>
+        <source>%1 calls and events</source>
+        <translation>%1 appels et événements</translation>
+    </message>
+    <message>
+        <source>%1 of %2 wait</source>
+        <translation>%1 sur %2 en attente</translation>
+    </message>
+    <message>
+        <source>%1 refused, %2 replaced, %3 events lost</source>
+        <translation>%1 refusés, %2 remplacés, %3 événements perdus</translation>
+    </message>
+    <message>
+        <source>%1 bytes: </source>
+        <translation>%1 octets : </translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>manquant</translation>
+    </message>
+    <message>
+        <source>only running</source>
+        <translation>seulement actif</translation>
+    </message>
+    <message>
+        <source>changed</source>
+        <translation>modifié</translation>
+    </message>
+    <message>
+        <source>takes away what runs</source>
+        <translation>retire ce qui tourne</translation>
+    </message>
+    <message>
+        <source>= %1   + %2 only running   − %3 missing   ~ %4 changed</source>
+        <translation>= %1   + %2 seulement actifs   − %3 manquants   ~ %4 modifiés</translation>
+    </message>
+    <message>
+        <source>cannot be</source>
+        <translation>impossible</translation>
+    </message>
+    <message>
+        <source>What runs beside its file</source>
+        <translation>Ce qui tourne à côté de son fichier</translation>
+    </message>
+    <message>
+        <source>Differences of what runs from its file</source>
+        <translation>Différences entre ce qui tourne et son fichier</translation>
+    </message>
+    <message>
+        <source>Apply →</source>
+        <translation>Appliquer →</translation>
+    </message>
+    <message>
+        <source>What runs becomes as this line of the file</source>
+        <translation>Ce qui tourne devient comme cette ligne du fichier</translation>
+    </message>
+    <message>
+        <source>← Update file</source>
+        <translation>← Adapter le fichier</translation>
+    </message>
+    <message>
+        <source>This line of the file becomes as it runs</source>
+        <translation>Cette ligne du fichier devient comme ce qui tourne</translation>
+    </message>
+    <message>
+        <source>Restore all…</source>
+        <translation>Tout restaurer…</translation>
+    </message>
+    <message>
+        <source>Steps of the plan</source>
+        <translation>Étapes du plan</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Retour</translation>
+    </message>
+    <message>
+        <source>Go on after an error</source>
+        <translation>Continuer après une erreur</translation>
+    </message>
+    <message>
+        <source>Undo restore</source>
+        <translation>Annuler l&apos;opération</translation>
+    </message>
+    <message>
+        <source>Carry out</source>
+        <translation>Exécuter</translation>
+    </message>
+    <message>
+        <source> as in the file</source>
+        <translation> comme dans le fichier</translation>
+    </message>
+    <message>
+        <source>No system file is open.</source>
+        <translation>Aucun fichier de système n&apos;est ouvert.</translation>
+    </message>
+    <message>
+        <source>What runs is as the file says.</source>
+        <translation>Ce qui tourne correspond au fichier.</translation>
+    </message>
+    <message>
+        <source>Ctrl+S writes down what runs; Ctrl+O opens what was written down.</source>
+        <translation>Ctrl+S enregistre ce qui tourne ; Ctrl+O ouvre ce qui a été enregistré.</translation>
+    </message>
+    <message>
+        <source>nothing is to be done</source>
+        <translation>rien à faire</translation>
+    </message>
+    <message>
+        <source>%1 step</source>
+        <translation>%1 étape</translation>
+    </message>
+    <message>
+        <source>%1 steps</source>
+        <translation>%1 étapes</translation>
+    </message>
+    <message>
+        <source>nothing stays as it is</source>
+        <translation>rien ne reste en l&apos;état</translation>
+    </message>
+    <message>
+        <source>will not touch </source>
+        <translation>ne touchera pas à </translation>
+    </message>
+    <message>
+        <source>%1 item</source>
+        <translation>%1 élément</translation>
+    </message>
+    <message>
+        <source>%1 items</source>
+        <translation>%1 éléments</translation>
+    </message>
+    <message>
+        <source>To %1: step %2 of %3</source>
+        <translation>Vers %1 : étape %2 sur %3</translation>
+    </message>
+    <message>
+        <source>To %1: %2 done, %3 failed, %4 left</source>
+        <translation>Vers %1 : %2 faites, %3 échouées, %4 restantes</translation>
+    </message>
+    <message>
+        <source>what was before</source>
+        <translation>l&apos;état d&apos;avant</translation>
+    </message>
+    <message>
+        <source>%1, modified since %2</source>
+        <translation>%1, modifié depuis %2</translation>
+    </message>
+    <message>
+        <source>Saved to </source>
+        <translation>Enregistré dans </translation>
+    </message>
+    <message>
+        <source>Updated </source>
+        <translation>Adapté : </translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>Visite</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>Passer</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Suivant</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Terminé</translation>
+    </message>
+    <message>
+        <source>Tour, %1: %2</source>
+        <translation>Visite, %1 : %2</translation>
+    </message>
+    <message>
+        <source>Catalogue</source>
+        <translation>Catalogue</translation>
+    </message>
+    <message>
+        <source>Filter the catalogue</source>
+        <translation>Filtrer le catalogue</translation>
+    </message>
+    <message>
+        <source>Filter: arm type:read state:active</source>
+        <translation>Filtre : arm type:read state:active</translation>
+    </message>
+    <message>
+        <source>Words must all be in the path; also -word, type:, state:, proc:  (Ctrl+F)</source>
+        <translation>Tous les mots doivent être dans le chemin ; aussi -mot, type:, state:, proc:  (Ctrl+F)</translation>
+    </message>
+    <message>
+        <source>Nothing here yet.</source>
+        <translation>Rien ici pour l&apos;instant.</translation>
+    </message>
+    <message>
+        <source>No row fits the filter.</source>
+        <translation>Aucune ligne ne répond au filtre.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Close  (Esc)</source>
+        <translation>Fermer  (Esc)</translation>
+    </message>
+    <message>
+        <source>other type</source>
+        <translation>autre type</translation>
+    </message>
+    <message>
+        <source>other kind</source>
+        <translation>autre genre</translation>
+    </message>
+    <message>
+        <source>Needed</source>
+        <translation>Requis</translation>
+    </message>
+    <message>
+        <source>Offered</source>
+        <translation>Fourni</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Différence</translation>
+    </message>
+    <message>
+        <source>, optional</source>
+        <translation>, optionnel</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>réussie</translation>
+    </message>
+    <message>
+        <source>bad</source>
+        <translation>échouée</translation>
+    </message>
+    <message>
+        <source>not reached</source>
+        <translation>non atteint</translation>
+    </message>
+    <message>
+        <source>Neither side has a member.</source>
+        <translation>Aucun côté n&apos;a de commande ni d&apos;événement.</translation>
+    </message>
+    <message>
+        <source>What is needed and what is offered, side by side</source>
+        <translation>Ce qui est requis et ce qui est fourni, côte à côte</translation>
+    </message>
+    <message>
+        <source>Step %1, %2: %3</source>
+        <translation>Étape %1, %2 : %3</translation>
+    </message>
+    <message>
+        <source>Show side by side</source>
+        <translation>Montrer côte à côte</translation>
+    </message>
+    <message>
+        <source>fix: </source>
+        <translation>remède : </translation>
+    </message>
+    <message>
+        <source>Copy the fix: </source>
+        <translation>Copier le remède : </translation>
+    </message>
+    <message>
+        <source>Copied: </source>
+        <translation>Copié : </translation>
+    </message>
+    <message>
+        <source>Hide the sides</source>
+        <translation>Masquer les côtés</translation>
+    </message>
+    <message>
+        <source>Select a required interface to see why it is connected or not</source>
+        <translation>Sélectionner une interface requise pour voir pourquoi elle est connectée ou non</translation>
+    </message>
+    <message>
+        <source> is not connected, and nothing that is there resembles it</source>
+        <translation> n&apos;est pas connectée, et rien de présent ne lui ressemble</translation>
+    </message>
+    <message>
+        <source>Retry</source>
+        <translation>Réessayer</translation>
+    </message>
+    <message>
+        <source>Copy report</source>
+        <translation>Copier le rapport</translation>
+    </message>
+    <message>
+        <source>Copy the report</source>
+        <translation>Copier le rapport</translation>
+    </message>
+    <message>
+        <source>Why? </source>
+        <translation>Pourquoi ? </translation>
+    </message>
+    <message>
+        <source>checking …</source>
+        <translation>vérification …</translation>
+    </message>
+    <message>
+        <source>Try the connection again</source>
+        <translation>Réessayer la connexion</translation>
+    </message>
+    <message>
+        <source>Connect them</source>
+        <translation>Les connecter</translation>
+    </message>
+    <message>
+        <source>The report is in the clipboard</source>
+        <translation>Le rapport est dans le presse-papiers</translation>
+    </message>
+    <message>
+        <source>fails at step %1 of %2</source>
+        <translation>échoue à l&apos;étape %1 sur %2</translation>
+    </message>
+    <message>
+        <source>connected and working</source>
+        <translation>connectée et en service</translation>
+    </message>
+    <message>
+        <source>nothing keeps it from being connected</source>
+        <translation>rien n&apos;empêche de la connecter</translation>
+    </message>
+    <message>
+        <source>refused at %1: %2</source>
+        <translation>refusée à %1 : %2</translation>
+    </message>
+    <message>
+        <source>         fix: </source>
+        <translation>         remède : </translation>
+    </message>
+    <message>
+        <source>  the same in a terminal: </source>
+        <translation>  la même chose dans un terminal : </translation>
+    </message>
+    <message>
+        <source>Values and plots come straight from their processes and go on.</source>
+        <translation>Les valeurs et les graphiques viennent directement de leurs processus et continuent.</translation>
+    </message>
+    <message>
+        <source>What is grey is as it was %1 ago</source>
+        <translation>Ce qui est gris date d&apos;il y a %1</translation>
+    </message>
+    <message>
+        <source>Connected in %1 · Ctrl+Z undoes</source>
+        <translation>Connexion faite en %1 · Ctrl+Z annule</translation>
+    </message>
+    <message>
+        <source>Disconnected in %1 · Ctrl+Z undoes</source>
+        <translation>Déconnexion faite en %1 · Ctrl+Z annule</translation>
+    </message>
+    <message>
+        <source>Replaced in %1 · Ctrl+Z undoes</source>
+        <translation>Remplacement fait en %1 · Ctrl+Z annule</translation>
+    </message>
+    <message>
+        <source>Undone in %1</source>
+        <translation>Annulation faite en %1</translation>
+    </message>
+    <message>
+        <source>Forgotten</source>
+        <translation>Oublié</translation>
+    </message>
+    <message>
+        <source>Called in %1</source>
+        <translation>Appel fait en %1</translation>
+    </message>
+    <message>
+        <source>%1 logs %2 and above</source>
+        <translation>%1 journalise %2 et au-dessus</translation>
+    </message>
+    <message>
+        <source>Replace </source>
+        <translation>Remplacer </translation>
+    </message>
+    <message>
+        <source>Connect </source>
+        <translation>Connecter </translation>
+    </message>
+    <message>
+        <source>other </source>
+        <translation>autre </translation>
+    </message>
+    <message>
+        <source> · no %1 interface fits</source>
+        <translation> · aucune interface ne convient (%1)</translation>
+    </message>
+    <message>
+        <source> · pick another %1 interface</source>
+        <translation> · choisir une autre interface %1</translation>
+    </message>
+    <message>
+        <source> · pick a %1 interface</source>
+        <translation> · choisir une interface %1</translation>
+    </message>
+    <message>
+        <source> · D disconnects · Esc</source>
+        <translation> · D déconnecte · Esc</translation>
+    </message>
+    <message>
+        <source> · Esc</source>
+        <translation> · Esc</translation>
+    </message>
+    <message>
+        <source>%1 process</source>
+        <translation>%1 processus</translation>
+    </message>
+    <message>
+        <source>%1 processes</source>
+        <translation>%1 processus</translation>
+    </message>
+    <message>
+        <source>%1 component</source>
+        <translation>%1 composant</translation>
+    </message>
+    <message>
+        <source>%1 components</source>
+        <translation>%1 composants</translation>
+    </message>
+    <message>
+        <source>%1 connection</source>
+        <translation>%1 connexion</translation>
+    </message>
+    <message>
+        <source>%1 connections</source>
+        <translation>%1 connexions</translation>
+    </message>
+    <message>
+        <source>Search or run   Ctrl+K</source>
+        <translation>Chercher ou exécuter   Ctrl+K</translation>
+    </message>
+    <message>
+        <source>Pause view</source>
+        <translation>Figer la vue</translation>
+    </message>
+    <message>
+        <source>Finds all that can be done and all there is  (Ctrl+K)</source>
+        <translation>Trouve tout ce qui peut se faire et tout ce qui existe  (Ctrl+K)</translation>
+    </message>
+    <message>
+        <source>Stops what is drawn, never the data  (Space)</source>
+        <translation>Fige le dessin, jamais les données  (Espace)</translation>
+    </message>
+    <message>
+        <source>Dark or light</source>
+        <translation>Sombre ou clair</translation>
+    </message>
+    <message>
+        <source>No GCM found at </source>
+        <translation>Aucun GCM trouvé à </translation>
+    </message>
+    <message>
+        <source>looking every second</source>
+        <translation>recherche chaque seconde</translation>
+    </message>
+    <message>
+        <source>GCM lost %1 ago</source>
+        <translation>GCM perdu il y a %1</translation>
+    </message>
+    <message>
+        <source>retrying </source>
+        <translation>nouvel essai : </translation>
+    </message>
+    <message>
+        <source>Hosting the GCM on this machine</source>
+        <translation>GCM hébergé sur cette machine</translation>
+    </message>
+    <message>
+        <source>GCM at </source>
+        <translation>GCM à </translation>
+    </message>
+    <message>
+        <source>The global component manager (GCM) at %1 knows every process and makes their connections.</source>
+        <translation>Le gestionnaire global de composants (GCM) à %1 connaît chaque processus et établit leurs connexions.</translation>
+    </message>
+    <message>
+        <source>1 problem</source>
+        <translation>1 problème</translation>
+    </message>
+    <message>
+        <source>%1 problems</source>
+        <translation>%1 problèmes</translation>
+    </message>
+    <message>
+        <source>Resume view</source>
+        <translation>Reprendre la vue</translation>
+    </message>
+    <message>
+        <source>Search or run</source>
+        <translation>Chercher ou exécuter</translation>
+    </message>
+    <message>
+        <source>What to do or where to go</source>
+        <translation>Que faire ou où aller</translation>
+    </message>
+    <message>
+        <source>What to do, or a name to go to</source>
+        <translation>Que faire, ou un nom où aller</translation>
+    </message>
+    <message>
+        <source>Nothing fits.</source>
+        <translation>Rien ne convient.</translation>
+    </message>
+    <message>
+        <source>&amp;System</source>
+        <translation>&amp;Système</translation>
+    </message>
+    <message>
+        <source>&amp;Plot</source>
+        <translation>&amp;Graphique</translation>
+    </message>
+    <message>
+        <source>&amp;Graph</source>
+        <translation>G&amp;raphe</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Vue</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Aide</translation>
+    </message>
+    <message>
+        <source>Command for a terminal</source>
+        <translation>Commande pour un terminal</translation>
+    </message>
+    <message>
+        <source>Try the demo</source>
+        <translation>Essayer la démo</translation>
+    </message>
+    <message>
+        <source>Two processes with a simulated arm, on this machine.</source>
+        <translation>Deux processus avec un bras simulé, sur cette machine.</translation>
+    </message>
+    <message>
+        <source>Nothing is running yet.</source>
+        <translation>Rien ne tourne encore.</translation>
+    </message>
+    <message>
+        <source>A process that joins this GCM appears here by itself.</source>
+        <translation>Un processus qui rejoint ce GCM apparaît ici de lui-même.</translation>
+    </message>
+    <message>
+        <source>To start one, in a terminal:</source>
+        <translation>Pour en démarrer un, dans un terminal :</translation>
+    </message>
+    <message>
+        <source>No GCM answers at %1.</source>
+        <translation>Aucun GCM ne répond à %1.</translation>
+    </message>
+    <message>
+        <source>Looking every second; this window fills by itself when one appears.</source>
+        <translation>Recherche chaque seconde ; cette fenêtre se remplit d&apos;elle-même dès qu&apos;il en apparaît un.</translation>
+    </message>
+    <message>
+        <source>To start one, in a terminal there:</source>
+        <translation>Pour en démarrer un, dans un terminal là-bas :</translation>
+    </message>
+    <message>
+        <source>Diff</source>
+        <translation>Différences</translation>
+    </message>
+    <message>
+        <source>&amp;Open a system file…</source>
+        <translation>&amp;Ouvrir un fichier de système…</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve what runs</source>
+        <translation>&amp;Enregistrer ce qui tourne</translation>
+    </message>
+    <message>
+        <source>Save what runs &amp;as…</source>
+        <translation>Enregistrer ce qui tourne &amp;sous…</translation>
+    </message>
+    <message>
+        <source>&amp;Restore the system file…</source>
+        <translation>&amp;Restaurer selon le fichier de système…</translation>
+    </message>
+    <message>
+        <source>&amp;Go back to a state</source>
+        <translation>Re&amp;venir à un état</translation>
+    </message>
+    <message>
+        <source>The demo is not beside this program: </source>
+        <translation>La démo n&apos;est pas à côté de ce programme : </translation>
+    </message>
+    <message>
+        <source>A plan is being carried out; the demo comes after it</source>
+        <translation>Un plan est en cours d&apos;exécution ; la démo vient après</translation>
+    </message>
+    <message>
+        <source>the demo</source>
+        <translation>la démo</translation>
+    </message>
+    <message>
+        <source>The demo is running already</source>
+        <translation>La démo tourne déjà</translation>
+    </message>
+    <message>
+        <source>Starting the demo: step %1 of %2</source>
+        <translation>Démarrage de la démo : étape %1 sur %2</translation>
+    </message>
+    <message>
+        <source>The demo was not started: </source>
+        <translation>La démo n&apos;a pas été démarrée : </translation>
+    </message>
+    <message>
+        <source>The demo runs: click a hollow port, then one that lights up</source>
+        <translation>La démo tourne : cliquer sur un port creux, puis sur un port qui s&apos;allume</translation>
+    </message>
+    <message>
+        <source>System files (*%1)</source>
+        <translation>Fichiers de système (*%1)</translation>
+    </message>
+    <message>
+        <source>Open a system file</source>
+        <translation>Ouvrir un fichier de système</translation>
+    </message>
+    <message>
+        <source>Save what runs</source>
+        <translation>Enregistrer ce qui tourne</translation>
+    </message>
+    <message>
+        <source>Open a system file first: Ctrl+O</source>
+        <translation>Ouvrir d&apos;abord un fichier de système : Ctrl+O</translation>
+    </message>
+    <message>
+        <source>State at </source>
+        <translation>État à </translation>
+    </message>
+    <message>
+        <source>Nothing has changed yet</source>
+        <translation>Rien n&apos;a encore changé</translation>
+    </message>
+    <message>
+        <source>&amp;Find in the graph…</source>
+        <translation>&amp;Chercher dans le graphe…</translation>
+    </message>
+    <message>
+        <source>Show &amp;all of it</source>
+        <translation>&amp;Tout montrer</translation>
+    </message>
+    <message>
+        <source>&amp;Map of the graph</source>
+        <translation>Carte du &amp;graphe</translation>
+    </message>
+    <message>
+        <source>&amp;Undo the last move</source>
+        <translation>&amp;Annuler le dernier déplacement</translation>
+    </message>
+    <message>
+        <source>Nothing has been moved</source>
+        <translation>Rien n&apos;a été déplacé</translation>
+    </message>
+    <message>
+        <source>&amp;Reset the layout of the graph</source>
+        <translation>&amp;Réinitialiser la disposition du graphe</translation>
+    </message>
+    <message>
+        <source>All stand where the layout puts them · Ctrl+Z undoes</source>
+        <translation>Tous sont là où la disposition les place · Ctrl+Z annule</translation>
+    </message>
+    <message>
+        <source>Save a &amp;picture of the graph…</source>
+        <translation>&amp;Enregistrer une image du graphe…</translation>
+    </message>
+    <message>
+        <source>&amp;Copy the picture of the graph</source>
+        <translation>Co&amp;pier l&apos;image du graphe</translation>
+    </message>
+    <message>
+        <source>Moved back</source>
+        <translation>Remis en place</translation>
+    </message>
+    <message>
+        <source>Logo of Tendon</source>
+        <translation>Logo de Tendon</translation>
+    </message>
+    <message>
+        <source>Shows and steers a system of Tendon components.</source>
+        <translation>Montre et pilote un système de composants Tendon.</translation>
+    </message>
+    <message>
+        <source>Versions</source>
+        <translation>Versions</translation>
+    </message>
+    <message>
+        <source>Library</source>
+        <translation>Bibliothèque</translation>
+    </message>
+    <message>
+        <source>Terms of the library</source>
+        <translation>Conditions de la bibliothèque</translation>
+    </message>
+    <message>
+        <source>What it is made of, and under which terms</source>
+        <translation>De quoi il est fait, et sous quelles conditions</translation>
+    </message>
+    <message>
+        <source>Copy versions</source>
+        <translation>Copier les versions</translation>
+    </message>
+    <message>
+        <source>Copied</source>
+        <translation>Copié</translation>
+    </message>
+    <message>
+        <source>About gcm-gui</source>
+        <translation>À propos de gcm-gui</translation>
+    </message>
+    <message>
+        <source>Everywhere</source>
+        <translation>Partout</translation>
+    </message>
+    <message>
+        <source>Tab, Shift+Tab</source>
+        <translation>Tab, Maj+Tab</translation>
+    </message>
+    <message>
+        <source>To the next, the last part</source>
+        <translation>Vers la partie suivante, précédente</translation>
+    </message>
+    <message>
+        <source>Alt+S, P, G, V, H</source>
+        <translation>Alt+S, G, R, V, A</translation>
+    </message>
+    <message>
+        <source>The menus</source>
+        <translation>Les menus</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Leaves the connect mode, a card, a field</source>
+        <translation>Quitte le mode de connexion, une fiche, un champ</translation>
+    </message>
+    <message>
+        <source>In the graph</source>
+        <translation>Dans le graphe</translation>
+    </message>
+    <message>
+        <source>Arrows</source>
+        <translation>Flèches</translation>
+    </message>
+    <message>
+        <source>Select the next component</source>
+        <translation>Sélectionner le composant suivant</translation>
+    </message>
+    <message>
+        <source>Closer, farther, all of it</source>
+        <translation>Plus près, plus loin, tout</translation>
+    </message>
+    <message>
+        <source>1 … 9, Enter</source>
+        <translation>1 … 9, Entrée</translation>
+    </message>
+    <message>
+        <source>While connecting: pick that one, the best</source>
+        <translation>Pendant la connexion : choisir celui-là, le meilleur</translation>
+    </message>
+    <message>
+        <source>In a plot</source>
+        <translation>Dans un graphique</translation>
+    </message>
+    <message>
+        <source>Zoom in time; with Ctrl in values</source>
+        <translation>Zoomer dans le temps ; avec Ctrl dans les valeurs</translation>
+    </message>
+    <message>
+        <source>Left, Right</source>
+        <translation>Gauche, Droite</translation>
+    </message>
+    <message>
+        <source>Move in time</source>
+        <translation>Se déplacer dans le temps</translation>
+    </message>
+    <message>
+        <source>Alt+Left</source>
+        <translation>Alt+Gauche</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Fin</translation>
+    </message>
+    <message>
+        <source>Follow the data again</source>
+        <translation>Suivre de nouveau les données</translation>
+    </message>
+    <message>
+        <source>A, B, Delete</source>
+        <translation>A, B, Suppr</translation>
+    </message>
+    <message>
+        <source>Place the cursors, remove them</source>
+        <translation>Placer les curseurs, les retirer</translation>
+    </message>
+    <message>
+        <source>In a plot&apos;s legend</source>
+        <translation>Dans la légende d&apos;un graphique</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Espace</translation>
+    </message>
+    <message>
+        <source>Hide the curve, show it</source>
+        <translation>Masquer la courbe, la montrer</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Suppr</translation>
+    </message>
+    <message>
+        <source>Remove it</source>
+        <translation>La retirer</translation>
+    </message>
+    <message>
+        <source>Another signal in its place</source>
+        <translation>Un autre signal à sa place</translation>
+    </message>
+    <message>
+        <source>In a form</source>
+        <translation>Dans un formulaire</translation>
+    </message>
+    <message>
+        <source>Call the command; a second time where it sets something in motion</source>
+        <translation>Appeler la commande ; une seconde fois si elle met quelque chose en mouvement</translation>
+    </message>
+    <message>
+        <source>In the console</source>
+        <translation>Dans la console</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Tab</translation>
+    </message>
+    <message>
+        <source>Completes</source>
+        <translation>Complète</translation>
+    </message>
+    <message>
+        <source>Ctrl+R</source>
+        <translation>Ctrl+R</translation>
+    </message>
+    <message>
+        <source>Searches what was typed</source>
+        <translation>Cherche dans ce qui a été tapé</translation>
+    </message>
+    <message>
+        <source>Ctrl+C, Ctrl+L</source>
+        <translation>Ctrl+C, Ctrl+L</translation>
+    </message>
+    <message>
+        <source>Interrupts; clears</source>
+        <translation>Interrompt ; vide</translation>
+    </message>
+    <message>
+        <source>Keys: </source>
+        <translation>Touches : </translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Touches</translation>
+    </message>
+    <message>
+        <source>All that runs</source>
+        <translation>Tout ce qui tourne</translation>
+    </message>
+    <message>
+        <source>Every process, its components and their interfaces appear here by themselves; type into the filter to find one.</source>
+        <translation>Chaque processus, ses composants et leurs interfaces apparaissent ici d&apos;eux-mêmes ; taper dans le filtre pour en chercher un.</translation>
+    </message>
+    <message>
+        <source>Connect with two clicks</source>
+        <translation>Connecter en deux clics</translation>
+    </message>
+    <message>
+        <source>Click a hollow port, then one that lights up: they are connected, and Ctrl+Z takes it back.</source>
+        <translation>Cliquer sur un port creux, puis sur un port qui s&apos;allume : ils sont connectés, et Ctrl+Z annule.</translation>
+    </message>
+    <message>
+        <source>Look inside</source>
+        <translation>Regarder à l&apos;intérieur</translation>
+    </message>
+    <message>
+        <source>What is selected shows its values, commands and events here, and a click on a command gives a form that calls it.</source>
+        <translation>Ce qui est sélectionné montre ici ses valeurs, commandes et événements, et un clic sur une commande donne un formulaire qui l&apos;appelle.</translation>
+    </message>
+    <message>
+        <source>Plot it live</source>
+        <translation>Tracer en direct</translation>
+    </message>
+    <message>
+        <source>Select a value and press P: every sample of it is drawn, and you can zoom and measure while more arrive.</source>
+        <translation>Sélectionner une valeur et appuyer sur P : chacun de ses échantillons est tracé, et vous pouvez zoomer et mesurer pendant que d&apos;autres arrivent.</translation>
+    </message>
+    <message>
+        <source>Nothing is lost</source>
+        <translation>Rien n&apos;est perdu</translation>
+    </message>
+    <message>
+        <source>What you did is listed here, with a way back and the line that does the same in a terminal; problems, the log and a console are beside it.</source>
+        <translation>Ce que vous avez fait est noté ici, avec un retour possible et la ligne qui fait la même chose dans un terminal ; les problèmes, le journal et une console sont à côté.</translation>
+    </message>
+    <message>
+        <source>Everything by its name</source>
+        <translation>Tout par son nom</translation>
+    </message>
+    <message>
+        <source>Ctrl+K finds all that can be done and all there is; F1 shows the keys, and the menu Help this tour.</source>
+        <translation>Ctrl+K trouve tout ce qui peut se faire et tout ce qui existe ; F1 montre les touches, et le menu Aide cette visite.</translation>
+    </message>
+    <message>
+        <source>Graph</source>
+        <translation>Graphe</translation>
+    </message>
+    <message>
+        <source>Connections</source>
+        <translation>Connexions</translation>
+    </message>
+    <message>
+        <source>Nothing is connected.</source>
+        <translation>Rien n&apos;est connecté.</translation>
+    </message>
+    <message>
+        <source>Select an interface to connect it</source>
+        <translation>Sélectionner une interface pour la connecter</translation>
+    </message>
+    <message>
+        <source> has no unconnected required interface</source>
+        <translation> n&apos;a aucune interface requise non connectée</translation>
+    </message>
+    <message>
+        <source>Select a connected required interface to disconnect it</source>
+        <translation>Sélectionner une interface requise connectée pour la déconnecter</translation>
+    </message>
+    <message>
+        <source>Select a command of a provided interface to call it</source>
+        <translation>Sélectionner une commande d&apos;une interface fournie pour l&apos;appeler</translation>
+    </message>
+    <message>
+        <source>Hosting the GCM at %1 – gcm-gui</source>
+        <translation>GCM hébergé à %1 – gcm-gui</translation>
+    </message>
+    <message>
+        <source>GCM at %1 – gcm-gui</source>
+        <translation>GCM à %1 – gcm-gui</translation>
+    </message>
+    <message>
+        <source>The GCM is back after </source>
+        <translation>Le GCM est de retour après </translation>
+    </message>
+    <message>
+        <source>&amp;Connect…</source>
+        <translation>&amp;Connecter…</translation>
+    </message>
+    <message>
+        <source>&amp;Disconnect</source>
+        <translation>&amp;Déconnecter</translation>
+    </message>
+    <message>
+        <source>&amp;Why is it connected, or not?</source>
+        <translation>&amp;Pourquoi est-ce connecté, ou non ?</translation>
+    </message>
+    <message>
+        <source>C&amp;all the command…</source>
+        <translation>Appe&amp;ler la commande…</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>Ann&amp;uler</translation>
+    </message>
+    <message>
+        <source>&amp;Filter the catalogue</source>
+        <translation>&amp;Filtrer le catalogue</translation>
+    </message>
+    <message>
+        <source>&amp;Show in graph and catalogue</source>
+        <translation>&amp;Montrer dans le graphe et le catalogue</translation>
+    </message>
+    <message>
+        <source>Search or &amp;run…</source>
+        <translation>Chercher ou e&amp;xécuter…</translation>
+    </message>
+    <message>
+        <source>C&amp;onsole</source>
+        <translation>Co&amp;nsole</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Quitter</translation>
+    </message>
+    <message>
+        <source>Call the command</source>
+        <translation>Appeler la commande</translation>
+    </message>
+    <message>
+        <source>&amp;Plot what is selected</source>
+        <translation>&amp;Tracer la sélection</translation>
+    </message>
+    <message>
+        <source>&amp;New plot</source>
+        <translation>&amp;Nouveau graphique</translation>
+    </message>
+    <message>
+        <source>Plot &amp;below, with the same time</source>
+        <translation>Graphique &amp;en dessous, avec le même temps</translation>
+    </message>
+    <message>
+        <source>Close t&amp;his plot</source>
+        <translation>Fermer &amp;ce graphique</translation>
+    </message>
+    <message>
+        <source>Pause &amp;view</source>
+        <translation>&amp;Figer la vue</translation>
+    </message>
+    <message>
+        <source>Follow &amp;live data</source>
+        <translation>Suivre le &amp;direct</translation>
+    </message>
+    <message>
+        <source>Cursors &amp;A and B</source>
+        <translation>Curseurs &amp;A et B</translation>
+    </message>
+    <message>
+        <source>&amp;Save what is seen as CSV…</source>
+        <translation>Enregistrer la partie &amp;visible en CSV…</translation>
+    </message>
+    <message>
+        <source>Save a p&amp;icture…</source>
+        <translation>Enregistrer une &amp;image…</translation>
+    </message>
+    <message>
+        <source>&amp;Open a layout of plots…</source>
+        <translation>&amp;Ouvrir une disposition de graphiques…</translation>
+    </message>
+    <message>
+        <source>Save the layou&amp;t of plots…</source>
+        <translation>Enregistrer la di&amp;sposition des graphiques…</translation>
+    </message>
+    <message>
+        <source>&amp;Tour of the window</source>
+        <translation>&amp;Visite de la fenêtre</translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>&amp;Touches</translation>
+    </message>
+    <message>
+        <source>&amp;About gcm-gui</source>
+        <translation>À &amp;propos de gcm-gui</translation>
+    </message>
+    <message>
+        <source>Layout for connecting</source>
+        <translation>Disposition pour connecter</translation>
+    </message>
+    <message>
+        <source>Layout for plotting</source>
+        <translation>Disposition pour tracer</translation>
+    </message>
+    <message>
+        <source>Layout for operating</source>
+        <translation>Disposition pour piloter</translation>
+    </message>
+    <message>
+        <source>Layout for diagnosing</source>
+        <translation>Disposition pour diagnostiquer</translation>
+    </message>
+    <message>
+        <source>Panels can be moved</source>
+        <translation>Panneaux déplaçables</translation>
+    </message>
+    <message>
+        <source>Reset layout</source>
+        <translation>Réinitialiser la disposition</translation>
+    </message>
+    <message>
+        <source> is no number; select a column or a value of a state table to plot it</source>
+        <translation> n&apos;est pas un nombre ; sélectionner une colonne ou une valeur d&apos;une table d&apos;état pour la tracer</translation>
+    </message>
+    <message>
+        <source>The first %1 of %2 numbers are plotted; select those you need</source>
+        <translation>Les %1 premiers nombres sur %2 sont tracés ; sélectionner ceux qu&apos;il faut</translation>
+    </message>
+    <message>
+        <source>, and %1 more since the mark before</source>
+        <translation>, et %1 autres depuis la marque précédente</translation>
+    </message>
+    <message>
+        <source>call </source>
+        <translation>appel </translation>
+    </message>
+    <message>
+        <source> by </source>
+        <translation> par </translation>
+    </message>
+    <message>
+        <source>: refused</source>
+        <translation>, refusé</translation>
+    </message>
+    <message>
+        <source> is back</source>
+        <translation> est de retour</translation>
+    </message>
+    <message>
+        <source> disconnected</source>
+        <translation> déconnecté</translation>
+    </message>
+    <message>
+        <source> is no longer connected to </source>
+        <translation> n&apos;est plus connectée à </translation>
+    </message>
+    <message>
+        <source> connected</source>
+        <translation> connecté</translation>
+    </message>
+    <message>
+        <source> is connected to </source>
+        <translation> est connectée à </translation>
+    </message>
+    <message>
+        <source>Smaller  (−)</source>
+        <translation>Plus petit  (−)</translation>
+    </message>
+    <message>
+        <source>Larger  (+)</source>
+        <translation>Plus grand  (+)</translation>
+    </message>
+    <message>
+        <source>Show all  (0)</source>
+        <translation>Tout montrer  (0)</translation>
+    </message>
+</context>
+<context>
+    <name>tendon::gui::Words::Words</name>
+    <message>
+        <source>%1 curves</source>
+        <translation>%1 courbes</translation>
+    </message>
+</context>
+</TS>

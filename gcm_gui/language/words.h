@@ -1,0 +1,14 @@
+#pragma once
+
+#include <QCoreApplication>
+
+namespace tendon::gui {
+
+/// The sentences of the window: Words::tr("Pause the view") is what the user reads, in the language
+/// of his desktop. Names of the model (states, kinds, paths, commands) stay as the console says
+/// them. Any thread.
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(Words)
+};
+
+}  // namespace tendon::gui

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <gcm_gui/session/signal_source.h>
+
+#include <QMap>
+#include <QSet>
+#include <QString>
+#include <QWidget>
+
+namespace tendon::gui {
+
+class PictureView;
+
+/// The newest pictures of the columns of one component, one below the other; hidden where there is
+/// none.
+class PictureShelf : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit PictureShelf(QWidget* parent = nullptr);
+
+  /// Of these alone, from now on.
+  void setColumns(const QSet<QString>& columns);
+
+ public Q_SLOTS:
+  void showValues(const QString& column, const tendon::gui::ColumnValues& values);
+
+ private:
+  QSet<QString> columns_;
+  QMap<QString, PictureView*> views_;
+};
+
+}  // namespace tendon::gui

@@ -1,0 +1,124 @@
+#include <gcm_gui/language/words.h>
+#include <gcm_gui/pictures/picture_view.h>
+#include <gcm_gui/theme/metrics.h>
+#include <gcm_gui/theme/theme.h>
+
+#include <QLabel>
+#include <QPainter>
+#include <QThreadPool>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
+
+namespace tendon::gui {
+namespace {
+
+constexpr int kMostHeight = 240;
+constexpr int kMostKept = 1920;  // of a side; what is larger is made smaller once
+
+QString Caption(const QString& name, const RawPicture& picture) {
+  const QString size =
+      QStringLiteral("%1 × %2 %3").arg(picture.width).arg(picture.height).arg(picture.encoding);
+  return name.isEmpty() ? size : name + QStringLiteral(" · ") + size;
+}
+
+}  // namespace
+
+PictureView::PictureView(const QString& name, QWidget* parent)
+    : QWidget(parent), name_(name), words_(new QLabel), courier_(std::make_shared<Courier>(this)) {
+  setObjectName(QStringLiteral("picture"));
+  words_->setObjectName(QStringLiteral("picture.words"));
+  words_->setTextFormat(Qt::PlainText);
+  words_->setWordWrap(true);
+  words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  SetRole(*words_, QStringLiteral("dim"));
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(kInset, kGrid, kInset, 2 * kGrid);
+  column->addStretch();
+  column->addWidget(words_);
+  hide();
+}
+
+PictureView::~PictureView() { courier_->detach(); }
+
+QString PictureView::words() const { return words_->text(); }
+
+void PictureView::show(RawPicture picture) {
+  showFrom([picture = std::move(picture)] { return std::optional(picture); });
+}
+
+void PictureView::showFrom(Source source) {
+  next_ = std::move(source);
+  if (!is_busy_) begin();
+}
+
+void PictureView::clear() {
+  ++version_;
+  next_ = {};
+  take(std::nullopt);
+}
+
+void PictureView::begin() {
+  is_busy_ = true;
+  QThreadPool::globalInstance()->start([this, courier = courier_, name = name_, version = version_,
+                                        source = std::exchange(next_, {})] {
+    std::optional<Shown> shown;
+    if (const auto picture = source()) {
+      auto image = Draw(*picture);
+      if (image && std::max(image->width(), image->height()) > kMostKept) {
+        *image = image->scaled(kMostKept, kMostKept, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+      }
+      shown = image ? Shown{*image, Caption(name, *picture)}
+                    : Shown{{}, QString::fromStdString(image.error().message)};
+    }
+    courier->post([this, shown, version] {
+      is_busy_ = false;
+      if (version == version_) {
+        take(shown);
+        Q_EMIT this->shown();
+      }
+      if (next_) begin();
+    });
+  });
+}
+
+void PictureView::take(const std::optional<Shown>& shown) {
+  image_ = shown ? shown->image : QImage();
+  words_->setText(shown ? shown->words : QString());
+  setAccessibleName(image_.isNull() ? words_->text() : Words::tr("Picture, ") + words_->text());
+  SetRole(*words_, image_.isNull() ? QStringLiteral("warning") : QStringLiteral("dim"));
+  setVisible(shown.has_value());
+  fit();
+}
+
+/// As wide as there is room, never larger than it is.
+QSize PictureView::drawnSize() const {
+  if (image_.isNull()) return {};
+  const QSize room(std::max(1, width() - 2 * kInset), kMostHeight);
+  const bool is_small = image_.width() <= room.width() && image_.height() <= room.height();
+  return is_small ? image_.size() : image_.size().scaled(room, Qt::KeepAspectRatio);
+}
+
+void PictureView::fit() {
+  const int height = drawnSize().height();
+  layout()->setContentsMargins(kInset, kGrid + (height > 0 ? height + kGrid : 0), kInset,
+                               2 * kGrid);
+  update();
+}
+
+void PictureView::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  fit();
+}
+
+void PictureView::paintEvent(QPaintEvent*) {
+  if (image_.isNull()) return;
+  const QRect place(QPoint(kInset, kGrid), drawnSize());
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::SmoothPixmapTransform);
+  painter.drawImage(place, image_);
+  painter.setPen(Theme::instance().color(Token::kLine));
+  painter.drawRect(place.adjusted(0, 0, -1, -1));
+}
+
+}  // namespace tendon::gui

@@ -1,0 +1,82 @@
+#include <gcm_gui/activity/activity_model.h>
+#include <gcm_gui/graph/export/graph_export.h>
+#include <gcm_gui/graph/graph_view.h>
+#include <gcm_gui/graph/map/graph_map.h>
+#include <gcm_gui/graph/places/saved_places.h>
+#include <gcm_gui/graph/search/graph_search.h>
+#include <gcm_gui/language/words.h>
+#include <gcm_gui/system/system_document.h>
+#include <gcm_gui/window/commands/commands.h>
+#include <gcm_gui/window/graph/graph_commands.h>
+
+#include <QAction>
+#include <QMenu>
+
+namespace tendon::gui {
+
+GraphCommands::GraphCommands(const WindowParts& parts, GraphView& graph, QWidget& window)
+    : QObject(&window),
+      graph_(graph),
+      map_(new GraphMap(graph)),
+      search_(new GraphSearch(graph)),
+      export_(new GraphExport(parts.store, graph.graph(), window)) {
+  connect(search_, &GraphSearch::chosen, &graph, &GraphView::goTo);
+  connect(export_, &GraphExport::notice, this, &GraphCommands::notice);
+  graph.setContextMenuPolicy(Qt::CustomContextMenu);
+  connect(&graph, &QWidget::customContextMenuRequested, this, &GraphCommands::openMenu);
+}
+
+void GraphCommands::keepPlaces(const WindowParts& parts, SystemDocument& document) {
+  GraphPlaces& places = graph_.graph().places();
+  if (!parts.kept.isEmpty()) places.keepIn(parts.kept + QStringLiteral("/graph.json"));
+  document.setLayout(LayoutOf(places));
+  connect(&places, &GraphPlaces::notice, this, &GraphCommands::notice);
+  connect(&places, &GraphPlaces::changed, &document,
+          [&places, &document] { document.setLayout(LayoutOf(places)); });
+  connect(&document, &SystemDocument::opened, &places,
+          [&places, &document] { places.move(PlacesOf(document.file())); });
+  connect(&parts.activity, &ActivityModel::finished, &places, &GraphPlaces::grow);
+}
+
+void GraphCommands::addCommands(Commands& commands) {
+  const auto add = [&](const QString& text, const QKeySequence& key, auto what) -> QAction& {
+    return commands.add(Commands::Menu::kGraph, text, key, what);
+  };
+  menu_ = &commands.menu(Commands::Menu::kGraph);
+  add(Words::tr("&Find in the graph…"), Qt::Key_Slash, [this] { search_->open(); });
+  add(Words::tr("Show &all of it"), {}, [this] { graph_.fit(); });
+  QAction& map = add(Words::tr("&Map of the graph"), Qt::Key_M,
+                     [this] { map_->setWanted(!map_->isWanted()); });
+  map.setCheckable(true);
+  map.setChecked(map_->isWanted());
+  menu_->addSeparator();
+  add(Words::tr("&Undo the last move"), {}, [this] {
+    graph_.graph().places().canUndo() ? takeBack()
+                                      : Q_EMIT notice(Words::tr("Nothing has been moved"));
+  });
+  add(Words::tr("&Reset the layout of the graph"), {}, [this] {
+    graph_.graph().places().reset();
+    graph_.fit();
+    Q_EMIT notice(Words::tr("All stand where the layout puts them · Ctrl+Z undoes"));
+  });
+  menu_->addSeparator();
+  add(Words::tr("Save a &picture of the graph…"), {}, [this] { export_->ask(); });
+  add(Words::tr("&Copy the picture of the graph"), {}, [this] { export_->copy(); });
+}
+
+bool GraphCommands::undoMove() {
+  const bool is_newest = graph_.graph().places().isNewest();
+  if (is_newest) takeBack();
+  return is_newest;
+}
+
+void GraphCommands::takeBack() {
+  graph_.graph().places().undo();
+  Q_EMIT notice(Words::tr("Moved back"));
+}
+
+void GraphCommands::openMenu(const QPoint& position) {
+  if (menu_ != nullptr) menu_->popup(graph_.mapToGlobal(position));
+}
+
+}  // namespace tendon::gui

@@ -1,0 +1,135 @@
+#include <gcm_gui/language/words.h>
+#include <gcm_gui/theme/head_row.h>
+#include <gcm_gui/theme/metrics.h>
+#include <gcm_gui/theme/theme.h>
+#include <gcm_gui/window/commands/commands.h>
+#include <gcm_gui/window/help/keys_card.h>
+
+#include <QAction>
+#include <QGridLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <utility>
+#include <vector>
+
+namespace tendon::gui {
+namespace {
+
+struct Key {
+  QString keys;
+  QString meaning;
+};
+
+struct Group {
+  QString title;
+  std::vector<Key> keys;
+};
+
+QString KeysOf(const QAction& action) {
+  return QKeySequence::listToString(action.shortcuts(), QKeySequence::NativeText)
+      .replace(QStringLiteral("; "), QStringLiteral(", "));
+}
+
+Group OfMenu(const QMenu& menu) {
+  Group group{menu.title().remove('&'), {}};
+  for (const QAction* action : menu.actions()) {
+    if (!action->shortcut().isEmpty()) group.keys.push_back({KeysOf(*action), PlainText(*action)});
+  }
+  return group;
+}
+
+/// Keys that no action has: each view hears its own.
+std::vector<Group> OfViews() {
+  return {{Words::tr("Everywhere"),
+           {{Words::tr("Tab, Shift+Tab"), Words::tr("To the next, the last part")},
+            {Words::tr("Alt+S, P, G, V, H"), Words::tr("The menus")},
+            {Words::tr("Esc"), Words::tr("Leaves the connect mode, a card, a field")}}},
+          {Words::tr("In the graph"),
+           {{Words::tr("Arrows"), Words::tr("Select the next component")},
+            {"+  −  0", Words::tr("Closer, farther, all of it")},
+            {Words::tr("1 … 9, Enter"), Words::tr("While connecting: pick that one, the best")}}},
+          {Words::tr("In a plot"),
+           {{"+  −", Words::tr("Zoom in time; with Ctrl in values")},
+            {Words::tr("Left, Right"), Words::tr("Move in time")},
+            {Words::tr("Alt+Left"), Words::tr("Back to what was shown before")},
+            {Words::tr("End"), Words::tr("Follow the data again")},
+            {Words::tr("A, B, Delete"), Words::tr("Place the cursors, remove them")}}},
+          {Words::tr("In a plot's legend"),
+           {{Words::tr("Space"), Words::tr("Hide the curve, show it")},
+            {Words::tr("Delete"), Words::tr("Remove it")},
+            {"R", Words::tr("Another signal in its place")}}},
+          {Words::tr("In a form"),
+           {{Words::tr("Ctrl+Enter"),
+             Words::tr("Call the command; a second time where it sets something in motion")}}},
+          {Words::tr("In the console"),
+           {{Words::tr("Tab"), Words::tr("Completes")},
+            {Words::tr("Ctrl+R"), Words::tr("Searches what was typed")},
+            {Words::tr("Ctrl+C, Ctrl+L"), Words::tr("Interrupts; clears")}}}};
+}
+
+QWidget* MakeGroup(const Group& group) {
+  auto* widget = new QWidget;
+  widget->setAccessibleName(Words::tr("Keys: ") + group.title);
+  auto* grid = new QGridLayout(widget);
+  grid->setContentsMargins(0, 0, 0, 2 * kGrid);
+  grid->setHorizontalSpacing(kInset);
+  grid->setVerticalSpacing(kGrid);
+  grid->setColumnStretch(1, 1);
+  auto* title = new QLabel(group.title);
+  SetRole(*title, QStringLiteral("strong"));
+  grid->addWidget(title, 0, 0, 1, 2);
+  for (const Key& key : group.keys) {
+    const int row = grid->rowCount();
+    auto* keys = new QLabel(key.keys);
+    keys->setTextFormat(Qt::PlainText);
+    SetRole(*keys, QStringLiteral("mono accent"));
+    keys->setMinimumWidth(112);
+    auto* meaning = new QLabel(key.meaning);
+    meaning->setTextFormat(Qt::PlainText);
+    meaning->setWordWrap(true);
+    grid->addWidget(keys, row, 0, Qt::AlignTop);
+    grid->addWidget(meaning, row, 1);
+  }
+  return widget;
+}
+
+}  // namespace
+
+KeysCard::KeysCard(QWidget& place, const Commands& commands)
+    : OverlayCard(place, new QWidget),
+      commands_(commands),
+      left_(new QVBoxLayout),
+      right_(new QVBoxLayout) {
+  setObjectName(QStringLiteral("keysCard"));
+  setAccessibleName(Words::tr("Keys"));
+  head().setTitle(Words::tr("Keys"));
+  head().addRight(&leave());
+  auto* columns = new QHBoxLayout(&body());
+  columns->setContentsMargins(kInset, kInset, kInset, kGrid);
+  columns->setSpacing(2 * kInset);
+  columns->addLayout(left_, 1);
+  columns->addLayout(right_, 1);
+}
+
+void KeysCard::toggle() {
+  if (!isHidden()) return close();
+  fill();
+  open();
+}
+
+void KeysCard::fill() {
+  for (QBoxLayout* column : {left_, right_}) {
+    while (QLayoutItem* item = column->takeAt(0)) {
+      delete item->widget();
+      delete item;
+    }
+  }
+  for (const QMenu* menu : commands_.menus()) left_->addWidget(MakeGroup(OfMenu(*menu)));
+  for (const Group& group : OfViews()) right_->addWidget(MakeGroup(group));
+  left_->addStretch();
+  right_->addStretch();
+}
+
+}  // namespace tendon::gui

@@ -1,0 +1,144 @@
+#include <gcm_gui/plot/plot_panel.h>
+#include <gcm_gui/plot/plot_view.h>
+#include <gcm_gui/plot/rate_badge.h>
+#include <gtest/gtest.h>
+
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <cstdlib>
+#include <vector>
+
+#include "flow/flow_fixture.h"
+#include "support/machine/stall_meter.h"
+
+namespace tendon::gui {
+namespace {
+
+constexpr int kOneCall = 2000;  // ms, before another is tried
+constexpr int kArms = 5;
+constexpr int kSignalsOfAnArm = 20;  // with 14 of joints and 6 of the goal
+const QString kJoint = QStringLiteral("robot/arm/state.Joints.position[0]");
+
+/// How many seconds of rows are to arrive: 60 with TENDON_FULL_FAULTS, and as many as
+/// TENDON_PLOT_SECONDS says.
+std::uint64_t Seconds() {
+  if (const char* seconds = std::getenv("TENDON_PLOT_SECONDS")) return std::stoull(seconds);
+  return std::getenv("TENDON_FULL_FAULTS") == nullptr ? 2 : 60;
+}
+
+/// A process of several arms, each with a table of 1 kHz.
+QByteArray SystemOfArms() {
+  QJsonArray components;
+  for (int i = 0; i < kArms; ++i) {
+    components.append(QJsonObject{{"name", QString("arm%1").arg(i)},
+                                  {"class", "SimulatedArm"},
+                                  {"library", "simulated_arm"}});
+  }
+  const QJsonObject process{{"name", "load"}, {"components", components}};
+  return QJsonDocument(
+             QJsonObject{{"version", 1}, {"name", "arms"}, {"processes", QJsonArray{process}}})
+      .toJson();
+}
+
+/// A plot for each arm; two of them lie below another.
+QByteArray LayoutOfArms() {
+  QJsonArray plots;
+  for (int arm = 0; arm < kArms; ++arm) {
+    QJsonArray curves;
+    for (int i = 0; i < kSignalsOfAnArm; ++i) {
+      const char* column = i < 7 ? "Joints.position" : i < 14 ? "Joints.velocity" : "Goal.position";
+      const QString path =
+          QString("load/arm%1/state.%2[%3]").arg(arm).arg(column).arg(i < 14 ? i % 7 : i - 14);
+      curves.append(QJsonObject{{"path", path}, {"unit", i < 7 || i >= 14 ? "rad" : "rad/s"}});
+    }
+    plots.append(QJsonObject{{"window", 10}, {"below", arm % 2 == 1}, {"curves", curves}});
+  }
+  return QJsonDocument(QJsonObject{{"version", 1}, {"plots", plots}}).toJson();
+}
+
+class PlotFlow : public FlowFixture {
+ protected:
+  [[nodiscard]] QString Write(const char* name, const QByteArray& content) const {
+    QFile file(QString::fromStdString((home_.path() / name).string()));
+    EXPECT_TRUE(file.open(QIODevice::WriteOnly) && file.write(content) == content.size());
+    return file.fileName();
+  }
+  [[nodiscard]] std::vector<const Curve*> Curves() const {
+    std::vector<const Curve*> curves;
+    for (int i = 0; i < window_->plots().plotCount(); ++i) {
+      for (const auto& curve : window_->plots().plot(i).curves().curves()) {
+        curves.push_back(curve.get());
+      }
+    }
+    return curves;
+  }
+  [[nodiscard]] bool IsMarked(const QString& label, const QString& text = {}) const {
+    for (const Mark& mark : window_->plots().marks().all()) {
+      if (mark.label == label && mark.text.contains(text)) return true;
+    }
+    return false;
+  }
+};
+
+// Counts and no times: on a slow machine it takes longer, and still every row is there. A machine
+// that stands still for longer than a table keeps its rows loses some, but never in silence.
+TEST_F(PlotFlow, OfAHundredSignalsAtAThousandHertzNotARowIsLost) {
+  const test::StallMeter stalls;
+  const QString system = Write("arms.json", SystemOfArms());
+  const auto load = StartLcm("load", system.toStdString());
+  window_->plots().openLayout(Write("arms.plots.json", LayoutOfArms()));
+  const std::vector<const Curve*> curves = Curves();
+  ASSERT_EQ(curves.size(), 100U);
+  const std::uint64_t rows = Seconds() * 1000;
+
+  const auto have_come = [&] {
+    return std::all_of(curves.begin(), curves.end(),
+                       [&](const Curve* curve) { return curve->samples().endIndex() >= rows; });
+  };
+  const int patience = kFlowPatience + static_cast<int>(rows) * 4;
+  ASSERT_TRUE(QTest::qWaitFor(have_come, patience)) << load->err();
+
+  for (const Curve* curve : curves) {
+    const SampleRing& samples = curve->samples();
+    EXPECT_EQ(samples.repeated(), 0U) << curve->path().toStdString();
+    const std::uint64_t ticks =
+        samples.tick(samples.endIndex() - 1) - samples.tick(samples.firstIndex());
+    const std::uint64_t missing = ticks - (samples.endIndex() - 1 - samples.firstIndex());
+    EXPECT_LE(missing, samples.lost()) << curve->path().toStdString();
+    if (stalls.has_stood_still()) continue;
+    EXPECT_EQ(samples.lost(), 0U) << curve->path().toStdString();
+    EXPECT_TRUE(samples.gaps().empty()) << curve->path().toStdString();
+  }
+  EXPECT_TRUE(Eventually([&] {
+    return stalls.has_stood_still() || Find<RateBadge>("rateBadge").text().contains("0 lost");
+  }));
+  Grab(QStringLiteral("hundred-signals"));
+}
+
+TEST_F(PlotFlow, EventsOfWhatIsPlottedAndCommandsOfOtherProgramsAreMarked) {
+  window_->plots().addSignal(kJoint, QStringLiteral("rad"));
+  window_->plots().setWindow(std::chrono::seconds(10));
+  ASSERT_TRUE(Eventually([&] { return !Curves().front()->samples().empty(); }));
+
+  // The first calls may come before this window hears of them.
+  const auto called = [&] {
+    StartGcmVerb({"call", "robot/arm/Control.MoveTo",
+                  R"({"position": [0.1, 0, 0, -1.5, 0, 1.5, 0], "duration": 0.05})"})
+        ->Wait();
+    return QTest::qWaitFor([this] { return IsMarked("MoveTo", " by ") && IsMarked("GoalReached"); },
+                           kOneCall);
+  };
+  EXPECT_TRUE(Eventually(called));
+  Grab(QStringLiteral("plot-marks"));
+
+  QTest::keyClick(window_->plots().currentPlot().canvas(), Qt::Key_E);
+  EXPECT_FALSE(window_->plots().areMarksShown());
+}
+
+}  // namespace
+}  // namespace tendon::gui

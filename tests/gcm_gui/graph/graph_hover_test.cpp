@@ -1,0 +1,138 @@
+#include <gcm_gui/graph/emphasis/emphasis.h>
+#include <gcm_gui/graph/emphasis/graph_hover.h>
+#include <gcm_gui/graph/items/card_item.h>
+#include <gcm_gui/graph/items/component_item.h>
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QMouseEvent>
+#include <QSignalSpy>
+#include <QTest>
+#include <set>
+
+#include "graph/graph_fixture.h"
+
+namespace tendon::gui {
+namespace {
+
+constexpr int kHoverPatience = 20000;  // ms; bounds a test that fails
+const QString kEdge = "robot/controller/Arm";
+
+class GraphHoverTest : public GraphFixture {
+ protected:
+  GraphHoverTest() : GraphFixture(LookSystem(0)) {
+    Show();
+    view_.resize(900, 480);
+    view_.show();
+    view_.fit();
+  }
+
+  /// As the window system would tell it: QTest is silent when the pointer is there already.
+  void MoveTo(const QPointF& scene) {
+    const QPoint at = view_.mapFromScene(scene);
+    QMouseEvent event(QEvent::MouseMove, at, view_.viewport()->mapToGlobal(at), Qt::NoButton,
+                      Qt::NoButton, {});
+    QApplication::sendEvent(view_.viewport(), &event);
+  }
+  [[nodiscard]] QPointF HeadOf(const QString& component) const {
+    return scene_.component(component)->sceneRect().topLeft() + QPointF(30, 14);
+  }
+  [[nodiscard]] QPointF MiddleOfEdge() const {
+    return scene_.edge(kEdge)->path().pointAtPercent(0.5);
+  }
+  [[nodiscard]] bool EventuallyDims(bool dims) const {
+    return QTest::qWaitFor([&] { return scene_.emphasis().veil() == (dims ? 1 : 0); },
+                           kHoverPatience);
+  }
+  [[nodiscard]] bool IsAboveTheVeil(const QString& component) const {
+    return scene_.component(component)->zValue() > scene_.component("desk/teleoperation")->zValue();
+  }
+};
+
+TEST_F(GraphHoverTest, AComponentStandsOutWithWhatItIsConnectedTo) {
+  MoveTo(HeadOf("robot/arm"));
+
+  ASSERT_TRUE(EventuallyDims(true));
+  EXPECT_TRUE(IsAboveTheVeil("robot/arm"));
+  EXPECT_TRUE(IsAboveTheVeil("robot/controller"));
+  EXPECT_FALSE(IsAboveTheVeil("desk/view"));
+  EXPECT_GT(scene_.edge(kEdge)->zValue(), scene_.edge("desk/view/Host")->zValue());
+
+  MoveTo(view_.mapToScene(QPoint(2, 2)));
+
+  ASSERT_TRUE(EventuallyDims(false));
+  EXPECT_FALSE(IsAboveTheVeil("robot/arm"));
+}
+
+TEST_F(GraphHoverTest, APortStandsOutWithItsOwnConnectionsOnly) {
+  MoveTo(scene_.port({Side::kProvided, {"robot", "arm", "Drives"}})->scenePos());
+
+  ASSERT_TRUE(EventuallyDims(true));
+  EXPECT_EQ(scene_.emphasis().names().edges, std::set<QString>{kEdge});
+  EXPECT_EQ(scene_.emphasis().names().components,
+            (std::set<QString>{"robot/arm", "robot/controller"}));
+}
+
+TEST_F(GraphHoverTest, WhatIsConnectedToNothingDimsNothing) {
+  MoveTo(HeadOf("robot/arm"));
+  ASSERT_TRUE(EventuallyDims(true));
+
+  MoveTo(HeadOf("desk/teleoperation"));
+
+  EXPECT_TRUE(EventuallyDims(false));
+}
+
+TEST_F(GraphHoverTest, AConnectionTellsHowItDoes) {
+  QSignalSpy pointed(&scene_.hover(), &GraphHover::connectionPointed);
+  MoveTo(MiddleOfEdge());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return pointed.size() == 1; }, kHoverPatience));
+  EXPECT_EQ(pointed[0][0].toString(), kEdge);
+  EXPECT_EQ(scene_.hover().card(), nullptr);
+
+  scene_.hover().showReadout({"desk", "view", "Host"}, {"of another one"});
+  EXPECT_EQ(scene_.hover().card(), nullptr);
+  scene_.hover().showReadout({"robot", "controller", "Arm"}, {"round trip 38.0 µs"});
+
+  ASSERT_NE(scene_.hover().card(), nullptr);
+  EXPECT_EQ(scene_.hover().card()->title(), "robot/controller/Arm → robot/arm/Drives");
+  EXPECT_EQ(scene_.hover().card()->lines(), QStringList("round trip 38.0 µs"));
+
+  MoveTo(view_.mapToScene(QPoint(2, 2)));
+  EXPECT_EQ(scene_.hover().card(), nullptr);
+  EXPECT_EQ(pointed.back()[0].toString(), QString());
+}
+
+TEST_F(GraphHoverTest, AConnectionThatGoesUnderThePointerTakesItsCardAlong) {
+  MoveTo(MiddleOfEdge());
+  ASSERT_TRUE(EventuallyDims(true));
+  scene_.hover().showReadout({"robot", "controller", "Arm"}, {"round trip 38.0 µs"});
+
+  system_.Disconnect({"robot", "controller", "Arm"});
+  Show();
+
+  EXPECT_EQ(scene_.hover().card(), nullptr);
+  EXPECT_TRUE(EventuallyDims(false));
+}
+
+TEST_F(GraphHoverTest, WhileAConnectionIsMadeNothingIsDimmed) {
+  MoveTo(HeadOf("robot/arm"));
+  ASSERT_TRUE(EventuallyDims(true));
+
+  mode_.start({Side::kRequired, {"desk", "teleoperation", "Robot"}});
+  MoveTo(HeadOf("robot/controller"));
+
+  EXPECT_TRUE(scene_.emphasis().names().empty());
+  EXPECT_TRUE(EventuallyDims(false));
+}
+
+TEST_F(GraphHoverTest, WhoWalksByKeysSeesTheNeighboursToo) {
+  selection_.select("robot/arm");
+
+  QTest::keyClick(&view_, Qt::Key_Right);
+
+  EXPECT_TRUE(scene_.emphasis().names().components.contains("robot/arm"));
+  EXPECT_TRUE(scene_.emphasis().names().components.contains("robot/controller"));
+}
+
+}  // namespace
+}  // namespace tendon::gui

@@ -1,0 +1,104 @@
+#include <gcm_gui/graph/emphasis/emphasis.h>
+#include <gcm_gui/graph/items/component_item.h>
+#include <gcm_gui/graph/search/graph_search.h>
+#include <gtest/gtest.h>
+
+#include <QLineEdit>
+#include <QSignalSpy>
+#include <QTest>
+#include <QToolButton>
+
+#include "graph/graph_fixture.h"
+
+namespace tendon::gui {
+namespace {
+
+class GraphSearchTest : public GraphFixture {
+ protected:
+  GraphSearchTest() : GraphFixture(LookSystem(0)) {
+    Show();
+    view_.resize(900, 480);
+    view_.show();
+    view_.fit();
+    QObject::connect(&search_, &GraphSearch::chosen, &view_, &GraphView::goTo);
+    search_.open();
+  }
+
+  void Type(const char* text) {
+    search_.field().clear();
+    QTest::keyClicks(&search_.field(), text);
+  }
+  void Enter(Qt::KeyboardModifiers modifiers = {}) {
+    QTest::keyClick(&search_.field(), Qt::Key_Return, modifiers);
+  }
+
+  GraphSearch search_{view_};
+};
+
+TEST_F(GraphSearchTest, AllWordsHaveToBeThereInAnyOrder) {
+  Type("ARM rob");
+  EXPECT_TRUE(search_.found().contains("robot/arm"));
+  EXPECT_FALSE(search_.found().contains("desk/view"));
+
+  Type("drives");
+  EXPECT_EQ(search_.found(), QStringList{"robot/arm"}) << "by the name of an interface";
+  EXPECT_EQ(search_.told(), "1 found");
+
+  Type("no such thing");
+  EXPECT_TRUE(search_.found().isEmpty());
+  EXPECT_EQ(search_.told(), "nothing fits");
+  EXPECT_TRUE(scene_.emphasis().names().empty());
+}
+
+TEST_F(GraphSearchTest, WhatIsFoundStandsOut) {
+  Type("desk");
+
+  EXPECT_TRUE(scene_.emphasis().names().components.contains("desk/view"));
+  EXPECT_FALSE(scene_.emphasis().names().components.contains("robot/arm"));
+
+  system_.Component("desk", Task("newcomer", 1, {}));
+  Show();
+  EXPECT_TRUE(scene_.emphasis().names().components.contains("desk/newcomer"));
+}
+
+TEST_F(GraphSearchTest, EnterGoesFromOneToTheNextAndShiftEnterBack) {
+  Type("desk");
+  ASSERT_EQ(search_.found().size(), 3);
+
+  Enter();
+  EXPECT_EQ(selection_.current(), search_.found()[0]);
+  EXPECT_EQ(search_.told(), "1 of 3");
+  Enter();
+  EXPECT_EQ(selection_.current(), search_.found()[1]);
+  Enter(Qt::ShiftModifier);
+  Enter(Qt::ShiftModifier);
+  EXPECT_EQ(selection_.current(), search_.found()[2]);
+  QTest::mouseClick(search_.findChild<QToolButton*>("graphSearch.next"), Qt::LeftButton);
+  EXPECT_EQ(selection_.current(), search_.found()[0]);
+  EXPECT_TRUE(view_.seen().contains(scene_.component(selection_.current())->sceneRect()));
+}
+
+TEST_F(GraphSearchTest, FromFarAwayItComesNearEnoughToBeRead) {
+  for (int step = 0; step < 12; ++step) view_.zoomOut();
+  const double far_away = view_.transform().m11();
+
+  Type("controller");
+  Enter();
+
+  EXPECT_GT(view_.transform().m11(), far_away);
+  EXPECT_GE(view_.transform().m11(), 0.5);
+  EXPECT_TRUE(view_.seen().contains(scene_.component("robot/controller")->sceneRect()));
+}
+
+TEST_F(GraphSearchTest, EscapeEndsItAndGivesTheFocusBack) {
+  Type("desk");
+
+  QTest::keyClick(&search_.field(), Qt::Key_Escape);
+
+  EXPECT_FALSE(search_.isVisible());
+  EXPECT_TRUE(scene_.emphasis().names().empty());
+  EXPECT_FALSE(search_.leave());
+}
+
+}  // namespace
+}  // namespace tendon::gui

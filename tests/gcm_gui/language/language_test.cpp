@@ -1,0 +1,92 @@
+#include <gcm_gui/language/language.h>
+#include <gcm_gui/language/words.h>
+#include <gcm_gui/theme/theme.h>
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QDir>
+#include <QLabel>
+#include <QRegularExpression>
+#include <QTest>
+#include <QTranslator>
+
+#include "window/window_fixture.h"
+
+namespace tendon::gui {
+namespace {
+
+/// What SpeakAs() installed is taken back.
+void SpeakEnglish() {
+  for (auto* one : QCoreApplication::instance()->findChildren<QTranslator*>()) delete one;
+}
+
+class LanguageTest : public ::testing::Test {
+ protected:
+  ~LanguageTest() override { SpeakEnglish(); }
+};
+
+TEST_F(LanguageTest, IsThatOfTheDesktop) {
+  EXPECT_EQ(Words::tr("Nothing is wrong."), "Nothing is wrong.");
+  SpeakAs(QLocale(QStringLiteral("de_DE")));
+  EXPECT_EQ(Words::tr("Nothing is wrong."), "Es ist alles in Ordnung.");
+  SpeakEnglish();
+  SpeakAs(QLocale(QStringLiteral("fr_CA")));
+  EXPECT_EQ(Words::tr("Nothing is wrong."), "Tout va bien.");
+}
+
+TEST_F(LanguageTest, IsEnglishWhereThereIsNoOther) {
+  SpeakAs(QLocale(QStringLiteral("ja_JP")));
+  EXPECT_EQ(Words::tr("Nothing is wrong."), "Nothing is wrong.");
+}
+
+TEST_F(LanguageTest, TellsWhichThereAre) { EXPECT_EQ(Languages(), (QStringList{"de", "fr"})); }
+
+/// The locale is set before the members of the window are made.
+struct Speaking {
+  explicit Speaking(const char* language) { SpeakAs(QLocale(QString(language))); }
+  ~Speaking() { SpeakEnglish(); }
+};
+
+class WindowInLanguage : private Speaking, public WindowFixture {
+ protected:
+  explicit WindowInLanguage(const char* language) : Speaking(language) {}
+  ~WindowInLanguage() override { Theme::instance().choose(Theme::Choice::kSystem); }
+
+  /// Widgets whose words need more room than they have.
+  QStringList cutOff() {
+    QStringList found;
+    for (auto* button : window_.findChildren<QAbstractButton*>()) {
+      const bool has_words = button->text().contains(QRegularExpression("[[:alpha:]]{3}"));
+      if (has_words && button->isVisible() && button->width() < button->minimumSizeHint().width())
+        found << button->objectName() + ": " + button->text();
+    }
+    for (auto* label : window_.findChildren<QLabel*>()) {
+      if (label->isVisible() && !label->wordWrap() && label->pixmap().isNull() &&
+          label->width() < label->minimumSizeHint().width())
+        found << label->objectName() + ": " + label->text();
+    }
+    return found;
+  }
+
+  void look(const QString& name) {
+    Theme::instance().choose(Theme::Choice::kLight);
+    window_.selection().select("robot/arm");
+    EXPECT_TRUE(QTest::qWaitFor([this] { return cutOff().isEmpty(); }, kPatience))
+        << cutOff().join('\n').toStdString();
+    QDir().mkpath(PICTURE_FOLDER);
+    EXPECT_TRUE(window_.grab().save(QStringLiteral(PICTURE_FOLDER "/%1.png").arg(name)));
+  }
+};
+
+struct GermanWindow : WindowInLanguage {
+  GermanWindow() : WindowInLanguage("de_DE") {}
+};
+struct FrenchWindow : WindowInLanguage {
+  FrenchWindow() : WindowInLanguage("fr_FR") {}
+};
+
+TEST_F(GermanWindow, HasRoomForItsWords) { look("window-german"); }
+TEST_F(FrenchWindow, HasRoomForItsWords) { look("window-french"); }
+
+}  // namespace
+}  // namespace tendon::gui

@@ -1,0 +1,87 @@
+#include <gcm_gui/session/undo_choice.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+namespace tendon::gui {
+namespace {
+
+using std::chrono::seconds;
+
+constexpr std::int64_t kWallNow = 1'000'000'000'000;
+const UndoChoice::Time kNow{};
+
+message::HistoryEntry Step(std::uint64_t id, const std::string& who) {
+  return {.id = id,
+          .verb = "connect",
+          .wire = {{"desk", "hand", "Robot"}, {"robot", "arm", "Control"}},
+          .former = {},
+          .life = {},
+          .who = who,
+          .when = kWallNow - 12'000'000'000};
+}
+
+TEST(UndoChoice, OnesOwnNewestStepIsTakenBackAtOnce) {
+  UndoChoice choice("me");
+  message::History history{{Step(1, "you"), Step(2, "me"), Step(3, "me"), Step(4, "you")}};
+  history.entries[2].undone = true;
+  history.entries[3].passed_over = true;
+
+  const auto step = choice.Choose(history, kNow, kWallNow);
+
+  ASSERT_TRUE(step.ok()) << step.error().message;
+  EXPECT_EQ(*step, 2U);
+}
+
+TEST(UndoChoice, AnothersIsAskedForAndTakenBackAtTheSecondTime) {
+  UndoChoice choice("me");
+  const message::History history{{Step(7, "gcm-gui of anna@host")}};
+
+  const auto asked = choice.Choose(history, kNow, kWallNow);
+  ASSERT_FALSE(asked.ok());
+  EXPECT_NE(asked.error().message.find("by gcm-gui of anna@host 12 s ago. Undo it?"),
+            std::string::npos)
+      << asked.error().message;
+
+  const auto step = choice.Choose(history, kNow + UndoChoice::kPatience, kWallNow);
+  ASSERT_TRUE(step.ok());
+  EXPECT_EQ(*step, 7U);
+  EXPECT_FALSE(choice.Choose(history, kNow + UndoChoice::kPatience, kWallNow).ok()) << "once only";
+}
+
+TEST(UndoChoice, TheAnswerIsToTheQuestionAndInTime) {
+  UndoChoice choice("me");
+  message::History history{{Step(7, "anna")}};
+  ASSERT_FALSE(choice.Choose(history, kNow, kWallNow).ok());
+
+  history.entries.push_back(Step(8, "bert"));
+  EXPECT_FALSE(choice.Choose(history, kNow + seconds(1), kWallNow).ok()) << "it is another step";
+  EXPECT_FALSE(choice.Choose(history, kNow + seconds(2) + UndoChoice::kPatience, kWallNow).ok())
+      << "it is too late";
+}
+
+TEST(UndoChoice, WhatCanSetSomethingInMotionIsAskedForWhoeverHasDoneIt) {
+  UndoChoice choice("me");
+  message::History history{{Step(7, "me")}};
+  history.entries[0].verb = "stop";
+  history.entries[0].life.process = "robot";
+  history.entries[0].life.component = "arm";
+
+  const auto asked = choice.Choose(history, kNow, kWallNow);
+
+  ASSERT_FALSE(asked.ok());
+  EXPECT_NE(asked.error().message.find("set something in motion"), std::string::npos);
+  EXPECT_TRUE(choice.Choose(history, kNow, kWallNow).ok());
+}
+
+TEST(UndoChoice, NothingToUndoIsSaid) {
+  UndoChoice choice("me");
+
+  const auto nothing = choice.Choose({}, kNow, kWallNow);
+
+  ASSERT_FALSE(nothing.ok());
+  EXPECT_EQ(nothing.error().message, "there is nothing to undo");
+}
+
+}  // namespace
+}  // namespace tendon::gui

@@ -1,0 +1,91 @@
+#include <gcm_gui/models/filter/catalogue_filter.h>
+#include <gcm_gui/views/catalogue_panel.h>
+#include <gcm_gui/views/catalogue_tree.h>
+#include <gtest/gtest.h>
+
+#include <QTest>
+
+#include "support/large_system.h"
+#include "window/window_fixture.h"
+
+namespace tendon::gui {
+namespace {
+
+constexpr auto kMany = "component";  // far more rows than a filter opens by itself
+constexpr auto kManyOthers = "component_1";
+
+/// The rows of many components, opened and closed by hand.
+class CatalogueTreeTest : public WindowFixture {
+ protected:
+  CatalogueTreeTest() : first_(PathOf(3, 7)), second_(PathOf(4, 9)) {
+    store_.replace(LargeSystem(10, 50).catalog());
+    EXPECT_TRUE(QTest::qWaitFor([this] { return !store_.isTelling(); }, kPatience));
+  }
+
+  static QString PathOf(int process, int component) {
+    return QString::fromStdString(LargeProcess(process) + '/' + LargeComponent(component));
+  }
+  [[nodiscard]] CatalogueTree& tree() const { return window_.catalogue().tree(); }
+  [[nodiscard]] CatalogueFilter& filter() const {
+    return *qobject_cast<CatalogueFilter*>(tree().model());
+  }
+  [[nodiscard]] bool isOpen(const QString& path) const {
+    const QModelIndex index = filter().indexOf(path);
+    EXPECT_TRUE(index.isValid()) << qPrintable(path);
+    return tree().isExpanded(index);
+  }
+  /// Opens a row that is closed, or closes one that is open.
+  void Turn(const QString& path) const {
+    const bool open = isOpen(path);
+    tree().setCurrentIndex(filter().indexOf(path));
+    QTest::keyClick(&tree(), open ? Qt::Key_Left : Qt::Key_Right);
+    EXPECT_NE(isOpen(path), open);
+  }
+
+  QString first_;
+  QString second_;
+};
+
+TEST_F(CatalogueTreeTest, WhatIsOpenedByHandStaysOpenWithEveryFilterAndWithoutOne) {
+  Turn(first_);
+
+  filter().applyText(kMany);
+  EXPECT_TRUE(isOpen(first_));
+  Turn(second_);
+  filter().applyText(kManyOthers);
+  EXPECT_TRUE(isOpen(first_));
+  EXPECT_TRUE(isOpen(second_));
+
+  filter().applyText({});
+  EXPECT_TRUE(isOpen(first_));
+  EXPECT_TRUE(isOpen(second_));
+}
+
+TEST_F(CatalogueTreeTest, WhatIsClosedWhileThereIsAFilterIsOpenAgainWithoutIt) {
+  Turn(first_);
+  filter().applyText(kMany);
+
+  Turn(first_);
+  Turn(QString::fromStdString(LargeProcess(5)));
+  filter().applyText(kManyOthers);
+  EXPECT_FALSE(isOpen(first_));
+  EXPECT_FALSE(isOpen(QString::fromStdString(LargeProcess(5))));
+
+  filter().applyText({});
+  EXPECT_TRUE(isOpen(first_));
+  EXPECT_TRUE(isOpen(QString::fromStdString(LargeProcess(5))));
+}
+
+TEST_F(CatalogueTreeTest, WhatAFilterOfFewOpensByItselfIsClosedWithoutIt) {
+  Turn(first_);
+
+  filter().applyText(second_);
+  EXPECT_TRUE(isOpen(second_));
+
+  filter().applyText({});
+  EXPECT_TRUE(isOpen(first_));
+  EXPECT_FALSE(isOpen(second_));
+}
+
+}  // namespace
+}  // namespace tendon::gui

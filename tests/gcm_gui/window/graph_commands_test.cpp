@@ -1,0 +1,218 @@
+#include <gcm_gui/graph/export/graph_export.h>
+#include <gcm_gui/graph/graph_view.h>
+#include <gcm_gui/graph/items/component_item.h>
+#include <gcm_gui/graph/map/graph_map.h>
+#include <gcm_gui/graph/places/graph_places.h>
+#include <gcm_gui/graph/search/graph_search.h>
+#include <gcm_gui/views/catalogue_panel.h>
+#include <gcm_gui/views/catalogue_tree.h>
+#include <gcm_gui/window/bar/notice_line.h>
+#include <gcm_gui/window/file/system_files.h>
+#include <gcm_gui/window/graph/graph_commands.h>
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QContextMenuEvent>
+#include <QDir>
+#include <QFile>
+#include <QFileDialog>
+#include <QImage>
+#include <QLineEdit>
+#include <QMenu>
+#include <QTest>
+
+#include "support/folder.h"
+#include "window/window_fixture.h"
+
+namespace tendon::gui {
+namespace {
+
+class GraphCommandsTest : public WindowFixture {
+ protected:
+  [[nodiscard]] QString Said() const { return window_.findChild<NoticeLine*>()->text(); }
+  [[nodiscard]] QString InFolder(const char* name) const {
+    return QString::fromStdString((folder_.path() / name).string());
+  }
+  [[nodiscard]] GraphExport& exporter() const { return *window_.findChild<GraphExport*>(); }
+
+  /// What was written there, once it is said.
+  QByteArray Saved(const QString& file) {
+    exporter().save(file);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return Said() == file + " saved"; }, kPatience))
+        << Said().toStdString();
+    QFile written(file);
+    EXPECT_TRUE(written.open(QIODevice::ReadOnly));
+    return written.readAll();
+  }
+
+  const test::Folder folder_;
+};
+
+TEST_F(GraphCommandsTest, MShowsAndHidesTheMap) {
+  GraphMap& map = window_.graphCommands().map();
+  for (int step = 0; step < 6; ++step) QTest::keyClick(&window_.graph(), Qt::Key_Plus);
+  ASSERT_TRUE(map.isVisible());
+
+  QTest::keyClick(&window_, Qt::Key_M);
+  EXPECT_FALSE(map.isVisible());
+
+  QTest::keyClick(&window_, Qt::Key_M);
+  EXPECT_TRUE(map.isVisible());
+}
+
+TEST_F(GraphCommandsTest, TheGraphHasItsCommandsWhereTheMouseIs) {
+  QContextMenuEvent event(QContextMenuEvent::Mouse, {5, 5},
+                          window_.graph().viewport()->mapToGlobal(QPoint(5, 5)));
+  QApplication::sendEvent(window_.graph().viewport(), &event);
+  auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+  ASSERT_NE(menu, nullptr);
+  auto* save = menu->findChild<QAction*>("Save a picture of the graph");
+  ASSERT_NE(save, nullptr);
+
+  QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(save).center());
+
+  auto* dialog = window_.findChild<QFileDialog*>("graphExport");
+  ASSERT_NE(dialog, nullptr);
+  EXPECT_TRUE(dialog->isVisible());
+  const QString file = InFolder("chosen");
+  dialog->findChild<QLineEdit*>("fileNameEdit")->setText(file);
+  QTest::keyClick(dialog->findChild<QLineEdit*>("fileNameEdit"), Qt::Key_Return);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return QFile::exists(file + ".svg"); }, kPatience));
+}
+
+TEST_F(GraphCommandsTest, CtrlZTakesAMoveBackUntilSomethingElseIsDone) {
+  GraphScene& scene = window_.graph().graph();
+  const auto place = [&] { return scene.component("robot/arm")->sceneRect().topLeft(); };
+  const QPointF before = place();
+  window_.selection().select("robot/arm");
+  window_.graph().setFocus();
+  QTest::keyClick(&window_.graph(), Qt::Key_Down, Qt::AltModifier);
+  ASSERT_NE(place(), before);
+
+  QTest::keyClick(&window_, Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(place(), before);
+  EXPECT_EQ(Said(), "Moved back");
+  EXPECT_TRUE(actions_.asked.isEmpty());
+
+  QTest::keyClick(&window_.graph(), Qt::Key_Down, Qt::AltModifier);
+  activity_.finish(activity_.begin(Action()), 0.01, {});
+  QTest::keyClick(&window_, Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(actions_.asked, QStringList{"undo"});
+  EXPECT_NE(place(), before);
+
+  window_.findChild<QAction*>("Reset the layout of the graph")->trigger();
+  EXPECT_EQ(place(), before);
+}
+
+TEST_F(GraphCommandsTest, WhereThingsWerePutIsInTheSystemFileAndComesBackFromIt) {
+  GraphScene& scene = window_.graph().graph();
+  const auto place = [&] { return scene.component("robot/arm")->sceneRect().topLeft(); };
+  const QPointF before = place();
+  scene.places().move({{"robot/arm", {-120, 44}}, {"gone/thing", {1, 2}}});
+  SystemDocument& document = window_.files().document();
+  const QString file = InFolder("put.gcm.json");
+  document.save(file);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return document.isOpen(); }, kPatience));
+  const auto read = ReadSystemFile(file.toStdString());
+  ASSERT_TRUE(read.ok());
+  EXPECT_EQ(read->layout.size(), 1U);
+  EXPECT_EQ(read->layout.at("robot/arm"), (SystemFile::Position{-120, 44}));
+
+  scene.places().reset();
+  ASSERT_EQ(place(), before);
+  document.open(file);
+
+  EXPECT_TRUE(QTest::qWaitFor([&] { return place() == QPointF(-120, 44); }, kPatience));
+}
+
+TEST_F(GraphCommandsTest, CtrlFLooksWhereTheFocusIs) {
+  GraphSearch& search = window_.graphCommands().search();
+  window_.graph().setFocus();
+  QTest::keyClick(&window_, Qt::Key_F, Qt::ControlModifier);
+  EXPECT_TRUE(search.field().hasFocus());
+  QTest::keyClicks(&search.field(), "view");
+  QTest::keyClick(&search.field(), Qt::Key_Return);
+  EXPECT_EQ(window_.selection().current(), "desk/view");
+
+  QTest::keyClick(&search.field(), Qt::Key_Escape);
+  EXPECT_FALSE(search.isVisible());
+  EXPECT_TRUE(window_.graph().hasFocus());
+
+  window_.catalogue().tree().setFocus();
+  QTest::keyClick(&window_, Qt::Key_F, Qt::ControlModifier);
+  EXPECT_TRUE(window_.catalogue().filterField().hasFocus());
+  window_.catalogue().tree().setFocus();
+  QTest::keyClick(&window_, Qt::Key_Slash);
+  EXPECT_TRUE(search.field().hasFocus());
+}
+
+TEST_F(GraphCommandsTest, SvgAndDotAreThoseOfTheConsole) {
+  const QByteArray svg = Saved(InFolder("system.svg"));
+  EXPECT_TRUE(svg.startsWith("<svg "));
+  EXPECT_TRUE(svg.contains(">controller</text>"));
+
+  const QByteArray dot = Saved(InFolder("system.dot"));
+  EXPECT_TRUE(dot.startsWith("digraph system {"));
+  EXPECT_TRUE(dot.contains(R"("robot/controller" -> "robot/arm" [label="Arm -> Drives"])"));
+}
+
+TEST_F(GraphCommandsTest, WhatWasPutSomewhereIsThereInSvgAndDot) {
+  GraphScene& scene = window_.graph().graph();
+  const QByteArray before = Saved(InFolder("before.svg"));
+  scene.places().move({{"robot/arm", scene.component("robot/force_sensor")->sceneRect().topLeft() +
+                                         QPointF(0, 200)}});
+
+  const QByteArray svg = Saved(InFolder("after.svg"));
+  const auto height_of = [](const QByteArray& picture, const QByteArray& name) {
+    const qsizetype end = picture.indexOf('>' + name + "</text>");
+    const qsizetype start = picture.lastIndexOf(" y=\"", end) + 4;
+    return picture.mid(start, picture.indexOf('"', start) - start).toDouble();
+  };
+  EXPECT_NE(svg, before);
+  EXPECT_GT(height_of(svg, "arm"), height_of(svg, "force_sensor") + 100);
+
+  const QByteArray dot = Saved(InFolder("after.dot"));
+  EXPECT_TRUE(dot.contains("layout=nop;"));
+  EXPECT_EQ(dot.count("pos=\""), static_cast<qsizetype>(scene.components().size()));
+
+  scene.places().reset();
+  EXPECT_EQ(Saved(InFolder("again.svg")), before);
+}
+
+TEST_F(GraphCommandsTest, APngHasAllOfTheGraphHoweverLittleIsSeen) {
+  for (int step = 0; step < 6; ++step) QTest::keyClick(&window_.graph(), Qt::Key_Plus);
+  const QRectF all = window_.graph().graph().contents();
+
+  const QImage image = QImage::fromData(Saved(InFolder("system.png")));
+
+  ASSERT_FALSE(image.isNull());
+  EXPECT_GE(image.width(), 2 * all.width());
+  EXPECT_GE(image.height(), 2 * all.height());
+  QDir().mkpath(PICTURE_FOLDER);
+  EXPECT_TRUE(image.save(QStringLiteral(PICTURE_FOLDER "/graph-export.png")));
+}
+
+TEST_F(GraphCommandsTest, ThePictureCanBeCopied) {
+  QApplication::clipboard()->clear();
+
+  window_.findChild<QAction*>("Copy the picture of the graph")->trigger();
+
+  EXPECT_TRUE(
+      QTest::qWaitFor([] { return !QApplication::clipboard()->image().isNull(); }, kPatience));
+}
+
+TEST_F(GraphCommandsTest, WhatCannotBeSavedIsSaid) {
+  exporter().save(InFolder("system.bmp"));
+  EXPECT_TRUE(Said().contains("end its name in .svg, .png or .dot")) << Said().toStdString();
+
+  const QString nowhere = InFolder("none/system.svg");
+  exporter().save(nowhere);
+  EXPECT_TRUE(
+      QTest::qWaitFor([&] { return Said().startsWith(nowhere + " was not saved: "); }, kPatience))
+      << Said().toStdString();
+}
+
+}  // namespace
+}  // namespace tendon::gui

@@ -1,0 +1,91 @@
+#include <gcm_gui/graph/emphasis/emphasis.h>
+#include <gcm_gui/graph/emphasis/graph_hover.h>
+#include <gcm_gui/graph/graph_view.h>
+#include <gcm_gui/graph/items/component_item.h>
+#include <gcm_gui/graph/places/graph_places.h>
+#include <gcm_gui/graph/search/graph_search.h>
+#include <gcm_gui/theme/theme.h>
+#include <gcm_gui/window/graph/graph_commands.h>
+#include <gtest/gtest.h>
+
+#include <QDir>
+#include <QImage>
+#include <QLineEdit>
+#include <QPainter>
+#include <QTest>
+
+#include "support/large_system.h"
+#include "window/window_fixture.h"
+
+namespace tendon::gui {
+namespace {
+
+/// The graph in each of its looks, kept as pictures for people.
+class GraphPicturesTest : public WindowFixture {
+ protected:
+  GraphPicturesTest() {
+    window_.panels().show(Panels::Perspective::kConnect);
+    window_.graph().setFocus();
+  }
+  ~GraphPicturesTest() override { Theme::instance().choose(Theme::Choice::kSystem); }
+
+  [[nodiscard]] GraphScene& scene() const { return window_.graph().graph(); }
+  [[nodiscard]] bool EventuallyDimmed() const {
+    return QTest::qWaitFor([&] { return scene().emphasis().veil() == 1; }, kPatience);
+  }
+  void Grab(const QString& name) {
+    QDir().mkpath(PICTURE_FOLDER);
+    for (const auto& [choice, look] :
+         {std::pair{Theme::Choice::kDark, "dark"}, std::pair{Theme::Choice::kLight, "light"}}) {
+      Theme::instance().choose(choice);
+      QCoreApplication::processEvents();
+      for (const int dots : {1, 2}) {
+        QImage image(window_.size() * dots, QImage::Format_ARGB32_Premultiplied);
+        image.setDevicePixelRatio(dots);
+        window_.render(&image);
+        const QString file = QStringLiteral(PICTURE_FOLDER "/graph-%1-%2-%3x.png")
+                                 .arg(name, QString::fromLatin1(look))
+                                 .arg(dots);
+        EXPECT_TRUE(image.save(file));
+      }
+    }
+  }
+};
+
+TEST_F(GraphPicturesTest, WhatThePointerRestsOn) {
+  scene().hover().point("robot/controller/Arm");
+  ASSERT_TRUE(EventuallyDimmed());
+  scene().hover().showReadout({"robot", "controller", "Arm"},
+                              {"stands for 3 min", "round trip 38.0 µs", "1204 calls and events",
+                               "0 of 64 wait", "0 refused, 0 replaced, 0 events lost"});
+  Grab("hover");
+}
+
+TEST_F(GraphPicturesTest, NearWithTheMapAndFound) {
+  for (int step = 0; step < 5; ++step) window_.graph().zoomIn();
+  Grab("map");
+
+  window_.graphCommands().search().open();
+  QTest::keyClicks(&window_.graphCommands().search().field(), "arm");
+  ASSERT_TRUE(EventuallyDimmed());
+  window_.graph().fit();
+  Grab("search");
+}
+
+TEST_F(GraphPicturesTest, PutElsewhere) {
+  const QPointF arm = scene().component("robot/arm")->sceneRect().topLeft();
+  scene().places().move({{"robot/arm", arm + QPointF(40, 120)}});
+  window_.graph().fit();
+  Grab("moved");
+}
+
+TEST_F(GraphPicturesTest, ManyFromFarAway) {
+  SystemBuilder large = LargeSystem(12, 20);
+  store_.replace(large.catalog());
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !store_.isTelling(); }, kPatience));
+  window_.graph().fit();
+  Grab("far");
+}
+
+}  // namespace
+}  // namespace tendon::gui
