@@ -4,10 +4,8 @@
 
 #include <algorithm>
 #include <chrono>
-#include <condition_variable>
 #include <functional>
-#include <map>
-#include <mutex>
+#include <memory>
 #include <string>
 #include <thread>
 
@@ -34,7 +32,7 @@ class Worker {
   Worker(std::string name, std::string owner);
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
-  /// Stop().
+  /// Stop(). A task of its own may do it, who holds the last reference: it is the last one then.
   ~Worker();
 
   void Post(Task task);
@@ -45,15 +43,9 @@ class Worker {
   void Stop();
 
  private:
-  void Run();
-  void Execute(const Task& task) const;
+  class Queue;
 
-  const std::string name_;
-  const std::string owner_;
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  std::multimap<SteadyTime, Task> tasks_;
-  bool stopping_ = false;
+  const std::shared_ptr<Queue> queue_;  // its thread's as well
   std::thread thread_;
 };
 

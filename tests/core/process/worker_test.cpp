@@ -112,5 +112,24 @@ TEST(Worker, StopWaitsForTheRunningTaskAndDropsTheOthers) {
   EXPECT_EQ(dropped.use_count(), 1);
 }
 
+TEST(Worker, MayBeDestroyedByATaskOfItsOwn) {
+  auto worker = std::make_shared<Worker>("test");
+  std::promise<void> is_last;
+  std::promise<void> gone;
+  const auto dropped = std::make_shared<int>(0);
+  worker->Post([&, mine = worker]() mutable {
+    is_last.get_future().wait();
+    mine.reset();
+    gone.set_value();
+  });
+  worker->Post([dropped] {});
+
+  worker.reset();
+  is_last.set_value();
+  gone.get_future().wait();
+
+  EXPECT_EQ(dropped.use_count(), 1);
+}
+
 }  // namespace
 }  // namespace tendon
