@@ -13,7 +13,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr std::chrono::seconds kLong{20};  // bounds a test that fails
+constexpr std::chrono::seconds kUntilKept{20};  // bounds a test that fails
 
 TEST(KeptValues, TheNextTimeTheyAreThere) {
   const QTemporaryDir folder;
@@ -27,7 +27,7 @@ TEST(KeptValues, TheNextTimeTheyAreThere) {
     values.set("seen", "yes");
     EXPECT_EQ(values.value("geometry"), any);
   }
-  ASSERT_TRUE(FileWriter::instance().waitForWritten(kLong));
+  ASSERT_TRUE(FileWriter::instance().waitForWritten(kUntilKept));
 
   const KeptValues again(file);
   EXPECT_EQ(again.value("geometry"), any);
@@ -61,7 +61,7 @@ TEST(KeptValues, ASlowDiskHoldsUpNobody) {
 
   EXPECT_FALSE(QFile::exists(file));
   go.set_value();
-  ASSERT_TRUE(FileWriter::instance().waitForWritten(kLong));
+  ASSERT_TRUE(FileWriter::instance().waitForWritten(kUntilKept));
   EXPECT_EQ(KeptValues(file).value("geometry"), "x");
 }
 
@@ -72,10 +72,10 @@ TEST(KeptValues, OfTwoProgramsEachKeepsWhatItHasSet) {
   KeptValues second(file);
   first.set("seen", "yes");
   first.set("geometry", "first");
-  ASSERT_TRUE(FileWriter::instance().waitForWritten(kLong));
+  ASSERT_TRUE(FileWriter::instance().waitForWritten(kUntilKept));
 
   second.set("geometry", "second");
-  ASSERT_TRUE(FileWriter::instance().waitForWritten(kLong));
+  ASSERT_TRUE(FileWriter::instance().waitForWritten(kUntilKept));
 
   const KeptValues again(file);
   EXPECT_EQ(again.value("seen"), "yes");
@@ -98,7 +98,7 @@ TEST_F(KeptValuesRefused, IsSaidOnStderr) {
   testing::internal::CaptureStderr();
 
   KeptValues(file_).set("seen", "yes");
-  EXPECT_TRUE(FileWriter::instance().waitForWritten(kLong));
+  EXPECT_TRUE(FileWriter::instance().waitForWritten(kUntilKept));
   QCoreApplication::processEvents();
 
   const std::string said = testing::internal::GetCapturedStderr();

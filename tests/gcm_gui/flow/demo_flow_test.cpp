@@ -8,6 +8,7 @@
 #include <QPushButton>
 
 #include "flow/flow_fixture.h"
+#include "support/pictures.h"
 
 namespace tendon::gui {
 namespace {
@@ -46,7 +47,7 @@ TEST_F(DemoFlow, OneClickBringsItUp) {
     return window_->findChild<NoticeLine*>()->text().startsWith("The demo runs");
   })) << window_->findChild<NoticeLine*>()->text().toStdString();
   EXPECT_TRUE(window_->graph().isVisible());
-  Grab("demo");
+  KeepPictures(*window_, "flow-demo");
 }
 
 TEST_F(DemoFlow, TakenBackItLeavesNoProcess) {

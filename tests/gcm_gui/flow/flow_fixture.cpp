@@ -3,9 +3,6 @@
 #include <gcm_gui/theme/theme.h>
 #include <program/network_options.h>
 
-#include <QDir>
-#include <QImage>
-#include <QPainter>
 #include <QTabBar>
 #include <utility>
 
@@ -103,23 +100,5 @@ void FlowFixture::MoveArm() {
 }
 
 void FlowFixture::Click(QWidget& widget) { QTest::mouseClick(&widget, Qt::LeftButton); }
-
-void FlowFixture::Grab(const QString& name) {
-  QDir().mkpath(QStringLiteral(PICTURE_FOLDER));
-  for (const auto& [choice, look] :
-       {std::pair{Theme::Choice::kDark, "dark"}, std::pair{Theme::Choice::kLight, "light"}}) {
-    Theme::instance().choose(choice);
-    QTest::qWait(100);  // timers that lay out and draw have their turn
-    for (const int dots : {1, 2}) {
-      QImage image(window_->size() * dots, QImage::Format_ARGB32_Premultiplied);
-      image.setDevicePixelRatio(dots);
-      window_->render(&image);
-      const QString file = QStringLiteral(PICTURE_FOLDER "/flow-%1-%2-%3x.png")
-                               .arg(name, QString::fromLatin1(look))
-                               .arg(dots);
-      EXPECT_TRUE(image.save(file));
-    }
-  }
-}
 
 }  // namespace tendon::gui

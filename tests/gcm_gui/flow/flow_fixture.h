@@ -42,8 +42,6 @@ class FlowFixture : public ::testing::Test {
   /// Always to the same place: once it is there, each move ends soon, and an event says so.
   void MoveArm();
   void Click(QWidget& widget);
-  /// Pictures of the window for people: dark and light, with one and two dots a pixel.
-  void Grab(const QString& name);
 
   /// Who talks to each other shares the secret of one user: ours.
   [[nodiscard]] std::map<std::string, std::string> FlowEnvironment() const;

@@ -5,6 +5,7 @@
 #include <csignal>
 
 #include "flow/flow_fixture.h"
+#include "support/pictures.h"
 
 namespace tendon::gui {
 namespace {
@@ -39,7 +40,7 @@ TEST_F(GraphFlowTest, AProcessThatStandsStillIsGreyAndComesBackInItsPlace) {
   // Pending where the desk has missed it as early as the GCM has.
   EXPECT_TRUE(Look() == EdgeItem::Look::kStale || Look() == EdgeItem::Look::kPending);
   EXPECT_TRUE(scene().processes().at("robot")->title().startsWith("robot · lost"));
-  Grab("graph-stale");
+  KeepPictures(*window_, "flow-graph-stale");
 
   robot_->Signal(SIGCONT);
   EXPECT_TRUE(Eventually([&] { return IsWell(); }));

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "flow/flow_fixture.h"
+#include "support/pictures.h"
 
 namespace tendon::gui {
 namespace {
@@ -36,7 +37,7 @@ TEST_F(InspectorFlow, ValuesHaveTrendsAndEventsAndParametersTheirTabs) {
     return values.model()->rowCount() > 0 &&
            values.model()->index(0, 0).data(kTrendRole).value<QList<double>>().size() > 20;
   }));
-  Grab("values");
+  KeepPictures(*window_, "flow-values");
 
   ClickTab("inspectorTabs.tabs", "Events");
   auto& events = Find<QTreeView>("inspector.events");
@@ -45,7 +46,7 @@ TEST_F(InspectorFlow, ValuesHaveTrendsAndEventsAndParametersTheirTabs) {
     return events.model()->rowCount() > 0;
   }));
   EXPECT_EQ(events.model()->index(0, 0).data(kTrailRole).toString(), "Control");
-  Grab("inspector-events");
+  KeepPictures(*window_, "flow-inspector-events");
 
   ClickTab("inspectorTabs.tabs", "Config");
   auto& parameters = Find<QTreeView>("inspector.configuration");
@@ -58,7 +59,7 @@ TEST_F(InspectorFlow, TheHealthOfProcessesAndConnectionsIsShown) {
   EXPECT_TRUE(Eventually([&] {
     return interfaces.model()->index(0, 0).data(Qt::ToolTipRole).toString().contains("stands for");
   }));
-  Grab("health");
+  KeepPictures(*window_, "flow-health");
 
   Select("robot");
   EXPECT_TRUE(Eventually([&] {
@@ -67,7 +68,7 @@ TEST_F(InspectorFlow, TheHealthOfProcessesAndConnectionsIsShown) {
       return label->isVisible() && label->text().contains("MiB");
     });
   }));
-  Grab("process");
+  KeepPictures(*window_, "flow-process");
 }
 
 TEST_F(InspectorFlow, ACommandIsRepeatedUntilItIsStopped) {
@@ -81,7 +82,7 @@ TEST_F(InspectorFlow, ACommandIsRepeatedUntilItIsStopped) {
   Click(button);
   ASSERT_TRUE(Called(5));
   EXPECT_EQ(button.text(), "Stop");
-  Grab("repeat");
+  KeepPictures(*window_, "flow-repeat");
 
   Click(button);
   EXPECT_EQ(button.text(), "Repeat");
@@ -117,7 +118,7 @@ TEST_F(InspectorFlow, AFavouriteWaitsForItsComponentAndHealsWhenItReturns) {
   ASSERT_TRUE(favourite.isVisible());
   Click(favourite);
   ASSERT_TRUE(Called(1));
-  Grab("favourites");
+  KeepPictures(*window_, "flow-favourites");
 
   robot_.reset();  // killed
   EXPECT_TRUE(Eventually([&] { return !favourite.isEnabled(); }));

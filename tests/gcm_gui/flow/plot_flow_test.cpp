@@ -15,6 +15,7 @@
 
 #include "flow/flow_fixture.h"
 #include "support/machine/stall_meter.h"
+#include "support/pictures.h"
 
 namespace tendon::gui {
 namespace {
@@ -117,7 +118,7 @@ TEST_F(PlotFlow, OfAHundredSignalsAtAThousandHertzNotARowIsLost) {
   EXPECT_TRUE(Eventually([&] {
     return stalls.has_stood_still() || Find<RateBadge>("rateBadge").text().contains("0 lost");
   }));
-  Grab(QStringLiteral("hundred-signals"));
+  KeepPictures(*window_, "flow-hundred-signals");
 }
 
 TEST_F(PlotFlow, EventsOfWhatIsPlottedAndCommandsOfOtherProgramsAreMarked) {
@@ -134,7 +135,7 @@ TEST_F(PlotFlow, EventsOfWhatIsPlottedAndCommandsOfOtherProgramsAreMarked) {
                            kOneCall);
   };
   EXPECT_TRUE(Eventually(called));
-  Grab(QStringLiteral("plot-marks"));
+  KeepPictures(*window_, "flow-plot-marks");
 
   QTest::keyClick(window_->plots().currentPlot().canvas(), Qt::Key_E);
   EXPECT_FALSE(window_->plots().areMarksShown());

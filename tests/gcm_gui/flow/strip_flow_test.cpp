@@ -14,6 +14,7 @@
 #include <QTreeView>
 
 #include "flow/flow_fixture.h"
+#include "support/pictures.h"
 
 namespace tendon::gui {
 namespace {
@@ -65,7 +66,7 @@ TEST_F(StripFlow, TheConsoleSpeaksTheLanguageOfTheShell) {
   QTest::keyClick(&Line(), Qt::Key_Tab);
   EXPECT_TRUE(Eventually([&] { return Line().text().startsWith("show /desk/supervisor"); }))
       << Line().text().toStdString();
-  Grab("console");
+  KeepPictures(*window_, "flow-console");
 }
 
 TEST_F(StripFlow, TheConsoleAnswersInWordsWhereATerminalIsWanted) {
@@ -103,7 +104,7 @@ TEST_F(StripFlow, TheLogIsFilteredAndItsLevelSetWithMouseAndKeys) {
   for (int row = 0; row < list.model()->rowCount(); ++row) {
     EXPECT_TRUE(list.model()->index(row, 0).data(kPathRole).toString().startsWith("robot"));
   }
-  Grab("log");
+  KeepPictures(*window_, "flow-log");
 
   bool was_open = false;
   QTimer::singleShot(0, window_.get(), [&] {
@@ -146,7 +147,7 @@ TEST_F(StripFlow, EventsArriveWhileThePageIsOpenAndWaitWhileItIsPaused) {
     return list.model()->rowCount() > 0;
   }));
   EXPECT_TRUE(list.model()->index(0, 0).data(kPathRole).toString().startsWith("robot/arm/"));
-  Grab("events");
+  KeepPictures(*window_, "flow-events");
 
   Click(Find<QToolButton>("events.pause"));
   const int shown = list.model()->rowCount();
@@ -173,7 +174,7 @@ TEST_F(StripFlow, AProblemLeadsToWhatHasIt) {
                     list.visualRect(list.model()->index(0, 0)).center());
 
   EXPECT_EQ(window_->selection().current(), "robot");
-  Grab("problems");
+  KeepPictures(*window_, "flow-problems");
 }
 
 }  // namespace

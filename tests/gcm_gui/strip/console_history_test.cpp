@@ -12,7 +12,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr std::chrono::seconds kPatience{20};
+constexpr std::chrono::seconds kHistoryPatience{20};
 
 TEST(ConsoleHistory, UpGoesBackAndDownComesToWhatWasTyped) {
   ConsoleHistory history;
@@ -48,7 +48,7 @@ TEST(ConsoleHistory, TheNextWindowKnowsWhatWasTyped) {
   const QTemporaryDir folder;
   const QString file = folder.filePath("below/console");
   ConsoleHistory(file).add("ls größe");
-  ASSERT_TRUE(FileWriter::instance().waitForWritten(kPatience));
+  ASSERT_TRUE(FileWriter::instance().waitForWritten(kHistoryPatience));
 
   EXPECT_EQ(ConsoleHistory(file).lines(), QStringList{"ls größe"});
 }
@@ -61,7 +61,7 @@ TEST(ConsoleHistory, ThatItCannotBeKeptIsSaidOnceUntilItCanAgain) {
   QSignalSpy notice(&history, &ConsoleHistory::notice);
   const auto add = [&](const QString& line) {
     history.add(line);
-    EXPECT_TRUE(FileWriter::instance().waitForWritten(kPatience));
+    EXPECT_TRUE(FileWriter::instance().waitForWritten(kHistoryPatience));
     QCoreApplication::processEvents();
   };
 

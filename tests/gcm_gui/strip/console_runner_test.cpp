@@ -13,7 +13,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr int kPatience = 60'000;  // ms
+constexpr int kConsolePatience = 60'000;  // ms
 
 TEST(ConsoleRunner, ALineThatIsInterruptedBeforeItHasBegunEnds) {
   const test::Folder state;
@@ -32,12 +32,12 @@ TEST(ConsoleRunner, ALineThatIsInterruptedBeforeItHasBegunEnds) {
   runner.run(QStringLiteral("log -f"), 80);
   runner.interrupt();
 
-  ASSERT_TRUE(QTest::qWaitFor([&] { return ends.count() == 1; }, kPatience));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return ends.count() == 1; }, kConsolePatience));
   EXPECT_EQ(ends[0][0].toInt(), program::kInterrupted);
   EXPECT_FALSE(runner.isRunning());
 
   runner.run(QStringLiteral("status"), 80);  // it was not for this one
-  ASSERT_TRUE(QTest::qWaitFor([&] { return ends.count() == 2; }, kPatience));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return ends.count() == 2; }, kConsolePatience));
   EXPECT_EQ(ends[1][0].toInt(), program::kOk);
 }
 

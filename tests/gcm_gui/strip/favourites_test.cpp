@@ -15,7 +15,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr std::chrono::seconds kPatience{20};
+constexpr std::chrono::seconds kFavouritePatience{20};
 const Favourite kStop{"robot/controller/Control.Stop", ""};
 
 TEST(Favourites, TheyAreThereTheNextTime) {
@@ -28,11 +28,11 @@ TEST(Favourites, TheyAreThereTheNextTime) {
     favourites.add({"a/b/C.Set", "{\"x\":1}"});
   }
 
-  ASSERT_TRUE(FileWriter::instance().waitForWritten(kPatience));
+  ASSERT_TRUE(FileWriter::instance().waitForWritten(kFavouritePatience));
   Favourites again(file);
   EXPECT_EQ(again.all(), (QList<Favourite>{kStop, {"a/b/C.Set", "{\"x\":1}"}}));
   again.remove(kStop);
-  ASSERT_TRUE(FileWriter::instance().waitForWritten(kPatience));
+  ASSERT_TRUE(FileWriter::instance().waitForWritten(kFavouritePatience));
   EXPECT_EQ(Favourites(file).all().size(), 1);
 }
 

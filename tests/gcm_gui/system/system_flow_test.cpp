@@ -10,7 +10,6 @@
 #include <tendon/process/process.h>
 
 #include <QAction>
-#include <QDir>
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
@@ -19,6 +18,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <functional>
+
+#include "support/pictures.h"
 
 namespace tendon::gui {
 namespace {
@@ -106,22 +107,6 @@ class SystemFlowTest : public ::testing::Test {
     ASSERT_TRUE(Eventually([&] { return Document().isOpen(); }));
   }
 
-  void Grab(const QString& name) {
-    for (const auto& [choice, word] :
-         {std::pair{Theme::Choice::kDark, "dark"}, std::pair{Theme::Choice::kLight, "light"}}) {
-      Theme::instance().choose(choice);
-      QTest::qWait(100);  // timers that lay out and draw have their turn
-      for (const int scale : {1, 2}) {
-        QImage image(window_->size() * scale, QImage::Format_RGB32);
-        image.setDevicePixelRatio(scale);
-        window_->render(&image);
-        QDir().mkpath(PICTURE_FOLDER);
-        EXPECT_TRUE(
-            image.save(QStringLiteral(PICTURE_FOLDER "/%1-%2-%3x.png").arg(name, word).arg(scale)));
-      }
-    }
-  }
-
   QTemporaryDir folder_;
   std::shared_ptr<LoopbackNetwork> network_ = std::make_shared<LoopbackNetwork>();
   std::unique_ptr<GlobalManager> manager_;
@@ -144,7 +129,7 @@ TEST_F(SystemFlowTest, WhatWasSavedIsRestoredAndThatTakenBack) {
   window_->findChild<QAction*>("Restore the system file")->trigger();
   ASSERT_TRUE(Eventually([&] { return Button("plan.carryOut").isVisible(); }));
   EXPECT_FALSE(IsConnected());
-  Grab("system-plan");
+  KeepPictures(*window_, "system-plan");
 
   QTest::keyClick(&Button("plan.carryOut"), Qt::Key_Space);
   ASSERT_TRUE(Eventually([&] { return IsConnected(); }));
@@ -161,7 +146,7 @@ TEST_F(SystemFlowTest, OneLineIsAppliedOrTakenIntoTheFile) {
   ASSERT_TRUE(Eventually([&] { return Document().comparison().differences.size() == 1; }));
   window_->findChild<QAction*>("Restore the system file")->trigger();
   Click("plan.back");
-  Grab("system-diff");
+  KeepPictures(*window_, "system-diff");
 
   Click("diff.apply");
   Click("plan.carryOut");

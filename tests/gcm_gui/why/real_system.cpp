@@ -5,8 +5,6 @@
 #include <program/network_options.h>
 
 #include <QAbstractItemView>
-#include <QDir>
-#include <QImage>
 #include <QTest>
 #include <map>
 #include <utility>
@@ -104,25 +102,6 @@ void RealSystem::ClickRow(const QString& list, const QString& text) {
   view->scrollTo(found.front());
   QTest::mouseClick(view->viewport(), Qt::LeftButton, {},
                     view->visualRect(found.front()).topLeft() + QPoint(40, 8));
-}
-
-void RealSystem::Keep(const QString& name) {
-  QDir().mkpath(PICTURE_FOLDER);
-  for (const auto& [choice, look] :
-       {std::pair{Theme::Choice::kDark, "dark"}, std::pair{Theme::Choice::kLight, "light"}}) {
-    Theme::instance().choose(choice);
-    QTest::qWait(100);  // what lays out and draws later has had its turn
-    for (const int scale : {1, 2}) {
-      QImage image(window_->size() * scale, QImage::Format_ARGB32_Premultiplied);
-      image.setDevicePixelRatio(scale);
-      image.fill(Qt::transparent);
-      window_->render(&image);
-      const QString file = QStringLiteral(PICTURE_FOLDER "/%1-%2-%3x.png")
-                               .arg(name, QString::fromLatin1(look))
-                               .arg(scale);
-      EXPECT_TRUE(image.save(file));
-    }
-  }
 }
 
 }  // namespace tendon::gui

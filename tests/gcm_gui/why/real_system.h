@@ -39,8 +39,6 @@ class RealSystem : public ::testing::Test {
   void ClickPort(const PortName& port);
   void ClickEdge(const QString& required);
   void ClickRow(const QString& list, const QString& text);
-  /// A picture of the window for people: light and dark, at 1x and 2x.
-  void Keep(const QString& name);
 
  private:
   const test::Folder home_;

@@ -14,6 +14,7 @@
 #include <QToolButton>
 #include <csignal>
 
+#include "support/pictures.h"
 #include "why/real_system.h"
 
 namespace tendon::gui {
@@ -62,7 +63,7 @@ TEST_F(WhyFlowTest, ARefusedConnectionStaysRedAndTellsWhyAndCanBeTriedAgain) {
   EXPECT_TRUE(Text("why.history").startsWith("refused at ")) << Text("why.history").toStdString();
   EXPECT_EQ(Text("why.fix"), "fix: start it again");
   EXPECT_TRUE(Text("why.leftovers").startsWith("rolled back: "));
-  Keep("why-refused");
+  KeepPictures(window(), "why-refused");
 
   lcm("desk").Signal(SIGCONT);
   ASSERT_TRUE(Eventually([&] { return StateOf("desk") == ProcessState::kAlive; }));
@@ -74,7 +75,7 @@ TEST_F(WhyFlowTest, ARefusedConnectionStaysRedAndTellsWhyAndCanBeTriedAgain) {
   EXPECT_TRUE(Eventually([&] { return Text("why.verdict") == "connected and working"; }))
       << Text("why.verdict").toStdString();
   EXPECT_TRUE(Text("why.step7").contains("'robot' answers within"));
-  Keep("why-connected");
+  KeepPictures(window(), "why-connected");
 }
 
 TEST_F(WhyFlowTest, TheReportHasTheStepsOfTheConsole) {
@@ -133,7 +134,7 @@ TEST_F(WhyFlowTest, FromTheKeyboardTheSignaturesAreComparedSideBySide) {
   EXPECT_EQ(verdict_of("Stop"), "same");
   EXPECT_EQ(verdict_of("MoveTo"), "other type");
   EXPECT_TRUE(verdict_of("GoalReached").startsWith("missing"));
-  Keep("why-signatures");
+  KeepPictures(window(), "why-signatures");
 
   QTest::keyClick(window().focusWidget(), Qt::Key_Escape);
   EXPECT_FALSE(card().isVisible());
@@ -175,7 +176,7 @@ TEST_F(WhyFlowTest, SeveralInterfacesAreMatchedAndConnectedAtOneGo) {
   auto* box = window().findChild<QCheckBox*>("match." + kSlavePath);
   ASSERT_NE(box, nullptr);
   EXPECT_TRUE(box->isChecked());
-  Keep("match");
+  KeepPictures(window(), "match");
   QTest::keyClick(window().focusWidget(), Qt::Key_Return);
 
   EXPECT_TRUE(Eventually([&] { return IsConnected(kSlave) && IsConnected(supervisor); }));

@@ -8,13 +8,11 @@
 #include <gcm_gui/window/graph/graph_commands.h>
 #include <gtest/gtest.h>
 
-#include <QDir>
-#include <QImage>
 #include <QLineEdit>
-#include <QPainter>
 #include <QTest>
 
 #include "support/large_system.h"
+#include "support/pictures.h"
 #include "window/window_fixture.h"
 
 namespace tendon::gui {
@@ -33,23 +31,6 @@ class GraphPicturesTest : public WindowFixture {
   [[nodiscard]] bool EventuallyDimmed() const {
     return QTest::qWaitFor([&] { return scene().emphasis().veil() == 1; }, kPatience);
   }
-  void Grab(const QString& name) {
-    QDir().mkpath(PICTURE_FOLDER);
-    for (const auto& [choice, look] :
-         {std::pair{Theme::Choice::kDark, "dark"}, std::pair{Theme::Choice::kLight, "light"}}) {
-      Theme::instance().choose(choice);
-      QCoreApplication::processEvents();
-      for (const int dots : {1, 2}) {
-        QImage image(window_.size() * dots, QImage::Format_ARGB32_Premultiplied);
-        image.setDevicePixelRatio(dots);
-        window_.render(&image);
-        const QString file = QStringLiteral(PICTURE_FOLDER "/graph-%1-%2-%3x.png")
-                                 .arg(name, QString::fromLatin1(look))
-                                 .arg(dots);
-        EXPECT_TRUE(image.save(file));
-      }
-    }
-  }
 };
 
 TEST_F(GraphPicturesTest, WhatThePointerRestsOn) {
@@ -58,25 +39,25 @@ TEST_F(GraphPicturesTest, WhatThePointerRestsOn) {
   scene().hover().showReadout({"robot", "controller", "Arm"},
                               {"stands for 3 min", "round trip 38.0 µs", "1204 calls and events",
                                "0 of 64 wait", "0 refused, 0 replaced, 0 events lost"});
-  Grab("hover");
+  KeepPictures(window_, "graph-hover");
 }
 
 TEST_F(GraphPicturesTest, NearWithTheMapAndFound) {
   for (int step = 0; step < 5; ++step) window_.graph().zoomIn();
-  Grab("map");
+  KeepPictures(window_, "graph-map");
 
   window_.graphCommands().search().open();
   QTest::keyClicks(&window_.graphCommands().search().field(), "arm");
   ASSERT_TRUE(EventuallyDimmed());
   window_.graph().fit();
-  Grab("search");
+  KeepPictures(window_, "graph-search");
 }
 
 TEST_F(GraphPicturesTest, PutElsewhere) {
   const QPointF arm = scene().component("robot/arm")->sceneRect().topLeft();
   scene().places().move({{"robot/arm", arm + QPointF(40, 120)}});
   window_.graph().fit();
-  Grab("moved");
+  KeepPictures(window_, "graph-moved");
 }
 
 TEST_F(GraphPicturesTest, ManyFromFarAway) {
@@ -84,7 +65,7 @@ TEST_F(GraphPicturesTest, ManyFromFarAway) {
   store_.replace(large.catalog());
   EXPECT_TRUE(QTest::qWaitFor([&] { return !store_.isTelling(); }, kPatience));
   window_.graph().fit();
-  Grab("far");
+  KeepPictures(window_, "graph-far");
 }
 
 }  // namespace

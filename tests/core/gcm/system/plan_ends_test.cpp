@@ -7,13 +7,8 @@ namespace tendon {
 namespace {
 
 using test::CatalogBuilder;
+using test::TextsOf;
 using testing::ElementsAre;
-
-std::vector<std::string> TextsOf(const Plan& plan) {
-  std::vector<std::string> texts;
-  for (const PlanStep& step : plan.steps) texts.push_back(ToString(step));
-  return texts;
-}
 
 /// The step that has started the process which the catalogue has.
 PlanStep BirthOf(const CatalogBuilder& running, const std::string& process,

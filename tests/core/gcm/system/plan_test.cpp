@@ -9,15 +9,10 @@ namespace tendon {
 namespace {
 
 using test::CatalogBuilder;
+using test::TextsOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-
-std::vector<std::string> TextsOf(const Plan& plan) {
-  std::vector<std::string> texts;
-  for (const PlanStep& step : plan.steps) texts.push_back(ToString(step));
-  return texts;
-}
 
 SystemFile DemoFile() { return SystemOf(test::RunningDemo().catalog(), "demo").file; }
 

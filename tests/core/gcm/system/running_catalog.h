@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <tendon/gcm/catalog.h>
+#include <tendon/gcm/system/plan.h>
 #include <tendon/gcm/system_file.h>
 #include <tests/core/gcm/samples.h>
 
@@ -68,6 +69,12 @@ inline CatalogBuilder RunningDemo() {
       .Process("desk", {teleoperation})
       .Connection(kNeeded, kOffered);
   return demo;
+}
+
+inline std::vector<std::string> TextsOf(const Plan& plan) {
+  std::vector<std::string> texts;
+  for (const PlanStep& step : plan.steps) texts.push_back(ToString(step));
+  return texts;
 }
 
 }  // namespace tendon::test

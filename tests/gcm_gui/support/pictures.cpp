@@ -1,0 +1,31 @@
+#include <gcm_gui/theme/theme.h>
+#include <gtest/gtest.h>
+#include <support/pictures.h>
+
+#include <QDir>
+#include <QImage>
+#include <QTest>
+#include <QWidget>
+#include <utility>
+
+namespace tendon::gui {
+
+void KeepPictures(QWidget& window, const QString& name) {
+  const QDir folder(QStringLiteral(PICTURE_FOLDER));
+  EXPECT_TRUE(folder.mkpath("."));
+  for (const auto& [choice, look] :
+       {std::pair{Theme::Choice::kDark, "dark"}, std::pair{Theme::Choice::kLight, "light"}}) {
+    Theme::instance().choose(choice);
+    QTest::qWait(100);  // timers that lay out and draw have their turn
+    for (const int dots : {1, 2}) {
+      QImage image(window.size() * dots, QImage::Format_ARGB32_Premultiplied);
+      image.setDevicePixelRatio(dots);
+      image.fill(Qt::transparent);
+      window.render(&image);
+      const auto file = QStringLiteral("%1-%2-%3x.png").arg(name, QString::fromLatin1(look));
+      EXPECT_TRUE(image.save(folder.filePath(file.arg(dots))));
+    }
+  }
+}
+
+}  // namespace tendon::gui
