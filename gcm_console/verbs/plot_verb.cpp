@@ -1,21 +1,20 @@
 #include <gcm_console/catalogue/telemetry_column.h>
 #include <gcm_console/report.h>
 #include <gcm_console/screen/braille.h>
+#include <gcm_console/screen/curve_feed.h>
 #include <gcm_console/screen/screen.h>
 #include <gcm_console/verb.h>
 #include <program/command_line.h>
 #include <tendon/base/os/screen/keyboard.h>
 #include <tendon/base/os/terminal.h>
 #include <tendon/base/os/termination.h>
-#include <tendon/payload/plot_channel.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <deque>
+#include <iterator>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <sstream>
 
@@ -33,82 +32,52 @@ struct PlotOptions {
   double seconds = 0.0;  // 0: no end on a terminal, the window elsewhere
 };
 
-struct Sample {
-  double time = 0.0;  // s on the source's clock
-  double value = 0.0;
-};
-
-/// One number of a column over the last seconds.
-struct Curve {
-  std::string title;
-  std::string unit;
-  std::deque<Sample> samples;
-};
-
-class PlotListener final : public tendon::RowSink {
+/// What is drawn: the numbers of each table come by themselves.
+class Plotting {
  public:
-  PlotListener(std::vector<RowPrinter::Wanted> wanted, double window)
-      : wanted_(std::move(wanted)), window_(window) {}
-
-  void OnSubscribed(const std::vector<tendon::Schema>& columns) override {
-    const std::scoped_lock lock(mutex_);
-    channels_.clear();
-    curves_.clear();
-    complaint_.clear();
-    for (const auto& [path, column, is_found] : wanted_) {
-      const auto channel = tendon::FindChannel(columns.at(column), path.field);
-      if (!channel) {
-        mistake_ = Error{channel.error().code, ToString(path) + ": " + channel.error().message};
-        return;
-      }
-      channels_.push_back(*channel);
-      curves_.push_back({ToString(path), channel->unit, {}});
+  Plotting(tendon::TelemetryClient& telemetry, const std::vector<TableChoice>& tables,
+           double window, std::chrono::nanoseconds between)
+      : telemetry_(telemetry) {
+    for (TableChoice table : tables) {
+      table.subscription.rows.period = between;
+      const auto feed = std::make_shared<CurveFeed>(std::move(table.wanted), window);
+      tables_.push_back({feed, telemetry.Subscribe(table.subscription, feed)});
     }
   }
-  std::size_t OnRows(const tendon::RowBatch& batch) override {
-    constexpr double kNanosecond = 1e-9;
-    const std::scoped_lock lock(mutex_);
-    for (std::size_t row = 0; row < batch.count; ++row) {
-      const double time = static_cast<double>(batch.times[row]) * kNanosecond;
-      for (std::size_t i = 0; i < curves_.size(); ++i) {
-        const auto value = ReadChannel(channels_[i], batch.cell(row, wanted_[i].column));
-        if (value && std::isfinite(*value)) curves_[i].samples.push_back({time, *value});
-      }
-    }
-    for (Curve& curve : curves_) {
-      auto& samples = curve.samples;
-      while (!samples.empty() && samples.back().time - samples.front().time > window_) {
-        samples.pop_front();
-      }
-    }
-    return 0;
-  }
-  void OnStale(const Error& reason) override {
-    const std::scoped_lock lock(mutex_);
-    complaint_ = reason.message;
+  Plotting(const Plotting&) = delete;
+  Plotting& operator=(const Plotting&) = delete;
+  ~Plotting() {
+    for (const Table& table : tables_) telemetry_.Unsubscribe(table.id);
   }
 
-  std::vector<Curve> curves() {
-    const std::scoped_lock lock(mutex_);
-    return curves_;
+  [[nodiscard]] std::vector<Curve> curves() const {
+    std::vector<Curve> all;
+    for (const Table& table : tables_) std::ranges::move(table.feed->curves(), back_inserter(all));
+    return all;
   }
-  std::optional<Error> mistake() {
-    const std::scoped_lock lock(mutex_);
-    return mistake_;
+  [[nodiscard]] std::optional<Error> mistake() const {
+    bool is_any_left = false;
+    for (const Table& table : tables_) {
+      if (auto mistake = table.feed->mistake()) return mistake;
+      is_any_left |= !table.feed->is_empty();
+    }
+    if (is_any_left) return std::nullopt;
+    return Error{tendon::ErrorCode::kNotFound, "nothing that fits is a number"};
   }
-  std::string complaint() {
-    const std::scoped_lock lock(mutex_);
-    return complaint_;
+  [[nodiscard]] std::vector<std::string> notes() const {
+    std::vector<std::string> all;
+    for (const Table& table : tables_) std::ranges::move(table.feed->notes(), back_inserter(all));
+    return all;
   }
 
  private:
-  const std::vector<RowPrinter::Wanted> wanted_;
-  const double window_;
-  std::mutex mutex_;
-  std::vector<tendon::PlotChannel> channels_;
-  std::vector<Curve> curves_;
-  std::optional<Error> mistake_;
-  std::string complaint_;
+  struct Table {
+    std::shared_ptr<CurveFeed> feed;
+    tendon::TelemetryClient::Id id;
+  };
+
+  tendon::TelemetryClient& telemetry_;
+  std::vector<Table> tables_;
 };
 
 constexpr int kMargin = 12;  // letters, for the scale
@@ -121,26 +90,26 @@ void Draw(const Curve& curve, double window, int columns, int rows, std::ostream
     picture << "  no values yet\n";
     return;
   }
-  const auto [lowest, highest] =
-      std::minmax_element(samples.begin(), samples.end(),
-                          [](const Sample& a, const Sample& b) { return a.value < b.value; });
+  const auto [lowest, highest] = std::minmax_element(
+      samples.begin(), samples.end(),
+      [](const Curve::Sample& a, const Curve::Sample& b) { return a.value < b.value; });
   const double low = lowest->value;
   const double high = highest->value;
   const bool is_flat = high <= low;
   picture << " = " << Short(samples.back().value)
           << (curve.unit.empty() ? "" : " " + Plain(curve.unit)) << '\n';
   BrailleCanvas canvas(columns - kMargin, rows);
-  const auto x_of = [&](const Sample& sample) {
+  const auto x_of = [&](const Curve::Sample& sample) {
     const double age = samples.back().time - sample.time;
     return canvas.width() - 1 - static_cast<int>(age / window * (canvas.width() - 1));
   };
-  const auto y_of = [&](const Sample& sample) {
+  const auto y_of = [&](const Curve::Sample& sample) {
     if (is_flat) return canvas.height() / 2;
     return static_cast<int>(
         std::lround((high - sample.value) / (high - low) * (canvas.height() - 1)));
   };
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    const Sample& before = samples[i == 0 ? 0 : i - 1];
+    const Curve::Sample& before = samples[i == 0 ? 0 : i - 1];
     canvas.Line(x_of(before), y_of(before), x_of(samples[i]), y_of(samples[i]));
   }
   for (int row = 0; row < rows; ++row) {
@@ -151,8 +120,9 @@ void Draw(const Curve& curve, double window, int columns, int rows, std::ostream
   }
 }
 
+constexpr int kFewestRows = 3;  // of a curve
+
 std::string PictureOf(const std::vector<Curve>& curves, double window, int columns, int rows) {
-  constexpr int kFewestRows = 3;
   constexpr int kFewestColumns = kMargin + 8;
   std::ostringstream picture;
   const int each = curves.empty() ? rows : (rows - 1) / static_cast<int>(curves.size()) - 1;
@@ -167,8 +137,24 @@ std::string PictureOf(const std::vector<Curve>& curves, double window, int colum
   return picture.str();
 }
 
+/// As many curves as the screen has room for; where that is not all, the line below says so.
+void Show(const Plotting& plotting, double window, Screen& screen) {
+  const int rows = tendon::os::TerminalRows();
+  const int columns = tendon::os::TerminalColumns(tendon::os::Stream::kOutput);
+  std::vector<Curve> curves = plotting.curves();
+  const std::vector<std::string> notes = plotting.notes();
+  std::string footer = notes.empty() ? "" : notes.back();
+  const auto fit = static_cast<std::size_t>(std::max(1, (rows - 3) / (kFewestRows + 1)));
+  if (curves.size() > fit) {
+    footer = std::to_string(fit) + " of " + std::to_string(curves.size()) +
+             " numbers fit on this screen; name those that matter";
+    curves.resize(fit);
+  }
+  screen.Show(PictureOf(curves, window, columns, rows - 2), Plain(footer), rows);
+}
+
 /// Until the time is over, or somebody wants the end.
-Result<ExitCode> Collect(Context& context, PlotListener& listener, const PlotOptions& options) {
+Result<ExitCode> Collect(Context& context, const Plotting& plotting, const PlotOptions& options) {
   const bool is_typed = context.streams().make_line_reader != nullptr;
   const double seconds = options.seconds > 0.0 || is_typed ? options.seconds : options.window;
   const auto begin = std::chrono::steady_clock::now();
@@ -180,12 +166,9 @@ Result<ExitCode> Collect(Context& context, PlotListener& listener, const PlotOpt
   }
   while (true) {
     if (tendon::os::TerminationAsked(keyboard ? 0ms : 50ms)) return program::kInterrupted;
-    if (const auto mistake = listener.mistake()) return *mistake;
+    if (const auto mistake = plotting.mistake()) return *mistake;
     if (keyboard) {
-      const int rows = tendon::os::TerminalRows();
-      const int columns = tendon::os::TerminalColumns(tendon::os::Stream::kOutput);
-      screen->Show(PictureOf(listener.curves(), options.window, columns, rows - 2),
-                   Plain(listener.complaint()), rows);
+      Show(plotting, options.window, *screen);
       if (keyboard->NextKey(100ms) == 'q') return program::kOk;
       screen->PauseIfAsked(*keyboard);
     }
@@ -205,32 +188,23 @@ Result<ExitCode> Plot(Context& context, const PlotOptions& options) {
   if (!client) return client.error();
   const auto choice = ColumnsThatFit((*client)->catalog(), options.paths);
   if (!choice) return choice.error();
-  const auto& tables = choice->tables;
-  if (tables.size() > 1) {
-    return Error{tendon::ErrorCode::kInvalid,
-                 "'" + ToString(tables[1].wanted.front().path) + "' is in another table than '" +
-                     ToString(tables.front().wanted.front().path) + "'; plot one table at a time"};
-  }
-  auto [subscription, wanted] = tables.front();
   const int columns = context.columns() > 0 ? context.columns() : kUsualColumns;
   const std::chrono::duration<double> dot(options.window / (2.0 * columns));
-  subscription.rows.period = std::chrono::duration_cast<std::chrono::nanoseconds>(dot);
-  const auto listener = std::make_shared<PlotListener>(wanted, options.window);
-  const auto id = (*client)->telemetry().Subscribe(subscription, listener);
-  const auto ended = Collect(context, *listener, options);
-  (*client)->telemetry().Unsubscribe(id);
+  const Plotting plotting((*client)->telemetry(), choice->tables, options.window,
+                          std::chrono::duration_cast<std::chrono::nanoseconds>(dot));
+  const auto ended = Collect(context, plotting, options);
+  for (const std::string& note : plotting.notes()) context.err() << "gcm: " << Plain(note) << '\n';
   if (!ended) return ended;
-  if (const std::string complaint = listener->complaint(); !complaint.empty()) {
-    context.err() << "gcm: " << Plain(complaint) << '\n';
-  }
   // The last picture stays when the screen is given back.
-  context.out() << PictureOf(listener->curves(), options.window, columns, kUsualRows);
+  context.out() << PictureOf(plotting.curves(), options.window, columns, kUsualRows);
   return ended;
 }
 
 Verb::Run Prepare(CLI::App& app) {
   auto options = std::make_shared<PlotOptions>();
-  Names(app.add_option("paths", options->paths, "numbers in columns of one table"),
+  Names(app.add_option(
+            "paths", options->paths,
+            "numbers in columns of state tables, also with * and **, or all numbers of a part"),
         WordKind::kColumn)
       ->required();
   app.add_option("--window", options->window, "how much time is shown (default: 10s)")
@@ -248,7 +222,8 @@ std::vector<Verb> PlotVerbs() {
   return {{"plot",
            "draw numbers over time; q ends it",
            &Prepare,
-           {"gcm plot robot/arm/state.Joints.position[0] robot/arm/state.Joints.velocity[0]"}}};
+           {"gcm plot robot/arm/state.Joints.position[0] robot/arm/state.Joints.velocity[0]",
+            "gcm plot robot/arm/state.Joints.position"}}};
 }
 
 }  // namespace console

@@ -89,9 +89,12 @@ void PlotPanel::nameTab(PlotView& view) {
     const auto& curves = each.curves().curves();
     return curves.empty() ? Words::tr("Plot %1").arg(index + 1) : ColumnOf(curves.front()->path());
   };
-  view.setAccessibleName(Words::tr("Plot ") + name_of(view));
-  view.canvas()->setAccessibleName(view.accessibleName());
   const auto& views = page.views();
+  for (std::size_t i = 0; i < views.size(); ++i) {  // those below the first by their number too
+    const QString number = i == 0 ? QString() : ' ' + QString::number(i + 1);
+    views[i]->setAccessibleName(Words::tr("Plot ") + name_of(*views[i]) + number);
+    views[i]->canvas()->setAccessibleName(views[i]->accessibleName());
+  }
   const auto named = std::find_if(views.begin(), views.end(),
                                   [](const PlotView* each) { return !each->curves().empty(); });
   head_->tabs().setTabText(index, name_of(named == views.end() ? view : **named));

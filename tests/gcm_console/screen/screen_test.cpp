@@ -157,6 +157,18 @@ TEST_F(ScreenTest, PlotDrawsACurveWithItsScale) {
   EXPECT_EQ(none.exit_code, program::kNotFound) << none.out;
 }
 
+TEST_F(ScreenTest, PlotDrawsTheNumbersOfSeveralTables) {
+  const Outcome plotted = Gcm({"plot", "robot/arm/state.Joints.position[0]",
+                               "*/host_monitor/state.Cycle", "--window", "1s", "--for", "3s"});
+
+  EXPECT_EQ(plotted.exit_code, program::kOk) << plotted.err;
+  for (const char* title :
+       {"robot/arm/state.Joints.position[0] = ", "robot/host_monitor/state.Cycle.period = ",
+        "robot/host_monitor/state.Cycle.overruns = "}) {
+    EXPECT_NE(plotted.out.find(title), std::string::npos) << title;
+  }
+}
+
 TEST_F(ScreenTest, PlotOnATerminalEndsWithAKeyOrAnInterrupt) {
   for (const char* key : {"q", "\x03"}) {
     Terminal terminal(Binary("gcm") + " --gcm " + address + " --timeout " + kPatience +

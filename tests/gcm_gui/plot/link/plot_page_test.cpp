@@ -90,6 +90,19 @@ TEST_F(PlotPages, CanvasesBeginAndEndAtTheSameColumnsWhateverTheirNumbers) {
       20'000));
 }
 
+TEST_F(PlotPages, OfTheSameColumnAreToldApartWhereTheyAreSpoken) {
+  panel_.removeSignal(kForce);
+  panel_.addSignal("robot/arm/state.Joints.position[1]", "rad");
+  EXPECT_EQ(above().accessibleName(), "Plot Joints");
+  EXPECT_EQ(below().accessibleName(), "Plot Joints 2");
+  EXPECT_EQ(below().canvas()->accessibleName(), "Plot Joints 2");
+
+  QTest::mouseClick(above().findChild<QToolButton*>("closePlot"), Qt::LeftButton);
+
+  ASSERT_EQ(panel_.plotCount(), 1);
+  EXPECT_EQ(panel_.plot(0).accessibleName(), "Plot Joints");
+}
+
 TEST_F(PlotPages, ZoomingOneZoomsAllAndTheWayBackIsThatOfAll) {
   TurnWheel(above(), {300, 40});
   refresh();

@@ -1,0 +1,106 @@
+#include <gcm_console/screen/curve_feed.h>
+
+#include <cmath>
+#include <utility>
+
+namespace console {
+namespace {
+
+using tendon::PlotChannel;
+using tendon::Result;
+
+/// Whether one path is the other, or leads into it.
+bool IsWithin(const std::string& path, const std::string& whole) {
+  return path.starts_with(whole) &&
+         (path.size() == whole.size() || path[whole.size()] == '.' || path[whole.size()] == '[');
+}
+
+/// The number of that path, or all that it has.
+Result<std::vector<PlotChannel>> NumbersOf(const tendon::Schema& schema, const std::string& field) {
+  auto one = tendon::FindChannel(schema, field);
+  if (one) return std::vector{*std::move(one)};
+  std::vector<PlotChannel> all = tendon::Channels(schema);
+  std::erase_if(all, [&](const PlotChannel& channel) { return !IsWithin(channel.path, field); });
+  if (all.empty()) return one.error();
+  return all;
+}
+
+}  // namespace
+
+void CurveFeed::OnSubscribed(const std::vector<tendon::Schema>& columns) {
+  const std::scoped_lock lock(mutex_);
+  is_subscribed_ = true;
+  sources_.clear();
+  curves_.clear();
+  left_out_.clear();
+  complaint_.clear();
+  for (const auto& wanted : wanted_) Add(wanted, columns.at(wanted.column));
+}
+
+void CurveFeed::Add(const RowPrinter::Wanted& wanted, const tendon::Schema& schema) {
+  const auto numbers = NumbersOf(schema, wanted.path.field);
+  if (!numbers) {
+    const std::string why = ToString(wanted.path) + ": " + numbers.error().message;
+    if (wanted.is_found) return left_out_.push_back(why);
+    mistake_ = tendon::Error{numbers.error().code, why};
+    return;
+  }
+  tendon::Path title = wanted.path;
+  for (const PlotChannel& number : *numbers) {
+    title.field = number.path;
+    if (curves_.size() == kMostCurves) {
+      return left_out_.push_back(ToString(title) + " and what follows it: no more than " +
+                                 std::to_string(kMostCurves) + " numbers of a table are drawn");
+    }
+    sources_.push_back({wanted.column, number});
+    curves_.push_back({ToString(title), number.unit, {}});
+  }
+}
+
+std::size_t CurveFeed::OnRows(const tendon::RowBatch& batch) {
+  constexpr double kNanosecond = 1e-9;
+  const std::scoped_lock lock(mutex_);
+  for (std::size_t row = 0; row < batch.count; ++row) {
+    const double time = static_cast<double>(batch.times[row]) * kNanosecond;
+    for (std::size_t i = 0; i < curves_.size(); ++i) {
+      const auto value = ReadChannel(sources_[i].channel, batch.cell(row, sources_[i].column));
+      if (value && std::isfinite(*value)) curves_[i].samples.push_back({time, *value});
+    }
+  }
+  for (Curve& curve : curves_) {
+    auto& samples = curve.samples;
+    while (!samples.empty() && samples.back().time - samples.front().time > window_) {
+      samples.pop_front();
+    }
+  }
+  return 0;
+}
+
+void CurveFeed::OnStale(const tendon::Error& reason) {
+  const std::scoped_lock lock(mutex_);
+  complaint_ = reason.message;
+}
+
+std::vector<Curve> CurveFeed::curves() const {
+  const std::scoped_lock lock(mutex_);
+  return curves_;
+}
+
+std::optional<tendon::Error> CurveFeed::mistake() const {
+  const std::scoped_lock lock(mutex_);
+  return mistake_;
+}
+
+bool CurveFeed::is_empty() const {
+  const std::scoped_lock lock(mutex_);
+  return is_subscribed_ && curves_.empty();
+}
+
+std::vector<std::string> CurveFeed::notes() const {
+  const std::scoped_lock lock(mutex_);
+  std::vector<std::string> notes = left_out_;
+  if (!complaint_.empty()) notes.push_back(complaint_);
+  return notes;
+}
+
+}  // namespace console
