@@ -19,7 +19,7 @@ int EventsModel::rowCount(const QModelIndex& parent) const {
 
 QVariant EventsModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
-  const HeardEvent& event = this->event(index.row());
+  const HeardEvent& event = heard(index.row());
   switch (role) {
     case Qt::DisplayRole:
       return event.path.section('.', -1);

@@ -23,7 +23,7 @@ class EventsModel : public QAbstractListModel {
   [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
   [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
 
-  [[nodiscard]] const HeardEvent& event(int row) const {
+  [[nodiscard]] const HeardEvent& heard(int row) const {
     return events_.at(static_cast<std::size_t>(row));
   }
   /// Only events below this path, "robot/arm", without what is known of others; all of an empty

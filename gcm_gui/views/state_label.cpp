@@ -9,8 +9,8 @@ namespace tendon::gui {
 namespace {
 
 constexpr int kMarkWidth = 16;
-constexpr int kSpace = 2;
-constexpr double kStaleOpacity = 0.45;
+constexpr int kMarkSpace = 2;
+constexpr double kStaleMarkOpacity = 0.45;
 
 }  // namespace
 
@@ -36,17 +36,17 @@ void StateLabel::setStale(bool stale) {
 
 QSize StateLabel::sizeHint() const {
   const QFontMetrics metrics(Theme::instance().text());
-  return {kMarkWidth + kSpace + metrics.horizontalAdvance(text_) + 1, kRowHeight};
+  return {kMarkWidth + kMarkSpace + metrics.horizontalAdvance(text_) + 1, kRowHeight};
 }
 
 void StateLabel::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  painter.setOpacity(stale_ ? kStaleOpacity : 1.0);
+  painter.setOpacity(stale_ ? kStaleMarkOpacity : 1.0);
   PaintMark(painter, QRectF(0, 0, kMarkWidth, height()), mark_);
   painter.setOpacity(1.0);
   painter.setFont(Theme::instance().text());
   painter.setPen(Theme::instance().color(stale_ ? Token::kDim : ColorOf(mark_)));
-  painter.drawText(rect().adjusted(kMarkWidth + kSpace, 0, 0, 0), Qt::AlignVCenter, text_);
+  painter.drawText(rect().adjusted(kMarkWidth + kMarkSpace, 0, 0, 0), Qt::AlignVCenter, text_);
 }
 
 }  // namespace tendon::gui

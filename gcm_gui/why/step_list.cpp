@@ -23,8 +23,6 @@
 namespace tendon::gui {
 namespace {
 
-using Verdict = DiagnosisStep::Verdict;
-
 constexpr std::size_t kSignatureStep = 4;
 constexpr int kMostRows = 9;  // of the two sides, before they scroll
 constexpr int kMarkWidth = 16;
@@ -38,13 +36,13 @@ struct VerdictLook {
   const char* role;
 };
 
-VerdictLook LookOf(Verdict verdict) {
+VerdictLook LookOf(DiagnosisStep::Verdict verdict) {
   switch (verdict) {
-    case Verdict::kGood:
+    case DiagnosisStep::Verdict::kGood:
       return {"✓", QT_TRANSLATE_NOOP("Words", "good"), "ok"};
-    case Verdict::kBad:
+    case DiagnosisStep::Verdict::kBad:
       return {"✗", QT_TRANSLATE_NOOP("Words", "bad"), "bad"};
-    case Verdict::kNotReached:
+    case DiagnosisStep::Verdict::kNotReached:
       break;
   }
   return {"·", QT_TRANSLATE_NOOP("Words", "not reached"), "dim"};
@@ -132,7 +130,7 @@ void StepList::addStep(int number, const DiagnosisStep& step) {
   mark->setAlignment(Qt::AlignTop | Qt::AlignHCenter);
   QLabel* count = addText(QString::number(number), QStringLiteral("dim mono"));
   count->setAlignment(Qt::AlignTop | Qt::AlignRight);
-  const bool reached = step.verdict != Verdict::kNotReached;
+  const bool reached = step.verdict != DiagnosisStep::Verdict::kNotReached;
   QLabel* text = addText(ToQString(step.text), reached ? QString() : QStringLiteral("dim"));
   text->setObjectName(QStringLiteral("why.step%1").arg(number));
   text->setAccessibleName(

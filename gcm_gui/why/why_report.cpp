@@ -7,17 +7,15 @@
 namespace tendon::gui {
 namespace {
 
-using Verdict = DiagnosisStep::Verdict;
-
 QString Name(const InterfaceName& name) { return ToQString(ToString(name)); }
 
-QString WordOf(Verdict verdict) {
+QString WordOf(DiagnosisStep::Verdict verdict) {
   switch (verdict) {
-    case Verdict::kGood:
+    case DiagnosisStep::Verdict::kGood:
       return QStringLiteral("ok  ");
-    case Verdict::kBad:
+    case DiagnosisStep::Verdict::kBad:
       return QStringLiteral("BAD ");
-    case Verdict::kNotReached:
+    case DiagnosisStep::Verdict::kNotReached:
       break;
   }
   return QStringLiteral("-   ");
@@ -27,7 +25,7 @@ QString WordOf(Verdict verdict) {
 
 QString WhyReport::verdict() const {
   const auto& steps = diagnosis.steps;
-  const auto bad = std::ranges::find(steps, Verdict::kBad, &DiagnosisStep::verdict);
+  const auto bad = std::ranges::find(steps, DiagnosisStep::Verdict::kBad, &DiagnosisStep::verdict);
   if (bad != steps.end()) {
     return Words::tr("fails at step %1 of %2").arg(bad - steps.begin() + 1).arg(steps.size());
   }

@@ -15,7 +15,7 @@ namespace tendon::gui {
 namespace {
 
 constexpr auto kUsualAddress = "127.0.0.1:10705";
-constexpr int kWidth = 540;
+constexpr int kTextWidth = 540;
 
 /// Where the GCM starts processes they then run here, too.
 bool IsHere(const GcmLink& link) {
@@ -52,7 +52,7 @@ EmptyState::EmptyState(const GcmLink& link, bool offers_demo, QWidget* parent)
   line->addWidget(command_, 1);
   line->addWidget(copy);
   auto* body = new QWidget;
-  body->setMaximumWidth(kWidth);
+  body->setMaximumWidth(kTextWidth);
   auto* column = new QVBoxLayout(body);
   column->setSpacing(2 * kGrid);
   column->addWidget(title_);

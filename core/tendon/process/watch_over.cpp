@@ -18,7 +18,7 @@ bool MayBeHeldUp(const Channel& channel, SteadyTime now, std::chrono::millisecon
 void WatchOver(const std::shared_ptr<Worker>& worker, const std::shared_ptr<Channel>& channel,
                const HearTime& hear_time) {
   constexpr std::chrono::milliseconds kBetweenQuestions(500);
-  constexpr std::chrono::milliseconds kSilence(1500);
+  static constexpr std::chrono::milliseconds kSilence(1500);
   if (!channel->is_open()) return;
   Ask<message::Pong>(
       *worker, channel, message::kPing, None{}, kSilence,

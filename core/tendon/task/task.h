@@ -28,7 +28,7 @@ enum class Posts {
 using TaskFollowers = std::vector<Task*>;
 
 /// What managers ask of a task.
-struct TaskOrder {
+struct alignas(8) TaskOrder {  // one word, so that it is published without a lock
   std::uint32_t number = 0;
   LifeRequest request = LifeRequest::kStop;
   bool ends_start = false;  ///< a stop that also ends a start which is under way

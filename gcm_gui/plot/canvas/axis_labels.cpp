@@ -8,7 +8,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr double kSpacing = 8;
+constexpr double kLabelSpacing = 8;
 constexpr double kHuge = 1e6;  // numbers from here on, and steps below the next, get an exponent
 constexpr double kTiny = 1e-5;
 
@@ -27,7 +27,7 @@ QString NumberText(double value, double step) {
 AxisLabels::AxisLabels() {
   enableComponent(Backbone, false);
   enableComponent(Ticks, false);
-  setSpacing(kSpacing);
+  setSpacing(kLabelSpacing);
 }
 
 void AxisLabels::setStep(double step) {

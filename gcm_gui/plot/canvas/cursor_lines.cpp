@@ -11,7 +11,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr double kZ = 40;  // above the curves
+constexpr double kCursorLayer = 40;  // above the curves
 constexpr std::size_t kMostLines = 8;
 
 QString NameOf(Cursor cursor) { return cursor == Cursor::kA ? "A" : "B"; }
@@ -29,7 +29,7 @@ QString SpanText(double seconds) {
 
 CursorLines::CursorLines(const CurveSet& curves, const TimeWindow& window, const Cursors& cursors)
     : curves_(curves), window_(window), cursors_(cursors) {
-  setZ(kZ);
+  setZ(kCursorLayer);
   setItemAttribute(Legend, false);
   setItemAttribute(AutoScale, false);
 }

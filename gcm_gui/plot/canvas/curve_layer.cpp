@@ -12,8 +12,8 @@
 namespace tendon::gui {
 namespace {
 
-constexpr double kZ = 20;         // above grid and gaps
-constexpr double kThickness = 2;  // logical pixels
+constexpr double kCurveLayer = 20;  // above grid and gaps
+constexpr double kThickness = 2;    // logical pixels
 constexpr double kDotRadius = 2.5;
 constexpr double kLateRadius = 4;
 constexpr double kNearest = 3;  // pixels between samples that have a dot each
@@ -28,7 +28,7 @@ QwtScaleMap OnAxis(QwtScaleMap map, const AxisRange& range) {
 
 CurveLayer::CurveLayer(const CurveSet& curves, const TimeWindow& window)
     : curves_(curves), window_(window) {
-  setZ(kZ);
+  setZ(kCurveLayer);
   setItemAttribute(Legend, false);
   setItemAttribute(AutoScale, false);
 }

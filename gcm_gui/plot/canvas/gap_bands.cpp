@@ -11,7 +11,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr double kZ = 15;  // above the grid, below the curves
+constexpr double kGapLayer = 15;  // above the grid, below the curves
 constexpr double kNarrowest = 2;
 constexpr double kTint = 0.16;
 constexpr double kHatch = 0.5;
@@ -27,7 +27,7 @@ QString TextOf(std::uint64_t lost) {
 
 GapBands::GapBands(const CurveSet& curves, const TimeWindow& window)
     : curves_(curves), window_(window) {
-  setZ(kZ);
+  setZ(kGapLayer);
   setItemAttribute(Legend, false);
   setItemAttribute(AutoScale, false);
 }

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::int64_t kSecond = 1'000'000'000;
 constexpr std::int64_t kMicrosecond = 1'000;
-constexpr qsizetype kBlock = 1 << 16;  // bytes written at once
+constexpr qsizetype kWrittenAtOnce = 1 << 16;  // bytes written at once
 constexpr std::int64_t kNoTime = std::numeric_limits<std::int64_t>::max();
 
 QByteArray Quoted(const QString& text) {
@@ -53,7 +53,7 @@ class Writer {
     AddHead();
     for (std::int64_t time = NextTime(); time != kNoTime; time = NextTime()) {
       AddLine(time);
-      if (text_.size() >= kBlock && !Flush()) return std::nullopt;
+      if (text_.size() >= kWrittenAtOnce && !Flush()) return std::nullopt;
     }
     if (!Flush()) return std::nullopt;
     return figures_;

@@ -8,7 +8,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr int kBar = 4;  // pixels high
+constexpr int kBarHeight = 4;  // pixels high
 constexpr double kMega = 1e6;
 
 }  // namespace
@@ -41,12 +41,12 @@ void MemoryMeter::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(Qt::NoPen);
-  QRectF bar(0, (height() - kBar) / 2.0, width(), kBar);
+  QRectF bar(0, (height() - kBarHeight) / 2.0, width(), kBarHeight);
   painter.setBrush(theme.color(Token::kLine));
-  painter.drawRoundedRect(bar, kBar / 2.0, kBar / 2.0);
-  bar.setWidth(std::max<double>(kBar, bar.width() * part_));
+  painter.drawRoundedRect(bar, kBarHeight / 2.0, kBarHeight / 2.0);
+  bar.setWidth(std::max<double>(kBarHeight, bar.width() * part_));
   painter.setBrush(theme.color(is_thinned_ ? Token::kWarning : Token::kDim));
-  painter.drawRoundedRect(bar, kBar / 2.0, kBar / 2.0);
+  painter.drawRoundedRect(bar, kBarHeight / 2.0, kBarHeight / 2.0);
 }
 
 }  // namespace tendon::gui

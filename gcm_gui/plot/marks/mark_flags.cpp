@@ -15,12 +15,12 @@
 namespace tendon::gui {
 namespace {
 
-constexpr double kZ = 30;      // above the curves, below the cursors
-constexpr double kGrab = 4;    // pixels left of a stroke
-constexpr double kStroke = 2;  // wide
+constexpr double kFlagLayer = 30;  // above the curves, below the cursors
+constexpr double kGrab = 4;        // pixels left of a stroke
+constexpr double kStroke = 2;      // wide
 constexpr double kHeight = 16;
 constexpr int kIconSize = 12;
-constexpr double kSpace = 3;
+constexpr double kFlagSpace = 3;
 constexpr double kBackground = 0.82;
 constexpr int kMostLines = 12;
 
@@ -69,7 +69,7 @@ QString LabelOf(const MarkFlags::Flag& flag) {
 
 MarkFlags::MarkFlags(const MarkTrack& track, const TimeWindow& window)
     : track_(track), window_(window) {
-  setZ(kZ);
+  setZ(kFlagLayer);
   setItemAttribute(Legend, false);
   setItemAttribute(AutoScale, false);
 }
@@ -86,7 +86,8 @@ std::vector<MarkFlags::Flag> MarkFlags::flags(const QwtScaleMap& x_map,
     Flag& flag = flags.back();
     flag.marks.push_back(&*mark);
     flag.label = LabelOf(flag);
-    flag.end = flag.x + kStroke + kIconSize + 3 * kSpace + metrics.horizontalAdvance(flag.label);
+    flag.end =
+        flag.x + kStroke + kIconSize + 3 * kFlagSpace + metrics.horizontalAdvance(flag.label);
   }
   return flags;
 }
@@ -128,11 +129,11 @@ void MarkFlags::draw(QPainter* painter, const QwtScaleMap& x_map, const QwtScale
     }
     const QRectF body(flag.x + kStroke, top, flag.end - flag.x - kStroke, kHeight);
     painter->fillRect(body & canvas_rect, theme.color(Token::kPanel, kBackground));
-    const QRect icon(static_cast<int>(body.left() + kSpace),
+    const QRect icon(static_cast<int>(body.left() + kFlagSpace),
                      static_cast<int>(top + (kHeight - kIconSize) / 2), kIconSize, kIconSize);
     PaintIcon(*painter, icon, IconOf(FaceOf(flag).kind), token);
     painter->setPen(theme.color(token));
-    painter->drawText(body.adjusted(kIconSize + 2 * kSpace, 0, 0, 0),
+    painter->drawText(body.adjusted(kIconSize + 2 * kFlagSpace, 0, 0, 0),
                       Qt::AlignLeft | Qt::AlignVCenter, flag.label);
   }
   painter->restore();

@@ -8,7 +8,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kEndless = std::numeric_limits<double>::infinity();
 
 bool IsFinite(double value) { return std::abs(value) <= std::numeric_limits<double>::max(); }
 
@@ -30,8 +30,8 @@ void Envelope::build(const SampleRing& ring, const TimeSlices& slices) {
   ring_first_ = ring.firstIndex();
   placeEnds(slices);
   drawUntil(ring, slices.to_ns);
-  lowest_ = kInfinity;
-  highest_ = -kInfinity;
+  lowest_ = kEndless;
+  highest_ = -kEndless;
   for (const double each : low()) lowest_ = std::min(lowest_, each);
   for (const double each : high()) highest_ = std::max(highest_, each);
 }
@@ -55,8 +55,8 @@ void Envelope::widen(std::int64_t from_ns, std::int64_t to_ns, double low, doubl
 }
 
 void Envelope::start(const SampleRing& ring, const TimeSlices& slices) {
-  low_.assign(slices.count + 2, kInfinity);
-  high_.assign(slices.count + 2, -kInfinity);
+  low_.assign(slices.count + 2, kEndless);
+  high_.assign(slices.count + 2, -kEndless);
   // One sample before: the line enters between two samples.
   next_ = std::max(ring.lowerBound(slices.from_ns), ring.firstIndex() + 1) - 1;
 }
@@ -79,7 +79,7 @@ bool Envelope::moveOn(const SampleRing& ring, const TimeSlices& slices) {
   if (shown_samples_left) return false;
   next_ -= 2;
   const auto count = static_cast<std::ptrdiff_t>(by);
-  for (auto [values, empty] : {std::pair(&low_, kInfinity), std::pair(&high_, -kInfinity)}) {
+  for (auto [values, empty] : {std::pair(&low_, kEndless), std::pair(&high_, -kEndless)}) {
     std::fill(std::copy(values->begin() + 1 + count, values->end() - 1, values->begin() + 1),
               values->end(), empty);
   }

@@ -81,7 +81,7 @@ void SystemFiles::carryOutDemo(SystemFile demo) {
     return Q_EMIT notice(Words::tr("A plan is being carried out; the demo comes after it"));
   }
   for (auto& process : demo.processes) {
-    if (!process.start) process.start.emplace();
+    if (!process.start) process.start = SystemFile::Start{};
   }
   brings_up_ = false;
   restore_.preview(demo, Words::tr("the demo"));

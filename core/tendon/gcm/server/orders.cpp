@@ -211,7 +211,7 @@ void Orders::Record(message::HistoryEntry step, std::type_identity_t<Result<T>> 
 /// Calls `planned` with the lock held; a refusal names the first difference of two types, for
 /// which the two processes may have to be asked.
 void Orders::Plan(const message::Wire& wire, Occupied occupied, const Planned& planned) {
-  constexpr std::chrono::milliseconds kLongest(400);
+  static constexpr std::chrono::milliseconds kLongest(400);
   const Catalog& catalog = parts_.registry.catalog();
   const auto wiring = PlanConnect(catalog, wire, occupied);
   if (wiring || wiring.error().code != ErrorCode::kIncompatible) return planned(*this, wiring);

@@ -54,14 +54,14 @@ std::vector<CatalogChange> Removals(const ProcessEntry& before, const message::J
   std::vector<CatalogChange> changes;
   for (const auto& [id, connection] : before.connections) {
     const bool stays = std::any_of(join.connections.begin(), join.connections.end(),
-                                   [&](const auto& one) { return one.id == id; });
+                                   [&id = id](const auto& one) { return one.id == id; });
     if (stays) continue;
     changes.push_back(
         {.kind = Kind::kConnectionRemoved, .process = join.process.name, .connection = id});
   }
   for (const auto& [name, component] : before.components) {
     const bool stays = std::any_of(join.components.begin(), join.components.end(),
-                                   [&](const auto& one) { return one.name == name; });
+                                   [&name = name](const auto& one) { return one.name == name; });
     if (stays) continue;
     changes.push_back(
         {.kind = Kind::kComponentRemoved, .process = join.process.name, .component = name});

@@ -108,7 +108,8 @@ Result<void> ClientExecutor::AwaitConnections(const PlanStep& step) const {
 }
 
 Result<void> ClientExecutor::Connect(const PlanStep& step) {
-  const auto& [required, provided] = step.wire;
+  const InterfaceName& required = step.wire.required;
+  const InterfaceName& provided = step.wire.provided;
   const auto made = Wait<ConnectionDescription>(
       GcmClient::kOrdersOfAReplacement * timeout_ + kLonger, [&](auto handler) {
         if (step.kind == Kind::kReplace) {

@@ -8,7 +8,7 @@
 namespace tendon {
 namespace {
 
-using Kind = SystemDifference::Kind;
+using DifferenceKind = SystemDifference::Kind;
 
 std::string OrNone(const std::string& text) { return text.empty() ? "none" : text; }
 
@@ -33,18 +33,19 @@ class Comparer {
   SystemComparison Run() {
     for (const auto& process : first_.processes) CompareProcess(process);
     for (const auto& process : second_.processes) {
-      if (first_index_.FindProcess(process.name) == nullptr) AddWhole(Kind::kExtra, process);
+      if (first_index_.FindProcess(process.name) == nullptr)
+        AddWhole(DifferenceKind::kExtra, process);
     }
     CompareConnections();
     return std::move(comparison_);
   }
 
  private:
-  void Add(Kind kind, const std::string& what, const std::string& how = "") {
+  void Add(DifferenceKind kind, const std::string& what, const std::string& how = "") {
     comparison_.differences.push_back({kind, what, how});
   }
 
-  void AddWhole(Kind kind, const SystemFile::Process& process) {
+  void AddWhole(DifferenceKind kind, const SystemFile::Process& process) {
     Add(kind, "process " + process.name);
     for (const auto& component : process.components) {
       Add(kind, "component " + process.name + "/" + component.name);
@@ -53,9 +54,9 @@ class Comparer {
 
   void CompareProcess(const SystemFile::Process& process) {
     const auto* other = second_index_.FindProcess(process.name);
-    if (other == nullptr) return AddWhole(Kind::kMissing, process);
+    if (other == nullptr) return AddWhole(DifferenceKind::kMissing, process);
     if (starts_ == Starts::kKnown && process.start != other->start) {
-      Add(Kind::kChanged, "process " + process.name,
+      Add(DifferenceKind::kChanged, "process " + process.name,
           "start " + TextOf(process.start) + " -> " + TextOf(other->start));
     } else {
       ++comparison_.equal;
@@ -64,19 +65,19 @@ class Comparer {
     for (const auto& component : process.components) {
       const auto* same = second_index_.FindComponent(process.name, component.name);
       if (same == nullptr) {
-        Add(Kind::kMissing, begin + component.name);
+        Add(DifferenceKind::kMissing, begin + component.name);
         continue;
       }
       const std::string changes = ChangesOf(component, *same);
       if (changes.empty()) {
         ++comparison_.equal;
       } else {
-        Add(Kind::kChanged, begin + component.name, changes);
+        Add(DifferenceKind::kChanged, begin + component.name, changes);
       }
     }
     for (const auto& component : other->components) {
       const bool is_known = first_index_.FindComponent(process.name, component.name) != nullptr;
-      if (!is_known) Add(Kind::kExtra, begin + component.name);
+      if (!is_known) Add(DifferenceKind::kExtra, begin + component.name);
     }
   }
 
@@ -87,17 +88,17 @@ class Comparer {
     for (const auto& connection : first_.connections) {
       const auto* other = second_index_.FindConnection(connection.required);
       if (other == nullptr) {
-        Add(Kind::kMissing, whole(connection));
+        Add(DifferenceKind::kMissing, whole(connection));
       } else if (other->provided == connection.provided) {
         ++comparison_.equal;
       } else {
-        Add(Kind::kChanged, "connection " + ToString(connection.required),
+        Add(DifferenceKind::kChanged, "connection " + ToString(connection.required),
             "to " + ToString(connection.provided) + " -> " + ToString(other->provided));
       }
     }
     for (const auto& connection : second_.connections) {
       if (first_index_.FindConnection(connection.required) == nullptr) {
-        Add(Kind::kExtra, whole(connection));
+        Add(DifferenceKind::kExtra, whole(connection));
       }
     }
   }

@@ -30,8 +30,6 @@ bool IsSameInParts(const SystemFile::Component& wanted, const SystemFile::Compon
          IsSameThread(wanted, now) && IsSameJson(wanted.configuration, now.configuration);
 }
 
-ComponentPath OwnerOf(const InterfaceName& name) { return {name.process, name.component}; }
-
 std::string TextOf(const ComponentPath& path) { return path.first + "/" + path.second; }
 
 std::string TextOf(const message::Wire& wire) {

@@ -11,8 +11,6 @@ using Kind = PlanStep::Kind;
 
 bool IsOfConnection(const PlanStep& step) { return step.process.empty(); }
 
-ComponentPath OwnerOf(const InterfaceName& name) { return {name.process, name.component}; }
-
 /// Stands for the process itself.
 ComponentPath PathOf(const std::string& process) { return {process, ""}; }
 

@@ -11,6 +11,11 @@ namespace tendon {
 /// A process and a component in it.
 using ComponentPath = std::pair<std::string, std::string>;
 
+/// The component that has the interface.
+[[nodiscard]] inline ComponentPath OwnerOf(const InterfaceName& name) {
+  return {name.process, name.component};
+}
+
 /// Finds what a system file has in logarithmic time. The file outlives it; what is in its lists
 /// stays where it is.
 class SystemIndex {

@@ -58,9 +58,9 @@ std::size_t OffendingLength(const std::string& words, const std::string& last_to
 }
 
 /// Builds the value while it checks what the grammar alone allows.
-class Builder final : public nlohmann::json_sax<Json> {
+class StrictReader final : public nlohmann::json_sax<Json> {
  public:
-  explicit Builder(std::string_view text) : text_(text) {}
+  explicit StrictReader(std::string_view text) : text_(text) {}
 
   bool null() override { return Add(nullptr); }
   bool boolean(bool value) override { return Add(value); }
@@ -158,9 +158,9 @@ Result<Json> ParseStrictJson(std::string_view text) {
                  "begins with a byte-order mark; save it as UTF-8 without one"};
   }
   if (text.find_first_not_of(" \t\r\n") == text.npos) return Error{ErrorCode::kInvalid, "is empty"};
-  Builder builder(text);
-  Json::sax_parse(text, &builder);
-  return std::move(builder).Take();
+  StrictReader reader(text);
+  Json::sax_parse(text, &reader);
+  return std::move(reader).Take();
 }
 
 Result<nlohmann::ordered_json> ParseOrderedJson(std::string_view text) {

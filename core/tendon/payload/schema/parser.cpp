@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kMaxText = std::size_t{1} << 20;
 constexpr std::size_t kMaxValue = std::size_t{1} << 31;  // bytes
-constexpr int kMaxDepth = 64;
+constexpr int kMaxLevels = 64;
 
 /// A schema and how many levels it is high.
 struct Parsed {
@@ -33,7 +33,7 @@ class Parser {
 
  private:
   Parsed ParseType(int depth) {
-    if (depth > kMaxDepth) return Fail("more than 64 levels");
+    if (depth > kMaxLevels) return Fail("more than 64 levels");
     const std::string_view word = Word();
     Parsed parsed;
     if (word == "struct") {
@@ -53,7 +53,7 @@ class Parser {
   /// What follows '[': a length for an array, nothing for a sequence.
   Parsed ParseSuffix(Parsed element, int depth) {
     const int height = element.height + 1;
-    if (depth + height > kMaxDepth + 1) return Fail("more than 64 levels");
+    if (depth + height > kMaxLevels + 1) return Fail("more than 64 levels");
     if (Accept(']')) return {Schema::Sequence(std::move(element.schema)), height};
     const auto length = Number<std::uint32_t>();
     if (failed() || !Expect(']')) return {};

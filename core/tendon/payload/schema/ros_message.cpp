@@ -38,7 +38,7 @@ std::string CamelCase(const std::string& name) {
 }
 
 /// Prints a definition and, once each, those it needs.
-class Printer {
+class MessagePrinter {
  public:
   std::string Print(const Schema& root) {
     if (root.kind() == Schema::Kind::kStructure) {
@@ -130,7 +130,7 @@ class Printer {
 
 }  // namespace
 
-std::string RosMessage(const Schema& schema) { return Printer().Print(schema); }
+std::string RosMessage(const Schema& schema) { return MessagePrinter().Print(schema); }
 
 std::string RosTypeName(const Schema& schema) {
   const bool structure = schema.kind() == Schema::Kind::kStructure;

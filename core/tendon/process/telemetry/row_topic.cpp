@@ -20,10 +20,10 @@ void RowTopic::RemoveClosed() {
 }
 
 void RowTopic::Send(RowBatchWriter& batch, std::uint64_t lost, std::uint64_t next_tick) {
-  constexpr int kLongestSilence = 25;  // gatherings: half a second
+  constexpr int kLongestQuiet = 25;  // gatherings: half a second
   lost_table_ += lost;
   ++silence_;
-  if (batch.rows() == 0 && lost_table_ == 0 && silence_ < kLongestSilence) return;
+  if (batch.rows() == 0 && lost_table_ == 0 && silence_ < kLongestQuiet) return;
   const auto body = batch.Finish(
       {.rows_before = rows_before_, .lost_table = lost_table_, .next_tick = next_tick});
   rows_before_ += batch.rows();  // whether it arrives or not: the viewers see the hole
