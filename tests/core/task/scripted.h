@@ -56,15 +56,27 @@ class Script {
   }
 };
 
+/// A component that is no task, with the cycle that it never makes.
+class WithoutCycles : public tendon::Component {
+ public:
+  using Component::Component;
+
+ private:
+  virtual void Run() {}
+};
+
+template <typename Base>
+using WithRun = std::conditional_t<std::derived_from<Base, tendon::Task>, Base, WithoutCycles>;
+
 /// Any kind of component that plays a script.
 template <std::derived_from<tendon::Component> Base>
-class Scripted final : public Base, public Script {
+class Scripted final : public WithRun<Base>, public Script {
   static constexpr bool kIsTask = std::derived_from<Base, tendon::Task>;
 
  public:
   template <typename... Arguments>
   explicit Scripted(std::string name, Arguments... arguments)
-      : Base(std::move(name), arguments...) {
+      : WithRun<Base>(std::move(name), arguments...) {
     auto& control = this->AddProvidedInterface("Control");
     control.AddCommandVoid(&Scripted::Poke, this, "Poke");
     control.AddEvent(poked, "Poked");
@@ -93,7 +105,7 @@ class Scripted final : public Base, public Script {
     ++startups;
     Play(kStartup);
   }
-  void Run() {
+  void Run() override {
     row_ = ++runs;
     if (on_run) on_run();
     if constexpr (kIsTask) this->ProcessQueuedCommands();
