@@ -53,6 +53,7 @@ bool RowPrinter::Fill(const tendon::RowBatch& batch, std::size_t row, PrintedRow
 void RowPrinter::OnStale(const tendon::Error& reason) {
   const std::scoped_lock lock(mutex_);
   complaint_ = reason.message;
+  interruption_ = reason;
 }
 
 std::deque<PrintedRow> RowPrinter::Take() {
@@ -75,6 +76,11 @@ bool RowPrinter::is_empty() const {
 std::optional<tendon::Error> RowPrinter::mistake() const {
   const std::scoped_lock lock(mutex_);
   return mistake_;
+}
+
+std::optional<tendon::Error> RowPrinter::interruption() const {
+  const std::scoped_lock lock(mutex_);
+  return interruption_;
 }
 
 /// A number, or whatever else the path names, as JSON; "null" for what is not there in this row.

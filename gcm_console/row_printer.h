@@ -47,6 +47,8 @@ class RowPrinter final : public tendon::RowSink {
   [[nodiscard]] bool is_empty() const;
   /// What is left out from now on, and why there are no rows just now: once for each change.
   std::vector<std::string> TakeComplaints();
+  /// Why there were no rows the last time that they ceased to come, also if they come again.
+  [[nodiscard]] std::optional<tendon::Error> interruption() const;
 
  private:
   /// False where nothing of the row is to be printed.
@@ -63,6 +65,7 @@ class RowPrinter final : public tendon::RowSink {
   std::deque<PrintedRow> rows_;
   std::vector<std::string> left_out_;  // why, of those since TakeComplaints()
   std::string complaint_;
+  std::optional<tendon::Error> interruption_;
 };
 
 }  // namespace console

@@ -13,6 +13,7 @@
 #include <chrono>
 #include <iterator>
 #include <memory>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <ostream>
@@ -57,6 +58,30 @@ struct WatchOptions {
   bool is_latest = false;   // those that wait are not wanted
   std::uint64_t count = 0;  // rows, 0: no end
   double seconds = 0.0;     // 0: no end
+  bool ends_with_link = false;
+};
+
+/// Knows that the GCM was lost after it had been there.
+class LostGcm final : public tendon::GcmListener {
+ public:
+  void OnSnapshot(const tendon::Catalog& /*catalog*/) override {
+    const std::scoped_lock lock(mutex_);
+    was_there_ = true;
+  }
+  void OnChanges(const std::vector<tendon::CatalogChange>& /*changes*/) override {}
+  void OnGcmLost(const Error& reason) override {
+    const std::scoped_lock lock(mutex_);
+    if (was_there_) reason_ = reason;
+  }
+  [[nodiscard]] std::optional<Error> reason() const {
+    const std::scoped_lock lock(mutex_);
+    return reason_;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  bool was_there_ = false;
+  std::optional<Error> reason_;
 };
 
 tendon::RowChoice ChoiceOf(const WatchOptions& options) {
@@ -109,6 +134,13 @@ class Watching {
     }
     if (is_any_left) return std::nullopt;
     return Error{tendon::ErrorCode::kNotFound, "no column that fits has that part"};
+  }
+  /// Of the first table whose rows have ceased to come.
+  [[nodiscard]] std::optional<Error> interruption() const {
+    for (const Table& table : tables_) {
+      if (auto reason = table.printer->interruption()) return reason;
+    }
+    return std::nullopt;
   }
   void Complain(std::ostream& err) {
     for (const Table& table : tables_) {
@@ -198,7 +230,8 @@ void Summarize(const RowWriter& writer, const tendon::RowCounts& counts, std::os
 
 Result<ExitCode> Watch(Context& context, const WatchOptions& options) {
   tendon::os::HoldTerminationSignals();
-  const auto client = context.Client();
+  const auto lost_gcm = options.ends_with_link ? std::make_shared<LostGcm>() : nullptr;
+  const auto client = context.Client(lost_gcm);
   if (!client) return client.error();
   const auto columns = ColumnsThatFit((*client)->catalog(), options.paths);
   if (!columns) return columns.error();
@@ -208,20 +241,24 @@ Result<ExitCode> Watch(Context& context, const WatchOptions& options) {
   RowWriter writer(context, options, columns->paths);
   bool wants_more = true;
   bool interrupted = false;
-  while (wants_more && !interrupted) {
+  std::optional<Error> broken;
+  while (wants_more && !interrupted && !broken) {
     interrupted = tendon::os::TerminationAsked(20ms);
+    if (lost_gcm) broken = lost_gcm->reason();
+    if (lost_gcm && !broken) broken = watching.interruption();
     for (const PrintedRow& row : watching.Take(options.is_latest)) {
       wants_more = writer.Write(row);
       if (!wants_more) break;
     }
     context.out().flush();
     const auto mistake = watching.mistake();  // what has led to it is complained of first
-    watching.Complain(context.err());
+    if (!broken) watching.Complain(context.err());
     if (mistake) return *mistake;
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
     if (options.seconds > 0.0 && passed.count() >= options.seconds) wants_more = false;
   }
   if (context.out().good()) Summarize(writer, watching.counts(), context.err());
+  if (broken && wants_more && !interrupted) return Error{ErrorCode::kUnreachable, broken->message};
   return interrupted ? program::kInterrupted : program::kOk;
 }
 
@@ -257,6 +294,8 @@ std::vector<Verb> DataVerbs() {
          app.add_option("--for", options->seconds, "end after so long: 10s, 500ms, 2min")
              ->type_name("TIME")
              ->transform(CLI::Validator(&program::TransformDuration, ""));
+         app.add_flag("--no-reconnect", options->ends_with_link,
+                      "end when the GCM or a process is lost, rather than wait for it");
          return [options](Context& context) { return Watch(context, *options); };
        },
        {"gcm watch robot/arm/state.Joints --hz 5", "gcm watch 'robot/*/state.*' --for 10s",

@@ -1,3 +1,4 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <program/exit_code.h>
 
@@ -25,7 +26,7 @@ std::uint64_t LastTick(const std::string& out) {
   return TickAt(out, before == std::string::npos ? 0 : before + 1);
 }
 
-class StoppedWatch : public SystemFixture {
+class WatchTest : public SystemFixture {
  protected:
   void SetUp() override {
     StartGcm();
@@ -33,11 +34,22 @@ class StoppedWatch : public SystemFixture {
     ASSERT_TRUE(EventuallySays({"get", column}, "0")) << robot->err();
   }
 
+  [[nodiscard]] std::unique_ptr<Program> Watch(Program::Words options = {}) const {
+    options.insert(options.begin(), {Binary("gcm"), "--gcm", address, "--timeout", kPatience,
+                                     "watch", column, "--hz", "50"});
+    return std::make_unique<Program>(options);
+  }
+  /// Waits for more than what is printed now.
+  static bool GoesOn(const Program& watch) {
+    const std::size_t before = watch.out().size();
+    return EventuallyTrue([&] { return watch.out().size() > before; });
+  }
+
   const std::string column = "robot/arm/state.Joints.position[0]";
   std::unique_ptr<Program> robot;
 };
 
-TEST_F(StoppedWatch, MissesNoRowThatItDoesNotKnowOf) {
+TEST_F(WatchTest, AStoppedOneMissesNoRowThatItDoesNotKnowOf) {
   // A thousand rows a second.
   const char* const rows_meanwhile =
       std::getenv("TENDON_FULL_FAULTS") == nullptr ? "5000" : "60000";
@@ -61,6 +73,49 @@ TEST_F(StoppedWatch, MissesNoRowThatItDoesNotKnowOf) {
             2)
       << watch.err();
   EXPECT_EQ(printed + lost, LastTick(watch.out()) - FirstTick(watch.out()) + 1) << watch.err();
+}
+
+TEST_F(WatchTest, GoesOnWhenTheGcmAndTheProcessWereStartedAnew) {
+  const auto watch = Watch();
+  ASSERT_TRUE(GoesOn(*watch)) << watch->err();
+
+  gcm->Signal(SIGKILL);
+  gcm->Wait();
+  EXPECT_TRUE(GoesOn(*watch)) << watch->err();
+  StartGcm();
+  ASSERT_TRUE(EventuallySays({"ls"}, "robot\talive"));
+  EXPECT_TRUE(GoesOn(*watch)) << watch->err();
+
+  robot->Signal(SIGKILL);
+  robot->Wait();
+  ASSERT_TRUE(EventuallyTrue([&] {
+    return watch->err().find("gcm: process 'robot'") != std::string::npos;
+  })) << watch->err();
+  robot = StartLcm("robot", demo);
+  EXPECT_TRUE(GoesOn(*watch)) << watch->err();
+
+  watch->Signal(SIGINT);
+  EXPECT_EQ(watch->Wait(), program::kInterrupted);
+}
+
+TEST_F(WatchTest, NoReconnectEndsItWithTheGcm) {
+  const auto watch = Watch({"--no-reconnect"});
+  ASSERT_TRUE(GoesOn(*watch)) << watch->err();
+
+  gcm->Signal(SIGKILL);
+
+  EXPECT_EQ(watch->Wait(), program::kUnreachable);
+  EXPECT_THAT(watch->err(), testing::ContainsRegex("gcm: [0-9]+ rows, .*\ngcm: no GCM at "));
+}
+
+TEST_F(WatchTest, NoReconnectEndsItWithTheProcess) {
+  const auto watch = Watch({"--no-reconnect"});
+  ASSERT_TRUE(GoesOn(*watch)) << watch->err();
+
+  robot->Signal(SIGKILL);
+
+  EXPECT_EQ(watch->Wait(), program::kUnreachable);
+  EXPECT_THAT(watch->err(), testing::ContainsRegex("gcm: [0-9]+ rows, .*\ngcm: process 'robot'"));
 }
 
 }  // namespace
