@@ -6,6 +6,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <string_view>
 #include <utility>
 
@@ -70,6 +71,14 @@ std::string CheckPositive(const std::string& text) {
   const bool is_number = error == std::errc() && end == text.data() + text.size();
   if (is_number && std::isfinite(number) && number > 0.0) return {};
   return "expected a number above 0, got '" + text + "'";
+}
+
+std::string CheckCount(const std::string& text) {
+  std::uint64_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const bool is_number = error == std::errc() && end == text.data() + text.size();
+  if (is_number && number > 0) return {};
+  return "expected a whole number above 0, got '" + text + "'";
 }
 
 std::string TransformDuration(std::string& text) {

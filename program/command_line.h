@@ -14,6 +14,9 @@ std::string SentenceOf(const CLI::ParseError& mistake, const CLI::App& app,
 /// For CLI::Option::check(): a number above zero.
 std::string CheckPositive(const std::string& text);
 
+/// For CLI::Option::check(): a whole number from 1 on.
+std::string CheckCount(const std::string& text);
+
 /// For CLI::Option::transform(): "500ms", "10s", "2min" or a plain number becomes that many
 /// seconds.
 std::string TransformDuration(std::string& text);

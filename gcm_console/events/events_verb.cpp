@@ -198,7 +198,7 @@ Verb::Run PrepareEvents(CLI::App& app) {
         WordKind::kEvent)
       ->required();
   app.add_option("--count", options->count, "end after so many events")
-      ->check(&program::CheckPositive);
+      ->check(&program::CheckCount);
   app.add_option("--for", options->seconds, "end after so long: 10s, 500ms, 2min")
       ->type_name("TIME")
       ->transform(CLI::Validator(&program::TransformDuration, ""));

@@ -169,25 +169,30 @@ void PrintJson(const Context& context, const std::string& process, const Classes
       {{"process", process}, {"classes", std::move(classes)}, {"plugins", all.plugins}});
 }
 
-Result<ExitCode> Show(const Context& context, const Classes& all, const std::string& class_name) {
-  std::vector<std::string> names;
-  for (const ClassDescription& one : all.classes) {
-    names.push_back(one.name);
-    if (one.name != class_name) continue;
-    context.out() << Plain(one.library) << '/' << Plain(one.name) << '\n';
-    std::string line;  // the text of a schema has lines, each of them from outside
-    for (const char letter : one.configuration + "\n") {
-      if (letter != '\n') {
-        line += letter;
-      } else if (!line.empty()) {
-        context.out() << Plain(std::exchange(line, "")) << '\n';
-      }
+void Print(const Context& context, const ClassDescription& one) {
+  context.out() << Plain(one.library) << '/' << Plain(one.name) << '\n';
+  std::string line;  // the text of a schema has lines, each of them from outside
+  for (const char letter : one.configuration + "\n") {
+    if (letter != '\n') {
+      line += letter;
+    } else if (!line.empty()) {
+      context.out() << Plain(std::exchange(line, "")) << '\n';
     }
-    context.out() << "defaults: " << Plain(one.defaults) << '\n';
-    return program::kOk;
   }
-  return Error{ErrorCode::kNotFound, "no class '" + class_name + "' is loaded there" +
-                                         tendon::DidYouMean(class_name, names)};
+  context.out() << "defaults: " << Plain(one.defaults) << '\n';
+}
+
+/// Leaves the one class of that name, the first of several.
+Result<void> Choose(Classes& all, const std::string& class_name) {
+  std::vector<std::string> names;
+  for (const ClassDescription& one : all.classes) names.push_back(one.name);
+  const auto chosen = std::ranges::find(all.classes, class_name, &ClassDescription::name);
+  if (chosen == all.classes.end()) {
+    return Error{ErrorCode::kNotFound, "no class '" + class_name + "' is loaded there" +
+                                           tendon::DidYouMean(class_name, names)};
+  }
+  all.classes = {ClassDescription(*chosen)};
+  return {};
 }
 
 Result<ExitCode> List(Context& context, const Arguments& arguments) {
@@ -195,15 +200,22 @@ Result<ExitCode> List(Context& context, const Arguments& arguments) {
   if (!client) return client.error();
   const auto process = ProcessOf((*client)->catalog(), arguments.process);
   if (!process) return process.error();
-  const auto all = context.Ask<Classes>([&](tendon::GcmClient& asked, auto handler) {
+  auto all = context.Ask<Classes>([&](tendon::GcmClient& asked, auto handler) {
     asked.GetClasses(*process, std::move(handler));
   });
   if (!all) return all.error();
+  const bool is_one = !arguments.class_name.empty();
+  if (is_one) {
+    if (auto chosen = Choose(*all, arguments.class_name); !chosen) return chosen.error();
+  }
   if (context.settings().json) {
     PrintJson(context, *process, *all);
     return program::kOk;
   }
-  if (!arguments.class_name.empty()) return Show(context, *all, arguments.class_name);
+  if (is_one) {
+    Print(context, all->classes.front());
+    return program::kOk;
+  }
   Table table({"CLASS", "LIBRARY", "CONFIGURATION"});
   for (const ClassDescription& one : all->classes) {
     table.Add({one.name, one.library, ConfigurationType(one)});

@@ -290,7 +290,7 @@ std::vector<Verb> DataVerbs() {
          app.add_flag("--latest", options->is_latest,
                       "only what is the newest when there is time to print it");
          app.add_option("--count", options->count, "end after so many rows")
-             ->check(&program::CheckPositive);
+             ->check(&program::CheckCount);
          app.add_option("--for", options->seconds, "end after so long: 10s, 500ms, 2min")
              ->type_name("TIME")
              ->transform(CLI::Validator(&program::TransformDuration, ""));

@@ -1,5 +1,6 @@
 #include <gcm_console/report.h>
 #include <gcm_console/verb.h>
+#include <program/command_line.h>
 #include <tendon/gcm/history.h>
 #include <tendon/gcm/text/step_text.h>
 #include <tendon/gcm/text/wall_time.h>
@@ -149,7 +150,7 @@ std::vector<Verb> HistoryVerbs() {
                                  ->capture_default_str();
          app.add_option("--step", words->step,
                         "only this one, where it still is the newest; gcm history has the numbers")
-             ->check(CLI::PositiveNumber)
+             ->check(&program::CheckCount)
              ->excludes(count);
          app.add_flag("--skip", words->skip,
                       "pass over those that cannot be undone as things are, for good");
@@ -158,7 +159,9 @@ std::vector<Verb> HistoryVerbs() {
       {"history", "list the changes of the system, with who made them and when",
        [](CLI::App& app) -> Verb::Run {
          auto count = std::make_shared<std::size_t>(50);
-         app.add_option("--count", *count, "how many, the newest")->capture_default_str();
+         app.add_option("--count", *count, "how many, the newest")
+             ->check(&program::CheckCount)
+             ->capture_default_str();
          return [count](Context& context) { return History(context, *count); };
        }},
   };

@@ -1,3 +1,4 @@
+#include <gcm_console/verb.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <program/exit_code.h>
@@ -5,6 +6,9 @@
 
 #include <algorithm>
 #include <csignal>
+#include <fstream>
+#include <map>
+#include <set>
 
 #include "gcm_console/system_fixture.h"
 
@@ -44,7 +48,18 @@ TEST_F(UsageTest, AMistypedCommandLineSaysWhatIsWrongAndWhereHelpIs) {
       {{"--middleware", "pigeon", "ls"}, "--middleware: pigeon not in"},
       {{"watch", "a", "--hz", "-1"}, "--hz: expected a number above 0, got '-1'"},
       {{"watch", "a", "--hz", "nan"}, "--hz: expected a number above 0, got 'nan'"},
-      {{"watch", "a", "--count", "0"}, "--count: expected a number above 0, got '0'"},
+      {{"watch", "a", "--count", "0"}, "--count: expected a whole number above 0, got '0'"},
+      {{"watch", "a", "--count", "1.5"}, "--count: expected a whole number above 0, got '1.5'"},
+      {{"hz", "a", "--count", "x"}, "--count: expected a whole number above 0, got 'x'"},
+      {{"history", "--count", "x"}, "--count: expected a whole number above 0, got 'x'"},
+      {{"history", "--count", "-1"}, "--count: expected a whole number above 0, got '-1'"},
+      {{"undo", "--step", "0"}, "--step: expected a whole number above 0, got '0'"},
+      {{"undo", "2", "--step", "1"}, "count excludes --step"},
+      {{"undo", "0"}, "count: Value 0 not in range 1 to 1000"},
+      {{"top", "--sort", "x"}, "--sort: x not in {name,"},
+      {{"log-level", "a", "loud"}, "level: loud not in {debug,info,warning,error}"},
+      {{"completion", "ksh"}, "shell: ksh not in {bash,zsh,fish}"},
+      {{"cert", "isue"}, "no verb 'isue'; did you mean 'issue'? gcm cert --help lists them"},
       {{"watch", "a", "--for", "1h"}, "--for: expected a time such as 500ms, 10s or 2min"},
   };
   for (const Case& one : cases) {
@@ -63,29 +78,64 @@ TEST_F(UsageTest, HelpIsHadInEveryWay) {
   ExpectOneSentence(Typed({"help", "wacth"}), program::kUsage, "did you mean 'watch'?");
 }
 
+/// How little may be typed of each verb that needs a GCM.
+std::map<std::string, Program::Words> LinesThatNeedAGcm(const std::string& folder) {
+  const std::string file = folder + "/empty.json";
+  std::ofstream(file) << R"({"version": 1, "name": "empty", "processes": []})";
+  return {{"status", {}},
+          {"find", {"a"}},
+          {"graph", {}},
+          {"ls", {}},
+          {"tree", {}},
+          {"show", {"a"}},
+          {"top", {}},
+          {"get", {"a/b/c.d"}},
+          {"watch", {"a/b/c.d"}},
+          {"events", {"a/b/C"}},
+          {"hz", {"a/b/state"}},
+          {"plot", {"a/b/c.d"}},
+          {"log", {}},
+          {"log-level", {"a", "info"}},
+          {"call", {"a/b/c.d"}},
+          {"load", {"a"}},
+          {"classes", {}},
+          {"create", {"A", "b"}},
+          {"configure", {"a/b"}},
+          {"set", {"a/b", "c"}},
+          {"start", {"a/b"}},
+          {"suspend", {"a/b"}},
+          {"stop", {"a/b"}},
+          {"restart", {"a/b"}},
+          {"rm", {"a/b"}},
+          {"kill", {"a"}},
+          {"forget", {"a"}},
+          {"connect", {"a/b/C", "d/e/F"}},
+          {"disconnect", {"a/b/C"}},
+          {"candidates", {"a/b/C"}},
+          {"explain", {"a/b/C"}},
+          {"save", {folder + "/new.json"}},
+          {"diff", {file}},
+          {"plan", {file}},
+          {"apply", {file}},
+          {"undo", {}},
+          {"history", {}}};
+}
+
+/// Those that do without one, wait for one, or say what is wrong with it.
+const std::set<std::string> kNeedNoGcm = {"import", "cert", "serve", "fan-out",    "doctor",
+                                          "shell",  "run",  "help",  "completion", "version"};
+
 TEST_F(UsageTest, WithoutAGcmEveryVerbSaysHowToStartOne) {
-  const std::vector<Program::Words> verbs = {{"ls"},
-                                             {"tree"},
-                                             {"status"},
-                                             {"find", "a"},
-                                             {"graph"},
-                                             {"ls", "-R"},
-                                             {"hz", "a/b/state"},
-                                             {"show", "a"},
-                                             {"get", "a/b/c.d"},
-                                             {"watch", "a/b/c.d"},
-                                             {"call", "a/b/c.d"},
-                                             {"undo"},
-                                             {"log"},
-                                             {"log", "--follow"},
-                                             {"log-level", "a", "info"},
-                                             {"disconnect", "a/b/C"},
-                                             {"connect", "a/b/C", "d/e/F"}};
-  for (Program::Words words : verbs) {
-    words.insert(words.end(), {"--timeout", "50"});
+  const auto lines = LinesThatNeedAGcm(home.path().string());
+  for (const console::Verb& verb : console::AllVerbs()) {
+    const auto line = lines.find(verb.name);
+    EXPECT_NE(line == lines.end(), !kNeedNoGcm.contains(verb.name)) << verb.name;
+    if (line == lines.end()) continue;
+    Program::Words words = {verb.name, "--timeout", "50"};
+    words.insert(words.end(), line->second.begin(), line->second.end());
     const Outcome outcome = Typed(words);
     ExpectOneSentence(outcome, program::kUnreachable, "no GCM at " + address);
-    EXPECT_THAT(outcome.err, HasSubstr("start one with: gcm serve"));
+    EXPECT_THAT(outcome.err, HasSubstr("start one with: gcm serve")) << verb.name;
   }
 }
 

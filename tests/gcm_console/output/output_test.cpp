@@ -149,6 +149,13 @@ TEST_F(OutputTest, EveryDocumentFitsItsSchema) {
   EXPECT_EQ(schemas, documents);
 }
 
+TEST_F(OutputTest, WhatIsConnectedOnTrialOrByAGlobFitsItsSchema) {
+  ExpectFits({"connect", "desk/teleoperation/Robot", "robot/arm/Control", "--dry-run"});
+  ExpectFits({"connect", "--match", "desk/**", "robot/**", "--dry-run"});
+  ExpectFits({"connect", "--match", "desk/**", "robot/**"});
+  ExpectFits({"disconnect", "desk/teleoperation/Robot", "--dry-run"});
+}
+
 TEST_F(OutputTest, TheFiguresOfConnectionsFitTheSchemaOfTop) {
   const Outcome top = Gcm({"--json", "top", "--connections"});
   ASSERT_EQ(top.exit_code, program::kOk) << top.err;

@@ -170,6 +170,17 @@ TEST_F(ShellTest, AnInterruptEndsTheWatchAndNotTheShell) {
   EXPECT_TRUE(terminal.Shows("protocol")) << terminal.seen();
 }
 
+TEST_F(ShellTest, InAShellThereIsNoOther) {
+  const Outcome outcome = RunProgram(
+      {"/bin/sh", "-c", "printf 'shell\\nversion\\nshell' | " + Command()}, Environment());
+
+  EXPECT_EQ(outcome.exit_code, program::kUsage);
+  EXPECT_THAT(outcome.out, HasSubstr("protocol"));
+  EXPECT_EQ(outcome.err,
+            "gcm: this is a shell already; exit ends it\n"
+            "gcm: this is a shell already; exit ends it\n");
+}
+
 TEST_F(ShellTest, LinesMayComeThroughAPipe) {
   const Outcome outcome = RunProgram(
       {"/bin/sh", "-c", "printf 'cd robot\\nls\\nls nobody' | " + Command()}, Environment());
@@ -190,6 +201,7 @@ TEST_F(ShellTest, AScriptStopsAtItsFirstErrorUnlessToldOtherwise) {
 
   const Outcome went_on = Script(text, {"--keep-going"});
   EXPECT_THAT(went_on.out, HasSubstr("Control\tprovided"));
+  EXPECT_EQ(went_on.exit_code, program::kNotFound);  // of the first that failed
 }
 
 TEST_F(ShellTest, AScriptThatCannotBeReadIsASentence) {
