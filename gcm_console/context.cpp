@@ -11,11 +11,16 @@ namespace console {
 namespace {
 
 // NOLINTBEGIN(concurrency-mt-unsafe): read only
+/// Whether the terminal can do no more than print one line below another.
+bool IsDumb() {
+  const char* terminal = std::getenv("TERM");
+  return terminal == nullptr || *terminal == '\0' || std::string_view(terminal) == "dumb";
+}
+
 bool WantsNoColor() {
   const char* no_color = std::getenv("NO_COLOR");
-  const char* terminal = std::getenv("TERM");
   const bool is_set = no_color != nullptr && *no_color != '\0';
-  return is_set || terminal == nullptr || std::string_view(terminal) == "dumb";
+  return is_set || IsDumb();
 }
 // NOLINTEND(concurrency-mt-unsafe)
 
@@ -31,6 +36,8 @@ Context::Context(Settings settings, std::string verb, const Streams& streams, Se
       verb_(std::move(verb)),
       streams_(streams),
       session_(session) {}
+
+bool Context::has_screen() const { return streams_.make_line_reader != nullptr && !IsDumb(); }
 
 Layout Context::layout() const {
   const bool is_usual = columns() > 0 && !WantsNoColor();

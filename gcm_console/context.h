@@ -42,6 +42,8 @@ class Context {
   /// The width of the terminal that out() is, 0 where it is none.
   [[nodiscard]] int columns() const { return streams_.columns; }
   [[nodiscard]] const Streams& streams() const { return streams_; }
+  /// Whether a person sits at a terminal on which a picture can be drawn anew.
+  [[nodiscard]] bool has_screen() const;
   /// Null where the line stands alone.
   [[nodiscard]] Session* session() const { return session_; }
   /// How tables are printed.

@@ -41,6 +41,14 @@ std::string HistoryLine(const std::string& typed) {
   return line + '\n';
 }
 
+/// The one of the user. Where that is unknown, or knows none but English letters, no other letter
+/// could be typed: it is taken as UTF-8 then.
+void ChooseLetters() {
+  const char* chosen = std::setlocale(LC_CTYPE, "");
+  const std::string_view name = chosen == nullptr ? "C" : chosen;
+  if (name == "C" || name == "POSIX") std::setlocale(LC_CTYPE, "C.UTF-8");
+}
+
 struct EndEditLine {
   void operator()(EditLine* editor) const { el_end(editor); }
 };
@@ -55,7 +63,7 @@ class LineEditor final : public LineReader {
         completion_(std::move(completion)),
         history_(history_init()),
         editor_(el_init("gcm", stdin, stdout, stderr)) {
-    std::setlocale(LC_CTYPE, "");
+    ChooseLetters();
     HistEvent event{};
     history(history_.get(), &event, H_SETSIZE, kRemembered);
     history(history_.get(), &event, H_SETUNIQUE, 1);

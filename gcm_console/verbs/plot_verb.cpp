@@ -155,12 +155,12 @@ void Show(const Plotting& plotting, double window, Screen& screen) {
 
 /// Until the time is over, or somebody wants the end.
 Result<ExitCode> Collect(Context& context, const Plotting& plotting, const PlotOptions& options) {
-  const bool is_typed = context.streams().make_line_reader != nullptr;
-  const double seconds = options.seconds > 0.0 || is_typed ? options.seconds : options.window;
+  const bool has_screen = context.has_screen();
+  const double seconds = options.seconds > 0.0 || has_screen ? options.seconds : options.window;
   const auto begin = std::chrono::steady_clock::now();
   std::optional<tendon::os::Keyboard> keyboard;
   std::optional<Screen> screen;
-  if (is_typed) {
+  if (has_screen) {
     keyboard.emplace();
     screen.emplace(context.out());
   }

@@ -267,10 +267,11 @@ std::string PictureOf(const Table& processes, const std::vector<Figures>& all,
   return picture.str();
 }
 
+// Of a narrow terminal the begin is seen.
 constexpr const char* kKeyLine =
-    "sort: n name, r rate, t latest, l load, s skipped; / filter, c connections, q end";
+    "q end; sort: n name, r rate, t latest, l load, s skipped; / filter, c connections";
 constexpr const char* kConnectionKeyLine =
-    "sort: n name, r rate, t round trip, w waiting, s lost; / filter, c tasks, q end";
+    "q end; sort: n name, r rate, t round trip, w waiting, s lost; / filter, c tasks";
 
 ExitCode ShowAlways(Context& context, tendon::GcmClient& client, TopOptions options) {
   TaskFeed tasks(client);
@@ -302,8 +303,7 @@ Result<ExitCode> Top(Context& context, const TopOptions& options) {
   tendon::os::HoldTerminationSignals();
   const auto client = context.Client();
   if (!client) return client.error();
-  const bool is_typed = context.streams().make_line_reader != nullptr;
-  const bool is_once = !is_typed || context.settings().json;
+  const bool is_once = !context.has_screen() || context.settings().json;
   if (is_once && options.shows_connections) {
     return PrintOnce<ConnectionFeed>(context, **client, options, "connections");
   }
