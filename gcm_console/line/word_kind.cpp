@@ -8,9 +8,10 @@ namespace console {
 namespace {
 
 /// By the order of the enumerators, as the help calls them.
-constexpr std::array<std::string_view, 13> kNames = {
-    "TEXT",      "FILE",     "VERB",    "PARAMETER", "PROCESS", "COMPONENT", "PATH",
-    "INTERFACE", "PROVIDED", "COMMAND", "VALUE",     "COLUMN",  "EVENT"};
+constexpr std::array<std::string_view, 17> kNames = {
+    "TEXT",     "FILE",    "VERB",    "PARAMETER", "SETTING", "ARGUMENT",
+    "CLASS",    "PLUGIN",  "PROCESS", "COMPONENT", "PATH",    "INTERFACE",
+    "PROVIDED", "COMMAND", "VALUE",   "COLUMN",    "EVENT"};
 
 }  // namespace
 
@@ -28,5 +29,7 @@ WordKind KindOf(const CLI::Option& option) {
 }
 
 bool IsPath(WordKind kind) { return kind >= WordKind::kProcess; }
+
+bool IsLive(WordKind kind) { return kind >= WordKind::kParameter && !IsPath(kind); }
 
 }  // namespace console

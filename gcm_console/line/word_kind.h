@@ -14,6 +14,10 @@ enum class WordKind {
   kFile,
   kVerb,
   kParameter,  ///< of the component that stands before it
+  kSetting,    ///< of the parameter that stands before it
+  kArgument,   ///< of the command that stands before it, or one of its fields
+  kClass,
+  kPlugIn,
   kProcess,    ///< from here on: paths of a system
   kComponent,  ///< and processes on the way to one
   kPath,       ///< of anything
@@ -32,5 +36,8 @@ CLI::Option* Names(CLI::Option* option, WordKind kind);
 WordKind KindOf(const CLI::Option& option);
 
 [[nodiscard]] bool IsPath(WordKind kind);
+
+/// Whether only the processes know the words.
+[[nodiscard]] bool IsLive(WordKind kind);
 
 }  // namespace console

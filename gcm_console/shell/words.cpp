@@ -64,8 +64,8 @@ class Reader {
         Take();
       } else if (next() == '\'' || next() == '"') {
         if (auto read = ReadQuoted(next()); !read) return read;
-      } else {
-        Take();
+      } else if (Take() == '=' && !at_end() && (next() == '{' || next() == '[')) {
+        if (auto read = ReadJson(); !read) return read;
       }
     }
     return {};

@@ -13,7 +13,7 @@ using Words = std::vector<std::string>;
 /// The commands of a line: their words, those between blanks. `;` ends a command, `#` where a word
 /// would begin ends the line. Between '...' a letter is only a letter, between "..." and elsewhere
 /// \ makes it one. A word that begins with { or [ is JSON and ends with its bracket, quotes and
-/// all. kInvalid where a quote or a bracket has no end.
+/// all; so is what follows a = in a word. kInvalid where a quote or a bracket has no end.
 tendon::Result<std::vector<Words>> CommandsOf(std::string_view line);
 
 /// A word as it is to be typed, so that CommandsOf() reads it as one.

@@ -32,6 +32,8 @@ TEST(Words, QuotesKeepTogetherWhatBelongsTogether) {
 TEST(Words, JsonNeedsNoQuotes) {
   EXPECT_EQ(Of(R"(call a/b.C {"position": [1, 2], "name": "x } ; y"}; ls)"),
             (Commands{{"call", "a/b.C", R"({"position": [1, 2], "name": "x } ; y"})"}, {"ls"}}));
+  EXPECT_EQ(Of(R"(call a/b.C goal={"name": "x ; y"} list=[1, 2]; ls)"),
+            (Commands{{"call", "a/b.C", R"(goal={"name": "x ; y"})", "list=[1, 2]"}, {"ls"}}));
   EXPECT_EQ(Of("watch state.Joints[0]"), (Commands{{"watch", "state.Joints[0]"}}));
 }
 

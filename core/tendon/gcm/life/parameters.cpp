@@ -3,6 +3,7 @@
 #include <tendon/gcm/life/parameters.h>
 #include <tendon/payload/json.h>
 #include <tendon/payload/json/strict_json.h>
+#include <tendon/payload/json/typed_value.h>
 #include <tendon/payload/schema.h>
 
 #include <charconv>
@@ -135,25 +136,6 @@ Result<Part> Find(Whole& whole, const std::vector<Step>& steps) {
   return part;
 }
 
-/// What a person types; a text needs no quotes.
-Result<Ordered> ValueOf(const Schema& schema, const std::string& name, const std::string& typed) {
-  const auto parsed = ParseOrderedJson(typed);
-  const bool is_word =
-      schema.kind() == Schema::Kind::kString || schema.kind() == Schema::Kind::kEnum;
-  const bool is_meant_as_it_is = is_word && !(parsed && parsed->is_string());
-  if (!parsed && !is_meant_as_it_is) {
-    return Error{ErrorCode::kInvalid, name + ": expected " + schema.TypeName() + " as JSON, got '" +
-                                          Printable(typed, 64) + "': " + parsed.error().message};
-  }
-  Ordered value = is_meant_as_it_is ? Ordered(typed) : *parsed;
-  try {
-    (void)value.dump();
-  } catch (const Ordered::exception&) {
-    return Error{ErrorCode::kInvalid, name + ": '" + Printable(typed, 64) + "' is no UTF-8"};
-  }
-  return value;
-}
-
 /// Puts the part into what the class is told: no more than that, but lists as wholes.
 void Tell(Whole& whole, const std::vector<Step>& steps) {
   Ordered* told = &whole.told;
@@ -226,7 +208,7 @@ Result<ChangedParameter> ChangeParameter(const ClassDescription& of, const std::
   if (!steps) return steps.error();
   const auto part = Find(*whole, *steps);
   if (!part) return part.error();
-  auto wanted = ValueOf(part->schema, name, value);
+  auto wanted = TypedValue(part->schema, name, value);
   if (!wanted) return wanted.error();
   ChangedParameter changed{.former = part->value->dump(), .value = {}, .configuration = {}};
   *part->value = *std::move(wanted);

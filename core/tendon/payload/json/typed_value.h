@@ -1,0 +1,18 @@
+#pragma once
+
+#include <tendon/base/result.h>
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+namespace tendon {
+
+class Schema;
+
+/// What a person types for a value of that type: JSON, where a text or the name of an enumerator
+/// needs no quotes. The error, kInvalid, begins with `name`, which the value is called by. Whether
+/// the value fits the type FromJson() says.
+Result<nlohmann::ordered_json> TypedValue(const Schema& schema, const std::string& name,
+                                          const std::string& typed);
+
+}  // namespace tendon
