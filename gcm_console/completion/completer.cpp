@@ -21,10 +21,9 @@ const Page::Option* FindOption(const Page& gcm, const Page& verb, const std::str
 
 /// What the words before the last one have settled.
 struct Standing {
-  const Page* page = nullptr;            // the verb, or `gcm` while there is none
-  const Page::Option* option = nullptr;  // whose value comes next
-  std::size_t arguments = 0;             // that the verb has already
-  std::string last_argument = {};        // of those
+  const Page* page = nullptr;               // the verb, or `gcm` while there is none
+  const Page::Option* option = nullptr;     // whose value comes next
+  std::vector<std::string> arguments = {};  // that the verb has already
 };
 
 Standing StandingOf(const Page& gcm, const std::vector<std::string>& words) {
@@ -38,8 +37,7 @@ Standing StandingOf(const Page& gcm, const std::vector<std::string>& words) {
     } else if (const Page* part = standing.page->Find(word)) {
       standing.page = part;
     } else {
-      ++standing.arguments;
-      standing.last_argument = word;
+      standing.arguments.push_back(word);
     }
   }
   return standing;
@@ -60,26 +58,31 @@ class Collector {
   void OfferParts(const Page& page) {
     for (const Page& part : page.parts) Offer(part.last_word(), part.summary);
   }
-  void OfferValues(WordKind kind, const std::vector<std::string>& choices, const Page& gcm) {
+  /// `before` are the arguments of the verb.
+  void OfferValues(WordKind kind, const std::vector<std::string>& choices, const Page& gcm,
+                   const std::vector<std::string>& before) {
     for (const std::string& choice : choices) Offer(choice, "");
     if (kind == WordKind::kVerb) OfferParts(gcm);
     if (kind == WordKind::kFile) found_.is_file = true;
     if (IsPath(kind)) OfferPaths(kind);
-  }
-  /// Structures one step at a time, as paths.
-  void OfferParameters(const std::string& component) {
-    if (!system_.parameters) return;
-    std::set<std::string> steps;
-    for (const std::string& name : system_.parameters(ResolvedPath(at_, component))) {
-      if (!name.starts_with(word_)) continue;
-      const auto end = name.find('.', word_.size());
-      steps.insert(end == std::string::npos ? name + " " : name.substr(0, end + 1));
-    }
-    for (const std::string& step : steps) found_.candidates.push_back({step, ""});
+    if (IsLive(kind)) OfferLive(kind, before);
   }
   Completion Take() { return std::move(found_); }
 
  private:
+  /// Structures one step at a time, as paths, and the name of a field before its value.
+  void OfferLive(WordKind kind, std::vector<std::string> before) {
+    if (!system_.words) return;
+    if (!before.empty()) before[0] = ResolvedPath(at_, before[0]);
+    const char* ends = kind == WordKind::kParameter ? "." : kind == WordKind::kArgument ? "=" : "";
+    std::set<std::string> steps;
+    for (const std::string& text : system_.words(kind, before)) {
+      if (!text.starts_with(word_)) continue;
+      const auto end = text.find_first_of(ends, word_.size());
+      steps.insert(end == std::string::npos ? text + " " : text.substr(0, end + 1));
+    }
+    for (const std::string& step : steps) found_.candidates.push_back({step, ""});
+  }
   /// What is typed stays as it is; it is completed behind its end.
   void OfferPaths(WordKind kind) {
     const bool goes_deeper = word_.empty() || word_.ends_with('/');
@@ -102,11 +105,11 @@ class Collector {
 
 /// Of "--color=", and what is typed of the value.
 Completion ValuesBehind(const std::string& begin, const std::string& value, const Page& gcm,
-                        const Page& verb, const AskSystem& system, const std::string& at) {
-  const auto* option = FindOption(gcm, verb, begin.substr(0, begin.size() - 1));
+                        const Standing& standing, const AskSystem& system, const std::string& at) {
+  const auto* option = FindOption(gcm, *standing.page, begin.substr(0, begin.size() - 1));
   if (option == nullptr) return {};
   Collector collector(value, system, at);
-  collector.OfferValues(option->kind, option->choices, gcm);
+  collector.OfferValues(option->kind, option->choices, gcm, standing.arguments);
   Completion found = collector.Take();
   for (auto& candidate : found.candidates) candidate.text.insert(0, begin);
   return found;
@@ -120,12 +123,12 @@ Completion Complete(const Page& gcm, const std::vector<std::string>& words, cons
   const Standing standing = StandingOf(gcm, words);
   if (const auto equals = word.find('=');
       standing.option == nullptr && word.starts_with("--") && equals != std::string::npos) {
-    return ValuesBehind(word.substr(0, equals + 1), word.substr(equals + 1), gcm, *standing.page,
-                        system, at);
+    return ValuesBehind(word.substr(0, equals + 1), word.substr(equals + 1), gcm, standing, system,
+                        at);
   }
   Collector collector(word, system, at);
   if (standing.option != nullptr) {
-    collector.OfferValues(standing.option->kind, standing.option->choices, gcm);
+    collector.OfferValues(standing.option->kind, standing.option->choices, gcm, standing.arguments);
   } else if (word.starts_with('-')) {
     collector.OfferOptions(*standing.page);
     if (standing.page != &gcm) collector.OfferOptions(gcm);
@@ -133,13 +136,10 @@ Completion Complete(const Page& gcm, const std::vector<std::string>& words, cons
     collector.OfferParts(*standing.page);
   } else if (const auto& arguments = standing.page->arguments; !arguments.empty()) {
     const std::size_t last = arguments.size() - 1;
-    if (standing.arguments > last && !arguments[last].is_many) return {};
-    const auto& argument = arguments[std::min(standing.arguments, last)];
-    if (argument.kind == WordKind::kParameter) {
-      collector.OfferParameters(standing.last_argument);
-    } else {
-      collector.OfferValues(argument.kind, argument.choices, gcm);
-    }
+    const std::size_t next = standing.arguments.size();
+    if (next > last && !arguments[last].is_many) return {};
+    const auto& argument = arguments[std::min(next, last)];
+    collector.OfferValues(argument.kind, argument.choices, gcm, standing.arguments);
   }
   return collector.Take();
 }

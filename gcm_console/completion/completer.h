@@ -26,8 +26,10 @@ struct Completion {
 /// What is asked of a live system, each only where it is wanted.
 struct AskSystem {
   std::function<tendon::Catalog()> catalog;
-  /// The names of the parameters of a component.
-  std::function<std::vector<std::string>(const std::string& component)> parameters = nullptr;
+  /// The words of a kind that names no path, behind those arguments of the verb; their paths are
+  /// whole.
+  std::function<std::vector<std::string>(WordKind kind, const std::vector<std::string>& before)>
+      words = nullptr;
 };
 
 /// The last of `words` is what is completed, and may be empty. `gcm` is the page of the whole

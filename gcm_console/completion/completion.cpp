@@ -1,7 +1,7 @@
 #include <gcm_console/completion/completer.h>
 #include <gcm_console/completion/completion.h>
+#include <gcm_console/completion/live_words.h>
 #include <gcm_console/line/command_line.h>
-#include <gcm_console/parameters/parameter_source.h>
 
 #include <algorithm>
 #include <map>
@@ -42,7 +42,7 @@ _gcm() {
     line=${line%%$'\t'*}
     COMPREPLY+=("${line#"$begin"}")
   done < <(gcm complete "${words[@]:1:${#words[@]}-2}" "$word" 2>/dev/null)
-  if [[ ${#COMPREPLY[@]} -eq 1 && ${COMPREPLY[0]} == *[/.] ]]; then compopt -o nospace; fi
+  if [[ ${#COMPREPLY[@]} -eq 1 && ${COMPREPLY[0]} == *[/.=] ]]; then compopt -o nospace; fi
 }
 complete -F _gcm gcm
 )";
@@ -58,7 +58,7 @@ _gcm() {
       return
     fi
     line=${line%%$'\t'*}
-    if [[ $line == *[/.] ]]; then begun+=("$line"); elif [[ -n $line ]]; then whole+=("$line"); fi
+    if [[ $line == *[/.=] ]]; then begun+=("$line"); elif [[ -n $line ]]; then whole+=("$line"); fi
   done
   compadd -- $whole
   compadd -S '' -- $begun
@@ -118,10 +118,10 @@ int PrintCompletions(const std::vector<std::string>& words, const Streams& strea
                       const auto client = ClientFor(typed);
                       return client ? client->catalog() : tendon::Catalog();
                     },
-                .parameters =
-                    [&typed](const std::string& component) {
+                .words =
+                    [&typed](WordKind kind, const std::vector<std::string>& before) {
                       const auto client = ClientFor(typed);
-                      return client ? ParameterNames(*client, kPatience, component)
+                      return client ? LiveWords(kPatience).Of(*client, kind, before)
                                     : std::vector<std::string>();
                     }});
   if (found.is_file) streams.out << ":files\n";

@@ -1,5 +1,4 @@
 #include <gcm_console/parameters/parameter_source.h>
-#include <tendon/gcm/life/parameters.h>
 #include <tendon/gcm/lookup.h>
 
 #include <algorithm>
@@ -35,20 +34,6 @@ Result<ConfiguredComponent> FindConfigured(tendon::GcmClient& client,
                                          known.class_name + "' can be told"};
   }
   return ConfiguredComponent{*of, known.configuration, InstanceOf(catalog, path.process)};
-}
-
-std::vector<std::string> ParameterNames(tendon::GcmClient& client,
-                                        std::chrono::milliseconds patience,
-                                        const std::string& component) {
-  const auto path = tendon::ParsePath(component);
-  if (!path || path->component.empty()) return {};
-  const auto found = FindConfigured(client, patience, *path);
-  if (!found) return {};
-  const auto parameters = ParametersOf(found->of, found->told);
-  if (!parameters) return {};
-  std::vector<std::string> names;
-  for (const tendon::Parameter& one : *parameters) names.push_back(one.name);
-  return names;
 }
 
 }  // namespace console

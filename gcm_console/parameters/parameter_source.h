@@ -23,9 +23,4 @@ tendon::Result<ConfiguredComponent> FindConfigured(tendon::GcmClient& client,
                                                    std::chrono::milliseconds patience,
                                                    const tendon::Path& component);
 
-/// The names of the parameters of "robot/arm"; none where they cannot be learnt in time.
-std::vector<std::string> ParameterNames(tendon::GcmClient& client,
-                                        std::chrono::milliseconds patience,
-                                        const std::string& component);
-
 }  // namespace console

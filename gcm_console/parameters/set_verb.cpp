@@ -132,7 +132,8 @@ std::vector<Verb> SetVerbs() {
                                   "as gain, gain.x or gain[2]; without it: all of them"),
                    WordKind::kParameter);
              const auto* value =
-                 app.add_option("value", words->value, "JSON; without it: what it is now");
+                 Names(app.add_option("value", words->value, "JSON; without it: what it is now"),
+                       WordKind::kSetting);
              app.add_flag("--dry-run", words->dry_run, "say what would be done, and do nothing");
              return [words, value](Context& context) {
                words->is_to_be_set = value->count() > 0;

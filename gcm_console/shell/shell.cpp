@@ -1,5 +1,4 @@
 #include <gcm_console/line/command_line.h>
-#include <gcm_console/parameters/parameter_source.h>
 #include <gcm_console/place.h>
 #include <gcm_console/shell/shell.h>
 #include <tendon/base/os/termination.h>
@@ -12,6 +11,9 @@ namespace {
 using tendon::Error;
 using tendon::ErrorCode;
 using tendon::Result;
+
+/// Nobody waits longer for a key.
+constexpr std::chrono::milliseconds kLongestPause(100);
 
 /// The verbs of `gcm`, and what only makes sense between two lines.
 Page WithOwnWords(Page page) {
@@ -33,7 +35,9 @@ Page WithOwnWords(Page page) {
 }  // namespace
 
 Shell::Shell(Settings settings)
-    : session_(std::move(settings)), page_(WithOwnWords(CommandLine({}).page())) {
+    : session_(std::move(settings)),
+      page_(WithOwnWords(CommandLine({}).page())),
+      live_words_(kLongestPause) {
   tendon::os::HoldTerminationSignals();  // also in the threads of the link
   static_cast<void>(session_.Client());
 }
@@ -101,18 +105,16 @@ std::string Shell::prompt() const {
   return (at.empty() ? "gcm" : at) + "> ";
 }
 
-std::vector<std::string> Shell::ParametersOf(const std::string& component) {
-  constexpr std::chrono::milliseconds kLongestPause(100);
+std::vector<std::string> Shell::LiveWordsOf(WordKind kind, const Words& before) {
   const auto client = session_.Client();
-  if (!client) return {};
-  return ParameterNames(**client, kLongestPause, component);
+  return client ? live_words_.Of(**client, kind, before) : Words();
 }
 
 Completion Shell::Complete(const Unfinished& line) {
   return console::Complete(
       page_, line.words,
       {.catalog = [this] { return session_.catalog(); },
-       .parameters = [this](const std::string& component) { return ParametersOf(component); }},
+       .words = [this](WordKind kind, const Words& before) { return LiveWordsOf(kind, before); }},
       session_.settings().at);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <gcm_console/completion/completer.h>
+#include <gcm_console/completion/live_words.h>
 #include <gcm_console/console.h>
 #include <gcm_console/line/session.h>
 #include <gcm_console/shell/words.h>
@@ -27,16 +28,18 @@ class Shell {
   /// "robot/arm> ", by where paths begin.
   [[nodiscard]] std::string prompt() const;
   /// What a line may go on with, from the catalogue as it is known at this moment. Waits for
-  /// nothing but the names of parameters, which only their process knows: 100 ms at most.
+  /// nothing but what only a process knows, as the names of parameters: 100 ms at most, and only
+  /// until it has said it once.
   [[nodiscard]] Completion Complete(const Unfinished& line);
 
  private:
   int RunCommand(const Words& words, const Streams& streams);
-  std::vector<std::string> ParametersOf(const std::string& component);
+  std::vector<std::string> LiveWordsOf(WordKind kind, const Words& before);
   tendon::Result<void> GoTo(const std::string& typed);
 
   Session session_;
   const Page page_;
+  LiveWords live_words_;
   bool has_ended_ = false;
 };
 

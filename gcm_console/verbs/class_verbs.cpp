@@ -253,7 +253,9 @@ std::vector<Verb> ClassVerbs() {
       {"load", "load a plug-in into a process",
        [](CLI::App& app) -> Verb::Run {
          auto arguments = std::make_shared<Arguments>();
-         app.add_option("library", arguments->library, "its name, without path")->required();
+         Names(app.add_option("library", arguments->library, "its name, without path"),
+               WordKind::kPlugIn)
+             ->required();
          AddProcess(app, *arguments);
          AddDryRun(app, *arguments);
          return [arguments](Context& context) { return Load(context, *arguments); };
@@ -263,18 +265,21 @@ std::vector<Verb> ClassVerbs() {
          auto arguments = std::make_shared<Arguments>();
          Names(app.add_option("process", arguments->process, "needed where there are several"),
                WordKind::kProcess);
-         app.add_option("class", arguments->class_name, "show what its configuration has");
+         Names(app.add_option("class", arguments->class_name, "show what its configuration has"),
+               WordKind::kClass);
          return [arguments](Context& context) { return List(context, *arguments); };
        }},
       {"create", "make a component of a class",
        [](CLI::App& app) -> Verb::Run {
          auto arguments = std::make_shared<Arguments>();
-         app.add_option("class", arguments->class_name, "see: gcm classes")->required();
+         Names(app.add_option("class", arguments->class_name, "see: gcm classes"), WordKind::kClass)
+             ->required();
          app.add_option("name", arguments->component, "process/component, or component")
              ->required();
          AddProcess(app, *arguments);
-         app.add_option("--library", arguments->library,
-                        "the plug-in with the class; loaded where it is not yet");
+         Names(app.add_option("--library", arguments->library,
+                              "the plug-in with the class; loaded where it is not yet"),
+               WordKind::kPlugIn);
          AddConfiguration(app, *arguments);
          AddDryRun(app, *arguments);
          return [arguments](Context& context) { return Create(context, *arguments); };

@@ -1,0 +1,156 @@
+#include <gcm_console/call/argument_words.h>
+#include <gcm_console/completion/live_words.h>
+#include <tendon/base/path.h>
+#include <tendon/gcm/life/parameters.h>
+#include <tendon/gcm/lookup.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace console {
+namespace {
+
+using tendon::ClassDescription;
+using tendon::GcmClient;
+using tendon::Schema;
+using tendon::message::Classes;
+using Clock = std::chrono::steady_clock;
+
+/// How old an answer may be that is not asked for anew.
+constexpr std::chrono::seconds kFresh(2);
+
+/// What is known by `deadline`; what is known already is not waited for. `start` is given a handler
+/// for the answer.
+template <typename T, typename Start>
+const T* Ask(Asked<T>& asked, std::uint64_t instance, Clock::time_point deadline, Start start) {
+  const auto now = Clock::now();
+  if (asked.instance != instance) asked = {.instance = instance, .since = now - kFresh};
+  if (!asked.answer.valid() && now - asked.since >= kFresh) {
+    const auto answer = std::make_shared<std::promise<tendon::Result<T>>>();
+    asked.answer = answer->get_future();
+    asked.since = now;
+    start([answer](tendon::Result<T> result) { answer->set_value(std::move(result)); });
+  }
+  if (asked.answer.valid()) {
+    const auto until = asked.known ? now : deadline;
+    if (asked.answer.wait_until(until) == std::future_status::ready) {
+      if (auto result = asked.answer.get()) asked.known = *std::move(result);
+    }
+  }
+  return asked.known ? &*asked.known : nullptr;
+}
+
+const ClassDescription* FindClass(const Classes& all, const tendon::ComponentDescription& of) {
+  const auto found = std::ranges::find_if(all.classes, [&](const ClassDescription& one) {
+    return one.name == of.class_name && one.library == of.library;
+  });
+  return found == all.classes.end() ? nullptr : &*found;
+}
+
+/// The type of "gain.x", a field of a configuration; nothing where there is none.
+std::optional<Schema> TypeOf(const ClassDescription& of, const std::string& parameter) {
+  const auto whole = Schema::Parse(of.configuration);
+  if (!whole) return std::nullopt;
+  Schema part = *whole;
+  for (std::size_t begin = 0; begin <= parameter.size();) {
+    const std::size_t end = std::min(parameter.find('.', begin), parameter.size());
+    const std::string name = parameter.substr(begin, end - begin);
+    const auto& fields = part.fields();
+    const auto field = std::ranges::find(fields, name, &Schema::Field::name);
+    if (field == fields.end()) return std::nullopt;
+    part = Schema(field->schema);
+    begin = end + 1;
+  }
+  return part;
+}
+
+/// All values that have names, else the one that it has now.
+std::vector<std::string> ValuesFor(const ClassDescription& of, const std::string& told,
+                                   const std::string& parameter) {
+  const auto type = TypeOf(of, parameter);
+  if (type) {
+    if (auto names = ValuesOf(*type); !names.empty()) return names;
+  }
+  const auto now = ParametersAt(of, told, parameter);
+  if (!now || now->size() != 1) return {};
+  return {now->front().value};
+}
+
+}  // namespace
+
+std::vector<std::string> LiveWords::Of(GcmClient& client, WordKind kind,
+                                       const std::vector<std::string>& before) {
+  deadline_ = Clock::now() + patience_;
+  switch (kind) {
+    case WordKind::kClass:
+    case WordKind::kPlugIn:
+      return OfAllProcesses(client, kind);
+    case WordKind::kParameter:
+    case WordKind::kSetting:
+      return OfComponent(client, kind, before);
+    case WordKind::kArgument:
+      return OfCommand(client, before);
+    default:
+      return {};
+  }
+}
+
+const Classes* LiveWords::ClassesOf(GcmClient& client, const std::string& process) {
+  const std::uint64_t instance = InstanceOf(client.catalog(), process);
+  return Ask(classes_[process], instance, deadline_,
+             [&](auto handler) { client.GetClasses(process, std::move(handler)); });
+}
+
+std::vector<std::string> LiveWords::OfAllProcesses(GcmClient& client, WordKind kind) {
+  std::set<std::string> all;
+  const tendon::Catalog catalog = client.catalog();
+  for (const auto& [name, entry] : catalog.processes()) {
+    const Classes* known = IsPresent(entry.process) ? ClassesOf(client, name) : nullptr;
+    if (known == nullptr) continue;
+    if (kind == WordKind::kPlugIn) all.insert(known->plugins.begin(), known->plugins.end());
+    if (kind != WordKind::kClass) continue;
+    for (const ClassDescription& one : known->classes) all.insert(one.name);
+  }
+  return {all.begin(), all.end()};
+}
+
+std::vector<std::string> LiveWords::OfComponent(GcmClient& client, WordKind kind,
+                                                const std::vector<std::string>& before) {
+  if (before.empty()) return {};
+  const auto path = tendon::ParsePath(before[0]);
+  if (!path || path->component.empty()) return {};
+  const tendon::Catalog catalog = client.catalog();
+  const auto component = LookUpComponent(catalog, path->process, path->component);
+  if (!component) return {};
+  const Classes* known = ClassesOf(client, path->process);
+  const ClassDescription* of = known == nullptr ? nullptr : FindClass(*known, **component);
+  if (of == nullptr) return {};
+  const std::string& told = (*component)->configuration;
+  if (kind == WordKind::kSetting) {
+    return before.size() < 2 ? std::vector<std::string>() : ValuesFor(*of, told, before[1]);
+  }
+  std::vector<std::string> names;
+  const auto parameters = ParametersOf(*of, told);
+  if (!parameters) return {};
+  for (const tendon::Parameter& one : *parameters) names.push_back(one.name);
+  return names;
+}
+
+std::vector<std::string> LiveWords::OfCommand(GcmClient& client,
+                                              const std::vector<std::string>& before) {
+  if (before.empty()) return {};
+  const auto path = tendon::ParsePath(before[0]);
+  if (!path) return {};
+  const tendon::Catalog catalog = client.catalog();
+  const auto command = LookUpCommand(catalog, *path);
+  if (!command || !TakesArgument(command->signature)) return {};
+  const tendon::Fingerprint type = command->signature.in;
+  const Schema* schema =
+      Ask(schemas_[type], InstanceOf(catalog, path->process), deadline_,
+          [&](auto handler) { client.GetSchema(path->process, type, std::move(handler)); });
+  if (schema == nullptr) return {};
+  return WordsBehind(*schema, {before.begin() + 1, before.end()});
+}
+
+}  // namespace console

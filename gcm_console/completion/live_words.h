@@ -1,0 +1,53 @@
+#pragma once
+
+#include <gcm_console/line/word_kind.h>
+#include <tendon/gcm/client.h>
+
+#include <chrono>
+#include <future>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace console {
+
+/// Something that a process was asked for, and what it said last.
+template <typename T>
+struct Asked {
+  std::uint64_t instance = 0;  ///< of the process
+  std::chrono::steady_clock::time_point since;
+  std::future<tendon::Result<T>> answer = {};  ///< valid until it is here
+  std::optional<T> known = std::nullopt;
+};
+
+/// Words that only the processes know: parameters and their values, arguments of commands, classes,
+/// plug-ins. What was heard is kept and said at once, while it is asked for anew; what comes too
+/// late for one question is there at the next. Used by one thread.
+class LiveWords {
+ public:
+  /// `patience` is for all that one question must wait for.
+  explicit LiveWords(std::chrono::milliseconds patience) : patience_(patience) {}
+
+  /// Of a kind that names no path, behind the verb's arguments `before`, whose paths are whole.
+  std::vector<std::string> Of(tendon::GcmClient& client, WordKind kind,
+                              const std::vector<std::string>& before);
+
+ private:
+  using TimePoint = std::chrono::steady_clock::time_point;
+
+  const tendon::message::Classes* ClassesOf(tendon::GcmClient& client, const std::string& process);
+  std::vector<std::string> OfAllProcesses(tendon::GcmClient& client, WordKind kind);
+  std::vector<std::string> OfComponent(tendon::GcmClient& client, WordKind kind,
+                                       const std::vector<std::string>& before);
+  std::vector<std::string> OfCommand(tendon::GcmClient& client,
+                                     const std::vector<std::string>& before);
+
+  const std::chrono::milliseconds patience_;
+  TimePoint deadline_;
+  std::map<std::string, Asked<tendon::message::Classes>> classes_;  // by process
+  std::map<tendon::Fingerprint, Asked<tendon::Schema>> schemas_;
+};
+
+}  // namespace console
