@@ -2,6 +2,7 @@
 #include <gcm_console/screen/screen.h>
 #include <gcm_console/verb.h>
 #include <tendon/base/os/process.h>
+#include <tendon/base/os/socket.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/text/health_text.h>
 #include <tendon/middleware/frame.h>
@@ -88,6 +89,7 @@ class Doctor {
           client.error().code == ErrorCode::kUnreachable
               ? "gcm serve, or --gcm ADDRESS of the one that is meant"
               : "gcm help, about --gcm, --certificate and --insecure");
+      if (client.error().code == ErrorCode::kUnreachable) ExaminePort();
       return std::move(findings_);
     }
     ExamineGcm(**client);
@@ -142,6 +144,18 @@ class Doctor {
     } else {
       Good("certificate", "of " + checked->certificate.name + ", good until " +
                               tendon::DateText(checked->certificate.not_after));
+    }
+  }
+  /// Of a GCM that does not answer, where it is to be on this machine.
+  void ExaminePort() {
+    const std::string& gcm = context_.settings().gcm;
+    const auto place = tendon::ParseAddress(gcm, 1);
+    if (!place || !IsLoopback(gcm)) return;
+    if (const auto holder = tendon::os::HolderOf(place->port)) {
+      Bad("port", gcm + " is held by " + *holder + ", which does not answer as a GCM",
+          "end it, or choose another port: gcm serve --gcm HOST:PORT, here and in $TENDON_GCM");
+    } else {
+      Good("port", gcm + " is free: nobody listens there");
     }
   }
   void ExamineGcm(tendon::GcmClient& client) {

@@ -1,7 +1,10 @@
 #include <gcm_console/screen/braille.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <netinet/in.h>
 #include <program/exit_code.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <csignal>
@@ -207,6 +210,25 @@ TEST_F(SystemFixture, TheDoctorSaysHowToStartAGcm) {
   EXPECT_EQ(outcome.exit_code, program::kRefused);
   EXPECT_THAT(outcome.out, HasSubstr("BAD  GCM"));
   EXPECT_THAT(outcome.out, HasSubstr("fix: gcm serve"));
+  EXPECT_THAT(outcome.out, HasSubstr("ok   port    " + address + " is free: nobody listens there"));
+}
+
+TEST_F(SystemFixture, TheDoctorSaysWhoHoldsThePortOfTheGcm) {
+  const int listener = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  sockaddr_in place{};
+  place.sin_family = AF_INET;
+  place.sin_port = htons(static_cast<std::uint16_t>(std::stoi(port)));
+  place.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  ASSERT_EQ(bind(listener, reinterpret_cast<const sockaddr*>(&place), sizeof(place)), 0);
+  ASSERT_EQ(listen(listener, 5), 0);
+
+  const Outcome outcome =
+      RunProgram({Binary("gcm"), "--gcm", address, "--timeout", "50", "doctor"});
+
+  EXPECT_EQ(outcome.exit_code, program::kRefused);
+  EXPECT_THAT(outcome.out, HasSubstr("BAD  port    " + address + " is held by pid " +
+                                     std::to_string(getpid()) + " ("));
+  close(listener);
 }
 
 }  // namespace

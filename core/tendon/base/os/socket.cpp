@@ -328,6 +328,11 @@ bool IsHeldByUser(std::uint16_t port) {
                                          [&](const auto& socket) { return socket.user == user; });
 }
 
+std::optional<std::string> HolderOf(std::uint16_t port) {
+  if (ListenersAt(port).empty()) return std::nullopt;
+  return ListenerAt(port);
+}
+
 Error AddressInUse(const std::string& host, std::uint16_t port) {
   return {ErrorCode::kExists, Name(host, port) + " is in use by " + ListenerAt(port)};
 }

@@ -78,6 +78,10 @@ void KeepFromPrograms(std::uint16_t local_port, std::uint16_t peer_port);
 /// Whether all who listen at a port of this machine are this user's programs.
 [[nodiscard]] bool IsHeldByUser(std::uint16_t port);
 
+/// Who listens at a port of this machine: "pid 812 (gcm)", or "another program" where /proc does
+/// not show whom; nothing where nobody does.
+[[nodiscard]] std::optional<std::string> HolderOf(std::uint16_t port);
+
 /// An error of code kExists: "127.0.0.1:10705 is in use by pid 812 (gcm)", or "by another program"
 /// where /proc does not show whom.
 [[nodiscard]] Error AddressInUse(const std::string& host, std::uint16_t port);
