@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -246,13 +247,28 @@ ExitCode ExitCodeOf(const PlanOutcome& outcome, const Plan& plan) {
   return outcome.error ? program::ExitCodeOf(outcome.error->code) : program::kRefused;
 }
 
-void Summarise(Context& context, const PlanOutcome& outcome, const Plan& plan) {
+/// The number of the newest step of the history; 0 where there is none.
+std::uint64_t NewestStep(Context& context) {
+  const auto history = context.Ask<tendon::message::History>(
+      [](tendon::GcmClient& client, auto handler) { client.GetHistory(handler); });
+  return history && !history->entries.empty() ? history->entries.back().id : 0;
+}
+
+/// "; take it back with: gcm undo 8", where there are steps after `former`.
+std::string WayBack(Context& context, std::uint64_t former) {
+  const std::uint64_t newest = NewestStep(context);
+  if (newest <= former) return "";
+  return "; take it back with: gcm undo " + std::to_string(newest - former);
+}
+
+void Summarise(Context& context, const PlanOutcome& outcome, const Plan& plan,
+               std::uint64_t former) {
   for (const std::string& obstacle : plan.obstacles) {
     context.streams().err << "gcm: " << Plain(obstacle) << '\n';
   }
   context.err() << "gcm: " << Counted(outcome.done, "step") << " made, " << outcome.failed
                 << " failed, " << outcome.left << " left, " << Counted(plan.untouched, "thing")
-                << " untouched\n";
+                << " untouched" << WayBack(context, former) << '\n';
 }
 
 /// In a table, and in JSON.
@@ -273,6 +289,7 @@ Result<ExitCode> Execute(Context& context, const Plan& plan, const ApplyWords& w
   if (!client) return client.error();
   tendon::ClientExecutor executor(**client, context.settings().timeout);
   const bool is_json = context.settings().json;
+  const std::uint64_t former = is_json ? 0 : NewestStep(context);
   ordered_json steps = ordered_json::array();
   const PlanOutcome outcome = ExecutePlan(
       plan, executor, words.keep_going ? tendon::AfterError::kGoOn : tendon::AfterError::kStop,
@@ -296,7 +313,7 @@ Result<ExitCode> Execute(Context& context, const Plan& plan, const ApplyWords& w
                        {"left", outcome.left},
                        {"untouched", plan.untouched}});
   } else {
-    Summarise(context, outcome, plan);
+    Summarise(context, outcome, plan, former);
   }
   return outcome.is_interrupted ? program::kInterrupted : ExitCodeOf(outcome, plan);
 }

@@ -184,12 +184,32 @@ TEST_F(SavedSystemTest, AllIsTheSameAgainInEmptyProcessesAfterEverythingWasKille
   const Outcome applied = Gcm({"apply", file});
 
   EXPECT_EQ(applied.exit_code, program::kOk) << applied.out << applied.err;
-  EXPECT_THAT(applied.err, HasSubstr("gcm: 12 steps made, 0 failed, 0 left, 2 things untouched\n"));
+  EXPECT_THAT(applied.err,
+              HasSubstr("gcm: 12 steps made, 0 failed, 0 left, 2 things untouched; take it "
+                        "back with: gcm undo 12\n"));
   EXPECT_TRUE(EventuallyTrue([&] { return Gcm({"tree"}).out == before; }))
       << before << "became" << Gcm({"tree"}).out;
   const Outcome same = Gcm({"diff", file});
   EXPECT_EQ(same.exit_code, program::kOk) << same.out;
   ExpectSaysNothing({"apply", file});
+}
+
+TEST_F(SavedSystemTest, AnApplySaysHowToTakeItBack) {
+  const std::string before = Gcm({"tree"}).out;
+  ASSERT_EQ(Gcm({"connect", "desk/teleoperation/Robot", "robot/arm/Control"}).exit_code, 0);
+  ASSERT_EQ(Gcm({"stop", "robot/host_monitor"}).exit_code, 0);
+  const std::string file = Saved();
+  ASSERT_EQ(Gcm({"undo", "2"}).exit_code, 0);
+
+  const Outcome applied = Gcm({"apply", file, "--yes"});
+
+  ASSERT_EQ(applied.exit_code, program::kOk) << applied.out << applied.err;
+  EXPECT_THAT(applied.err, testing::EndsWith("; take it back with: gcm undo 2\n"));
+  const Outcome undone = Gcm({"undo", "2"});
+  EXPECT_EQ(undone.exit_code, program::kOk) << undone.err;
+  EXPECT_TRUE(EventuallyTrue([&] { return Gcm({"tree"}).out == before; }))
+      << before << "became" << Gcm({"tree"}).out;
+  EXPECT_THAT(Gcm({"apply", file, "--dry-run"}).err, testing::Not(HasSubstr("take it back")));
 }
 
 TEST_F(SavedSystemTest, WhatRunsIsTakenAwayOnlyByWhoSaysYes) {
