@@ -10,21 +10,18 @@
 namespace console {
 namespace {
 
-// NOLINTBEGIN(concurrency-mt-unsafe): read only
-/// Whether the terminal can do no more than print one line below another.
-bool IsDumb() {
-  const char* terminal = std::getenv("TERM");
-  return terminal == nullptr || *terminal == '\0' || std::string_view(terminal) == "dumb";
-}
-
 bool WantsNoColor() {
-  const char* no_color = std::getenv("NO_COLOR");
+  const char* no_color = std::getenv("NO_COLOR");  // NOLINT(concurrency-mt-unsafe): read only
   const bool is_set = no_color != nullptr && *no_color != '\0';
-  return is_set || IsDumb();
+  return is_set || IsDumbTerminal();
 }
-// NOLINTEND(concurrency-mt-unsafe)
 
 }  // namespace
+
+bool IsDumbTerminal() {
+  const char* terminal = std::getenv("TERM");  // NOLINT(concurrency-mt-unsafe): read only
+  return terminal == nullptr || *terminal == '\0' || std::string_view(terminal) == "dumb";
+}
 
 tendon::Error NoInput(const std::string& verb) {
   return {tendon::ErrorCode::kInvalid,
@@ -37,7 +34,9 @@ Context::Context(Settings settings, std::string verb, const Streams& streams, Se
       streams_(streams),
       session_(session) {}
 
-bool Context::has_screen() const { return streams_.make_line_reader != nullptr && !IsDumb(); }
+bool Context::has_screen() const {
+  return streams_.make_line_reader != nullptr && !IsDumbTerminal();
+}
 
 Layout Context::layout() const {
   const bool is_usual = columns() > 0 && !WantsNoColor();

@@ -25,6 +25,9 @@ struct Streams {
   bool has_input = true;                      ///< false in a window, where nothing can be piped in
 };
 
+/// Whether the terminal can do no more than print one line below another.
+[[nodiscard]] bool IsDumbTerminal();
+
 /// Why a verb that reads its input cannot do so in a window.
 [[nodiscard]] tendon::Error NoInput(const std::string& verb);
 

@@ -1,8 +1,11 @@
 #include <gcm_console/completion/files.h>
+#include <gcm_console/context.h>
 #include <gcm_console/report.h>
 #include <gcm_console/shell/line_editor.h>
 #include <histedit.h>
 #include <tendon/base/os/file.h>
+#include <tendon/base/os/screen/keyboard.h>
+#include <tendon/base/os/terminal.h>
 #include <tendon/base/os/termination.h>
 
 #include <algorithm>
@@ -49,6 +52,12 @@ void ChooseLetters() {
   if (name == "C" || name == "POSIX") std::setlocale(LC_CTYPE, "C.UTF-8");
 }
 
+/// How many there are in UTF-8.
+std::size_t Letters(std::string_view text) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      text, [](char byte) { return (static_cast<unsigned char>(byte) & 0xc0U) != 0x80U; }));
+}
+
 struct EndEditLine {
   void operator()(EditLine* editor) const { el_end(editor); }
 };
@@ -58,12 +67,12 @@ struct EndHistory {
 
 class LineEditor final : public LineReader {
  public:
-  LineEditor(fs::path file, AskCompletion completion)
+  LineEditor(fs::path file, AskCompletion completion, AskLines lines)
       : file_(std::move(file)),
         completion_(std::move(completion)),
+        lines_(std::move(lines)),
         history_(history_init()),
         editor_(el_init("gcm", stdin, stdout, stderr)) {
-    ChooseLetters();
     HistEvent event{};
     history(history_.get(), &event, H_SETSIZE, kRemembered);
     history(history_.get(), &event, H_SETUNIQUE, 1);
@@ -74,6 +83,7 @@ class LineEditor final : public LineReader {
     el_set(editor, EL_SIGNAL, 1);  // the terminal is given back before one ends the program
     el_set(editor, EL_EDITOR, "emacs");
     el_set(editor, EL_HIST, &::history, history_.get());
+    el_set(editor, EL_GETCFN, &OnLetter);
     el_set(editor, EL_ADDFN, "gcm-complete", "complete a word", &OnTab);
     el_set(editor, EL_ADDFN, "gcm-abandon", "begin anew", &OnInterrupt);
     el_set(editor, EL_BIND, "^R", "em-inc-search-prev", nullptr);
@@ -105,12 +115,44 @@ class LineEditor final : public LineReader {
     return *static_cast<LineEditor*>(self);
   }
   static char* Prompt(EditLine* editor) { return Of(editor).prompt_.data(); }
+  static int OnLetter(EditLine* editor, wchar_t* letter) { return Of(editor).ReadLetter(letter); }
   static unsigned char OnTab(EditLine* editor, int /*key*/) { return Of(editor).Complete(); }
   static unsigned char OnInterrupt(EditLine* editor, int /*key*/) {
     Of(editor).is_abandoned_ = true;
     std::fputs("^C\n", stdout);
     std::fflush(stdout);
     return CC_NEWLINE;
+  }
+
+  /// As the library does it, and prints what comes meanwhile.
+  int ReadLetter(wchar_t* letter) {
+    constexpr std::chrono::milliseconds kTurn(50);
+    while (ShowLines() && !tendon::os::KeyWaits(kTurn)) {
+    }
+    el_set(editor_.get(), EL_GETCFN, EL_BUILTIN_GETCFN);
+    const int count = el_wgetc(editor_.get(), letter);
+    el_set(editor_.get(), EL_GETCFN, &OnLetter);
+    return count;
+  }
+  /// False where there will be no more of them.
+  bool ShowLines() {
+    const auto lines = lines_();
+    if (lines && !lines->empty()) {
+      std::fputs((Erasure() + *lines).c_str(), stdout);
+      std::fflush(stdout);
+      el_set(editor_.get(), EL_REFRESH);
+    }
+    return lines.has_value();
+  }
+  /// What takes the prompt and what is typed off the screen; where that cannot be, a new line.
+  [[nodiscard]] std::string Erasure() const {
+    if (IsDumbTerminal()) return "\n";
+    const LineInfo* info = el_line(editor_.get());
+    const auto typed =
+        Letters({info->buffer, static_cast<std::size_t>(info->cursor - info->buffer)});
+    const auto columns = std::max(1, tendon::os::TerminalColumns(tendon::os::Stream::kOutput));
+    const auto rows = (Letters(prompt_) + typed) / static_cast<std::size_t>(columns);
+    return (rows > 0 ? "\x1b[" + std::to_string(rows) + "A" : "") + "\r\x1b[J";
   }
 
   /// What is too old is taken out of the file from time to time.
@@ -158,10 +200,7 @@ class LineEditor final : public LineReader {
     if (word == line.typed && wanted.starts_with(word)) {
       more.insert(0, wanted.substr(word.size()));
     } else {
-      const auto letters = std::ranges::count_if(line.typed, [](char byte) {
-        return (static_cast<unsigned char>(byte) & 0xc0U) != 0x80U;
-      });
-      el_deletestr(editor_.get(), static_cast<int>(letters));
+      el_deletestr(editor_.get(), static_cast<int>(Letters(line.typed)));
       more.insert(0, wanted);
     }
     el_insertstr(editor_.get(), more.c_str());
@@ -180,6 +219,7 @@ class LineEditor final : public LineReader {
 
   const fs::path file_;
   const AskCompletion completion_;
+  const AskLines lines_;
   const std::unique_ptr<History, EndHistory> history_;
   const std::unique_ptr<EditLine, EndEditLine> editor_;
   std::string prompt_;
@@ -188,8 +228,10 @@ class LineEditor final : public LineReader {
 
 }  // namespace
 
-std::unique_ptr<LineReader> MakeLineEditor(const fs::path& history, AskCompletion completion) {
-  return std::make_unique<LineEditor>(history, std::move(completion));
+std::unique_ptr<LineReader> MakeLineEditor(const fs::path& history, AskCompletion completion,
+                                           AskLines lines) {
+  ChooseLetters();
+  return std::make_unique<LineEditor>(history, std::move(completion), std::move(lines));
 }
 
 }  // namespace console

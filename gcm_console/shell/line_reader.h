@@ -14,6 +14,10 @@ namespace console {
 /// What a line that is being typed may go on with.
 using AskCompletion = std::function<Completion(const Unfinished&)>;
 
+/// Whole lines that are to stand above the prompt, since the last time; nothing where there will be
+/// none.
+using AskLines = std::function<std::optional<std::string>()>;
+
 /// Where a person types lines.
 class LineReader {
  public:
@@ -26,8 +30,8 @@ class LineReader {
   virtual std::optional<std::string> Read(const std::string& prompt) = 0;
 };
 
-/// Makes one, which keeps what was typed in a file.
+/// Makes one, which keeps what was typed in a file, and prints the lines as they come.
 using MakeLineReader = std::unique_ptr<LineReader> (*)(const std::filesystem::path& history,
-                                                       AskCompletion completion);
+                                                       AskCompletion completion, AskLines lines);
 
 }  // namespace console

@@ -28,6 +28,10 @@ Page WithOwnWords(Page page) {
   path.kind = WordKind::kPath;
   add("cd", "let paths begin there; at the top without a path", {path});
   add("..", "let paths begin one step higher", {});
+  Page::Argument number;
+  number.name = "number";
+  add("jobs", "list what goes on behind the prompt, where & has left it", {});
+  add("end", "end that of a number, or all of it", {number});
   add("exit", "end this", {});
   return page;
 }
@@ -49,13 +53,13 @@ int Shell::Run(const std::string& line, const Streams& streams, AfterFailure aft
     return program::kUsage;
   }
   int exit_code = program::kOk;
-  for (const Words& words : *commands) {
+  for (const Command& command : *commands) {
     // Also what came while a command ran that could not be cut short.
     if (tendon::os::TerminationAsked(std::chrono::milliseconds(0))) {
       tendon::os::HoldTerminationSignals();
       return program::kInterrupted;
     }
-    exit_code = RunCommand(words, streams);
+    exit_code = RunCommand(command, streams);
     const bool is_interrupted = exit_code == program::kInterrupted;
     if (exit_code != program::kOk && (is_interrupted || after == AfterFailure::kStop)) break;
     if (has_ended_) break;
@@ -63,24 +67,48 @@ int Shell::Run(const std::string& line, const Streams& streams, AfterFailure aft
   return exit_code;
 }
 
-int Shell::RunCommand(const Words& words, const Streams& streams) {
-  const std::string& verb = words[0];
-  if (verb == "exit" || verb == "quit") {
-    has_ended_ = true;
-    return program::kOk;
-  }
-  if (verb == "cd" || verb == "..") {
-    const std::string typed = verb == ".." ? ".." : words.size() > 1 ? words[1] : "/";
-    const auto gone = GoTo(typed);
-    if (gone) return program::kOk;
-    streams.err << "gcm: " << Plain(gone.error().message) << '\n';
-    return program::ExitCodeOf(gone.error().code);
+int Shell::RunCommand(const Command& command, const Streams& streams) {
+  const Words& words = command.words;
+  const std::optional<Result<void>> own =
+      command.is_behind ? BeginBehind(words, streams) : RunOwnWord(words, streams);
+  if (own && *own) return program::kOk;
+  if (own) {
+    streams.err << "gcm: " << Plain(own->error().message) << '\n';
+    return program::ExitCodeOf(own->error().code);
   }
   const int exit_code = RunCommandLine(words, streams, session_);
   tendon::os::HoldTerminationSignals();  // who was told of one lets the next through
   const bool is_help = words == Words{"help"} || words == Words{"--help"};
-  if (is_help) streams.out << "Here also: cd PATH, .. and exit; gcm is left out.\n" << std::flush;
+  if (is_help) {
+    streams.out << "Here also: cd PATH, .., jobs, end and exit; gcm is left out.\n" << std::flush;
+  }
   return exit_code;
+}
+
+std::optional<Result<void>> Shell::RunOwnWord(const Words& words, const Streams& streams) {
+  const std::string& word = words[0];
+  const bool is_alone = words.size() == 1;
+  if (word == "cd" || word == "..") return GoTo(word == ".." ? ".." : is_alone ? "/" : words[1]);
+  if (word == "jobs") {
+    jobs_.Print(streams.out);
+  } else if (word == "end" && !is_alone) {
+    return jobs_.End(words[1]);
+  } else if (word == "end") {
+    jobs_.EndAll();
+  } else if (word == "exit" || word == "quit") {
+    has_ended_ = true;
+  } else {
+    return std::nullopt;
+  }
+  return Result<void>();
+}
+
+Result<void> Shell::BeginBehind(const Words& words, const Streams& streams) {
+  if (streams.make_line_reader == nullptr || session_.settings().scripts > 0) {
+    return Error{ErrorCode::kInvalid,
+                 "& is for a prompt, above which lines can be printed; there is none here"};
+  }
+  return jobs_.Begin(words, session_.settings(), streams.columns);
 }
 
 Result<void> Shell::GoTo(const std::string& typed) {

@@ -4,8 +4,10 @@
 #include <gcm_console/completion/live_words.h>
 #include <gcm_console/console.h>
 #include <gcm_console/line/session.h>
+#include <gcm_console/shell/jobs.h>
 #include <gcm_console/shell/words.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,15 +33,22 @@ class Shell {
   /// nothing but what only a process knows, as the names of parameters: 100 ms at most, and only
   /// until it has said it once.
   [[nodiscard]] Completion Complete(const Unfinished& line);
+  /// What the commands behind the prompt have said since the last time, in whole lines; nothing
+  /// where there are none.
+  std::optional<std::string> TakeLines() { return jobs_.TakeLines(); }
 
  private:
-  int RunCommand(const Words& words, const Streams& streams);
+  int RunCommand(const Command& command, const Streams& streams);
+  /// Of those that only make sense between two lines; nothing where it is none of them.
+  std::optional<tendon::Result<void>> RunOwnWord(const Words& words, const Streams& streams);
+  tendon::Result<void> BeginBehind(const Words& words, const Streams& streams);
   std::vector<std::string> LiveWordsOf(WordKind kind, const Words& before);
   tendon::Result<void> GoTo(const std::string& typed);
 
   Session session_;
   const Page page_;
   LiveWords live_words_;
+  Jobs jobs_;
   bool has_ended_ = false;
 };
 

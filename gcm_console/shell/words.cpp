@@ -12,6 +12,8 @@ using tendon::Result;
 
 bool IsBlank(char letter) { return std::isspace(static_cast<unsigned char>(letter)) != 0; }
 
+bool EndsCommand(char letter) { return letter == ';' || letter == '&'; }
+
 class Reader {
  public:
   explicit Reader(std::string_view line) : line_(line) {}
@@ -20,10 +22,9 @@ class Reader {
     while (true) {
       for (; !at_end() && IsBlank(next()); ++place_) is_open_ = false;
       if (at_end() || next() == '#') return {};
-      if (next() == ';') {
-        ++place_;
+      if (EndsCommand(next())) {
         is_open_ = false;
-        EndCommand();
+        EndCommand(line_[place_++] == '&');
         continue;
       }
       begin_ = place_;
@@ -31,11 +32,11 @@ class Reader {
       if (auto word = ReadWord(); !word) return word;
     }
   }
-  void EndCommand() {
-    if (!words_.empty()) commands_.push_back(std::exchange(words_, {}));
+  void EndCommand(bool is_behind) {
+    if (!words_.empty()) commands_.push_back({std::exchange(words_, {}), is_behind});
   }
 
-  [[nodiscard]] std::vector<Words>& commands() { return commands_; }
+  [[nodiscard]] std::vector<Command>& commands() { return commands_; }
   [[nodiscard]] Words& words() { return words_; }
   /// Where the last word begins; the line's end where none was begun.
   [[nodiscard]] std::size_t begin() const { return is_open_ ? begin_ : line_.size(); }
@@ -58,7 +59,7 @@ class Reader {
     return {};
   }
   Result<void> ReadPlain() {
-    while (!at_end() && !IsBlank(next()) && next() != ';') {
+    while (!at_end() && !IsBlank(next()) && !EndsCommand(next())) {
       if (next() == '\\' && place_ + 1 < line_.size()) {
         ++place_;
         Take();
@@ -108,15 +109,15 @@ class Reader {
   bool is_open_ = false;  // the last word may go on
   std::string word_;
   Words words_;
-  std::vector<Words> commands_;
+  std::vector<Command> commands_;
 };
 
 }  // namespace
 
-Result<std::vector<Words>> CommandsOf(std::string_view line) {
+Result<std::vector<Command>> CommandsOf(std::string_view line) {
   Reader reader(line);
   if (auto read = reader.Read(); !read) return read.error();
-  reader.EndCommand();
+  reader.EndCommand(false);
   return std::move(reader.commands());
 }
 
@@ -125,7 +126,7 @@ std::string Quoted(std::string_view word) {
   for (const char letter : word) {
     const bool begins = typed.empty() && (letter == '#' || letter == '{' || letter == '[');
     const bool is_special =
-        letter == ';' || letter == '\'' || letter == '"' || letter == '\\' || IsBlank(letter);
+        EndsCommand(letter) || letter == '\'' || letter == '"' || letter == '\\' || IsBlank(letter);
     if (begins || is_special) typed += '\\';
     typed += letter;
   }

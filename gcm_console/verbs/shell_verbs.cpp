@@ -25,7 +25,8 @@ fs::path HistoryFile() {
 
 ExitCode TypeLines(Shell& shell, const Streams& streams) {
   const auto reader = streams.make_line_reader(
-      HistoryFile(), [&shell](const Unfinished& line) { return shell.Complete(line); });
+      HistoryFile(), [&shell](const Unfinished& line) { return shell.Complete(line); },
+      [&shell] { return shell.TakeLines(); });
   int exit_code = program::kOk;
   while (!shell.has_ended()) {
     const auto line = reader->Read(shell.prompt());

@@ -10,7 +10,10 @@ using Commands = std::vector<Words>;
 Commands Of(const std::string& line) {
   const auto commands = CommandsOf(line);
   EXPECT_TRUE(commands) << line;
-  return commands ? *commands : Commands{};
+  Commands all;
+  if (!commands) return all;
+  for (const Command& command : *commands) all.push_back(command.words);
+  return all;
 }
 
 TEST(Words, StandBetweenBlanks) {
@@ -22,6 +25,16 @@ TEST(Words, ASemicolonEndsACommandAndANumberSignTheLine) {
   EXPECT_EQ(Of("cd robot; ls ;; tree # all; of it"), (Commands{{"cd", "robot"}, {"ls"}, {"tree"}}));
   EXPECT_EQ(Of("# nothing"), Commands{});
   EXPECT_EQ(Of("find a#b"), (Commands{{"find", "a#b"}}));
+}
+
+TEST(Words, AnAmpersandLeavesACommandBehind) {
+  const std::vector<Command> expected = {{{"watch", "a/b/c.d"}, true}, {{"ls"}, false}};
+  for (const char* line : {"watch a/b/c.d & ls", "watch a/b/c.d& & ls", "watch a/b/c.d &ls;"}) {
+    const auto commands = CommandsOf(line);
+    ASSERT_TRUE(commands);
+    EXPECT_EQ(*commands, expected) << line;
+  }
+  EXPECT_EQ(Of("find 'a & b' c\\&d"), (Commands{{"find", "a & b", "c&d"}}));
 }
 
 TEST(Words, QuotesKeepTogetherWhatBelongsTogether) {
@@ -55,7 +68,7 @@ TEST(Words, OfALineThatIsBeingTypedTheLastIsOpen) {
 
 TEST(Words, QuotedTheyAreReadAsTheyWere) {
   for (const char* word :
-       {"lab.json", "my lab; 'new'.json", "#1", "a#1", "[old]", "a\\b\"c", "ä b"}) {
+       {"lab.json", "my lab; 'new'.json", "#1", "a#1", "a&b", "[old]", "a\\b\"c", "ä b"}) {
     EXPECT_EQ(Of("save " + Quoted(word)), (Commands{{"save", word}})) << word;
   }
   EXPECT_EQ(Quoted("lab.json"), "lab.json");

@@ -102,4 +102,9 @@ void Keyboard::Pause() noexcept {
   Prepare();
 }
 
+bool KeyWaits(std::chrono::milliseconds patience) noexcept {
+  pollfd input{.fd = STDIN_FILENO, .events = POLLIN, .revents = 0};
+  return poll(&input, 1, static_cast<int>(patience.count())) > 0;
+}
+
 }  // namespace tendon::os

@@ -35,4 +35,8 @@ class Keyboard {
   bool is_pause_asked_ = false;
 };
 
+/// Whether there is something to read at the standard input, or its end; waits for at most
+/// `patience`, which a signal cuts short.
+[[nodiscard]] bool KeyWaits(std::chrono::milliseconds patience) noexcept;
+
 }  // namespace tendon::os
