@@ -2,15 +2,12 @@
 #include <gcm_console/verb.h>
 #include <tendon/gcm/life/life_plan.h>
 #include <tendon/gcm/lookup.h>
+#include <tendon/gcm/system_file.h>
 #include <tendon/payload/json/strict_json.h>
 #include <tendon/payload/schema.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <ostream>
@@ -59,18 +56,12 @@ Result<std::string> ProcessOf(const Catalog& catalog, const std::string& named) 
 /// From the command line or a file; empty where neither is given.
 Result<std::string> ConfigurationOf(const Arguments& arguments) {
   if (arguments.file.empty()) return arguments.json;
-  constexpr std::size_t kMost = std::size_t{16} << 20U;
-  std::ifstream stream(arguments.file, std::ios::binary);
-  if (!stream) {
-    const ErrorCode code = errno == ENOENT ? ErrorCode::kNotFound : ErrorCode::kInvalid;
-    return Error{code, arguments.file + " cannot be read: " + std::strerror(errno)};
+  auto text = tendon::ReadSystemText(arguments.file);
+  if (!text) return text;
+  if (text->size() > tendon::SystemFile::kMaxSize) {
+    return Error{ErrorCode::kInvalid, arguments.file + " is over 16 MB"};
   }
-  std::string text(kMost + 1, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (stream.bad()) return Error{ErrorCode::kInvalid, arguments.file + " cannot be read"};
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  if (text.size() > kMost) return Error{ErrorCode::kInvalid, arguments.file + " is over 16 MB"};
-  if (text.empty()) {
+  if (text->empty()) {
     return Error{ErrorCode::kInvalid, arguments.file + ": expected a JSON object, found nothing"};
   }
   return text;

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <program/exit_code.h>
+#include <sys/stat.h>
 
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -138,6 +139,26 @@ TEST_F(LifeVerbsTest, WhatIsWrongIsSaidInASentence) {
   ASSERT_TRUE(EventuallySays({"ls"}, "desk\talive")) << desk->err();
   EXPECT_EQ(Gcm({"load", "counter"}).err,
             "gcm: there are several processes: name one of desk, robot\n");
+}
+
+TEST_F(LifeVerbsTest, AConfigurationComesFromARegularFileOrNotAtAll) {
+  Create({"one"});
+  const std::string pipe = (home.path() / "pipe.json").string();
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);  // nobody writes to it: who opens it waits for ever
+  const std::string folder = home.path().string();
+
+  for (const Program::Words& words : {Program::Words{"create", "Counter", "robot/two"},
+                                      Program::Words{"configure", "robot/one"}}) {
+    const auto from = [&](const std::string& file) {
+      Program::Words all = words;
+      all.insert(all.end(), {"--configure", file});
+      return Gcm(all);
+    };
+    EXPECT_EQ(from(pipe).err, "gcm: " + pipe + ": is no regular file\n");
+    EXPECT_EQ(from(folder).err, "gcm: " + folder + ": is a folder, not a file\n");
+    EXPECT_EQ(from(pipe).exit_code, program::kUsage);
+    EXPECT_EQ(from(home.path() / "missing.json").exit_code, program::kNotFound);
+  }
 }
 
 TEST_F(LifeVerbsTest, UndoTakesStepsBackAcrossARestartOfTheGcm) {

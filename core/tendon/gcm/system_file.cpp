@@ -137,7 +137,7 @@ Result<std::string> ReadSystemText(const fs::path& path) {
     return Error{ErrorCode::kNotFound, path.string() + ": there is no such file"};
   }
   if (status.type() == fs::file_type::directory) {
-    return Refused(path, "is a folder, not a system file");
+    return Refused(path, "is a folder, not a file");
   }
   if (reason) return Refused(path, reason.message());
   if (status.type() != fs::file_type::regular) return Refused(path, "is no regular file");

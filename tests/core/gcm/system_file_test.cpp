@@ -407,7 +407,7 @@ TEST(SystemFile, OnlyARegularFileOfSensibleSizeIsRead) {
   std::filesystem::create_symlink(folder.path() / "loop", folder.path() / "loop");
 
   EXPECT_EQ(error("big"), "big: is larger than 16 MB");
-  EXPECT_EQ(error("folder"), "folder: is a folder, not a system file");
+  EXPECT_EQ(error("folder"), "folder: is a folder, not a file");
   EXPECT_EQ(error("none"), "none: there is no such file");
   EXPECT_EQ(error("loop"), "loop: Too many levels of symbolic links");
   EXPECT_EQ(ReadSystemFile(folder.path() / "none").error().code, ErrorCode::kNotFound);
