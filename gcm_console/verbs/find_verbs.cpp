@@ -134,7 +134,9 @@ Result<ExitCode> Status(Context& context) {
     for (const auto& [kind, name, state, detail] : rows) {
       all.push_back({{"kind", kind}, {"name", name}, {"state", state}, {"detail", detail}});
     }
-    context.PrintJson({{"wrong", health.wrong}, {"things", std::move(all)}});
+    context.PrintJson({{"wrong", health.wrong},
+                       {"content_hash", ToString(catalog.ContentHash())},
+                       {"things", std::move(all)}});
     return program::kOk;
   }
   Table table({"WHAT", "NAME", "STATE", "DETAIL"});
