@@ -1,6 +1,7 @@
 #include <gcm_console/outcomes.h>
 #include <gcm_console/report.h>
 #include <gcm_console/verb.h>
+#include <tendon/base/path.h>
 #include <tendon/gcm/life/life_plan.h>
 #include <tendon/gcm/lookup.h>
 
@@ -35,12 +36,25 @@ struct Wording {
   std::string_view done;
 };
 
-/// Which components are meant, and how many of those that a glob names have no use for the verb.
+/// Which components or processes are meant, and how many of those that a glob names have no use for
+/// the verb.
 struct Targets {
   std::vector<Path> paths;
   std::size_t left_out = 0;
   bool has_glob = false;
+
+  /// One that is named by itself is meant, whatever its state.
+  void Add(const Path& path, bool is_of_glob, bool is_of_use) {
+    if (std::ranges::find(paths, path) != paths.end()) return;
+    if (is_of_glob && !is_of_use) {
+      ++left_out;
+    } else {
+      paths.push_back(path);
+    }
+  }
 };
+
+bool IsGlob(const std::string& pattern) { return pattern.find('*') != pattern.npos; }
 
 LifeOrder OrderOf(LifeVerb verb, const Path& path) {
   return {.verb = verb, .process = path.process, .component = path.component};
@@ -49,17 +63,12 @@ LifeOrder OrderOf(LifeVerb verb, const Path& path) {
 Result<Targets> FindTargets(const Catalog& catalog, LifeVerb verb, const Arguments& arguments) {
   Targets targets;
   for (const std::string& pattern : arguments.patterns) {
-    const bool is_glob = pattern.find('*') != std::string::npos;
+    const bool is_glob = IsGlob(pattern);
     const auto found = LookUpComponents(catalog, pattern);
     if (!found) return found.error();
     targets.has_glob = targets.has_glob || is_glob;
     for (const Path& path : *found) {
-      if (std::ranges::find(targets.paths, path) != targets.paths.end()) continue;
-      if (is_glob && !CheckLife(catalog, OrderOf(verb, path))) {
-        ++targets.left_out;
-      } else {
-        targets.paths.push_back(path);
-      }
+      targets.Add(path, is_glob, CheckLife(catalog, OrderOf(verb, path)).ok());
     }
   }
   return targets;
@@ -71,12 +80,20 @@ Result<void> Carry(Context& context, const LifeOrder& order) {
       tendon::GcmClient::kOrdersOfALife);
 }
 
-/// A person at a terminal is asked before a glob changes several.
-bool IsConfirmed(const Context& context, const Wording& wording, const Targets& targets,
-                 const Arguments& arguments) {
-  if (!targets.has_glob || targets.paths.size() < 2 || arguments.yes) return true;
-  std::string question =
-      std::string(wording.infinitive) + ' ' + std::to_string(targets.paths.size()) + " components:";
+void SayWhatIsLeftOut(Context& context, const Targets& targets, std::string_view done) {
+  if (targets.left_out == 0) return;
+  context.err() << "gcm: left out " << targets.left_out << " that "
+                << (targets.left_out == 1 ? "is" : "are") << " in no state to be " << done << '\n';
+}
+
+/// A person at a terminal is asked before a glob changes several; `what` is said of them.
+bool IsConfirmed(const Context& context, std::string_view infinitive, std::string_view what,
+                 const Targets& targets, const Arguments& arguments) {
+  if (!targets.has_glob || targets.paths.size() < 2 || arguments.yes || arguments.dry_run) {
+    return true;
+  }
+  std::string question = std::string(infinitive) + ' ' + std::to_string(targets.paths.size()) +
+                         ' ' + std::string(what) + ':';
   for (const Path& path : targets.paths) question += ' ' + ToString(path);
   return Confirm(context, question);
 }
@@ -87,12 +104,8 @@ Result<ExitCode> Steer(Context& context, const Wording& wording, const Arguments
   const Catalog catalog = (*client)->catalog();
   const auto targets = FindTargets(catalog, wording.verb, arguments);
   if (!targets) return targets.error();
-  if (targets->left_out > 0) {
-    context.err() << "gcm: left out " << targets->left_out << " that "
-                  << (targets->left_out == 1 ? "is" : "are") << " in no state to be "
-                  << wording.done << '\n';
-  }
-  if (!arguments.dry_run && !IsConfirmed(context, wording, *targets, arguments)) {
+  SayWhatIsLeftOut(context, *targets, wording.done);
+  if (!IsConfirmed(context, wording.infinitive, "components", *targets, arguments)) {
     return Declined();
   }
   std::vector<Outcome> outcomes;
@@ -157,15 +170,44 @@ Result<void> Forget(Context& context, const std::string& process) {
       [&](tendon::GcmClient& client, auto handler) { client.Forget(process, std::move(handler)); });
 }
 
+/// Names that nobody has are the GCM's to refuse.
+Result<Targets> FindProcesses(const Catalog& catalog, const ProcessWording& wording,
+                              const Arguments& arguments) {
+  Targets targets;
+  for (const std::string& pattern : arguments.patterns) {
+    if (!IsGlob(pattern)) {
+      targets.Add({.process = pattern}, false, true);
+      continue;
+    }
+    targets.has_glob = true;
+    bool is_found = false;
+    for (const auto& [name, entry] : catalog.processes()) {
+      if (!tendon::MatchesGlob(pattern, name)) continue;
+      is_found = true;
+      targets.Add({.process = name}, true, wording.check(catalog, name).ok());
+    }
+    if (is_found) continue;
+    return Error{ErrorCode::kNotFound,
+                 "no process fits '" + pattern + "'; gcm ls lists what there is"};
+  }
+  return targets;
+}
+
 Result<ExitCode> Carry(Context& context, const ProcessWording& wording,
                        const Arguments& arguments) {
   const auto client = context.Client();
   if (!client) return client.error();
   const Catalog catalog = (*client)->catalog();
+  const auto targets = FindProcesses(catalog, wording, arguments);
+  if (!targets) return targets.error();
+  SayWhatIsLeftOut(context, *targets, wording.done);
+  if (!IsConfirmed(context, wording.infinitive, "processes", *targets, arguments)) {
+    return Declined();
+  }
   std::vector<Outcome> outcomes;
-  for (const std::string& process : arguments.patterns) {
-    outcomes.push_back({process, arguments.dry_run ? wording.check(catalog, process)
-                                                   : wording.carry(context, process)});
+  for (const Path& path : targets->paths) {
+    outcomes.push_back({path.process, arguments.dry_run ? wording.check(catalog, path.process)
+                                                        : wording.carry(context, path.process)});
   }
   PrintOutcomes(context, {wording.infinitive, wording.done, arguments.dry_run}, outcomes);
   return ExitCodeOf(outcomes);
@@ -175,10 +217,12 @@ Verb ProcessVerb(std::string summary, const ProcessWording& wording) {
   return {std::string(wording.infinitive), std::move(summary),
           [wording](CLI::App& app) -> Verb::Run {
             auto arguments = std::make_shared<Arguments>();
-            Names(app.add_option("processes", arguments->patterns, "names of processes"),
+            Names(app.add_option("processes", arguments->patterns,
+                                 "names of processes, or a glob as desk*"),
                   WordKind::kProcess)
                 ->required();
             app.add_flag("--dry-run", arguments->dry_run, "say what would be done, and do nothing");
+            app.add_flag("--yes", arguments->yes, "do not ask before a glob changes several");
             return [=](Context& context) { return Carry(context, wording, *arguments); };
           }};
 }

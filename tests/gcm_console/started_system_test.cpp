@@ -149,6 +149,32 @@ TEST_F(StartedSystemTest, AProcessThatIsToldToEndStaysEnded) {
   EXPECT_TRUE(EventuallySays({"ls", "desk/supervisor"}, "-> robot/arm/Control\n"));
 }
 
+TEST_F(StartedSystemTest, AGlobEndsAndForgetsProcessesOnceAPersonHasAgreed) {
+  Apply();
+  const auto type = [this](const std::string& words, const std::string& answer) {
+    const std::string line =
+        Binary("gcm") + " --gcm " + address + " --timeout " + kPatience + " " + words;
+    return RunProgram(
+        {"/bin/sh", "-c", "printf '" + answer + "\\n' | script -qec \"" + line + "\" /dev/null"});
+  };
+  EXPECT_EQ(Gcm({"kill", "*", "--dry-run"}).out, "desk\twould be ended\nrobot\twould be ended\n");
+  EXPECT_EQ(Gcm({"kill", "x*"}).err, "gcm: no process fits 'x*'; gcm ls lists what there is\n");
+  EXPECT_EQ(Gcm({"kill", "x*"}).exit_code, program::kNotFound);
+
+  const Outcome declined = type("kill '*'", "n");
+  EXPECT_THAT(declined.out, HasSubstr("kill 2 processes: desk robot? [y/N] "));
+  EXPECT_EQ(declined.exit_code, program::kRefused) << declined.out;
+  EXPECT_THAT(Gcm({"ls"}).out, HasSubstr("robot\talive"));
+
+  EXPECT_EQ(Gcm({"kill", "desk"}).exit_code, program::kOk);
+  const Outcome killed = Gcm({"kill", "*"});
+  EXPECT_EQ(killed.exit_code, program::kOk) << killed.err;
+  EXPECT_EQ(killed.out, "robot\tended\n");
+  EXPECT_EQ(killed.err, "gcm: left out 1 that is in no state to be ended\n");
+  EXPECT_THAT(type("forget '*' --yes", "n").out, testing::Not(HasSubstr("[y/N]")));
+  EXPECT_EQ(Gcm({"ls"}).out, "");
+}
+
 TEST_F(StartedSystemTest, WhatTheGcmHasStartedRunsOnWithoutIt) {
   Apply();
   const int robot = PidOf("robot");
