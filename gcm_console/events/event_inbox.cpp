@@ -41,7 +41,7 @@ class EventInbox::Sink final : public tendon::EventSink {
   }
   void OnStale(const tendon::Error& reason) override {
     const std::scoped_lock lock(inbox_->mutex_);
-    inbox_->content_.complaints.push_back(reason.message);
+    inbox_->content_.complaints.push_back({tendon::ErrorCode::kFailed, reason.message});
   }
 
  private:
@@ -76,7 +76,7 @@ void EventInbox::OnChanges(const std::vector<tendon::CatalogChange>& /*changes*/
 
 void EventInbox::OnGcmLost(const tendon::Error& reason) {
   const std::scoped_lock lock(mutex_);
-  content_.complaints.push_back(reason.message);
+  content_.complaints.push_back({tendon::ErrorCode::kUnreachable, reason.message});
 }
 
 }  // namespace console

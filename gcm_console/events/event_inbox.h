@@ -36,7 +36,7 @@ class EventInbox final : public tendon::GcmListener,
     std::vector<tendon::MemberDescription> descriptions;  ///< of the events of those
     std::deque<HeardEvent> events;
     std::map<std::string, std::uint64_t> lost;  ///< since the last time, by path
-    std::vector<std::string> complaints;
+    std::vector<tendon::Error> complaints;      ///< kUnreachable: of the GCM; else of a process
   };
 
   /// Who hears the events of one interface for us.

@@ -144,8 +144,8 @@ std::uint64_t Remark(const EventInbox::Content& content, std::ostream& err) {
         << ": they came faster than they were read\n";
     all += lost;
   }
-  for (const std::string& complaint : content.complaints) {
-    err << "gcm: " << Plain(complaint) << '\n';
+  for (const Error& complaint : content.complaints) {
+    err << "gcm: " << Plain(complaint.message) << '\n';
   }
   return all;
 }
@@ -182,9 +182,7 @@ Result<ExitCode> PrintEvents(Context& context, const EventsOptions& options) {
     }
     context.out().flush();
     lost += Remark(content, context.err());
-    if (options.ends_with_link && !content.complaints.empty()) {
-      broken = Error{ErrorCode::kUnreachable, content.complaints.front()};
-    }
+    if (options.ends_with_link && !content.complaints.empty()) broken = content.complaints.front();
   }
   context.err() << "gcm: " << writer.printed() << " events, " << lost << " lost\n";
   if (broken) return *broken;

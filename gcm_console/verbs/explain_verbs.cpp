@@ -142,6 +142,13 @@ ordered_json ToJson(const Diagnosis& diagnosis) {
           {"rolled_back", std::move(remainders)}};
 }
 
+/// That a process is not reached is no lack of a GCM, which scripts are told by kUnreachable.
+ExitCode ExitCodeOf(const Diagnosis& diagnosis) {
+  if (!diagnosis.failure) return program::kOk;
+  const ErrorCode code = diagnosis.failure->code;
+  return code == ErrorCode::kUnreachable ? program::kRefused : program::ExitCodeOf(code);
+}
+
 struct Ends {
   std::string required;
   std::string provided;
@@ -168,7 +175,7 @@ Result<ExitCode> Explain(Context& context, const Ends& ends) {
   } else {
     Print(*diagnosis, context.out());
   }
-  return diagnosis->failure ? program::ExitCodeOf(diagnosis->failure->code) : program::kOk;
+  return ExitCodeOf(*diagnosis);
 }
 
 }  // namespace

@@ -241,8 +241,17 @@ TEST_F(EventsTest, NoReconnectEndsItInstead) {
 
   hall->Signal(SIGKILL);
 
-  EXPECT_EQ(events->Wait(), program::kUnreachable);
+  EXPECT_EQ(events->Wait(), program::kRefused);
   EXPECT_THAT(events->err(), HasSubstr("gcm: process 'hall' was lost"));
+}
+
+TEST_F(EventsTest, NoReconnectTellsThatTheGcmIsGoneByItsExitCode) {
+  const auto events = Listen({"hall/crier/Voice", "--no-reconnect"});
+  ASSERT_TRUE(EventuallyListens(*events)) << events->err();
+
+  gcm->Signal(SIGKILL);
+
+  EXPECT_EQ(events->Wait(), program::kUnreachable) << events->err();
 }
 
 TEST_F(EventsTest, AComponentThatComesLaterIsHeard) {

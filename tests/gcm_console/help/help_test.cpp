@@ -58,9 +58,9 @@ TEST_F(HelpTest, NoLineIsWiderThanTheTerminal) {
 TEST_F(HelpTest, TheExitCodesAreThoseOfTheProgram) {
   const std::string topic = Typed({"help", "exit-codes"}).out;
 
-  for (const int code :
-       {program::kOk, program::kRefused, program::kUsage, program::kUnreachable, program::kNotFound,
-        program::kIncompatible, program::kTimeout, program::kDenied, program::kInterrupted}) {
+  for (const int code : {program::kOk, program::kRefused, program::kUsage, program::kUnreachable,
+                         program::kNotFound, program::kIncompatible, program::kTimeout,
+                         program::kDenied, program::kPartial, program::kInterrupted}) {
     EXPECT_THAT(topic, HasSubstr("\n  " + std::to_string(code) + " "));
   }
 }
