@@ -70,19 +70,23 @@ Component& LocalManager::Add(std::unique_ptr<Component> component, ComponentOrig
     for (const Entry& entry : entries_) {
       if (entry.component->name() == added.name()) throw ExistsAlready(added.name(), entry.origin);
     }
-    added.Seal();
-    added.SetStateObserver([this] { NotifyChanged(); });
-    // The last of those who wait for its state may let it go without the lock, and those that run
-    // after it hear of it.
-    const auto destroy = [this](Component* one) {
-      const auto destroyed = Lock();
-      delete one;
-    };
-    entries_.push_back({{component.release(), destroy}, std::move(origin)});
-    if (const auto* task = dynamic_cast<const Task*>(&added)) watchdog_.Watch(*task);
+    entries_.push_back(MakeEntry(std::move(component), std::move(origin)));
+    TakeIn(added);
   }
   NotifyChanged();
   return added;
+}
+
+LocalManager::Entry LocalManager::MakeEntry(std::unique_ptr<Component> component,
+                                            ComponentOrigin origin) {
+  component->Seal();
+  // The last of those who wait for its state may let it go without the lock, and those that run
+  // after it hear of it.
+  const auto destroy = [this](Component* one) {
+    const auto destroyed = Lock();
+    delete one;
+  };
+  return {{component.release(), destroy}, std::move(origin)};
 }
 
 Result<void> LocalManager::Remove(const std::string& component, Patience patience) {
@@ -129,12 +133,21 @@ Result<void> LocalManager::TryTakeOut(const std::shared_ptr<Component>& componen
                    "component '" + component->name() + "' is not removed: " + left.error().message};
     }
   }
-  OnRemoving(*component);  // once more: others could connect to it while it was stopping
-  DisconnectAll(component->name());
-  component->SetStateObserver(nullptr);
-  watchdog_.Forget(*component);
+  LetGo(*component);  // once more: others could connect to it while it was stopping
   std::erase_if(entries_, [&](const Entry& one) { return one.component == component; });
   return {};
+}
+
+void LocalManager::TakeIn(Component& component) {
+  component.SetStateObserver([this] { NotifyChanged(); });
+  if (const auto* task = dynamic_cast<const Task*>(&component)) watchdog_.Watch(*task);
+}
+
+void LocalManager::LetGo(Component& component) {
+  OnRemoving(component);
+  DisconnectAll(component.name());
+  component.SetStateObserver(nullptr);
+  watchdog_.Forget(component);
 }
 
 Result<void> LocalManager::Retry(Patience patience,
@@ -157,25 +170,30 @@ Result<void> LocalManager::Retry(Patience patience,
 
 Result<ConnectionId> LocalManager::Connect(const InterfaceName& required,
                                            const InterfaceName& provided) {
-  ConnectionId id = 0;
-  {
+  const auto joined = [&] {
     const auto lock = Lock();
-    const auto client = FindRequired(required);
-    if (!client) return client.error();
-    const auto server = FindProvided(provided);
-    if (!server) return server.error();
-    auto connection = Connection::Make(**client, **server, ToString(required), ToString(provided));
-    if (!connection) return connection.error();
-    id = NextConnectionId();
-    connections_[id] = {.description = {.id = id,
-                                        .required = required,
-                                        .provided = provided,
-                                        .state = ConnectionState::kActive,
-                                        .reason = {},
-                                        .converted = (*connection)->converted()},
-                        .connection = std::move(*connection)};
-  }
-  NotifyChanged();
+    return Join(required, provided);
+  }();
+  if (joined) NotifyChanged();
+  return joined;
+}
+
+Result<ConnectionId> LocalManager::Join(const InterfaceName& required,
+                                        const InterfaceName& provided) {
+  const auto client = FindRequired(required);
+  if (!client) return client.error();
+  const auto server = FindProvided(provided);
+  if (!server) return server.error();
+  auto connection = Connection::Make(**client, **server, ToString(required), ToString(provided));
+  if (!connection) return connection.error();
+  const ConnectionId id = NextConnectionId();
+  connections_[id] = {.description = {.id = id,
+                                      .required = required,
+                                      .provided = provided,
+                                      .state = ConnectionState::kActive,
+                                      .reason = {},
+                                      .converted = (*connection)->converted()},
+                      .connection = std::move(*connection)};
   return id;
 }
 

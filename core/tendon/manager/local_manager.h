@@ -72,6 +72,14 @@ class LocalManager {
   /// then, without its connections.
   Result<void> Remove(const std::string& component, Patience patience = kPatience);
 
+  /// Puts `component` in the place of the one of its name, which is destroyed: nobody finds none
+  /// meanwhile, and observers see one change. It runs after the same leader, and has those
+  /// connections within this process that it fits; what it has across the network ends. kFailed
+  /// where the one of its name is not at rest, or others run after it; kTimeout as RunAfter():
+  /// nothing has changed then.
+  Result<void> Replace(std::unique_ptr<Component> component, ComponentOrigin origin,
+                       Patience patience = kPatience);
+
   /// Connects a required to a provided interface, at any time. Errors: kNotFound with a suggestion,
   /// kExists, kIncompatible with the reason. An end without a process means this process.
   virtual Result<ConnectionId> Connect(const InterfaceName& required,
@@ -153,6 +161,8 @@ class LocalManager {
     std::unique_ptr<Connection> connection;
   };
 
+  /// Ready to be taken in.
+  Entry MakeEntry(std::unique_ptr<Component> component, ComponentOrigin origin);
   [[nodiscard]] ComponentDescription Describe(const Entry& entry) const;
   [[nodiscard]] Result<std::shared_ptr<Component>> Require(const std::string& component) const;
   /// All of them, each after the one it runs after.
@@ -169,12 +179,19 @@ class LocalManager {
   [[nodiscard]] Result<ConnectionId> FindConnection(const InterfaceName& required) const;
   /// Closes a connection and says what that has dropped.
   static void Close(const LocalConnection& connection, std::chrono::milliseconds patience);
+  /// With the lock held; tells nobody.
+  Result<ConnectionId> Join(const InterfaceName& required, const InterfaceName& provided);
   void DisconnectAll(const std::string& component);
   /// Tries with the lock held, again and again until it is no kTimeout; others get it in between.
   Result<void> Retry(Patience patience, const std::function<Result<void>(SteadyTime)>& attempt);
   Result<void> TryRunAfter(const std::string& component, const std::string& leader,
                            SteadyTime deadline);
   Result<void> TryTakeOut(const std::shared_ptr<Component>& component, SteadyTime deadline);
+  /// What was in its place is in `given` afterwards.
+  Result<void> TryReplace(Entry& given, SteadyTime deadline);
+  void PutInPlace(Entry& given, Component& former);
+  void TakeIn(Component& component);
+  void LetGo(Component& component);
 
   mutable std::recursive_mutex mutex_;
   std::vector<Entry> entries_;

@@ -22,6 +22,10 @@ Result<void> WithoutLock(std::unique_lock<std::recursive_mutex>& lock, const aut
   return body();
 }
 
+Error NotReplaced(const std::string& component, const std::string& why) {
+  return {ErrorCode::kFailed, "component '" + component + "' is not replaced, for " + why};
+}
+
 }  // namespace
 
 Result<void> LocalManager::Start(const std::string& component, Patience patience) {
@@ -136,6 +140,59 @@ Result<RunSettings> LocalManager::SettingsOf(const std::string& component) const
     if (leader == found->get()) settings.followers.push_back(task->name());
   }
   return settings;
+}
+
+Result<void> LocalManager::Replace(std::unique_ptr<Component> component, ComponentOrigin origin,
+                                   Patience patience) {
+  if (!component) throw ConfigurationError("LocalManager::Replace: null component");
+  Entry given = MakeEntry(std::move(component), std::move(origin));
+  const auto replaced =
+      Retry(patience, [&](SteadyTime deadline) { return TryReplace(given, deadline); });
+  if (replaced) NotifyChanged();
+  return replaced;
+}
+
+/// Nothing is changed before all that may refuse has agreed.
+Result<void> LocalManager::TryReplace(Entry& given, SteadyTime deadline) {
+  Component& made = *given.component;
+  const std::string& name = made.name();
+  const auto present = Require(name);
+  if (!present) return present.error();
+  Component& former = **present;
+  if (turns_.IsInUse(former)) return TurnTaken(name);
+  if (!former.is_at_rest()) return NotReplaced(name, "it runs; stop it first");
+  const auto settings = SettingsOf(name);
+  if (!settings->followers.empty()) {
+    return NotReplaced(name, "'" + settings->followers.front() + "' runs after it");
+  }
+  if (const auto leader = Require(settings->leader)) {
+    auto* const follower = dynamic_cast<ThreadedTask*>(&made);
+    if (follower == nullptr) {
+      return NotReplaced(name,
+                         "the new one has no thread to give up to '" + settings->leader + "'");
+    }
+    const auto left = dynamic_cast<Task&>(former).LeaveLeader(deadline);
+    if (!left) return left;
+    const auto joined = follower->RunAfter(dynamic_cast<Task&>(**leader));
+    if (!joined) return joined;
+  }
+  PutInPlace(given, former);
+  return {};
+}
+
+void LocalManager::PutInPlace(Entry& given, Component& former) {
+  const std::string& name = former.name();
+  std::vector<ConnectionDescription> own;
+  for (const auto& [id, connection] : connections_) {
+    const ConnectionDescription& ends = connection.description;
+    if (ends.required.component == name || ends.provided.component == name) own.push_back(ends);
+  }
+  LetGo(former);
+  const auto place =
+      std::ranges::find(entries_, &former, [](const Entry& one) { return one.component.get(); });
+  std::swap(*place, given);
+  TakeIn(*place->component);
+  for (const ConnectionDescription& ends : own) (void)Join(ends.required, ends.provided);
 }
 
 LocalManager::Components LocalManager::InOrder() const {

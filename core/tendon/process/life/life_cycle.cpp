@@ -208,14 +208,12 @@ LifeCycle::Outcome LifeCycle::Configure(const Given& given) {
   outcome.former = before->configuration;
   outcome.configuration = made->origin.configuration;
   const auto connections = ConnectionsOf(component);
-  if (auto removed = TakeOut(component, given.deadline); !removed) return removed.error();
-  if (auto added = Add(*std::move(made)); !added) return added.error();
-  Result<void> whole;
-  if (!settings->leader.empty()) {
-    whole = parts_.manager.RunAfter(component, settings->leader, Left(given.deadline));
+  if (auto replaced = parts_.manager.Replace(std::move(made->component), std::move(made->origin),
+                                             Left(given.deadline));
+      !replaced) {
+    return replaced.error();
   }
-  if (const auto connected = Reconnect(connections); whole) whole = connected;
-  if (!whole) outcome.warning = whole.error().message;
+  if (const auto whole = Reconnect(connections); !whole) outcome.warning = whole.error().message;
   return outcome;
 }
 
@@ -320,7 +318,7 @@ Result<void> LifeCycle::Add(ComponentMaker::Made made) {
   }
 }
 
-/// Each is tried; the error names the first that is missing now.
+/// Each that is missing is tried; the error names the first that is missing still.
 Result<void> LifeCycle::Reconnect(const std::vector<ConnectionDescription>& connections) {
   Result<void> outcome;
   for (const ConnectionDescription& one : connections) {
