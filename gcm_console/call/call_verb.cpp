@@ -1,6 +1,8 @@
 #include <gcm_console/call/argument_words.h>
+#include <gcm_console/report.h>
 #include <gcm_console/verb.h>
 #include <tendon/gcm/lookup.h>
+#include <tendon/payload/json.h>
 #include <tendon/payload/json/strict_json.h>
 
 #include <CLI/CLI.hpp>
@@ -16,6 +18,7 @@ namespace {
 struct CallWords {
   std::string path;
   std::vector<std::string> argument;
+  bool dry_run = false;
 };
 
 /// As JSON; empty where there is none. What is wrong with the command itself whoever calls it says.
@@ -38,16 +41,53 @@ Result<std::string> ArgumentFor(Context& context, const CallWords& words) {
   return ArgumentOf(*schema, words.path, words.argument);
 }
 
+/// Whether the process would be sent the call: all that is known before.
+Result<void> CheckCall(Context& context, const std::string& text, const std::string& argument) {
+  const auto path = tendon::ParsePath(text);
+  if (!path) return path.error();
+  const auto client = context.Client();
+  if (!client) return client.error();
+  const tendon::Catalog catalog = (*client)->catalog();
+  const auto command = LookUpCommand(catalog, *path);
+  if (!command) return command.error();
+  const auto present = RequirePresent(catalog.FindProcess(path->process)->process);
+  if (!present) return present;
+  const bool is_given = !argument.empty() && argument != "null";
+  if (!TakesArgument(command->signature)) {
+    if (!is_given) return {};
+    return tendon::Error{tendon::ErrorCode::kInvalid, text + " takes no argument"};
+  }
+  const auto schema = context.Ask<tendon::Schema>([&](tendon::GcmClient& asked, auto handler) {
+    asked.GetSchema(path->process, command->signature.in, handler);
+  });
+  if (!schema) return schema.error();
+  const auto value = tendon::FromJson(*schema, argument);
+  if (value) return {};
+  return tendon::Error{tendon::ErrorCode::kInvalid, text + ": " + value.error().message};
+}
+
+Result<ExitCode> SayWhatWouldBeCalled(Context& context, const std::string& path,
+                                      const std::string& argument) {
+  if (const auto checked = CheckCall(context, path, argument); !checked) return checked.error();
+  if (context.settings().json) {
+    context.PrintJson({{"path", path}, {"value", nullptr}, {"dry_run", true}});
+  } else {
+    context.out() << Plain(path) << "\twould be called\n";
+  }
+  return program::kOk;
+}
+
 Result<ExitCode> Call(Context& context, const CallWords& words) {
   const auto argument = ArgumentFor(context, words);
   if (!argument) return argument.error();
+  if (words.dry_run) return SayWhatWouldBeCalled(context, words.path, *argument);
   const auto answer = context.Ask<std::string>([&](tendon::GcmClient& client, auto handler) {
     client.Call(words.path, *argument, handler);
   });
   if (!answer) return answer.error();
   if (context.settings().json) {
     const auto value = tendon::JsonOrText(answer->empty() ? "null" : *answer);
-    context.PrintJson({{"path", words.path}, {"value", value}});
+    context.PrintJson({{"path", words.path}, {"value", value}, {"dry_run", false}});
   } else if (!answer->empty()) {
     context.out() << *answer << '\n';
   }
@@ -70,6 +110,8 @@ std::vector<Verb> ActVerbs() {
                                   "stdin"),
                    WordKind::kArgument)
                  ->allow_extra_args(false);  // which would take a list apart
+             app.add_flag("--dry-run", words->dry_run,
+                          "say whether it would be called, and do nothing");
              return [words](Context& context) { return Call(context, *words); };
            },
            {"gcm call robot/arm/Control.Stop",

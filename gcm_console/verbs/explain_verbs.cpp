@@ -8,6 +8,8 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <thread>
+#include <vector>
 
 namespace console {
 namespace {
@@ -92,6 +94,20 @@ Result<std::chrono::microseconds> RoundTrip(Context& context, const std::string&
                                                                begin);
 }
 
+/// What is wrong with a connection that stands, as far as its process tells: it is looked at twice.
+std::vector<tendon::ConnectionFlaw> AskForFlaws(Context& context, const InterfaceName& required) {
+  constexpr std::chrono::milliseconds kBetween(500);
+  const auto counts = [&] {
+    return context.Ask<tendon::ConnectionCounts>(
+        [&](tendon::GcmClient& client, auto handler) { client.GetCounts(required, handler); });
+  };
+  const auto before = counts();
+  if (!before) return {};
+  std::this_thread::sleep_for(kBetween);
+  const auto now = counts();
+  return now ? FlawsOf(*now, *before) : std::vector<tendon::ConnectionFlaw>();
+}
+
 Result<tendon::ConnectionCounts> Served(Context& context, const Diagnosis& diagnosis) {
   return context.Ask<tendon::ConnectionCounts>(
       [&](tendon::GcmClient& client, auto handler) { client.GetServed(diagnosis.wire, handler); });
@@ -166,6 +182,9 @@ Result<ExitCode> Explain(Context& context, const Ends& ends) {
   if (!provided) return provided.error();
   auto diagnosis = Diagnose(catalog, {*required, *provided});
   if (!diagnosis) return diagnosis.error();
+  if (!diagnosis->failure && diagnosis->is_connected) {
+    AddHealth(*diagnosis, AskForFlaws(context, *required));
+  }
   if (!diagnosis->failure) {
     AddRoundTrip(*diagnosis, RoundTrip(context, provided->process));
   }

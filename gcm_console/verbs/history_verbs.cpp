@@ -2,6 +2,7 @@
 #include <gcm_console/verb.h>
 #include <program/command_line.h>
 #include <tendon/gcm/history.h>
+#include <tendon/gcm/life/undo_check.h>
 #include <tendon/gcm/text/step_text.h>
 #include <tendon/gcm/text/wall_time.h>
 
@@ -46,6 +47,7 @@ struct UndoWords {
   int count = 1;
   std::uint64_t step = 0;
   bool skip = false;
+  bool dry_run = false;
 };
 
 /// What came of an undo of several steps.
@@ -75,13 +77,15 @@ Result<HistoryEntry> UndoOne(Context& context, const UndoWords& words, Undone& u
   }
 }
 
-void Print(Context& context, const Undone& undone) {
+void Print(Context& context, const Undone& undone, bool is_dry) {
   if (context.settings().json) {
     ordered_json steps = ordered_json::array();
     for (const auto& step : undone.steps) steps.push_back(ToJson(step));
     ordered_json passed_over = ordered_json::array();
     for (const auto& step : undone.passed_over) passed_over.push_back(ToJson(step));
-    context.PrintJson({{"undone", std::move(steps)}, {"passed_over", std::move(passed_over)}});
+    context.PrintJson({{"undone", std::move(steps)},
+                       {"passed_over", std::move(passed_over)},
+                       {"dry_run", is_dry}});
     return;
   }
   for (const auto& step : undone.passed_over) {
@@ -91,11 +95,43 @@ void Print(Context& context, const Undone& undone) {
   for (const auto& step : undone.steps) {
     const std::string now =
         step.verb == "replace" ? "; it is connected to " + ToString(step.former) : "";
-    context.out() << "undone: " << Plain(tendon::ToString(step) + now) << '\n';
+    context.out() << (is_dry ? "would be undone: " : "undone: ")
+                  << Plain(tendon::ToString(step) + now) << '\n';
   }
 }
 
+Result<tendon::message::History> AskForHistory(Context& context) {
+  return context.Ask<tendon::message::History>(
+      [](tendon::GcmClient& client, auto handler) { client.GetHistory(handler); });
+}
+
+/// Only the newest is checked: how things are when it is undone, which the others build on, nobody
+/// knows yet.
+Result<ExitCode> SayWhatWouldBeUndone(Context& context, const UndoWords& words) {
+  const auto history = AskForHistory(context);
+  if (!history) return history.error();
+  const auto client = context.Client();
+  if (!client) return client.error();
+  Undone undone;
+  for (auto step = history->entries.rbegin(); step != history->entries.rend(); ++step) {
+    if (undone.steps.size() == static_cast<std::size_t>(words.count)) break;
+    if (!step->undone && !step->passed_over) undone.steps.push_back(*step);
+  }
+  if (undone.steps.empty()) return Error{ErrorCode::kFailed, "there is nothing to undo"};
+  const HistoryEntry& newest = undone.steps.front();
+  if (words.step != 0 && newest.id != words.step) {
+    return Error{ErrorCode::kFailed, "step " + std::to_string(words.step) +
+                                         " is not the newest any more, but " +
+                                         tendon::WholeText(newest) + "; see: gcm history"};
+  }
+  const auto checked = CheckUndoOf((*client)->catalog(), newest);
+  if (!checked) return checked.error();
+  Print(context, undone, words.dry_run);
+  return program::kOk;
+}
+
 Result<ExitCode> Undo(Context& context, const UndoWords& words) {
+  if (words.dry_run) return SayWhatWouldBeUndone(context, words);
   Undone undone;
   while (!undone.error && undone.steps.size() < static_cast<std::size_t>(words.count)) {
     auto step = UndoOne(context, words, undone);
@@ -106,15 +142,14 @@ Result<ExitCode> Undo(Context& context, const UndoWords& words) {
     }
   }
   if (undone.steps.empty() && undone.passed_over.empty()) return *undone.error;
-  Print(context, undone);
+  Print(context, undone, words.dry_run);
   if (!undone.error) return program::kOk;
   context.streams().err << "gcm: " << Plain(undone.error->message) << '\n';
   return undone.steps.empty() ? program::ExitCodeOf(undone.error->code) : program::kPartial;
 }
 
 Result<ExitCode> History(Context& context, std::size_t count) {
-  const auto history = context.Ask<tendon::message::History>(
-      [](tendon::GcmClient& client, auto handler) { client.GetHistory(handler); });
+  const auto history = AskForHistory(context);
   if (!history) return history.error();
   const auto& all = history->entries;
   const std::vector<HistoryEntry> newest(
@@ -152,8 +187,12 @@ std::vector<Verb> HistoryVerbs() {
                         "only this one, where it still is the newest; gcm history has the numbers")
              ->check(&program::CheckCount)
              ->excludes(count);
-         app.add_flag("--skip", words->skip,
-                      "pass over those that cannot be undone as things are, for good");
+         auto* const skip =
+             app.add_flag("--skip", words->skip,
+                          "pass over those that cannot be undone as things are, for good");
+         app.add_flag("--dry-run", words->dry_run,
+                      "say what would be undone, and whether the first can be; do nothing")
+             ->excludes(skip);
          return [words](Context& context) { return Undo(context, *words); };
        }},
       {"history", "list the changes of the system, with who made them and when",

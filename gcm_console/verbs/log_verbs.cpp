@@ -2,6 +2,7 @@
 #include <gcm_console/verb.h>
 #include <tendon/base/os/termination.h>
 #include <tendon/base/path.h>
+#include <tendon/gcm/lookup.h>
 #include <tendon/gcm/text/wall_time.h>
 
 #include <CLI/CLI.hpp>
@@ -141,17 +142,31 @@ Result<ExitCode> ShowLog(Context& context, const LogOptions& options) {
 struct LevelOrder {
   std::string process;
   std::string level;
+  bool dry_run = false;
 };
 
+/// Whether the process is there to be told.
+Result<void> CheckOrder(Context& context, const LevelOrder& order) {
+  const auto client = context.Client();
+  if (!client) return client.error();
+  const tendon::Catalog catalog = (*client)->catalog();
+  const auto entry = LookUpProcess(catalog, order.process);
+  return entry ? RequirePresent((*entry)->process) : Result<void>(entry.error());
+}
+
 Result<ExitCode> SetLevel(Context& context, const LevelOrder& order) {
-  const auto set = context.Ask<void>([&](tendon::GcmClient& client, auto handler) {
-    client.SetLogLevel(order.process, LevelOf(order.level), handler);
-  });
+  const auto set = order.dry_run
+                       ? CheckOrder(context, order)
+                       : context.Ask<void>([&](tendon::GcmClient& client, auto handler) {
+                           client.SetLogLevel(order.process, LevelOf(order.level), handler);
+                         });
   if (!set) return set.error();
   if (context.settings().json) {
-    context.PrintJson({{"process", order.process}, {"level", order.level}});
+    context.PrintJson(
+        {{"process", order.process}, {"level", order.level}, {"dry_run", order.dry_run}});
   } else {
-    context.out() << order.process << "  logs " << order.level << " and above\n";
+    context.out() << order.process << (order.dry_run ? "  would log " : "  logs ") << order.level
+                  << " and above\n";
   }
   return program::kOk;
 }
@@ -180,6 +195,7 @@ std::vector<Verb> LogVerbs() {
          app.add_option("level", order->level, "debug, info, warning or error")
              ->required()
              ->check(CLI::IsMember(LevelNames()));
+         app.add_flag("--dry-run", order->dry_run, "say what would be set, and do nothing");
          return [order](Context& context) { return SetLevel(context, *order); };
        }},
   };

@@ -52,21 +52,32 @@ struct Saved {
   std::vector<std::string> left_out = {};
 };
 
-Result<ExitCode> Write(Context& context, const std::string& file, const Saved& saved) {
+struct SaveWords {
+  std::string file;
+  bool dry_run = false;
+};
+
+Result<ExitCode> Write(Context& context, const SaveWords& words, const Saved& saved) {
   const SystemFile& system = saved.file;
-  if (const auto written = WriteSystemFile(file, system); !written) return written.error();
+  const auto& [file, is_dry] = words;
+  if (const auto text = SystemFileText(system); !text) return text.error();
+  if (!is_dry) {
+    if (const auto written = WriteSystemFile(file, system); !written) return written.error();
+  }
   if (context.settings().json) {
     context.PrintJson({{"file", file},
                        {"processes", system.processes.size()},
                        {"components", ComponentsOf(system)},
                        {"connections", system.connections.size()},
                        {"kept", saved.kept},
-                       {"left_out", saved.left_out}});
+                       {"left_out", saved.left_out},
+                       {"dry_run", is_dry}});
     return program::kOk;
   }
   context.out() << file << "  " << Counted(system.processes.size(), "process") << ", "
                 << Counted(ComponentsOf(system), "component") << ", "
-                << Counted(system.connections.size(), "connection") << '\n';
+                << Counted(system.connections.size(), "connection")
+                << (is_dry ? "; would be written" : "") << '\n';
   for (const auto* sentences : {&saved.kept, &saved.left_out}) {
     for (const std::string& one : *sentences) context.err() << "gcm: " << Plain(one) << '\n';
   }
@@ -77,6 +88,7 @@ struct ImportWords {
   std::string from;
   std::string to;
   std::string process;
+  bool dry_run = false;
 };
 
 /// What is there is never overwritten, for nothing of it would be left.
@@ -91,7 +103,7 @@ Result<ExitCode> Import(Context& context, const ImportWords& words) {
                  words.to + " is there already: give another file, or remove this"};
   }
   imported->file.name = std::filesystem::path(words.to).stem().string();
-  return Write(context, words.to,
+  return Write(context, {words.to, words.dry_run},
                {.file = std::move(imported->file), .left_out = std::move(imported->left_out)});
 }
 
@@ -105,18 +117,18 @@ Result<std::optional<SystemFile>> FormerOf(const std::string& file) {
                former.error().message + "; nothing is saved: give another file, or remove this"};
 }
 
-Result<ExitCode> Save(Context& context, const std::string& file) {
-  const auto former = FormerOf(file);
+Result<ExitCode> Save(Context& context, const SaveWords& words) {
+  const auto former = FormerOf(words.file);
   if (!former) return former.error();
   const auto client = context.Client();
   if (!client) return client.error();
-  const std::string stem = std::filesystem::path(file).stem().string();
+  const std::string stem = std::filesystem::path(words.file).stem().string();
   const std::string name = *former ? (*former)->name : stem;
   tendon::RunningSystem running = SystemOf((*client)->catalog(), name);
   std::vector<std::string> kept;
   if (*former) kept = KeepFrom(**former, running);
   auto left_out = running.LeftOut();
-  return Write(context, file, {std::move(running.file), std::move(kept), std::move(left_out)});
+  return Write(context, words, {std::move(running.file), std::move(kept), std::move(left_out)});
 }
 
 struct Marks {
@@ -336,11 +348,12 @@ std::vector<Verb> SystemVerbs() {
   return {
       {"save", "write down what runs in a system file",
        [](CLI::App& app) -> Verb::Run {
-         auto file = std::make_shared<std::string>();
-         Names(app.add_option("file", *file, "system file to make, or to bring up to date"),
+         auto words = std::make_shared<SaveWords>();
+         Names(app.add_option("file", words->file, "system file to make, or to bring up to date"),
                WordKind::kFile)
              ->required();
-         return [file](Context& context) { return Save(context, *file); };
+         app.add_flag("--dry-run", words->dry_run, "say what would be written, and do nothing");
+         return [words](Context& context) { return Save(context, *words); };
        }},
       {"import", "make a system file of a file of the cisst component manager",
        [](CLI::App& app) -> Verb::Run {
@@ -350,6 +363,7 @@ std::vector<Verb> SystemVerbs() {
              ->required();
          Names(app.add_option("to", words->to, "system file to make"), WordKind::kFile)->required();
          app.add_option("--process", words->process, "which process it is to be in")->required();
+         app.add_flag("--dry-run", words->dry_run, "say what would be written, and do nothing");
          return [words](Context& context) { return Import(context, *words); };
        }},
       {"diff", "say in what a system file differs from what runs, or from another file",

@@ -3,6 +3,7 @@
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/reports/counts_text.h>
 #include <tendon/base/path.h>
+#include <tendon/gcm/wiring/connection_health.h>
 
 #include <QPointer>
 #include <algorithm>
@@ -13,32 +14,27 @@ namespace tendon::gui {
 namespace {
 
 constexpr std::chrono::seconds kBetween{1};
-constexpr std::chrono::milliseconds kLate{100};
-constexpr double kFull = 0.8;  // of a mailbox
 
-/// By how much a counter has grown; one that is smaller has begun anew.
-std::uint64_t Growth(std::uint64_t now, std::uint64_t before) {
-  return now >= before ? now - before : now;
+QString TextOf(const ConnectionFlaw& flaw) {
+  switch (flaw.kind) {
+    case ConnectionFlaw::Kind::kCallsRefused:
+      return Words::tr("%1 calls found no room").arg(flaw.count);
+    case ConnectionFlaw::Kind::kEventsLost:
+      return Words::tr("%1 events were lost").arg(flaw.count);
+    case ConnectionFlaw::Kind::kMailboxFull:
+      return Words::tr("%1 of %2 calls wait").arg(flaw.count).arg(flaw.capacity);
+    case ConnectionFlaw::Kind::kLate:
+      break;
+  }
+  const double seconds = std::chrono::duration<double>(flaw.round_trip).count();
+  return Words::tr("answers after ") + DurationText(seconds);
 }
 
 }  // namespace
 
 QString HealthWarning(const ConnectionCounts& now, const std::optional<ConnectionCounts>& before) {
   QStringList warnings;
-  if (before && Growth(now.refused, before->refused) > 0) {
-    warnings.append(Words::tr("%1 calls found no room").arg(now.refused));
-  }
-  if (before && Growth(now.lost_events, before->lost_events) > 0) {
-    warnings.append(Words::tr("%1 events were lost").arg(now.lost_events));
-  }
-  if (now.capacity > 0 &&
-      static_cast<double>(now.waiting) >= kFull * static_cast<double>(now.capacity)) {
-    warnings.append(Words::tr("%1 of %2 calls wait").arg(now.waiting).arg(now.capacity));
-  }
-  if (now.round_trip > kLate) {
-    const double seconds = std::chrono::duration<double>(now.round_trip).count();
-    warnings.append(Words::tr("answers after ") + DurationText(seconds));
-  }
+  for (const ConnectionFlaw& flaw : FlawsOf(now, before)) warnings.append(TextOf(flaw));
   return warnings.join(QStringLiteral("; "));
 }
 

@@ -210,6 +210,24 @@ Result<Diagnosis> Diagnose(const Catalog& catalog, const message::Wire& wire) {
   return std::move(examination).Take();
 }
 
+void AddHealth(Diagnosis& diagnosis, const std::vector<ConnectionFlaw>& flaws) {
+  if (diagnosis.failure || flaws.empty()) return;
+  constexpr std::size_t kMade = 5;
+  const std::string& provider = diagnosis.wire.provided.process;
+  const bool is_late = flaws.front().kind == ConnectionFlaw::Kind::kLate;
+  DiagnosisStep& step = is_late ? diagnosis.steps.back() : diagnosis.steps.at(kMade);
+  std::string text = is_late ? "process '" + provider + "' " : "it is made, but ";
+  for (const ConnectionFlaw& flaw : flaws) {
+    text += (&flaw == &flaws.front() ? "" : "; ") + ToString(flaw);
+  }
+  step = {Verdict::kBad,
+          text,
+          is_late ? "look at process '" + provider + "', and at the network on the way to it"
+                  : "see which of the two does not keep up: gcm top",
+          {}};
+  diagnosis.failure = Error{ErrorCode::kFailed, step.text + "; " + step.fix};
+}
+
 void AddRoundTrip(Diagnosis& diagnosis, const Result<std::chrono::microseconds>& round_trip) {
   if (diagnosis.failure) return;
   DiagnosisStep& step = diagnosis.steps.back();

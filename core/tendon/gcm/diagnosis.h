@@ -2,6 +2,7 @@
 
 #include <tendon/base/result.h>
 #include <tendon/gcm/catalog.h>
+#include <tendon/gcm/wiring/connection_health.h>
 #include <tendon/interface/compatibility.h>
 #include <tendon/process/membership_messages.h>
 
@@ -48,6 +49,10 @@ struct Diagnosis {
 /// signatures, and how the connection is doing where it is wanted already. Errors: kInvalid and
 /// kNotFound where an end is not in the catalogue at all, unless a connection waits for it.
 Result<Diagnosis> Diagnose(const Catalog& catalog, const message::Wire& wire);
+
+/// What is wrong with a connection that stands, which a catalogue cannot know either: what it loses
+/// is of step 6, what is late of step 7. Does nothing where a step is bad already.
+void AddHealth(Diagnosis& diagnosis, const std::vector<ConnectionFlaw>& flaws);
 
 /// The last step, which a catalogue cannot know: how long the provider's process took to answer, or
 /// why it did not. Does nothing where an earlier step is bad.

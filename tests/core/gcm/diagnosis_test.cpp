@@ -157,6 +157,33 @@ TEST_F(DiagnosisTest, FindsAProcessThatDoesNotAnswer) {
   ExpectBad(diagnosis, 7, ErrorCode::kTimeout, "no answer");
 }
 
+TEST_F(DiagnosisTest, FindsAConnectionThatStandsAndLoses) {
+  Connect(ConnectionState::kActive);
+  Diagnosis diagnosis = Examine();
+  const ConnectionCounts before{.capacity = 10, .refused = 3};
+
+  AddHealth(diagnosis, FlawsOf(before, before));
+  EXPECT_FALSE(diagnosis.failure);
+  AddHealth(diagnosis, FlawsOf({.capacity = 10, .waiting = 8, .refused = 4}, before));
+  AddRoundTrip(diagnosis, 800us);
+
+  ExpectBad(diagnosis, 6, ErrorCode::kFailed,
+            "it is made, but 4 calls found no room; 8 of 10 calls wait");
+  EXPECT_EQ(diagnosis.steps[5].fix, "see which of the two does not keep up: gcm top");
+}
+
+TEST_F(DiagnosisTest, FindsAConnectionThatStandsAndIsLate) {
+  Connect(ConnectionState::kActive);
+  Diagnosis diagnosis = Examine();
+
+  AddHealth(diagnosis, FlawsOf({.round_trip = 100ms}, std::nullopt));
+  EXPECT_FALSE(diagnosis.failure);
+  AddHealth(diagnosis, FlawsOf({.round_trip = 250ms}, std::nullopt));
+  AddRoundTrip(diagnosis, 800us);
+
+  ExpectBad(diagnosis, 7, ErrorCode::kFailed, "process 'robot' answers after 250 ms");
+}
+
 TEST_F(DiagnosisTest, OfSomethingThatIsNotThereIsAnError) {
   EXPECT_EQ(Diagnose(catalog_, {kWire.required, {"robot", "arn", "Control"}}).error().code,
             ErrorCode::kNotFound);

@@ -2,6 +2,9 @@
 #include <gtest/gtest.h>
 #include <tendon/manager/local_manager.h>
 
+#include <chrono>
+#include <memory>
+
 #include "core/interface/arm_fixture.h"
 #include "core/task/scripted.h"
 #include "support/log/log_record.h"
@@ -13,6 +16,7 @@ using tendon::ConnectionState;
 using tendon::ErrorCode;
 using tendon::Status;
 using tendon::test::Refusal;
+using tendon_test::Periodic;
 using testing::HasSubstr;
 using testing::MatchesRegex;
 using testing::SizeIs;
@@ -258,18 +262,77 @@ TEST_F(LocalManagerTest, RemovingAComponentEndsItsConnections) {
   EXPECT_EQ(manager.Find("arm"), nullptr);
 }
 
-TEST(LocalManager, ADerivedOneHearsOfEveryChange) {
-  class Observing final : public tendon::LocalManager {
-   public:
-    Observing() {
-      SetObserver([this] { ++changes_; });
-    }
-    bool HasHeard() { return std::exchange(changes_, 0) > 0; }
+class ObservingManager final : public tendon::LocalManager {
+ public:
+  ObservingManager() {
+    SetObserver([this] { ++changes_; });
+  }
+  int Heard() { return std::exchange(changes_, 0); }
+  bool HasHeard() { return Heard() > 0; }
 
-   private:
-    int changes_ = 0;
+ private:
+  int changes_ = 0;
+};
+
+constexpr std::chrono::hours kPeriod(1);
+
+TEST(LocalManager, OneThatReplacesAnotherHasItsPlaceItsLeaderAndItsConnectionsInOneChange) {
+  ObservingManager manager;
+  manager.Add<Periodic>("leader", kPeriod);
+  manager.Add<Periodic>("follower", kPeriod);
+  manager.Add<Arm>("arm");
+  auto& person = manager.Add<Operator>("operator");
+  ASSERT_TRUE(manager.Connect({"operator", "Robot"}, {"arm", "Control"}).ok());
+  ASSERT_TRUE(manager.RunAfter("follower", "leader").ok());
+  (void)manager.Heard();
+
+  auto made = std::make_unique<Arm>("arm");
+  const Arm& arm = *made;
+  ASSERT_TRUE(manager.Replace(std::move(made), {.class_name = "Arm", .library = {}}).ok());
+  EXPECT_EQ(manager.Heard(), 1);
+  ASSERT_TRUE(manager.Replace(std::make_unique<Periodic>("follower", kPeriod), {}).ok());
+  EXPECT_EQ(manager.Heard(), 1);
+
+  const auto components = manager.components();
+  ASSERT_THAT(components, SizeIs(4));
+  EXPECT_EQ(components[1].leader, "leader");
+  EXPECT_EQ(components[2].class_name, "Arm");
+  EXPECT_EQ(manager.Find("arm"), &arm);
+  ASSERT_TRUE(manager.Start("arm").ok());
+  EXPECT_EQ(person.stop(), Status::kDone);
+  EXPECT_EQ(arm.stops, 1);
+}
+
+TEST(LocalManager, WhatCannotBeReplacedStaysAsItIs) {
+  tendon::LocalManager manager;
+  manager.Add<Periodic>("leader", kPeriod);
+  manager.Add<Periodic>("follower", kPeriod);
+  auto& arm = manager.Add<Arm>("arm");
+  manager.Add<Operator>("operator");
+  ASSERT_TRUE(manager.Connect({"operator", "Robot"}, {"arm", "Control"}).ok());
+  ASSERT_TRUE(manager.RunAfter("follower", "leader").ok());
+  ASSERT_TRUE(manager.Start("arm").ok());
+  const auto reason = [&manager](std::unique_ptr<tendon::Component> made) {
+    const auto replaced = manager.Replace(std::move(made), {});
+    return replaced ? std::string() : replaced.error().message;
   };
-  Observing manager;
+
+  EXPECT_EQ(reason(std::make_unique<Arm>("arm")),
+            "component 'arm' is not replaced, for it runs; stop it first");
+  EXPECT_EQ(reason(std::make_unique<Periodic>("leader", kPeriod)),
+            "component 'leader' is not replaced, for 'follower' runs after it");
+  EXPECT_EQ(reason(std::make_unique<Arm>("follower")),
+            "component 'follower' is not replaced, for the new one has no thread to give up to "
+            "'leader'");
+  EXPECT_EQ(reason(std::make_unique<Arm>("amr")), "no component 'amr'; did you mean 'arm'?");
+
+  EXPECT_EQ(manager.Find("arm"), &arm);
+  EXPECT_THAT(manager.connections(), SizeIs(1));
+  EXPECT_EQ(manager.SettingsOf("follower")->leader, "leader");
+}
+
+TEST(LocalManager, ADerivedOneHearsOfEveryChange) {
+  ObservingManager manager;
 
   manager.Add<Arm>("arm");
   manager.Add<Operator>("operator");

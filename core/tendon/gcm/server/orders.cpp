@@ -1,6 +1,6 @@
 #include <tendon/base/log.h>
 #include <tendon/gcm/disputed_types.h>
-#include <tendon/gcm/life/life_plan.h>
+#include <tendon/gcm/life/undo_check.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/server/orders.h>
 #include <tendon/gcm/text/step_text.h>
@@ -33,44 +33,12 @@ bool IsOutcomeUnknown(const Error& error) {
 
 Error NothingToUndo() { return {ErrorCode::kFailed, "there is nothing to undo"}; }
 
-Error CannotUndo(const message::HistoryEntry& step, const Error& why) {
-  return {why.code, "cannot undo " + WholeText(step) + ": " + why.message};
-}
-
-/// Its objects are not as it left them, or cannot be as before.
-Error CannotUndoNow(const message::HistoryEntry& step, const std::string& why) {
-  const std::string joint = why.ends_with("?") ? " " : "; ";
-  const std::string next = "to leave it as it is and undo what was before it: gcm undo --skip";
-  return CannotUndo(step, {ErrorCode::kFailed, why + joint + next});
-}
-
 Error MayComeBack(const message::HistoryEntry& step) {
   return {ErrorCode::kFailed, WholeText(step) + " is not passed over, for process '" +
                                   ProcessOf(step) +
                                   "' is lost and may come back with it; when it is gone for good: "
                                   "gcm forget " +
                                   ProcessOf(step)};
-}
-
-Error Changed(const std::string& why) { return {ErrorCode::kFailed, why}; }
-
-/// Whether the ends are still as the step left them, and can be as before.
-Result<void> CheckUndoOfWire(const Catalog& catalog, const message::HistoryEntry& step) {
-  const InterfaceName& needed = step.wire.required;
-  const std::string required = ToString(needed);
-  if (const auto found = LookUpRequired(catalog, needed); !found) return found.error();
-  const auto* now = catalog.FindConnection(needed);
-  if (step.verb != "disconnect" && now == nullptr) {
-    return Changed(required + " is no longer connected to " + ToString(step.wire.provided));
-  }
-  if (now != nullptr && now->provided != step.wire.provided) {
-    return Changed(required + " was since connected to " + ToString(now->provided));
-  }
-  if (step.verb == "connect" || (step.verb == "disconnect" && now != nullptr)) return {};
-  const bool swaps = step.verb == "replace";
-  const auto planned =
-      PlanConnect(catalog, {needed, swaps ? step.former : step.wire.provided}, Occupied::kReplaced);
-  return planned ? Result<void>() : planned.error();
 }
 
 Result<void> OutcomeOf(const auto& result) { return result ? Result<void>() : result.error(); }
@@ -403,26 +371,12 @@ void Orders::MakeAgain(const message::HistoryEntry& step, const Done<None>& done
                                 ConnectionDescription());
 }
 
-/// Whether the objects are still as the step left them, and can be as before.
+/// Whose a process is, the catalogue does not know.
 Result<void> Orders::CheckUndo(const message::HistoryEntry& step) const {
-  const Catalog& catalog = parts_.registry.catalog();
-  const std::string& process = ProcessOf(step);
-  const auto owner = LookUpProcess(catalog, process);
-  if (!owner) return CannotUndoNow(step, owner.error().message);
-  if (const auto present = RequirePresent((*owner)->process); !present) {
-    return CannotUndo(step, {ErrorCode::kFailed, present.error().message +
-                                                     "; once it is back, try "
-                                                     "again, or forget it: "
-                                                     "gcm forget " +
-                                                     process});
-  }
-  if ((*owner)->process.instance != step.instance) {
-    return CannotUndoNow(step, "process '" + process + "' was started again since");
-  }
-  const auto checked = IsOfProcess(step) ? parts_.supervisor.CheckUndo(step)
-                       : IsOfLife(step)  ? tendon::CheckUndo(catalog, step)
-                                         : CheckUndoOfWire(catalog, step);
-  return checked ? checked : CannotUndoNow(step, checked.error().message);
+  auto checked = CheckUndoOf(parts_.registry.catalog(), step);
+  if (!checked || !IsOfProcess(step)) return checked;
+  const auto ours = parts_.supervisor.CheckUndo(step);
+  return ours ? ours : CannotUndoNow(step, ours.error().message);
 }
 
 void Orders::FinishUndo(message::HistoryEntry step, const std::string& who,

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <future>
+#include <mutex>
 
 #include "core/process/life/life_fixture.h"
 #include "support/plant.h"
@@ -205,6 +206,48 @@ TEST_P(Life, AComponentConfiguredAnewKeepsItsConnections) {
 
   EXPECT_EQ(Known("lamp").configuration, R"({"brightness":0.75})");
   EXPECT_TRUE(EventuallyActive(*robot_, 1));
+}
+
+/// Which components were told to be gone.
+class Departures final : public tendon::GcmListener {
+ public:
+  void OnSnapshot(const tendon::Catalog& /*catalog*/) override {}
+  void OnChanges(const std::vector<tendon::CatalogChange>& changes) override {
+    const std::scoped_lock lock(mutex_);
+    for (const auto& change : changes) {
+      if (change.kind == tendon::CatalogChange::Kind::kComponentRemoved) {
+        gone_.push_back(change.component);
+      }
+    }
+  }
+  void OnGcmLost(const tendon::Error& /*reason*/) override {}
+  [[nodiscard]] std::vector<std::string> gone() const {
+    const std::scoped_lock lock(mutex_);
+    return gone_;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::vector<std::string> gone_;
+};
+
+TEST_P(Life, NobodyWhoWatchesMissesAComponentThatIsConfiguredAnew) {
+  const auto departures = std::make_shared<Departures>();
+  tendon::GcmClient watcher(NewMiddleware(),
+                            {.name = "watcher", .address = gcm().address(), .timeout = kLong},
+                            departures);
+  ASSERT_TRUE(watcher.WaitUntilWatching().ok());
+  ASSERT_EQ(Reason(Create("Lamp", "lamp")), "");
+  ASSERT_EQ(Reason(Create("Switch", "switch")), "");
+  ASSERT_TRUE(robot_->Connect({"switch", "Lamp"}, {"lamp", "Control"}));
+
+  for (const std::string brightness : {"0.25", "0.5", "0.75", "1"}) {
+    EXPECT_EQ(Reason(Configure("lamp", R"({"brightness":)" + brightness + "}")), "");
+  }
+  EXPECT_EQ(Reason(Order(LifeVerb::kRemove, "switch")), "");
+
+  EXPECT_TRUE(EventuallyTrue([&] { return !departures->gone().empty(); }));
+  EXPECT_EQ(departures->gone(), std::vector<std::string>{"switch"});
 }
 
 TEST_P(Life, OfTwoWhoChangeWhatBothHaveSeenTheSecondIsToldOfTheFirst) {

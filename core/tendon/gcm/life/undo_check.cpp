@@ -1,0 +1,61 @@
+#include <tendon/gcm/life/life_plan.h>
+#include <tendon/gcm/life/undo_check.h>
+#include <tendon/gcm/lookup.h>
+#include <tendon/gcm/text/step_text.h>
+
+namespace tendon {
+namespace {
+
+/// Whether the ends are still as the step left them, and can be as before.
+Result<void> CheckWire(const Catalog& catalog, const message::HistoryEntry& step) {
+  const InterfaceName& needed = step.wire.required;
+  const std::string required = ToString(needed);
+  if (const auto found = LookUpRequired(catalog, needed); !found) return found.error();
+  const auto* now = catalog.FindConnection(needed);
+  if (step.verb != "disconnect" && now == nullptr) {
+    return Error{ErrorCode::kFailed,
+                 required + " is no longer connected to " + ToString(step.wire.provided)};
+  }
+  if (now != nullptr && now->provided != step.wire.provided) {
+    return Error{ErrorCode::kFailed,
+                 required + " was since connected to " + ToString(now->provided)};
+  }
+  if (step.verb == "connect" || (step.verb == "disconnect" && now != nullptr)) return {};
+  const bool swaps = step.verb == "replace";
+  const auto planned =
+      PlanConnect(catalog, {needed, swaps ? step.former : step.wire.provided}, Occupied::kReplaced);
+  return planned ? Result<void>() : planned.error();
+}
+
+}  // namespace
+
+Error CannotUndo(const message::HistoryEntry& step, const Error& why) {
+  return {why.code, "cannot undo " + WholeText(step) + ": " + why.message};
+}
+
+Error CannotUndoNow(const message::HistoryEntry& step, const std::string& why) {
+  const std::string joint = why.ends_with("?") ? " " : "; ";
+  const std::string next = "to leave it as it is and undo what was before it: gcm undo --skip";
+  return CannotUndo(step, {ErrorCode::kFailed, why + joint + next});
+}
+
+Result<void> CheckUndoOf(const Catalog& catalog, const message::HistoryEntry& step) {
+  const std::string& process = ProcessOf(step);
+  const auto owner = LookUpProcess(catalog, process);
+  if (!owner) return CannotUndoNow(step, owner.error().message);
+  if (const auto present = RequirePresent((*owner)->process); !present) {
+    return CannotUndo(step, {ErrorCode::kFailed, present.error().message +
+                                                     "; once it is back, try "
+                                                     "again, or forget it: "
+                                                     "gcm forget " +
+                                                     process});
+  }
+  if ((*owner)->process.instance != step.instance) {
+    return CannotUndoNow(step, "process '" + process + "' was started again since");
+  }
+  if (IsOfProcess(step)) return {};
+  const auto checked = IsOfLife(step) ? CheckUndo(catalog, step) : CheckWire(catalog, step);
+  return checked ? checked : CannotUndoNow(step, checked.error().message);
+}
+
+}  // namespace tendon

@@ -1,0 +1,54 @@
+#include <tendon/gcm/wiring/connection_health.h>
+
+namespace tendon {
+namespace {
+
+using Kind = ConnectionFlaw::Kind;
+
+constexpr std::chrono::milliseconds kLongestRoundTrip{100};
+constexpr double kFullest = 0.8;  // of a mailbox
+
+/// Whether a counter has grown; one that is smaller has begun anew.
+bool HasGrown(std::uint64_t now, std::uint64_t before) {
+  return now > before || (now < before && now > 0);
+}
+
+}  // namespace
+
+std::vector<ConnectionFlaw> FlawsOf(const ConnectionCounts& now,
+                                    const std::optional<ConnectionCounts>& before) {
+  std::vector<ConnectionFlaw> flaws;
+  if (before && HasGrown(now.refused, before->refused)) {
+    flaws.push_back({.kind = Kind::kCallsRefused, .count = now.refused});
+  }
+  if (before && HasGrown(now.lost_events, before->lost_events)) {
+    flaws.push_back({.kind = Kind::kEventsLost, .count = now.lost_events});
+  }
+  if (now.capacity > 0 &&
+      static_cast<double>(now.waiting) >= kFullest * static_cast<double>(now.capacity)) {
+    flaws.push_back({.kind = Kind::kMailboxFull, .count = now.waiting, .capacity = now.capacity});
+  }
+  if (now.round_trip > kLongestRoundTrip) {
+    flaws.push_back({.kind = Kind::kLate, .round_trip = now.round_trip});
+  }
+  return flaws;
+}
+
+std::string ToString(const ConnectionFlaw& flaw) {
+  const std::string count = std::to_string(flaw.count);
+  switch (flaw.kind) {
+    case Kind::kCallsRefused:
+      return count + " calls found no room";
+    case Kind::kEventsLost:
+      return count + " events were lost";
+    case Kind::kMailboxFull:
+      return count + " of " + std::to_string(flaw.capacity) + " calls wait";
+    case Kind::kLate:
+      break;
+  }
+  using std::chrono::milliseconds;
+  return "answers after " +
+         std::to_string(std::chrono::duration_cast<milliseconds>(flaw.round_trip).count()) + " ms";
+}
+
+}  // namespace tendon
