@@ -47,6 +47,10 @@ class CommandBase {
     return Status::kUnsupported;
   }
 
+  /// How old the value is that a read has answered last; 0 where each read asks, and the largest
+  /// value where there was none.
+  [[nodiscard]] virtual std::chrono::nanoseconds age() const { return {}; }
+
   /// For handlers of events: their source has faulted, or is about to start anew.
   virtual void SetSourceFaulted(bool /*faulted*/) {}
 

@@ -13,8 +13,8 @@ namespace tendon {
 /// rests, though not by one that is faulted.
 ///
 /// A call of a void or write function never waits, locks or allocates; a read runs the server's
-/// code, or asks another process and waits for at most the interface's deadline. To wait until the
-/// server has executed the call is spelt out:
+/// code, or asks another process and waits for at most the interface's deadline, unless it is
+/// mirrored. To wait until the server has executed the call is spelt out:
 ///
 ///     move_to_.Wait(goal, 50ms)
 ///
@@ -51,6 +51,18 @@ class Function final : public Caller {
   }
   Status Wait(const In& in, Out& out, Time timeout) requires kIsWriteReturn {
     return CallAndWait(in, out, timeout);
+  }
+
+  /// How old the value is that was read last, where it is a copy: see RequiredInterface::Mirror().
+  /// 0 where each read asks; the largest value where nothing was read yet, or nobody can be asked.
+  [[nodiscard]] Time age() requires kIsRead {
+    Time age = Time::max();
+    if (binding_ == nullptr) return age;
+    (void)CallMember(*binding_, index_, [&age](const CommandBase& command) -> Status {
+      age = command.age();
+      return Status::kDone;
+    });
+    return age;
   }
 
   /// Whether a call would reach a server now.

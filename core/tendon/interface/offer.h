@@ -30,6 +30,15 @@ enum class Overflow {
   kLatestOnly,  ///< it never is: a call replaces an older one of the command that still waits
 };
 
+class ColumnBase;
+class StateTable;
+
+/// A column of a state table; null pointers where there is none.
+struct ColumnSource {
+  const StateTable* table = nullptr;
+  const ColumnBase* column = nullptr;
+};
+
 /// What a component lets others execute: a command of a provided interface, or an event handler of
 /// a required one. Every connection gets a command of its own from it.
 class Offer {
@@ -51,6 +60,13 @@ class Offer {
     return *this;
   }
   [[nodiscard]] Overflow overflow() const { return overflow_; }
+
+  /// Says that a call answers with the newest value of a column, which outlives the offer.
+  Offer& SetSource(const ColumnSource& source) {
+    source_ = source;
+    return *this;
+  }
+  [[nodiscard]] const ColumnSource& source() const { return source_; }
 
   /// While a command is off, its callers get kDisabled; what waits is executed all the same. Any
   /// thread.
@@ -75,6 +91,7 @@ class Offer {
  private:
   MemberDescription description_;
   Overflow overflow_ = Overflow::kRefuse;
+  ColumnSource source_;
   Flag enabled_{true};
   const Host* host_ = nullptr;
 };

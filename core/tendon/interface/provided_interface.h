@@ -91,7 +91,8 @@ class ProvidedInterface {
   Offer& AddCommandReadState(const StateTable& table, const T& variable, PlacedName name) {
     const Column<T>& column = table.Find(variable);
     return AddDirect<None, T>(CommandKind::kRead, std::move(name),
-                              [&column](const None&, T& out) { return column.ReadNewest(out); });
+                              [&column](const None&, T& out) { return column.ReadNewest(out); })
+        .SetSource({&table, &column});
   }
   /// The value `delay` rows before the newest; kNoSample until there is one, and where the table is
   /// too short to keep it.

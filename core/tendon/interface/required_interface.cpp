@@ -1,5 +1,7 @@
 #include <tendon/interface/required_interface.h>
 
+#include <algorithm>
+
 namespace tendon {
 
 std::size_t RequiredInterface::AddCaller(Caller& caller, MemberDescription description,
@@ -31,6 +33,23 @@ void RequiredInterface::SetReadDeadline(std::chrono::milliseconds deadline) {
                              std::to_string(deadline.count()) + " ms");
   }
   read_deadline_ = deadline;
+}
+
+void RequiredInterface::MarkMirrored(const Caller& function) {
+  const auto found = std::ranges::find(callers_, &function, &NamedCaller::caller);
+  if (found == callers_.end()) {
+    throw ConfigurationError("'" + name_ +
+                             "' mirrors a function that is none of its own: add it first");
+  }
+  found->is_mirrored = true;
+}
+
+std::vector<std::string> RequiredInterface::mirrored() const {
+  std::vector<std::string> names;
+  for (const NamedCaller& one : callers_) {
+    if (one.is_mirrored) names.push_back(one.description.name);
+  }
+  return names;
 }
 
 RequiredDescription RequiredInterface::description() const {

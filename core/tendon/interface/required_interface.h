@@ -109,6 +109,18 @@ class RequiredInterface {
   void SetReadDeadline(std::chrono::milliseconds deadline);
   [[nodiscard]] std::chrono::milliseconds read_deadline() const { return read_deadline_; }
 
+  /// Where another process serves `function`, which was added before, it is answered from a copy
+  /// that comes some 50 times a second, and asks nobody: no wait, no lock and, once it has
+  /// answered, no allocation. Its age() says how old the value was. kNoSample before the first
+  /// copy. Only what AddCommandReadState() offers, without a delay, can be mirrored: to connect it
+  /// with anything else of another process is refused. In one process it reads as ever.
+  template <Payload T>
+  void Mirror(const Function<CommandKind::kRead, None, T>& function) {
+    MarkMirrored(function);
+  }
+  /// The names of what is mirrored.
+  [[nodiscard]] std::vector<std::string> mirrored() const;
+
   /// When the event was raised that the component's thread handles now, or has handled last, by
   /// the steady clock; for one of another process, when it arrived. Handlers that run directly run
   /// when it is raised.
@@ -128,7 +140,10 @@ class RequiredInterface {
   struct NamedCaller {
     MemberDescription description;
     Caller* caller;
+    bool is_mirrored = false;
   };
+
+  void MarkMirrored(const Caller& function);
 
   template <Payload In>
   static MemberDescription DescribeHandler(CommandKind kind, std::string name, Need need) {

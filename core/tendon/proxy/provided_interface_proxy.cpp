@@ -1,4 +1,5 @@
 #include <tendon/proxy/function_proxy.h>
+#include <tendon/proxy/mirror/mirrored_read_proxy.h>
 #include <tendon/proxy/provided_interface_proxy.h>
 #include <tendon/proxy/read_proxy.h>
 
@@ -23,6 +24,7 @@ ProvidedInterfaceProxy::ProvidedInterfaceProxy(std::shared_ptr<NetworkThread> th
                                                std::chrono::milliseconds read_deadline)
     : thread_(std::move(thread)),
       handle_(remote.opened.handle),
+      mirrored_(remote.mirrored),
       outbox_(remote.channel, message::kCommands, thread_->wakeup(), ToString(remote.name),
               remote.opened.credit),
       loss_report_(remote.channel, handle_),
@@ -41,8 +43,11 @@ void ProvidedInterfaceProxy::AddCommands(const Remote& remote, const RequiredDes
     const MemberDescription* command =
         FindMember(remote.opened.description.commands, function.name);
     if (command == nullptr) continue;
+    const auto mirrored = mirrored_.find(function.name);
     if (CanBeAwaited(command->signature.kind)) {
       interface_.AddOffer(std::make_unique<QueuedOfferProxy>(*command, outbox_, handle));
+    } else if (mirrored != mirrored_.end()) {
+      interface_.AddOffer(std::make_unique<MirroredReadProxy>(*command, mirrored->second));
     } else {
       interface_.AddOffer(std::make_unique<ReadOfferProxy>(
           *command, ReadOfferProxy::Remote{.channel = remote.channel,
@@ -92,6 +97,11 @@ bool ProvidedInterfaceProxy::OnCredit(const message::Credit& credit) {
     interface_.SetSourceFaulted(is_faulted);
   }
   return is_news;
+}
+
+void ProvidedInterfaceProxy::Sever() {
+  outbox_.Close();
+  for (const auto& [name, value] : mirrored_) value->End();
 }
 
 std::string ProvidedInterfaceProxy::fault() const {

@@ -3,11 +3,13 @@
 #include <tendon/interface/provided_interface.h>
 #include <tendon/proxy/event_proxy.h>
 #include <tendon/proxy/messages.h>
+#include <tendon/proxy/mirror/mirrored_value.h>
 #include <tendon/proxy/network_thread.h>
 #include <tendon/proxy/outbox.h>
 #include <tendon/proxy/reports/loss_report.h>
 
 #include <chrono>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <span>
@@ -18,8 +20,9 @@ namespace tendon {
 
 /// Stands in for a provided interface of another process, for one connection: a required interface
 /// here is connected to it as to any other. Void and write commands wait here until the network
-/// thread sends them, as many as the other end has room for. Reads ask in the caller's thread, and
-/// so do commands that are waited for, unless others must be sent before them.
+/// thread sends them, as many as the other end has room for. Reads ask in the caller's thread,
+/// unless they are mirrored, and so do commands that are waited for, unless others must be sent
+/// before them.
 class ProvidedInterfaceProxy final : public NetworkJob {
  public:
   /// The interface at the other end, opened for this proxy.
@@ -27,6 +30,8 @@ class ProvidedInterfaceProxy final : public NetworkJob {
     std::shared_ptr<Channel> channel;
     message::InterfaceOpened opened;
     InterfaceName name{};  ///< for the log
+    /// What is read from copies here, by the command's name.
+    std::map<std::string, std::shared_ptr<MirroredValue>> mirrored{};
   };
   /// Offers what `required` can use of the remote interface. ConfigurationError where its
   /// description makes no sense.
@@ -55,7 +60,7 @@ class ProvidedInterfaceProxy final : public NetworkJob {
   /// for at most `patience`.
   void SendRest(std::chrono::milliseconds patience) { outbox_.SendRest(patience); }
   /// Any thread: the peer is gone; calls are refused with kNotConnected from now on.
-  void Sever() { outbox_.Close(); }
+  void Sever();
 
   bool Work(SteadyTime now, SteadyTime& next) override;
 
@@ -66,6 +71,7 @@ class ProvidedInterfaceProxy final : public NetworkJob {
 
   const std::shared_ptr<NetworkThread> thread_;
   const std::uint32_t handle_;
+  const std::map<std::string, std::shared_ptr<MirroredValue>> mirrored_;
   Outbox outbox_;
   LossReport loss_report_;
   std::vector<std::unique_ptr<EventProxy>> events_;  // by handler; null where it has no event

@@ -55,7 +55,8 @@ void AddColumnReads(const StateTable& table, ProvidedInterface& interface) {
     MemberDescription description = DescribeMember<None, None>(column.name(), CommandKind::kRead);
     description.signature.out = column.fingerprint();
     description.out_type = column.schema().TypeName();
-    interface.AddOffer(std::make_unique<ColumnOffer>(std::move(description), table, i));
+    interface.AddOffer(std::make_unique<ColumnOffer>(std::move(description), table, i))
+        .SetSource({&table, &column});
   }
 }
 

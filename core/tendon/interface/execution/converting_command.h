@@ -24,6 +24,7 @@ class ConvertingCommand final : public Command<In, Out> {
       return target_.WaitEncoded(encoded, answer, timeout);
     });
   }
+  [[nodiscard]] std::chrono::nanoseconds age() const override { return target_.age(); }
 
  private:
   struct Bodies {

@@ -1,7 +1,11 @@
 #include <tendon/process/client/peer_link.h>
 #include <tendon/process/schema_exchange.h>
+#include <tendon/process/telemetry/row_batch.h>
 #include <tendon/process/watch_over.h>
 #include <tendon/proxy/messages.h>
+#include <tendon/state/state_table.h>
+
+#include <string>
 
 namespace tendon {
 
@@ -20,10 +24,12 @@ Result<std::shared_ptr<PeerLink>> PeerLink::Open(const ProcessContext& context,
   }
   link->channel_ = *std::move(channel);
   WatchOver(context.worker, link->channel_,
-            [weak = std::weak_ptr(link)](SteadyTime sent, SteadyTime, SteadyTime arrived) {
+            [weak = std::weak_ptr(link)](SteadyTime sent, SteadyTime there, SteadyTime arrived) {
               const auto measured = weak.lock();
               if (!measured) return;
               measured->round_trip_.Set(arrived - sent);
+              const std::scoped_lock lock(measured->mutex_);
+              measured->clock_.Add(sent, there, arrived);
             });
   return link;
 }
@@ -34,8 +40,11 @@ void PeerLink::OnRequest(const std::shared_ptr<Channel>& channel, const FrameHea
   ChannelHandler::OnRequest(channel, header, body, std::move(responder));
 }
 
-void PeerLink::OnNotice(const std::shared_ptr<Channel>& /*channel*/, const FrameHeader& header,
+void PeerLink::OnNotice(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
                         std::span<const std::byte> body) {
+  if (header.type == message::kRows || header.type == message::kRowsEnded) {
+    return OnRows(channel, header, body);
+  }
   if (header.type == message::kEvents) {
     return ForEachCall(body, [this](std::uint32_t handler, std::span<const std::byte> value) {
       const auto [proxy, offset] = handles_.Find(handler);
@@ -58,6 +67,55 @@ void PeerLink::OnNotice(const std::shared_ptr<Channel>& /*channel*/, const Frame
       self->listener_.OnInterfaceClosed(*self, handle, reason);
     });
   }
+}
+
+Result<PeerLink::Mirrored> PeerLink::Receive(const message::Mirrored& mirrored) {
+  Mirrored values;
+  const std::scoped_lock lock(mutex_);
+  for (const message::MirroredColumn& column : mirrored.columns) {
+    if (column.capacity > StateTable::kMaximumRowBytes) {
+      return Error{ErrorCode::kInvalid, channel_->peer().name + " offers copies of " +
+                                            std::to_string(column.capacity) + " bytes"};
+    }
+    values.push_back(std::make_shared<MirroredValue>(column.capacity));
+    if (!column.value.empty()) Put(*values.back(), column.time, column.value);
+    if (column.handle != 0) mirrored_[column.handle] = values.back();
+  }
+  return values;
+}
+
+void PeerLink::OnRows(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
+                      std::span<const std::byte> body) {
+  const std::scoped_lock lock(mutex_);
+  const auto found = mirrored_.find(header.handle);
+  const auto value = found == mirrored_.end() ? nullptr : found->second.lock();
+  if (!value || header.type == message::kRowsEnded) {
+    if (value) value->End();
+    if (found != mirrored_.end()) mirrored_.erase(found);
+    if (!value) (void)channel->Notify(message::kUnsubscribe, header.handle, Bytes());
+    return;
+  }
+  const auto rows = RowBatchReader::Open(body);
+  if (rows && rows->header().rows > 0 && rows->header().columns == 1) {
+    const std::size_t newest = rows->header().rows - 1;
+    Put(*value, rows->time(newest), rows->cell(newest, 0));
+  }
+  TellTaken(channel, header.handle);
+}
+
+/// Not told, the process would send no more: again, where the link has no room.
+void PeerLink::TellTaken(const std::shared_ptr<Channel>& channel, std::uint32_t handle) {
+  constexpr std::chrono::milliseconds kUntilLinkHasRoom(20);
+  const Status told = channel->Notify(message::kRowTaken, handle, Bytes());
+  if (told != Status(Status::kQueueFull)) return;
+  worker_->PostAfter(kUntilLinkHasRoom, [self = shared_from_this(), channel, handle] {
+    self->TellTaken(channel, handle);
+  });
+}
+
+void PeerLink::Put(MirroredValue& value, std::int64_t time, std::span<const std::byte> body) {
+  const SteadyTime there = ClockOffset::Sensible(SteadyTime(std::chrono::nanoseconds(time)));
+  (void)value.Put(there - clock_.SlewedAt(there), body);
 }
 
 void PeerLink::OnClosed(const std::shared_ptr<Channel>& /*channel*/, const Error& reason) {

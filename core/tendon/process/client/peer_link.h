@@ -3,13 +3,19 @@
 #include <tendon/lockfree/flag.h>
 #include <tendon/middleware/channel.h>
 #include <tendon/process/context.h>
+#include <tendon/process/telemetry/clock_offset.h>
 #include <tendon/proxy/handle_table.h>
+#include <tendon/proxy/mirror/messages.h>
 #include <tendon/proxy/provided_interface_proxy.h>
 
 #include <chrono>
 #include <cstdint>
+#include <map>
 #include <memory>
+#include <mutex>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace tendon {
 
@@ -43,6 +49,11 @@ class PeerLink final : public ChannelHandler, public std::enable_shared_from_thi
   [[nodiscard]] std::uint64_t instance() const { return channel_->peer().instance; }
   /// To the peer and back, as measured last; below 0 where it has not answered yet. Any thread.
   [[nodiscard]] std::chrono::nanoseconds round_trip() const { return round_trip_.Get(); }
+  /// Copies of what is read over there, in the order of `wanted`: what comes from now on is put
+  /// into them as long as somebody else has them. In a thread of the middleware, before the first
+  /// comes.
+  using Mirrored = std::vector<std::shared_ptr<MirroredValue>>;
+  Result<Mirrored> Receive(const message::Mirrored& mirrored);
   /// Our numbers of connections and event handlers.
   [[nodiscard]] HandleTable<ProvidedInterfaceProxy>& handles() { return handles_; }
 
@@ -52,12 +63,21 @@ class PeerLink final : public ChannelHandler, public std::enable_shared_from_thi
   void OnNotice(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
                 std::span<const std::byte> body) override;
   void OnClosed(const std::shared_ptr<Channel>& channel, const Error& reason) override;
+  /// Of kRows and kRowsEnded. Whoever has no use for a copy any more is asked to send no others.
+  void OnRows(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
+              std::span<const std::byte> body);
+  void TellTaken(const std::shared_ptr<Channel>& channel, std::uint32_t handle);
+  void Put(MirroredValue& value, std::int64_t time, std::span<const std::byte> body);
 
   const std::shared_ptr<Worker> worker_;
   PeerListener& listener_;  // on the worker only
   std::shared_ptr<Channel> channel_;
   Published<std::chrono::nanoseconds> round_trip_{std::chrono::nanoseconds(-1)};
   HandleTable<ProvidedInterfaceProxy> handles_;
+
+  std::mutex mutex_;   // of what follows
+  ClockOffset clock_;  // of the process at the other end
+  std::map<std::uint32_t, std::weak_ptr<MirroredValue>> mirrored_;  // by the peer's numbers
 };
 
 }  // namespace tendon

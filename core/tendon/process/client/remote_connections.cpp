@@ -10,7 +10,6 @@ namespace tendon {
 namespace {
 
 constexpr std::chrono::milliseconds kOpenTimeout(1000);
-constexpr std::chrono::hours kAsLongAsTheLink(24 * 365);
 constexpr std::chrono::milliseconds kShortestPause(100);
 constexpr std::chrono::milliseconds kLongestPause(2000);
 
@@ -18,22 +17,6 @@ constexpr std::chrono::milliseconds kLongestPause(2000);
 bool IsFinal(const Error& error) {
   return error.code == ErrorCode::kIncompatible || error.code == ErrorCode::kInvalid ||
          error.code == ErrorCode::kDenied || error.code == ErrorCode::kExists;
-}
-
-Result<std::shared_ptr<ProvidedInterfaceProxy>> MakeProxy(
-    const std::shared_ptr<NetworkThread>& network, const std::shared_ptr<Channel>& channel,
-    const Result<message::InterfaceOpened>& answer, const InterfaceName& provided,
-    const RequiredDescription& required, std::chrono::milliseconds read_deadline) {
-  if (!answer) return answer.error();
-  try {
-    return std::make_shared<ProvidedInterfaceProxy>(
-        network,
-        ProvidedInterfaceProxy::Remote{.channel = channel, .opened = *answer, .name = provided},
-        required, read_deadline);
-  } catch (const ConfigurationError& error) {
-    (void)channel->Notify(message::kCloseInterface, answer->handle, Bytes());
-    return Error{ErrorCode::kInvalid, channel->peer().name + " answered nonsense: " + error.what()};
-  }
 }
 
 }  // namespace
@@ -116,8 +99,7 @@ void RemoteConnections::Try(ConnectionId id) {
 }
 
 void RemoteConnections::Request(ConnectionId id, const std::shared_ptr<PeerLink>& link) {
-  message::OpenInterface open;
-  std::chrono::milliseconds read_deadline{};
+  WantedInterface wanted;
   Attempt attempt{.id = id, .number = 0, .link = link, .handle = 0};
   {
     const auto lock = context_.host.LockStructure();
@@ -126,30 +108,24 @@ void RemoteConnections::Request(ConnectionId id, const std::shared_ptr<PeerLink>
     Entry& entry = found->second;
     const auto required = context_.host.LookUpRequired(entry.description.required);
     if (!required) return;
-    open = {.required = entry.description.required,
-            .provided = entry.description.provided,
-            .description = (*required)->description(),
-            .handle = 0,
-            .capacity = static_cast<std::uint32_t>((*required)->mailbox_capacity())};
-    read_deadline = (*required)->read_deadline();
-    open.handle = link->handles().Reserve(open.description.event_handlers.size());
+    wanted = {.open = {.required = entry.description.required,
+                       .provided = entry.description.provided,
+                       .description = (*required)->description(),
+                       .handle = 0,
+                       .capacity = static_cast<std::uint32_t>((*required)->mailbox_capacity())},
+              .read_deadline = (*required)->read_deadline(),
+              .mirrored = (*required)->mirrored()};
+    wanted.open.handle = link->handles().Reserve(wanted.open.description.event_handlers.size());
     entry.is_opening = true;
     entry.link = link;
-    entry.handle = attempt.handle = open.handle;
+    entry.handle = attempt.handle = wanted.open.handle;
     attempt.number = entry.attempt;
   }
-  // The proxy is made in the middleware's thread, before anything else that the peer sends to it.
   // An answer that comes after GiveUp() still counts: it says what must be closed there.
-  link->channel()->Request<message::InterfaceOpened>(
-      message::kOpenInterface, 0, open, kAsLongAsTheLink,
-      [this, worker = context_.worker, network = context_.network, attempt, read_deadline,
-       provided = open.provided,
-       description = open.description](const Result<message::InterfaceOpened>& answer) {
-        const auto proxy = MakeProxy(network, attempt.link->channel(), answer, provided,
-                                     description, read_deadline);
-        if (proxy) attempt.link->handles().Put(attempt.handle, *proxy);
-        worker->Post([this, attempt, proxy] { Finish(attempt, proxy); });
-      });
+  OpenProvided(context_.network, link, wanted,
+               [this, worker = context_.worker, attempt](const OpenedInterface& opened) {
+                 worker->Post([this, attempt, opened] { Finish(attempt, opened); });
+               });
   context_.worker->PostAfter(
       kOpenTimeout, [this, id, number = attempt.number, peer = link->channel()->peer().name] {
         GiveUp(id, number, NoAnswer(peer, kOpenTimeout));
@@ -166,7 +142,7 @@ void RemoteConnections::GiveUp(ConnectionId id, std::uint64_t attempt, const Err
   Postpone(id, reason.message);
 }
 
-void RemoteConnections::Finish(const Attempt& attempt, const Opened& opened) {
+void RemoteConnections::Finish(const Attempt& attempt, const OpenedInterface& opened) {
   Result<void> outcome;
   Done done;
   ConnectionDescription description;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <tendon/interface/connection.h>
+#include <tendon/process/client/interface_opening.h>
 #include <tendon/process/client/peers.h>
 #include <tendon/process/membership_messages.h>
 
@@ -69,7 +70,6 @@ class RemoteConnections final : private PeerListener {
     std::shared_ptr<PeerLink> link;
     std::uint32_t handle = 0;
   };
-  using Opened = Result<std::shared_ptr<ProvidedInterfaceProxy>>;
 
   void OnLinkClosed(const PeerLink& link, const Error& reason) override;
   void OnInterfaceClosed(const PeerLink& link, std::uint32_t handle, const Error& reason) override;
@@ -80,7 +80,7 @@ class RemoteConnections final : private PeerListener {
   void Try(ConnectionId id);
   void Request(ConnectionId id, const std::shared_ptr<PeerLink>& link);
   void GiveUp(ConnectionId id, std::uint64_t attempt, const Error& reason);
-  void Finish(const Attempt& attempt, const Opened& opened);
+  void Finish(const Attempt& attempt, const OpenedInterface& opened);
   Result<void> Bind(Entry& entry, const std::shared_ptr<ProvidedInterfaceProxy>& proxy);
   void Postpone(ConnectionId id, const std::string& reason);
   void Refuse(ConnectionId id, const Error& error);

@@ -30,6 +30,7 @@ void Session::OnAllowedRequest(const SharedChannel& channel, const FrameHeader& 
   if (type == message::kSubscribe || type == message::kJoinTopic) {
     return Subscribe(type, channel, body, std::move(responder));
   }
+  if (type == message::kMirror) return Mirror(channel, body, std::move(responder));
   ChannelHandler::OnRequest(channel, header, body, std::move(responder));
 }
 
@@ -154,6 +155,15 @@ void Session::Subscribe(MessageType type, const SharedChannel& channel, Body bod
                                   shared = std::make_shared<Responder>(std::move(responder))] {
     if (type == message::kJoinTopic) return services.telemetry.JoinTopic(channel, wanted, *shared);
     services.telemetry.Subscribe(channel, wanted, *shared);
+  });
+}
+
+void Session::Mirror(const SharedChannel& channel, Body body, Responder responder) {
+  const auto wanted = DecodeBody<message::Mirror>(body);
+  if (!wanted) return responder.Refuse(wanted.error());
+  services_.context.worker->Post([&services = services_, channel, wanted = *wanted,
+                                  shared = std::make_shared<Responder>(std::move(responder))] {
+    services.telemetry.Mirror(channel, wanted, *shared);
   });
 }
 

@@ -49,6 +49,7 @@ class Session final : public GuardedHandler {
   void CallMember(Body body, Responder responder);
   /// Directly, or by a topic, as `type` says.
   void Subscribe(MessageType type, const SharedChannel& channel, Body body, Responder responder);
+  void Mirror(const SharedChannel& channel, Body body, Responder responder);
 
   Services& services_;
   const std::shared_ptr<Client> client_ = std::make_shared<Client>();

@@ -17,6 +17,18 @@ std::vector<std::string> NamesOf(const List& list) {
   return names;
 }
 
+/// Of one column, without a number.
+message::MirroredColumn NewestOf(const StateTable& table, std::size_t column) {
+  message::MirroredColumn newest;
+  newest.capacity = static_cast<std::uint32_t>(table.columns()[column]->layout().bytes);
+  std::vector<std::uint64_t> row(table.row_words());
+  std::uint64_t tick = 0;
+  if (table.CopyNewestRow(tick, row, newest.time) != RowResult::kDone) return newest;
+  const auto cell = table.cell(row, column);
+  newest.value.assign(cell.begin(), cell.end());
+  return newest;
+}
+
 }  // namespace
 
 TelemetryServer::TelemetryServer(ProcessContext& context) : context_(context) {
@@ -122,6 +134,59 @@ Result<TelemetryServer::Source> TelemetryServer::LookUp(const message::Subscribe
     source.columns.push_back(static_cast<std::size_t>(column - columns.begin()));
   }
   return source;
+}
+
+void TelemetryServer::Mirror(const std::shared_ptr<Channel>& channel, const message::Mirror& wanted,
+                             Responder& responder) {
+  const auto structure = context_.host.LockStructure();
+  const auto sources = LookUp(wanted);
+  if (!sources) return responder.Refuse(sources.error());
+  const std::scoped_lock lock(mutex_);
+  message::Mirrored mirrored;
+  for (const Source& source : *sources) {
+    if (source.table == nullptr) {
+      mirrored.columns.emplace_back();
+      continue;
+    }
+    message::MirroredColumn& column =
+        mirrored.columns.emplace_back(NewestOf(*source.table, source.columns.front()));
+    column.handle = ++last_handle_;
+  }
+  const Lane lane = channel->NewLane();
+  responder.Reply(EncodeBody(mirrored), lane);  // rows must not pass it
+  const RowChoice newest{.delivery = RowDelivery::kNewest};
+  for (std::size_t i = 0; i < sources->size(); ++i) {
+    const Source& source = (*sources)[i];
+    if (source.table == nullptr) continue;
+    FeedOf(wanted.provided.component, *source.table)
+        .Add(source.columns, newest, channel, mirrored.columns[i].handle, lane);
+  }
+  context_.network->Notify();
+}
+
+Result<std::vector<TelemetryServer::Source>> TelemetryServer::LookUp(
+    const message::Mirror& wanted) const {
+  const auto provided = context_.host.LookUpProvided(wanted.provided);
+  if (!provided) return provided.error();
+  std::vector<Source> sources;
+  for (const std::string& name : wanted.commands) {
+    const Offer* command = (*provided)->FindCommand(name);
+    if (command == nullptr) {  // whether that is right is said when the interface is opened
+      sources.emplace_back();
+      continue;
+    }
+    const ColumnSource& source = command->source();
+    if (source.table == nullptr) {
+      return Error{ErrorCode::kIncompatible,
+                   "'" + name + "' of " + ToString(wanted.provided) +
+                       " cannot be mirrored: it does not read the newest value of a state table"};
+    }
+    const auto columns = source.table->columns();
+    const auto place = std::ranges::find(columns, source.column, &std::unique_ptr<ColumnBase>::get);
+    sources.push_back(
+        {.table = source.table, .columns = {static_cast<std::size_t>(place - columns.begin())}});
+  }
+  return sources;
 }
 
 TableFeed& TelemetryServer::FeedOf(const std::string& component, const StateTable& table) {

@@ -5,6 +5,7 @@
 #include <tendon/process/messages.h>
 #include <tendon/process/telemetry/fan_out_messages.h>
 #include <tendon/process/telemetry/table_feed.h>
+#include <tendon/proxy/mirror/messages.h>
 
 #include <cstdint>
 #include <list>
@@ -32,6 +33,10 @@ class TelemetryServer final : public NetworkJob {
   /// middleware has no way to it; kInvalid for what it cannot carry.
   void JoinTopic(const std::shared_ptr<Channel>& channel, const message::Subscribe& wanted,
                  Responder& responder);
+  /// Sends copies of what read commands answer with. Refusals: kNotFound; kIncompatible for a
+  /// command that does not answer with the newest value of a column.
+  void Mirror(const std::shared_ptr<Channel>& channel, const message::Mirror& wanted,
+              Responder& responder);
   /// Of topics that are made from now on; empty where there is none.
   void SetBroker(const std::string& address);
   void Unsubscribe(const std::shared_ptr<Channel>& channel, std::uint32_t handle);
@@ -52,6 +57,7 @@ class TelemetryServer final : public NetworkJob {
                                        const Source& source) const;
   [[nodiscard]] static message::Subscribed Describe(const Source& source);
   [[nodiscard]] Result<Source> LookUp(const message::Subscribe& wanted) const;
+  [[nodiscard]] Result<std::vector<Source>> LookUp(const message::Mirror& wanted) const;
   TableFeed& FeedOf(const std::string& component, const StateTable& table);
 
   ProcessContext& context_;

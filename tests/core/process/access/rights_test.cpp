@@ -5,6 +5,7 @@
 #include <tendon/process/messages.h>
 #include <tendon/process/telemetry/fan_out_messages.h>
 #include <tendon/proxy/messages.h>
+#include <tendon/proxy/mirror/messages.h>
 #include <tendon/security/rights.h>
 
 #include <cstdint>
@@ -24,13 +25,13 @@ const Types kLooks = {message::kPing,        message::kGetSchemas, message::kSub
                       message::kJoinTopic,   message::kFanOut};
 
 /// What an operator may send besides.
-const Types kActs = {message::kOpenInterface, message::kCommands,   message::kRead,
-                     message::kWait,          message::kEventsLost, message::kCallMember,
-                     message::kJoin,          message::kReport,     message::kLeave,
-                     message::kConnect,       message::kDisconnect, message::kUndo,
-                     message::kForget,        message::kReplace,    message::kLogRecords,
-                     message::kSetLogLevel,   message::kLife,       message::kPassOver,
-                     message::kBeginOrder,    message::kTellHealth, message::kProcess};
+const Types kActs = {
+    message::kOpenInterface, message::kCommands,   message::kRead,       message::kWait,
+    message::kEventsLost,    message::kCallMember, message::kJoin,       message::kReport,
+    message::kLeave,         message::kConnect,    message::kDisconnect, message::kUndo,
+    message::kForget,        message::kReplace,    message::kLogRecords, message::kSetLogLevel,
+    message::kLife,          message::kPassOver,   message::kBeginOrder, message::kTellHealth,
+    message::kProcess,       message::kMirror};
 
 /// By name: a number in the table that belongs to another message would show here.
 TEST(Rights, AreThoseOfTheMessages) {

@@ -1,0 +1,61 @@
+#include <tendon/process/client/interface_opening.h>
+#include <tendon/proxy/messages.h>
+
+#include <utility>
+
+namespace tendon {
+namespace {
+
+constexpr std::chrono::hours kAsLongAsTheLink(24 * 365);
+
+using Done = std::function<void(const OpenedInterface&)>;
+
+OpenedInterface MakeProxy(const std::shared_ptr<NetworkThread>& network, const PeerLink& link,
+                          const Result<message::InterfaceOpened>& answer,
+                          const WantedInterface& wanted, const PeerLink::Mirrored& copies) {
+  if (!answer) return answer.error();
+  const std::shared_ptr<Channel>& channel = link.channel();
+  ProvidedInterfaceProxy::Remote remote{
+      .channel = channel, .opened = *answer, .name = wanted.open.provided};
+  for (std::size_t i = 0; i < copies.size(); ++i) remote.mirrored[wanted.mirrored[i]] = copies[i];
+  try {
+    return std::make_shared<ProvidedInterfaceProxy>(network, remote, wanted.open.description,
+                                                    wanted.read_deadline);
+  } catch (const ConfigurationError& error) {
+    (void)channel->Notify(message::kCloseInterface, answer->handle, Bytes());
+    return Error{ErrorCode::kInvalid, channel->peer().name + " answered nonsense: " + error.what()};
+  }
+}
+
+void Open(const std::shared_ptr<NetworkThread>& network, const std::shared_ptr<PeerLink>& link,
+          const WantedInterface& wanted, const PeerLink::Mirrored& copies, const Done& done) {
+  link->channel()->Request<message::InterfaceOpened>(
+      message::kOpenInterface, 0, wanted.open, kAsLongAsTheLink,
+      [network, link, wanted, copies, done](const Result<message::InterfaceOpened>& answer) {
+        const OpenedInterface proxy = MakeProxy(network, *link, answer, wanted, copies);
+        if (proxy) link->handles().Put(wanted.open.handle, *proxy);
+        done(proxy);
+      });
+}
+
+}  // namespace
+
+void OpenProvided(const std::shared_ptr<NetworkThread>& network,
+                  const std::shared_ptr<PeerLink>& link, const WantedInterface& wanted,
+                  const Done& done) {
+  if (wanted.mirrored.empty()) return Open(network, link, wanted, {}, done);
+  link->channel()->Request<message::Mirrored>(
+      message::kMirror, 0, message::Mirror{wanted.open.provided, wanted.mirrored}, kAsLongAsTheLink,
+      [network, link, wanted, done](const Result<message::Mirrored>& answer) {
+        if (!answer) return done(answer.error());
+        if (answer->columns.size() != wanted.mirrored.size()) {
+          return done(Error{ErrorCode::kInvalid, link->channel()->peer().name +
+                                                     " offers other copies than it was asked"});
+        }
+        const auto copies = link->Receive(*answer);
+        if (!copies) return done(copies.error());
+        Open(network, link, wanted, *copies, done);
+      });
+}
+
+}  // namespace tendon

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <tendon/process/client/peer_link.h>
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace tendon {
+
+/// A provided interface of another process, as a required one here needs it.
+struct WantedInterface {
+  message::OpenInterface open;
+  std::chrono::milliseconds read_deadline{0};
+  std::vector<std::string> mirrored{};  ///< functions that are answered from copies
+};
+
+using OpenedInterface = Result<std::shared_ptr<ProvidedInterfaceProxy>>;
+
+/// Asks the peer for it, and makes its proxy, which the link knows by `wanted.open.handle` then.
+/// `done` is called in a thread of the middleware, before anything that the peer sends to the
+/// proxy.
+void OpenProvided(const std::shared_ptr<NetworkThread>& network,
+                  const std::shared_ptr<PeerLink>& link, const WantedInterface& wanted,
+                  const std::function<void(const OpenedInterface&)>& done);
+
+}  // namespace tendon

@@ -1,0 +1,43 @@
+#include <tendon/base/clock.h>
+#include <tendon/proxy/mirror/mirrored_read_proxy.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace tendon {
+namespace {
+
+class MirroredReadCommand final : public CommandBase {
+ public:
+  explicit MirroredReadCommand(std::shared_ptr<const MirroredValue> value)
+      : CommandBase(layout::kNone, layout::kNone), value_(std::move(value)) {}
+
+  Status ExecuteEncoded(std::span<const std::byte> /*in*/, std::vector<std::byte>& out) override {
+    SteadyTime written;
+    const Status status = value_->Read(out, written);
+    if (status) written_.Set(written.time_since_epoch());
+    return status;
+  }
+
+  [[nodiscard]] std::chrono::nanoseconds age() const override {
+    const std::chrono::nanoseconds written = written_.Get();
+    if (written == kNever) return kNever;
+    // What has come from another host may seem to be of a moment later.
+    const auto now = SteadyClock().Now().time_since_epoch();
+    return std::max(now - written, std::chrono::nanoseconds(0));
+  }
+
+ private:
+  static constexpr std::chrono::nanoseconds kNever = std::chrono::nanoseconds::max();
+
+  const std::shared_ptr<const MirroredValue> value_;
+  Published<std::chrono::nanoseconds> written_{kNever};  // the value that was read last
+};
+
+}  // namespace
+
+std::unique_ptr<CommandBase> MirroredReadProxy::Bind(Mailbox* /*mailbox*/) const {
+  return std::make_unique<MirroredReadCommand>(value_);
+}
+
+}  // namespace tendon
