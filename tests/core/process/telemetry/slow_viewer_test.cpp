@@ -1,10 +1,14 @@
 #include <tendon/task/periodic_task.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
+#include <chrono>
+#include <cstdio>
 #include <cstdlib>
 #include <mutex>
 
+#include "conformance/resources.h"
 #include "core/process/telemetry/viewing.h"
 #include "support/wait.h"
 
@@ -12,6 +16,8 @@ namespace {
 
 using namespace std::chrono_literals;
 using tendon::RowCounts;
+using tendon::SteadyTime;
+namespace conformance = tendon::conformance;
 
 /// Writes twenty rows of 264 bytes each millisecond, as long as it may.
 class Spate final : public tendon::PeriodicTask {
@@ -101,6 +107,11 @@ class SlowViewer : public ViewingTest {
     ASSERT_TRUE(EventuallyTrue(all_taken, 10min));
   }
 
+  /// Told, not judged: how fast this machine is.
+  static void Tell(std::uint64_t rows, std::chrono::duration<double> took) {
+    std::printf("%.0f rows a second to each viewer\n", static_cast<double>(rows) / took.count());
+  }
+
   std::unique_ptr<tendon::Process> robot;
   Spate* spate;
 };
@@ -112,10 +123,20 @@ TEST_P(SlowViewer, LosesItsOwnRowsOnlyAndKnowsOfEachWhileTheOthersHearThemAll) {
   const Viewer second = Watch();
   Write(Spate::kRate / 10, {&first, &stopped, &second});
 
+  // What waits for the stopped one fills its link soon; all else it misses.
+  std::size_t memory = 0;
+  std::size_t growth = 0;
   {
     const std::scoped_lock held(stopped.sink->gate);
+    Write(Spate::kRate, {&first, &second});
+    memory = conformance::MemoryInUse();
+    const SteadyTime begin = tendon::SteadyClock().Now();
     Write(seconds * Spate::kRate, {&first, &second});
+    Tell(seconds * Spate::kRate, tendon::SteadyClock().Now() - begin);
+    const std::size_t now = conformance::MemoryInUse();
+    growth = now - std::min(memory, now);
   }
+  EXPECT_LT(growth, std::size_t{16} << 20U) << "of " << memory << " bytes";
   Write(Spate::kRate / 10, {&first, &second});
 
   const std::uint64_t sent = spate->written();
