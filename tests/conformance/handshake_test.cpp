@@ -7,12 +7,45 @@
 namespace tendon::conformance {
 namespace {
 
-const std::string kOurs = std::to_string(FrameHeader::kProtocolVersion);
+const std::string kOurs = std::to_string(FrameHeader::kOldestVersion) + "-" +
+                          std::to_string(FrameHeader::kProtocolVersion);
+
+/// The same of one that speaks this protocol version alone.
+Hello Speaking(Hello hello, std::uint16_t version) {
+  hello.protocol_version = hello.oldest_version = version;
+  return hello;
+}
+
+TEST_P(ChannelContract, TheNewestVersionThatBothSpeakIsSpoken) {
+  constexpr std::size_t kLarge = std::size_t{600} << 10U;
+  for (const std::uint16_t openers : {FrameHeader::kProtocolVersion, FrameHeader::kOldestVersion}) {
+    for (const std::uint16_t acceptors :
+         {FrameHeader::kProtocolVersion, FrameHeader::kOldestVersion}) {
+      Hello robot = HelloOf("robot");
+      robot.protocol_version = acceptors;
+      Hello desk = HelloOf("desk");
+      desk.protocol_version = openers;
+      Start(Channel::Acceptor(robot, [] { return std::make_shared<Oracle>(); }));
+      const auto channel = Channel::Open(*pair_.client, listener_->address(), desk,
+                                         std::make_shared<Oracle>(), kPatience);
+      ASSERT_TRUE(channel) << channel.error().message;
+
+      EXPECT_EQ((*channel)->protocol_version(), std::min(openers, acceptors));
+      for (const std::size_t size : {std::size_t{1}, kLarge}) {  // whole, and in parts
+        const auto reply = (*channel)->Call<Question>(
+            kAsk, 1, Question{.text = std::string(size, 'x')}, kPatience);
+        ASSERT_TRUE(reply) << reply.error().message;
+        EXPECT_EQ(reply->text.size(), 2 * size);
+      }
+      (*channel)->Close();
+      listener_.reset();
+    }
+  }
+}
 
 TEST_P(ChannelContract, AnotherProtocolVersionIsRefusedWithWhomToUpdate) {
   Start(Channel::Acceptor(HelloOf("robot"), [] { return std::make_shared<Oracle>(); }));
-  Hello newer = HelloOf("desk");
-  newer.protocol_version = 9;
+  const Hello newer = Speaking(HelloOf("desk"), 9);
   const auto client = std::make_shared<Oracle>();
 
   const auto channel = Channel::Open(*pair_.client, listener_->address(), newer, client, kPatience);
@@ -27,8 +60,7 @@ TEST_P(ChannelContract, AnotherProtocolVersionIsRefusedWithWhomToUpdate) {
 }
 
 TEST_P(ChannelContract, AnOlderProgramIsToldToUpdateItself) {
-  Hello newer = HelloOf("robot");
-  newer.protocol_version = 9;
+  const Hello newer = Speaking(HelloOf("robot"), 9);
   Start(Channel::Acceptor(newer, [] { return std::make_shared<Oracle>(); }));
 
   const auto channel = Channel::Open(*pair_.client, listener_->address(), HelloOf("desk"),

@@ -10,7 +10,7 @@ import unittest
 from tendon import Denied, Incompatible, Invalid, NotFound, Unreachable, messages
 from tendon.messages import MessageType
 from tendon.middleware.certificate import Shown
-from tendon.middleware.frame import PROTOCOL_VERSION, Header
+from tendon.middleware.frame import OLDEST_VERSION, PROTOCOL_VERSION, Header
 from tendon.middleware.handshake import Opener, loopback_cookie
 
 COOKIE = 0x0123456789ABCDEF
@@ -45,9 +45,10 @@ def proof_of(cookie, role, opener, acceptor):
     return hmac.new(struct.pack("<Q", cookie), covered, hashlib.sha256).digest()
 
 
-def challenge_of(cookie, hello):
-    proof = proof_of(cookie, 1, messages.decode("Greeting", hello.body), ACCEPTOR)
-    return messages.encode("Challenge", {"greeting": ACCEPTOR, "proof": proof})
+def challenge_of(cookie, hello, acceptor=None):
+    acceptor = acceptor or ACCEPTOR
+    proof = proof_of(cookie, 1, messages.decode("Greeting", hello.body), acceptor)
+    return messages.encode("Challenge", {"greeting": acceptor, "proof": proof})
 
 
 class Handshake(unittest.TestCase):
@@ -106,11 +107,26 @@ class Handshake(unittest.TestCase):
             self.opener.take(Header(MessageType.REFUSAL, version=99), refusal)
 
     def test_another_version_says_who_must_be_updated(self):
-        newer, older = PROTOCOL_VERSION + 1, PROTOCOL_VERSION - 1
-        with self.assertRaisesRegex(Incompatible, f"speaks protocol {newer}, .*: update this prog"):
+        newer, older = PROTOCOL_VERSION + 1, OLDEST_VERSION - 1
+        ours = f"this program {OLDEST_VERSION}-{PROTOCOL_VERSION}"
+        with self.assertRaisesRegex(Incompatible,
+                                    f"speaks protocol {newer}, {ours}: update this program$"):
             self.opener.take(Header(MessageType.CHALLENGE, version=newer), b"")
-        with self.assertRaisesRegex(Incompatible, f"update {ADDRESS}$"):
-            self.opener.take(Header(MessageType.CHALLENGE, version=older), b"")
+        challenge = challenge_of(COOKIE, self.hello, {**ACCEPTOR, "protocol_version": older})
+        with self.assertRaisesRegex(Incompatible,
+                                    f"speaks protocol {older - 1}-{older}, {ours}: update {ADDRESS}$"):
+            self.opener.take(Header(MessageType.CHALLENGE, version=older - 1), challenge)
+
+    def test_the_newest_is_spoken_that_both_speak(self):
+        for oldest, newest, agreed in [(OLDEST_VERSION, PROTOCOL_VERSION, PROTOCOL_VERSION),
+                                       (OLDEST_VERSION - 1, OLDEST_VERSION, OLDEST_VERSION),
+                                       (PROTOCOL_VERSION, PROTOCOL_VERSION + 1, PROTOCOL_VERSION)]:
+            opener = Opener("test", ADDRESS, COOKIE)
+            acceptor = {**ACCEPTOR, "protocol_version": newest}
+            challenge = challenge_of(COOKIE, opener.greet(), acceptor)
+            opener.take(Header(MessageType.CHALLENGE, version=oldest), challenge)
+            with self.subTest(newest=newest):
+                self.assertEqual(opener.version, agreed)
 
     def test_anything_else_is_refused(self):
         for header, body in [(Header(MessageType.WELCOME), b"\0"),

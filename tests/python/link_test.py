@@ -14,7 +14,8 @@ from tendon import Denied, Failed, Invalid, TimedOut, Unreachable, messages
 from tendon.messages import MessageType
 from tendon.middleware.address import parse_address
 from tendon.middleware.frame import (HEADER_SIZE, MAX_FRAME_SIZE, MAX_PIECE_SIZE,
-                                     PROTOCOL_VERSION, Header, Pieces, read_frame, write_frame)
+                                     OLDEST_VERSION, PROTOCOL_VERSION, Header, Pieces, read_frame,
+                                     write_frame)
 from tendon.middleware.handshake import ACCEPTOR, Opener
 from tendon.middleware.ice import Network, only_parameter
 from tendon.middleware.link import Link
@@ -39,6 +40,8 @@ class Acceptor(Ice.openModule("tendon").Endpoint):
         self.cookie = cookie
         self.is_mute = False
         self.is_impostor = False
+        self.version = PROTOCOL_VERSION  # the newest it speaks
+        self.versions = set()  # of what it hears
         self.heard = []
         self.is_greeted = threading.Event()
         self.pieces = Pieces()
@@ -58,19 +61,20 @@ class Acceptor(Ice.openModule("tendon").Endpoint):
     def frame(self, frame, current=None):
         header, body = self.pieces.add(frame, is_end=True)
         self.heard.append(header.type)
+        self.versions.add(header.version)
         self.is_greeted.set()
         peer = Ice.openModule("tendon").EndpointPrx.uncheckedCast(
             current.con.createProxy(IDENTITY).ice_oneway())
 
         def send(message_type, answer, request=None, handle=0):
             request = header.request if request is None else request
-            whole = write_frame(Header(message_type, request, handle), answer)
+            whole = write_frame(Header(message_type, request, handle, self.version), answer)
             if len(whole) <= MAX_PIECE_SIZE:
                 peer.frame(whole)
                 return
             size = MAX_PIECE_SIZE - HEADER_SIZE
             for start in range(0, len(whole), size):
-                peer.frame(write_frame(Header(MessageType.PART, 0, 9), whole[start:start + size]))
+                peer.frame(write_frame(Header(MessageType.PART, 0, 9, self.version), whole[start:start + size]))
 
         if header.type == MessageType.PART:
             self.begun += body
@@ -112,7 +116,7 @@ class Acceptor(Ice.openModule("tendon").Endpoint):
             peer.frame(body)
 
     def challenge(self, opener):
-        greeting = {"protocol_version": PROTOCOL_VERSION, "instance": 42, "name": "acceptor",
+        greeting = {"protocol_version": self.version, "instance": 42, "name": "acceptor",
                     "nonce": bytes(16)}
         prover = Opener("", self.address, self.cookie)
         prover._mine = opener  # pylint: disable=protected-access
@@ -162,6 +166,13 @@ class OverIce(unittest.TestCase):
         self.assertEqual((link.peer_name, link.peer_instance), ("acceptor", 42))
         self.assertEqual(link.request(ECHO, b"hello", PATIENCE), b"hello")
         self.assertTrue(link.is_open)
+
+    def test_an_older_peer_hears_nothing_in_a_newer_protocol(self):
+        self.acceptor.version = OLDEST_VERSION
+        link = self.link()
+        for size in (5, 3 * MAX_PIECE_SIZE):  # whole, and in parts
+            self.assertEqual(link.request(ECHO, bytes(size), PATIENCE), bytes(size))
+        self.assertEqual(self.acceptor.versions, {OLDEST_VERSION})
 
     def test_a_refusal_is_raised_in_the_peers_words(self):
         with self.assertRaisesRegex(Failed, "^no$"):

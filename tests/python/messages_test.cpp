@@ -40,9 +40,12 @@ TEST(PythonPackage, HasTheSchemasOfOurMessages) {
 TEST(PythonPackage, SpeaksOurProtocol) {
   const std::string frame = ContentOf(TENDON_PYTHON_FRAME);
 
-  const std::string version = std::to_string(FrameHeader::kProtocolVersion);
-  EXPECT_NE(frame.find("\nPROTOCOL_VERSION = " + version + "\n"), std::string::npos)
-      << "another protocol: set PROTOCOL_VERSION = " << version << " in " TENDON_PYTHON_FRAME;
+  for (const std::string& line :
+       {"PROTOCOL_VERSION = " + std::to_string(FrameHeader::kProtocolVersion),
+        "OLDEST_VERSION = " + std::to_string(FrameHeader::kOldestVersion)}) {
+    EXPECT_NE(frame.find("\n" + line + "\n"), std::string::npos)
+        << "another protocol: set " << line << " in " TENDON_PYTHON_FRAME;
+  }
 }
 
 }  // namespace

@@ -52,6 +52,7 @@ Error WhyNotSent(Status status, const std::string& peer, std::size_t size) {
 Channel::Channel(Key /*only from here*/, Hello mine, std::shared_ptr<ChannelHandler> handler,
                  std::shared_ptr<Link> link, Strangers strangers)
     : mine_(std::move(mine)),
+      version_(mine_.oldest_version),
       is_acceptor_(link != nullptr),
       handler_(std::move(handler)),
       link_(std::move(link)) {
@@ -152,6 +153,7 @@ void Channel::Opened(Hello peer) {
   {
     const std::scoped_lock lock(mutex_);
     peer_ = std::move(peer);
+    version_ = peer_.protocol_version;
     is_open_.Set(!reason_);
   }
   CallGuarded(peer_.name, [&] { handler_->OnOpen(shared_from_this(), peer_); });
@@ -172,14 +174,14 @@ void Channel::Fail(const Error& reason) {
   if (link) link->Close();
 }
 
-bool Channel::IsInOurVersion(const FrameHeader& header) {
-  if (header.version == mine_.protocol_version) return true;
+bool Channel::IsInAgreedVersion(const FrameHeader& header) {
+  if (header.version == version_) return true;
   Fail({ErrorCode::kInvalid, peer_.name + " changed its protocol version"});
   return false;
 }
 
 void Channel::OnMessage(const FrameHeader& header, std::span<const std::byte> body) {
-  if (!IsInOurVersion(header)) return;
+  if (!IsInAgreedVersion(header)) return;
   switch (header.type) {
     case MessageType::kReply:
       return requests_.OnAnswer(header.request, Bytes(body.begin(), body.end()));
@@ -242,7 +244,7 @@ void Channel::HandleLarge(PartAssembly::Frame frame) {
   }
   const FrameHeader& header = frame.header;
   if (header.type != MessageType::kReply) return OnMessage(header, frame.body);
-  if (IsInOurVersion(header)) requests_.OnAnswer(header.request, std::move(frame.body));
+  if (IsInAgreedVersion(header)) requests_.OnAnswer(header.request, std::move(frame.body));
 }
 
 void Channel::OnPartsTaken(std::span<const std::byte> body) {
@@ -289,13 +291,11 @@ void Channel::OnClosed(const Error& reason) {
 
 FrameHeader Channel::HeaderOf(MessageType type, std::uint64_t request, std::uint32_t handle,
                               std::size_t size) const {
-  FrameHeader header;
-  header.version = mine_.protocol_version;
-  header.type = type;
-  header.request = request;
-  header.size = static_cast<std::uint32_t>(size);
-  header.handle = handle;
-  return header;
+  return {.version = version_,
+          .type = type,
+          .request = request,
+          .size = static_cast<std::uint32_t>(size),
+          .handle = handle};
 }
 
 Status Channel::Send(MessageType type, std::uint64_t request, std::uint32_t handle,

@@ -106,6 +106,9 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
 
   /// Wait-free.
   [[nodiscard]] bool is_open() const { return is_open_.Get(); }
+  /// The version of all that is said here, which both ends speak: what only newer ones have is
+  /// kept from an older peer. Constant since it is open.
+  [[nodiscard]] std::uint16_t protocol_version() const { return version_; }
   /// The peer's Hello; empty before OnOpen().
   [[nodiscard]] const Hello& peer() const { return peer_; }
   [[nodiscard]] std::string peer_address() const;
@@ -132,7 +135,7 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   Result<void> Greet(const std::shared_ptr<Link>& link, SteadyTime deadline);
   void OnFirst(const FrameHeader& header, std::span<const std::byte> body);
   void OnGreeting(const FrameHeader& header, std::span<const std::byte> body);
-  [[nodiscard]] bool IsInOurVersion(const FrameHeader& header);
+  [[nodiscard]] bool IsInAgreedVersion(const FrameHeader& header);
   void OnMessage(const FrameHeader& header, std::span<const std::byte> body);
   void OnReplies(std::span<const std::byte> body);
   void OnPart(const FrameHeader& header, std::span<const std::byte> part);
@@ -163,6 +166,7 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   [[nodiscard]] std::shared_ptr<LinkHandler> AsLinkHandler();
 
   const Hello mine_;
+  std::uint16_t version_;  // of our frames: the oldest until it is open
   const bool is_acceptor_;
   std::shared_ptr<ChannelHandler> handler_;  // used in the middleware's thread only
   std::optional<Handshake> handshake_;       // likewise, once there is a link

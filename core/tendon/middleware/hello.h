@@ -15,7 +15,9 @@ inline constexpr const char* kGcmName = "gcm";
 
 /// Who is at an end of a link, and what it knows; handshake/handshake.h says how the ends learn it.
 struct Hello {
+  /// The newest that this end speaks; as a peer's, the one that both speak.
   std::uint16_t protocol_version = FrameHeader::kProtocolVersion;
+  std::uint16_t oldest_version = FrameHeader::kOldestVersion;  ///< that this end speaks
   std::uint64_t instance = 0;  ///< of the process, new at each start
   /// Of the process or program, for people: "robot", "gcm ls". As a peer's under TLS, that of its
   /// certificate: "robot" is a process of this name and nobody else, others are "anna (gcm ls)".

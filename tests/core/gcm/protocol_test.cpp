@@ -16,26 +16,33 @@ Fingerprint FingerprintOfAll() {
   return FingerprintOf(texts);
 }
 
-TEST(Protocol, WhoChangesAMessageRaisesTheVersion) {
-  const Fingerprint messages =
-      FingerprintOfAll<Error, message::Greeting, message::Challenge, message::Proof,  // middleware
-                       message::OpenInterface, message::InterfaceOpened, message::Credit,
-                       message::EventsLost, message::Pong,  // proxy
-                       message::GetSchemas, message::Schemas, message::CallMember, message::Called,
-                       message::Subscribe, message::Subscribed, message::RowsHeader,  // process
-                       message::Join, message::Joined, message::Report, message::Wiring,
-                       message::Peers, ConnectionDescription, message::Health, message::GcmClock,
-                       // membership
-                       message::Snapshot, message::Changes, message::Wire, message::HistoryEntry,
-                       message::History, message::Forget, message::LogRecords, message::SetLogLevel,
-                       message::WatchLog, message::LogWatched, message::LifeOrder,
-                       message::LifeOutcome, message::BeginOrder, message::GetClasses,
-                       message::Classes, message::WhichStep, message::SystemHealth>();  // gcm
+Fingerprint MessagesOfVersion6() {
+  return FingerprintOfAll<
+      Error, message::Greeting, message::Challenge, message::Proof,  // middleware
+      message::OpenInterface, message::InterfaceOpened, message::Credit, message::EventsLost,
+      message::Pong,  // proxy
+      message::GetSchemas, message::Schemas, message::CallMember, message::Called,
+      message::Subscribe, message::Subscribed, message::RowsHeader,  // process
+      message::Join, message::Joined, message::Report, message::Wiring, message::Peers,
+      ConnectionDescription, message::Health, message::GcmClock,
+      // membership
+      message::Snapshot, message::Changes, message::Wire, message::HistoryEntry, message::History,
+      message::Forget, message::LogRecords, message::SetLogLevel, message::WatchLog,
+      message::LogWatched, message::LifeOrder, message::LifeOutcome, message::BeginOrder,
+      message::GetClasses, message::Classes, message::WhichStep, message::SystemHealth>();  // gcm
+}
 
+/// The same: what is new is how a version is agreed on.
+Fingerprint MessagesOfVersion7() { return MessagesOfVersion6(); }
+
+TEST(Protocol, WhoChangesAMessageRaisesTheVersion) {
   // Another fingerprint belongs to another version: two programs that know different messages would
-  // otherwise misread each other. Raise FrameHeader::kProtocolVersion, then put both down here.
-  EXPECT_EQ(FrameHeader::kProtocolVersion, 6);
-  EXPECT_EQ(ToString(messages), "06f20568342fb9f8a3c910452d3ea7d0");
+  // otherwise misread each other. Raise FrameHeader::kProtocolVersion, then put both down here, and
+  // keep the messages of the version before as long as that is spoken.
+  EXPECT_EQ(FrameHeader::kProtocolVersion, 7);
+  EXPECT_EQ(FrameHeader::kOldestVersion, 6);
+  EXPECT_EQ(ToString(MessagesOfVersion6()), "06f20568342fb9f8a3c910452d3ea7d0");
+  EXPECT_EQ(ToString(MessagesOfVersion7()), "06f20568342fb9f8a3c910452d3ea7d0");
   // Came since: a program that does not know them refuses them by their numbers.
   EXPECT_EQ(ToString(FingerprintOfAll<message::ProcessOrder>()),
             "d5aa5869dbf7b2967e2cac9f17106c81");

@@ -16,9 +16,18 @@ Hello HelloOf(const std::string& name, std::uint64_t cookie = kCookie) {
   return {.instance = 3, .name = name, .session = name == "desk" ? 99U : 0U, .cookie = cookie};
 }
 
-const std::string kOurs = std::to_string(FrameHeader::kProtocolVersion);
+constexpr std::uint16_t kNewest = FrameHeader::kProtocolVersion;
+constexpr std::uint16_t kOldest = FrameHeader::kOldestVersion;
+const std::string kOurs = std::to_string(kOldest) + "-" + std::to_string(kNewest);
 
-FrameHeader HeaderOf(MessageType type, std::uint16_t version = FrameHeader::kProtocolVersion) {
+/// One that speaks these protocol versions.
+Hello Speaking(Hello hello, int oldest, int newest) {
+  hello.oldest_version = static_cast<std::uint16_t>(oldest);
+  hello.protocol_version = static_cast<std::uint16_t>(newest);
+  return hello;
+}
+
+FrameHeader HeaderOf(MessageType type, std::uint16_t version = kOldest) {
   FrameHeader header;
   header.type = type;
   header.version = version;
@@ -31,14 +40,16 @@ struct Talk {
   explicit Talk(Hello one = HelloOf("desk"), Hello other = HelloOf("robot"),
                 Strangers strangers = Strangers::kRefused,
                 const std::string& seen = "127.0.0.1:10705")
-      : opener(Handshake::Role::kOpener, std::move(one), seen, Strangers::kRefused),
+      : openers_oldest(one.oldest_version),
+        acceptors_oldest(other.oldest_version),
+        opener(Handshake::Role::kOpener, std::move(one), seen, Strangers::kRefused),
         acceptor(Handshake::Role::kAcceptor, std::move(other), "127.0.0.1:10705", strangers) {}
 
   Result<Handshake::Step> Hear(MessageType type, const Bytes& body) {
-    return acceptor.Take(HeaderOf(type), body);
+    return acceptor.Take(HeaderOf(type, openers_oldest), body);
   }
   Result<Handshake::Step> Answer(const Handshake::Step& step) {
-    return opener.Take(HeaderOf(step.type), step.body);
+    return opener.Take(HeaderOf(step.type, acceptors_oldest), step.body);
   }
   /// Whom the acceptor lets in.
   Result<Hello> Run() {
@@ -54,6 +65,8 @@ struct Talk {
     return *welcome->peer;
   }
 
+  const std::uint16_t openers_oldest;
+  const std::uint16_t acceptors_oldest;
   Handshake opener;
   Handshake acceptor;
   Hello robot;  // as the opener knows it
@@ -153,6 +166,63 @@ TEST(Handshake, WhoFoundTheAcceptorElsewhereIsDenied) {
   Talk talk(HelloOf("desk"), HelloOf("robot"), Strangers::kRefused, "127.0.0.1:6666");
 
   EXPECT_EQ(talk.Run().error().code, ErrorCode::kDenied);
+}
+
+TEST(Handshake, BothSpeakTheNewestThatBothKnow) {
+  struct Case {
+    int oldest, newest, agreed;
+  };
+  for (const Case one : {Case{kOldest, kNewest, kNewest}, Case{kOldest, kOldest, kOldest},
+                         Case{kOldest - 1, kOldest, kOldest}, Case{kNewest, kNewest + 1, kNewest},
+                         Case{kOldest, kNewest + 5, kNewest}}) {
+    const Hello robot = Speaking(HelloOf("robot"), one.oldest, one.newest);
+    Talk to_it(HelloOf("desk"), robot);
+    Talk from_it(Speaking(HelloOf("desk"), one.oldest, one.newest));
+
+    const auto its_peer = to_it.Run();
+    const auto our_peer = from_it.Run();
+
+    ASSERT_TRUE(its_peer) << its_peer.error().message;
+    ASSERT_TRUE(our_peer) << our_peer.error().message;
+    for (const Hello& peer : {*its_peer, to_it.robot, *our_peer, from_it.robot}) {
+      EXPECT_EQ(peer.protocol_version, one.agreed) << one.oldest << "-" << one.newest;
+    }
+  }
+}
+
+TEST(Handshake, WhoSpeaksNoVersionOfOursIsToldWhomToUpdate) {
+  const auto refusal_of = [](int oldest, int newest) {
+    return Talk(Speaking(HelloOf("desk"), oldest, newest)).Run().error();
+  };
+  const std::string begin = "robot speaks protocol " + kOurs + ", this program ";
+  const auto differs = [&](const std::string& end) {
+    return Error{ErrorCode::kIncompatible, begin + end};
+  };
+
+  EXPECT_EQ(refusal_of(kOldest - 2, kOldest - 1),
+            differs(std::to_string(kOldest - 2) + "-" + std::to_string(kOldest - 1) +
+                    ": update this program"));
+  EXPECT_EQ(refusal_of(kOldest - 1, kOldest - 1),
+            differs(std::to_string(kOldest - 1) + ": update this program"));
+  EXPECT_EQ(refusal_of(kNewest + 1, kNewest + 1),
+            differs(std::to_string(kNewest + 1) + ": update robot"));
+}
+
+TEST(Handshake, AChallengeInAnOlderVersionIsRefusedHere) {
+  Talk talk(HelloOf("desk"), Speaking(HelloOf("robot"), kOldest - 1, kNewest));
+  const auto challenge = talk.Hear(MessageType::kHello, talk.opener.Greet());
+  ASSERT_TRUE(challenge);
+  Handshake newer(Handshake::Role::kOpener, Speaking(HelloOf("desk", 0), kNewest + 1, kNewest + 2),
+                  "127.0.0.1:10705", Strangers::kRefused);
+  (void)newer.Greet();
+
+  const auto judged = newer.Take(HeaderOf(MessageType::kChallenge, kOldest - 1), challenge->body);
+
+  ASSERT_FALSE(judged);
+  EXPECT_EQ(judged.error().message,
+            "127.0.0.1:10705 speaks protocol " + std::to_string(kOldest - 1) + "-" +
+                std::to_string(kNewest) + ", this program " + std::to_string(kNewest + 1) + "-" +
+                std::to_string(kNewest + 2) + ": update 127.0.0.1:10705");
 }
 
 TEST(Handshake, AnotherVersionIsRefusedBeforeItsBodyIsRead) {

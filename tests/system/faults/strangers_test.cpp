@@ -1,6 +1,8 @@
 #include <sys/resource.h>
 #include <tendon/base/os/socket.h>
+#include <tendon/gcm/messages.h>
 #include <tendon/middleware/channel.h>
+#include <tendon/proxy/messages.h>
 
 #include <atomic>
 #include <random>
@@ -53,6 +55,14 @@ class Strangers : public FaultTest {
     auto socket = os::ConnectTo(place->host, place->port, Patience());
     EXPECT_TRUE(socket) << socket.error().message;
     return socket ? *std::move(socket) : os::Socket();
+  }
+  /// A client of this protocol version alone.
+  static tendon::Hello Speaking(unsigned version) {
+    return {.protocol_version = static_cast<std::uint16_t>(version),
+            .oldest_version = static_cast<std::uint16_t>(version),
+            .instance = 1,
+            .name = "odd",
+            .cookie = *tendon::LoopbackCookie()};
   }
   static void Say(const std::string& address, const Bytes& bytes) {
     (void)os::SendSome(Knock(address), bytes);
@@ -146,22 +156,41 @@ TEST_P(Strangers, TheMessagesThatKillProgramsOfIceKillNoneOfOurs) {
 TEST_P(Strangers, AnotherProtocolVersionIsRefusedInWords) {
   ASSERT_NO_FATAL_FAILURE(Begin());
   const auto middleware = NewMiddleware();
-  constexpr unsigned kOurs = tendon::FrameHeader::kProtocolVersion;
+  constexpr unsigned kNewest = tendon::FrameHeader::kProtocolVersion;
+  constexpr unsigned kOldest = tendon::FrameHeader::kOldestVersion;
 
   for (const std::string& port : ports_) {
-    for (const unsigned version : {kOurs + 1, kOurs - 1}) {
-      const tendon::Hello hello{.protocol_version = static_cast<std::uint16_t>(version),
-                                .instance = 1,
-                                .name = "odd",
-                                .cookie = *tendon::LoopbackCookie()};
-      const auto channel =
-          Channel::Open(*middleware, port, hello, std::make_shared<ChannelHandler>(), Patience());
+    for (const unsigned version : {kNewest + 1, kOldest - 1}) {
+      const auto channel = Channel::Open(*middleware, port, Speaking(version),
+                                         std::make_shared<ChannelHandler>(), Patience());
       ASSERT_FALSE(channel);
       EXPECT_EQ(channel.error().code, tendon::ErrorCode::kIncompatible);
-      EXPECT_THAT(channel.error().message,
-                  HasSubstr("speaks protocol " + std::to_string(kOurs) + ", this program " +
-                            std::to_string(version) + ": update "));
+      EXPECT_THAT(
+          channel.error().message,
+          HasSubstr("speaks protocol " + std::to_string(kOldest) + "-" + std::to_string(kNewest) +
+                    ", this program " + std::to_string(version) + ": update "));
     }
+  }
+
+  ExpectNobodyDisturbed();
+}
+
+/// Row 15.
+TEST_P(Strangers, TheProtocolVersionBeforeIsSpoken) {
+  ASSERT_NO_FATAL_FAILURE(Begin());
+  const auto middleware = NewMiddleware();
+
+  for (const std::string& port : ports_) {
+    const auto channel =
+        Channel::Open(*middleware, port, Speaking(tendon::FrameHeader::kOldestVersion),
+                      std::make_shared<ChannelHandler>(), Patience());
+    ASSERT_TRUE(channel) << channel.error().message;
+    EXPECT_EQ((*channel)->protocol_version(), tendon::FrameHeader::kOldestVersion);
+    const auto question = port == gcm_address_ ? tendon::message::kHealth : tendon::message::kPing;
+    const auto answer =
+        (*channel)->Call(question, 0, tendon::EncodeBody(tendon::None{}), Patience());
+    EXPECT_TRUE(answer) << answer.error().message;
+    (*channel)->Close();
   }
 
   ExpectNobodyDisturbed();

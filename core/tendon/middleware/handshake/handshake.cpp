@@ -4,6 +4,7 @@
 #include <tendon/base/os/process.h>
 #include <tendon/middleware/handshake/handshake.h>
 
+#include <algorithm>
 #include <cstring>
 #include <stdexcept>
 #include <utility>
@@ -61,12 +62,23 @@ void FillWithRandom(std::array<std::uint8_t, 16>& nonce) {
   std::memcpy(nonce.data(), random.data(), sizeof random);
 }
 
+/// The protocol versions that an end speaks.
+struct Versions {
+  unsigned oldest = 0;
+  unsigned newest = 0;
+};
+
+std::string ToString(const Versions& versions) {
+  const std::string newest = std::to_string(versions.newest);
+  return versions.oldest < versions.newest ? std::to_string(versions.oldest) + "-" + newest
+                                           : newest;
+}
+
 /// In the words of the one who opened the link.
-Error VersionsDiffer(const std::string& acceptor, unsigned its_version, unsigned openers_version) {
-  return {ErrorCode::kIncompatible,
-          acceptor + " speaks protocol " + std::to_string(its_version) + ", this program " +
-              std::to_string(openers_version) + ": update " +
-              (its_version > openers_version ? "this program" : acceptor)};
+Error VersionsDiffer(const std::string& acceptor, const Versions& its, const Versions& openers) {
+  return {ErrorCode::kIncompatible, acceptor + " speaks protocol " + ToString(its) +
+                                        ", this program " + ToString(openers) + ": update " +
+                                        (its.newest > openers.newest ? "this program" : acceptor)};
 }
 
 Handshake::Step Answer(MessageType type, Bytes body) {
@@ -90,19 +102,21 @@ Bytes Handshake::Greet() {
 
 Result<Handshake::Step> Handshake::Take(const FrameHeader& header,
                                         std::span<const std::byte> body) {
+  const bool is_opener = stage_ == Stage::kChallenge || stage_ == Stage::kWelcome;
+  if (is_opener && header.type == MessageType::kRefusal) return ReadRefusal(body, address_);
+  if (header.version > mine_.protocol_version) {  // who knows what its body is
+    return CheckVersions(header.version, header.version).error();
+  }
   switch (stage_) {
     case Stage::kHello:
       return OnHello(header, body);
+    case Stage::kChallenge:
+      return OnChallenge(header, body);
     case Stage::kProof:
       return OnProof(header, body);
     default:
-      break;
+      return OnWelcome(header);
   }
-  if (header.type == MessageType::kRefusal) return ReadRefusal(body, address_);
-  if (header.version != mine_.protocol_version) {
-    return VersionsDiffer(address_, header.version, mine_.protocol_version);
-  }
-  return stage_ == Stage::kChallenge ? OnChallenge(header, body) : OnWelcome(header);
 }
 
 Result<Handshake::Step> Handshake::OnHello(const FrameHeader& header,
@@ -110,10 +124,9 @@ Result<Handshake::Step> Handshake::OnHello(const FrameHeader& header,
   if (header.type != MessageType::kHello || header.request == 0) {
     return Error{ErrorCode::kInvalid, mine_.name + " expects a Hello first"};
   }
-  if (header.version != mine_.protocol_version) {
-    return VersionsDiffer(mine_.name, mine_.protocol_version, header.version);
-  }
   auto greeting = DecodeBody<Greeting>(body);
+  const unsigned newest = greeting ? greeting->protocol_version : header.version;
+  if (const auto checked = CheckVersions(header.version, newest); !checked) return checked.error();
   if (!greeting) return greeting.error();
   opener_ = *std::move(greeting);
   acceptor_ = MyGreeting();
@@ -131,6 +144,8 @@ Result<Handshake::Step> Handshake::OnChallenge(const FrameHeader& header,
   acceptor_ = std::move(challenge->greeting);
   const bool is_proved = AreEqual(challenge->proof, ProofOf(Role::kAcceptor, 0));
   if (mine_.cookie != 0 && !is_proved) return NotKnown();
+  const auto spoken = CheckVersions(header.version, acceptor_.protocol_version);
+  if (!spoken) return spoken.error();
   if (const auto checked = CheckAcceptor(); !checked) return checked.error();
   stage_ = Stage::kWelcome;
   const Proof proof{.proof = ProofOf(Role::kOpener, mine_.session), .session = mine_.session};
@@ -156,6 +171,16 @@ Result<Handshake::Step> Handshake::OnWelcome(const FrameHeader& header) {
   return Step{.peer = Peer(0)};
 }
 
+/// Whether both ends have a version in common.
+Result<void> Handshake::CheckVersions(unsigned peers_oldest, unsigned peers_newest) const {
+  const Versions mine{.oldest = mine_.oldest_version, .newest = mine_.protocol_version};
+  const Versions peers{.oldest = peers_oldest, .newest = peers_newest};
+  if (peers.oldest <= mine.newest && mine.oldest <= peers.newest) return {};
+  const bool is_acceptor = stage_ == Stage::kHello || stage_ == Stage::kProof;
+  return is_acceptor ? VersionsDiffer(mine_.name, mine, peers)
+                     : VersionsDiffer(address_, peers, mine);
+}
+
 Greeting Handshake::MyGreeting() const {
   Greeting greeting{.protocol_version = mine_.protocol_version,
                     .instance = mine_.instance,
@@ -167,7 +192,7 @@ Greeting Handshake::MyGreeting() const {
 
 Hello Handshake::Peer(std::uint64_t session) const {
   const Greeting& greeting = stage_ == Stage::kProof ? opener_ : acceptor_;
-  Hello peer{.protocol_version = greeting.protocol_version,
+  Hello peer{.protocol_version = std::min(mine_.protocol_version, greeting.protocol_version),
              .instance = greeting.instance,
              .name = greeting.name,
              .session = session};

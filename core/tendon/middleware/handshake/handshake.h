@@ -15,7 +15,7 @@ namespace message {
 
 /// What an end says first: who it is, and a number that nobody can foresee.
 struct Greeting {
-  std::uint16_t protocol_version = 0;
+  std::uint16_t protocol_version = 0;  // the newest it speaks
   std::uint64_t instance = 0;
   std::string name;
   std::array<std::uint8_t, 16> nonce{};
@@ -45,6 +45,9 @@ struct Proof {
 ///     acceptor   kChallenge  Challenge: its greeting and its proof
 ///     opener     kProof      Proof, and the session, which an impostor must not hear
 ///     acceptor   kWelcome    None
+///
+/// These frames carry the oldest protocol version that their sender speaks, so that an older
+/// program reads them, and their bodies never change; both then speak the newest that both know.
 ///
 /// A proof covers all that was said, so that none is good for another link, and the address at
 /// which the opener finds the acceptor, so that one who listens elsewhere has no use for passing it
@@ -82,6 +85,7 @@ class Handshake {
   Result<Step> OnProof(const FrameHeader& header, std::span<const std::byte> body);
   Result<Step> OnWelcome(const FrameHeader& header);
 
+  [[nodiscard]] Result<void> CheckVersions(unsigned peers_oldest, unsigned peers_newest) const;
   [[nodiscard]] message::Greeting MyGreeting() const;
   [[nodiscard]] Hello Peer(std::uint64_t session) const;
   [[nodiscard]] message::Digest ProofOf(Role role, std::uint64_t session) const;

@@ -8,7 +8,9 @@ from typing import NamedTuple
 from ..errors import Invalid
 
 MAGIC = 0x4E444E54  # "TNDN"
-PROTOCOL_VERSION = 6
+PROTOCOL_VERSION = 7
+OLDEST_VERSION = 6
+"""The oldest one that is spoken too."""
 HEADER_SIZE = 24
 MAX_FRAME_SIZE = 64 << 20
 """A frame may have at most this many bytes, header included; larger ones are refused."""
