@@ -116,13 +116,8 @@ class End final : public Link, public std::enable_shared_from_this<End> {
     handler_ = std::move(handler);
   }
 
-  Status Send(std::span<const std::byte> frame) override {
-    if (!ReadWholeFrame(frame)) return Status::kInvalid;
-    const auto other = other_.lock();
-    if (!other || !IsOpen()) return Status::kNotConnected;
-    if (!network_->Passes(frame)) return Status::kQueued;
-    return other->Take(frame);
-  }
+  Status Send(std::span<const std::byte> frame) override { return Pass(frame, Kind::kSent); }
+  Status Ask(std::span<const std::byte> frame) override { return Pass(frame, Kind::kAsked); }
 
   void Admit() override {
     const std::scoped_lock lock(mutex_);
@@ -141,18 +136,30 @@ class End final : public Link, public std::enable_shared_from_this<End> {
   void SetHandler(std::shared_ptr<LinkHandler> handler) { handler_ = std::move(handler); }
 
  private:
+  /// What a frame is to who gets it; a question's answer needs no room on the link.
+  enum class Kind { kSent, kAsked, kAnswer };
+
+  Status Pass(std::span<const std::byte> frame, Kind kind) {
+    if (!ReadWholeFrame(frame)) return Status::kInvalid;
+    const auto other = other_.lock();
+    if (!other || !IsOpen()) return Status::kNotConnected;
+    if (!network_->Passes(frame)) return Status::kQueued;
+    return other->Take(frame, kind);
+  }
+
   bool IsOpen() {
     const std::scoped_lock lock(mutex_);
     return !has_ended_;
   }
 
-  Status Take(std::span<const std::byte> frame) {
+  Status Take(std::span<const std::byte> frame, Kind kind) {
     const std::scoped_lock lock(mutex_);
     if (has_ended_) return Status::kNotConnected;
-    if (waiting_ != 0 && waiting_ + frame.size() > kSendWindow) return Status::kQueueFull;
+    const bool is_full = waiting_ != 0 && waiting_ + frame.size() > kSendWindow;
+    if (is_full && kind != Kind::kAnswer) return Status::kQueueFull;
     waiting_ += frame.size();
-    courier_->Post([self = shared_from_this(), copy = Bytes(frame.begin(), frame.end())] {
-      self->Deliver(copy);
+    courier_->Post([self = shared_from_this(), copy = Bytes(frame.begin(), frame.end()), kind] {
+      self->Deliver(copy, kind);
     });
     return Status::kQueued;
   }
@@ -168,14 +175,18 @@ class End final : public Link, public std::enable_shared_from_this<End> {
     }
   }
 
-  void Deliver(const Bytes& frame) {
+  void Deliver(const Bytes& frame, Kind kind) {
     std::unique_lock lock(mutex_);
     waiting_ -= frame.size();
     if (is_deaf_) return;
     const bool fits = frame.size() <= limit_;
     lock.unlock();
     if (!fits) return CloseFor(NoFrame(peer_name_));
-    if (handler_) handler_->OnFrame(frame);
+    if (!handler_) return;
+    if (kind != Kind::kAsked) return handler_->OnFrame(frame);
+    Bytes answer;
+    handler_->OnAsked(frame, answer);
+    if (!answer.empty()) (void)Pass(answer, Kind::kAnswer);
   }
 
   /// After what was posted before, the handler hears OnClosed().

@@ -29,6 +29,9 @@ inline constexpr auto kWait = static_cast<MessageType>(0x105);
 // notice: calls of event handlers, as CallBatch puts them
 inline constexpr auto kEvents = static_cast<MessageType>(0x110);
 inline constexpr auto kCredit = static_cast<MessageType>(0x111);  // notice: Credit
+/// From this protocol version on the opener takes it from the answer to a kWait that was executed:
+/// what it had sent before has been, too.
+inline constexpr std::uint16_t kAnswersTellCredit = 7;
 // notice: Error; the provided interface is gone
 inline constexpr auto kInterfaceClosed = static_cast<MessageType>(0x112);
 // notice, to who listens from outside: as kEvents, each value as AddTimed() puts it

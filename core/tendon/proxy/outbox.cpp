@@ -102,13 +102,14 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
     const auto record = mailbox_.completions().Take();
     if (!record) return {};
     std::uint64_t call = 0;
+    std::uint64_t sent = 0;
     const Status entered = Host::Contain(nullptr, [&]() -> Status {  // memory may be short
       Outbox::Question question = QuestionOf(0, {});
       question.argument.reserve(in.size() + sizeof(std::uint64_t));  // for its time behind it
       question.argument.assign(in.begin(), in.end());
       call = question.call = callers_->Enter(*record, deadline);
       (void)callers_->Start(*record);  // its caller, this one, has not left
-      outbox_.SendAtOnce(turn, std::move(question));
+      sent = outbox_.SendAtOnce(turn, std::move(question));
       return Status::kQueued;
     });
     turn.unlock();
@@ -116,7 +117,9 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
       mailbox_.completions()[*record].Free();
       return entered;
     }
-    return Await(*record, call, deadline, out);
+    const Status status = Await(*record, call, deadline, out);
+    if (status == Status(Status::kDone)) outbox_.OnExecuted(sent, mailbox_);
+    return status;
   }
 
   /// kQueued, and room with the argument; or why not.
@@ -198,6 +201,16 @@ void Outbox::RefusePayload(std::uint32_t handle, std::size_t size) noexcept {
   wakeup_.Notify();
 }
 
+void Outbox::SetExecuted(std::uint64_t calls) {
+  const std::scoped_lock lock(raising_);
+  if (calls > executed_.Get()) executed_.Set(calls);
+}
+
+void Outbox::OnExecuted(std::uint64_t calls, const Mailbox& callers) {
+  SetExecuted(calls);
+  if (callers.size() != 0) wakeup_.Notify();
+}
+
 std::uint64_t Outbox::Room() const {
   const std::uint64_t under_way = sent_ - std::min(executed_.Get(), sent_);
   return credit_ - std::min(under_way, credit_);
@@ -219,11 +232,13 @@ Outbox::Turn Outbox::TakeTurn() {
   return turn;
 }
 
-void Outbox::SendAtOnce([[maybe_unused]] const Turn& turn, Question question) {
+std::uint64_t Outbox::SendAtOnce([[maybe_unused]] const Turn& turn, Question question) {
   assert(turn.mutex() == &sending_ && turn.owns_lock() && !has_taken());
   question_ = std::move(question);
   sent_ += SendTaken(1, &Channel::TryAsk);
-  if (has_taken()) wakeup_.Notify();
+  if (!has_taken()) return sent_;
+  wakeup_.Notify();
+  return 0;
 }
 
 /// And what waits in the inbox, if there is more that may be sent.

@@ -51,8 +51,8 @@ class Outbox {
   void RefusePayload(std::uint32_t handle, std::size_t size) noexcept;
   [[nodiscard]] RefusedPayloads& refused_payloads() { return refused_payloads_; }
 
-  /// Any thread: so many of the calls that were sent have been executed.
-  void SetExecuted(std::uint64_t calls) { executed_.Set(calls); }
+  /// Any thread: at least so many of the calls that were sent have been executed.
+  void SetExecuted(std::uint64_t calls);
 
   /// The right to send, of a caller's thread: while it is held, nothing else is sent here.
   using Turn = std::unique_lock<std::mutex>;
@@ -81,8 +81,12 @@ class Outbox {
   /// Nothing taken where that would make others wait, or overtake what was taken before.
   [[nodiscard]] Turn TakeTurn();
   /// Instead of the caller's mailbox, in which nothing waits: sends its call, or has the network
-  /// thread do so as soon as the link has room.
-  void SendAtOnce(const Turn& turn, Question question);
+  /// thread do so as soon as the link has room. Returns how many calls were sent then, the last
+  /// being this one, or 0 where it was not.
+  std::uint64_t SendAtOnce(const Turn& turn, Question question);
+  /// A caller's thread: the last of so many calls that were sent has been executed, so the others
+  /// have, which were before it in one mailbox. What waits in the caller's may have room now.
+  void OnExecuted(std::uint64_t calls, const Mailbox& callers);
 
   // Network thread, out of Send(): the next call.
 
@@ -111,6 +115,7 @@ class Outbox {
   Flag is_open_{true};
   Inbox inbox_;
   const std::uint64_t credit_;
+  std::mutex raising_;  // executed_, which never falls: who learns of less may come later
   Published<std::uint64_t> executed_{0};
 
   bool has_waited_ = false;  // of the network thread: its last Send() found somebody sending

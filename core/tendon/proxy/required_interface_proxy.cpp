@@ -92,6 +92,11 @@ std::string RequiredInterfaceProxy::Fault() const {
   return host != nullptr && host->is_faulted() ? Printable(server_.fault()) : std::string();
 }
 
+/// Whether the server is another than the peer was told, but for what it has executed.
+bool RequiredInterfaceProxy::IsChanged() const {
+  return IsAccepting() != told_.accepting || Fault() != told_.fault;
+}
+
 void RequiredInterfaceProxy::EndCredit() {
   const std::scoped_lock waiting(waiting_);  // what is waited for there must not be freed
   const std::scoped_lock lock(mutex_);
@@ -103,15 +108,17 @@ void RequiredInterfaceProxy::EndCredit() {
 void RequiredInterfaceProxy::OnCommand(std::size_t function, std::span<const std::byte> argument) {
   if (function >= functions_.size() || !IsQueued(functions_[function]->kind())) return;
   (void)(*functions_[function])(argument, answer_);  // a refused one counts as executed
-  CountReceived();
+  CountReceived(Watch::kClosely);
 }
 
-void RequiredInterfaceProxy::CountReceived() {
+void RequiredInterfaceProxy::CountReceived(Watch watch) {
   std::unique_lock lock(mutex_);
   ++received_;
-  const bool is_watched = std::exchange(is_watched_, true);
+  if (watch_ >= watch) return;
+  if (watch == Watch::kNowAndThen) owed_since_ = SteadyClock().Now();
+  watch_ = watch;
   lock.unlock();
-  if (!is_watched) thread_->Notify();
+  thread_->Notify();
 }
 
 void RequiredInterfaceProxy::OnRead(std::size_t function, std::span<const std::byte> argument,
@@ -152,8 +159,11 @@ void RequiredInterfaceProxy::OnWait(std::size_t function, std::span<const std::b
   if (!begun.is_told) waiting.lock();
   const Status status = functions_[function]->Begin(
       question, answer_, begun.is_told ? thread_->wakeup() : *ended_, begun.command, begun.call);
-  CountReceived();
-  if (status != Status(Status::kQueued)) return OnEnd(begun, status, answer_, now);
+  const bool is_queued = status == Status(Status::kQueued);
+  const bool answer_tells =
+      is_queued && !begun.is_told && channel_->protocol_version() >= message::kAnswersTellCredit;
+  CountReceived(answer_tells ? Watch::kNowAndThen : Watch::kClosely);
+  if (!is_queued) return OnEnd(begun, status, answer_, now);
   Await(std::move(begun));
 }
 
@@ -183,8 +193,10 @@ void RequiredInterfaceProxy::Await(BegunCalls::Begun begun) {
   begun_.Add(std::move(begun));
   if (has_ended) {
     SteadyTime next;
-    return begun_.Answer(SteadyClock().Now(), next);
+    begun_.Answer(SteadyClock().Now(), next);
+    if (!IsChanged()) return;
   }
+  watch_ = Watch::kClosely;
   lock.unlock();
   thread_->Notify();
 }
@@ -222,14 +234,17 @@ bool RequiredInterfaceProxy::Work(SteadyTime now, SteadyTime& next) {
 }
 
 /// Whether the peer must hear it now; what was executed may wait for more, unless that is half of
-/// what the peer may have under way.
+/// what the peer may have under way, and no answers have told it.
 bool RequiredInterfaceProxy::IsUrgent(const message::Credit& credit) const {
-  return credit.accepting != told_.accepting || credit.fault != told_.fault ||
-         2 * (credit.executed - told_.executed) >= capacity_;
+  if (credit.accepting != told_.accepting || credit.fault != told_.fault) return true;
+  return watch_ != Watch::kNowAndThen && 2 * (credit.executed - told_.executed) >= capacity_;
 }
 
+/// A peer whose caller has left has not learnt from the answer what that told; so it is told now
+/// and then all the same.
 void RequiredInterfaceProxy::SendCredit(SteadyTime now, SteadyTime& next) {
   constexpr std::chrono::milliseconds kLatest(4);
+  constexpr std::chrono::milliseconds kLatestBehindAnswers(100);
   constexpr std::chrono::milliseconds kUntilNextLook(1);
   const std::scoped_lock lock(mutex_);
   if (connection_ == nullptr) return;
@@ -240,13 +255,20 @@ void RequiredInterfaceProxy::SendCredit(SteadyTime now, SteadyTime& next) {
       received - std::min<std::uint64_t>(connection_->waiting(), received);
   const message::Credit credit{
       .executed = std::max(executed, told_.executed), .accepting = IsAccepting(), .fault = Fault()};
+  const bool is_close = watch_ != Watch::kNowAndThen;
+  const auto latest = is_close ? kLatest : kLatestBehindAnswers;
   if (credit == told_) {
     owed_since_ = now;
-  } else if (IsUrgent(credit) || now - owed_since_ >= kLatest) {
+  } else if (IsUrgent(credit) || now - owed_since_ >= latest) {
     if (channel_->Notify(message::kCredit, handle_, credit)) told_ = credit;
   }
-  is_watched_ = told_.executed != received || credit != told_;
-  if (is_watched_) next = std::min(next, now + kUntilNextLook);
+  if (told_.executed == received && credit == told_) {
+    watch_ = Watch::kNone;
+    return;
+  }
+  if (watch_ == Watch::kNone) watch_ = Watch::kClosely;
+  const bool is_later = watch_ == Watch::kNowAndThen && now - owed_since_ < kLatestBehindAnswers;
+  next = std::min(next, is_later ? owed_since_ + kLatestBehindAnswers : now + kUntilNextLook);
 }
 
 }  // namespace tendon

@@ -66,13 +66,18 @@ class RequiredInterfaceProxy final : public NetworkJob, private BegunCalls::Owne
  private:
   /// If not, that is logged: nobody hears the answer of a call that was executed.
   bool CanBeSent(std::size_t function, const Bytes& answer);
-  void CountReceived();
+  /// How closely the network thread looks for what the peer must be told: not at all; now and then,
+  /// for answers have told it most likely; or until it is told.
+  enum class Watch { kNone, kNowAndThen, kClosely };
+
+  void CountReceived(Watch watch);
   void Await(BegunCalls::Begun begun);
   [[nodiscard]] bool IsQuick(std::size_t function) const;
   void NoteTime(std::size_t function, std::chrono::nanoseconds took);
   void OnEnd(BegunCalls::Begun& begun, Status status, Bytes& result, SteadyTime now) override;
   [[nodiscard]] bool IsAccepting() const;
   [[nodiscard]] std::string Fault() const;
+  [[nodiscard]] bool IsChanged() const;
   [[nodiscard]] bool IsUrgent(const message::Credit& credit) const;
   void SendCredit(SteadyTime now, SteadyTime& next);
 
@@ -96,7 +101,7 @@ class RequiredInterfaceProxy final : public NetworkJob, private BegunCalls::Owne
   const Connection* connection_ = nullptr;
   Server server_;
   std::uint64_t received_ = 0;
-  bool is_watched_ = false;  // the network thread looks for progress
+  Watch watch_ = Watch::kNone;
   message::Credit told_;
   SteadyTime owed_since_{};  // at the latest
   BegunCalls begun_{*this};

@@ -32,7 +32,7 @@ Fingerprint MessagesOfVersion6() {
       message::GetClasses, message::Classes, message::WhichStep, message::SystemHealth>();  // gcm
 }
 
-/// The same: what is new is how a version is agreed on.
+/// The same: what is new is how a version is agreed on, and what an answer tells.
 Fingerprint MessagesOfVersion7() { return MessagesOfVersion6(); }
 
 TEST(Protocol, WhoChangesAMessageRaisesTheVersion) {

@@ -22,7 +22,10 @@ struct ClientEnd final : ChannelHandler {
                 std::span<const std::byte> body) override {
     if (header.type == message::kCredit) {
       EXPECT_EQ(header.handle, kClientHandle);
-      proxy->OnCredit(*DecodeBody<message::Credit>(body));
+      const auto credit = *DecodeBody<message::Credit>(body);
+      executed = credit.executed;
+      ++credits;
+      if (!is_deaf) proxy->OnCredit(credit);
     } else if (header.type == message::kEventsLost) {
       EXPECT_EQ(header.handle, kClientHandle);
       proxy->OnEventsLost(*DecodeBody<message::EventsLost>(body));
@@ -32,6 +35,9 @@ struct ClientEnd final : ChannelHandler {
       });
     }
   }
+  std::atomic<bool> is_deaf{false};  // to credit
+  std::atomic<int> credits{0};
+  std::atomic<std::uint64_t> executed{0};  // as was told last
   std::shared_ptr<ProvidedInterfaceProxy> proxy;
 };
 

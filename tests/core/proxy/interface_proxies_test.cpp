@@ -1,5 +1,7 @@
 #include "core/proxy/interface_proxies.h"
 
+#include <thread>
+
 #include "support/wait.h"
 
 namespace tendon {
@@ -229,6 +231,64 @@ TEST_F(InterfaceProxies, WaitsNeedCreditWhoeverSendsThem) {
       std::async(std::launch::async, [this] { return push.Wait(5, std::chrono::seconds(20)); });
   ASSERT_TRUE(EventuallyTrue([this] { return server_inbox.ExecuteQueued() == 1; }));
   EXPECT_EQ(status.get(), Status(Status::kDone));
+}
+
+TEST_F(InterfaceProxies, AnAnsweredWaitIsCreditForWhatWasSentBeforeIt) {
+  client_end->is_deaf = true;
+  for (int i = 0; i < 5; ++i) {  // rounds of three, of four that may be under way
+    EXPECT_EQ(push(1), Status(Status::kQueued));
+    EXPECT_EQ(push(2), Status(Status::kQueued));
+    ASSERT_TRUE(EventuallyTrue([this] { return server_inbox.size() == 2; })) << i;
+    thread->Remove(*client_end->proxy);  // its caller sends the next
+    auto status =
+        std::async(std::launch::async, [this] { return push.Wait(3, std::chrono::seconds(20)); });
+    ASSERT_TRUE(EventuallyTrue([this] { return server_inbox.size() == 3; })) << i;
+    server_inbox.ExecuteQueued();
+    ASSERT_EQ(status.get(), Status(Status::kDone)) << i;
+    thread->Add(*client_end->proxy);
+  }
+
+  EXPECT_EQ(numbers.size(), 15U);
+}
+
+/// A server that is done soon, until it is destroyed.
+class Executor {
+ public:
+  explicit Executor(Inbox& inbox)
+      : thread_([&inbox](const std::stop_token& stop) {
+          while (!stop.stop_requested()) {
+            if (inbox.ExecuteQueued() == 0) std::this_thread::yield();
+          }
+        }) {}
+
+ private:
+  std::jthread thread_;
+};
+
+TEST_F(InterfaceProxies, WhatAnswersHaveToldIsCreditSeldom) {
+  constexpr int kWaits = 2000;
+  constexpr int kFew = 3;
+  const Executor executor(server_inbox);
+
+  // Where the machine is busy a call is not over soon, and credit is told as of any other.
+  EXPECT_TRUE(EventuallyTrue([this] {
+    const int before = client_end->credits;
+    for (int i = 0; i < kWaits; ++i) {
+      if (push.Wait(i, std::chrono::seconds(20)) != Status(Status::kDone)) return false;
+    }
+    return client_end->credits - before <= kFew;
+  }));
+}
+
+TEST_F(InterfaceProxies, WhatAnswersMayNotHaveToldIsToldAllTheSame) {
+  constexpr std::uint64_t kWaits = 100;
+  const Executor executor(server_inbox);
+
+  for (std::uint64_t i = 0; i < kWaits; ++i) {
+    ASSERT_EQ(push.Wait(1, std::chrono::seconds(20)), Status(Status::kDone));
+  }
+
+  EXPECT_TRUE(EventuallyTrue([&] { return client_end->executed == kWaits; }));
 }
 
 TEST_F(InterfaceProxies, AWaitEndsWithTheLinkWhetherItWasSentOrNot) {
