@@ -24,19 +24,18 @@ class FunctionProxy final : public Caller {
 
   /// By whom the interface allows. `out` is replaced.
   Status operator()(std::span<const std::byte> in, std::vector<std::byte>& out) {
-    out.clear();
-    return CallMember(binding_, index_,
-                      [&](CommandBase& command) { return command.ExecuteEncoded(in, out); });
+    return Replacing(out, CallMember(binding_, index_, [&](CommandBase& command) {
+                       return command.ExecuteEncoded(in, out);
+                     }));
   }
 
   /// As BeginEncoded(); `command` is whose call it is, until the interface is disconnected.
   Status Begin(std::span<const std::byte> in, std::vector<std::byte>& out, Wakeup<>& ended,
                CommandBase*& command, std::size_t& call) {
-    out.clear();
-    return CallMember(binding_, index_, [&](CommandBase& bound) {
-      command = &bound;
-      return bound.BeginEncoded(in, out, ended, call);
-    });
+    return Replacing(out, CallMember(binding_, index_, [&](CommandBase& bound) {
+                       command = &bound;
+                       return bound.BeginEncoded(in, out, ended, call);
+                     }));
   }
 
   /// Commands are called by their encoded face.
@@ -45,6 +44,13 @@ class FunctionProxy final : public Caller {
   }
 
  private:
+  /// A call that was made has replaced it. It is not emptied before, for what grows is filled with
+  /// zeroes first, and that may be much.
+  static Status Replacing(std::vector<std::byte>& out, Status status) {
+    if (!status) out.clear();
+    return status;
+  }
+
   CommandKind kind_;
   std::size_t index_;
   BindingGate& binding_;

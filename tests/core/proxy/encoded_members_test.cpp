@@ -40,6 +40,29 @@ TEST(FunctionProxy, CallsCommandsWithEncodedValues) {
   EXPECT_EQ(answer, EncodeBody(2.5));
 }
 
+TEST(FunctionProxy, LeavesNothingOfTheAnswerBefore) {
+  Counter counter;
+  tendon::ProvidedInterface provided("Counter", nullptr);
+  provided.AddCommandWrite(&Counter::Add, &counter, "Add");
+  tendon::RequiredInterface required("Any", nullptr);
+  tendon::FunctionProxy add(
+      required, tendon::DescribeMember<double, tendon::None>("Add", CommandKind::kWrite));
+  const Bytes before = EncodeBody(std::vector<double>(100, 1.5));
+
+  Bytes answer = before;
+  EXPECT_EQ(add(EncodeBody(1.0), answer), Status(Status::kNotConnected));
+  EXPECT_EQ(answer, Bytes());
+
+  const auto connection = tendon::Connection::Make(required, provided, "any", "counter");
+  ASSERT_TRUE(connection.ok()) << connection.error().message;
+  answer = before;
+  EXPECT_EQ(add(Bytes(3), answer), Status(Status::kInvalid));
+  EXPECT_EQ(answer, Bytes());
+  answer = before;
+  EXPECT_EQ(add(EncodeBody(2.5), answer), Status(Status::kDone));
+  EXPECT_EQ(answer, EncodeBody(tendon::None{}));
+}
+
 TEST(EventProxy, RaisesEncodedValuesForTypedHandlers) {
   Counter counter;
   tendon::EventProxy event;

@@ -44,8 +44,8 @@ void BegunCalls::GiveUp() {
 }
 
 void BegunCalls::End(Begun& begun, Status if_not_started, SteadyTime now) {
-  result_.clear();
   const Status status = begun.command->EndEncoded(begun.call, result_);
+  if (!status) result_.clear();
   owner_.OnEnd(begun, status == Status(Status::kTimeout) ? if_not_started : status, result_, now);
 }
 
