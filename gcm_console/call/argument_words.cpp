@@ -140,6 +140,7 @@ std::vector<std::string> WordsBehind(const Schema& schema, const std::vector<std
   if (schema.kind() != Schema::Kind::kStructure) {
     return words.empty() ? ValuesOf(schema) : std::vector<std::string>();
   }
+  if (!words.empty() && words[0].starts_with('{')) return {};  // the whole as JSON
   FieldsByWords fields(schema);
   for (const std::string& word : words) {
     if (!fields.Take(word)) return {};

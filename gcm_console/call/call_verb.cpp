@@ -108,8 +108,7 @@ std::vector<Verb> ActVerbs() {
                                   "where the command takes one: JSON, or the fields of a structure "
                                   "as words, in their order or as name=value; - reads JSON from "
                                   "stdin"),
-                   WordKind::kArgument)
-                 ->allow_extra_args(false);  // which would take a list apart
+                   WordKind::kArgument);
              app.add_flag("--dry-run", words->dry_run,
                           "say whether it would be called, and do nothing");
              return [words](Context& context) { return Call(context, *words); };

@@ -4,6 +4,7 @@
 #include <program/network_options.h>
 #include <tendon/base/name.h>
 
+#include <algorithm>
 #include <map>
 #include <sstream>
 #include <utility>
@@ -35,6 +36,13 @@ const CLI::Option* OptionOf(const CLI::App* part, const std::string& word) {
     if (const CLI::Option* option = part->get_option_no_throw(word)) return option;
   }
   return nullptr;
+}
+
+/// A list in JSON would be taken apart where several words may stand. The blank behind it prevents
+/// that, and is no part of what it means. "[::1]" is a host.
+std::string KeptWhole(const std::string& word) {
+  const bool is_host = word.find(':') != std::string::npos && word.find('"') == std::string::npos;
+  return word.starts_with('[') && word.ends_with(']') && !is_host ? word + ' ' : word;
 }
 
 /// "no verb 'conect'; did you mean 'connect'? gcm --help lists them", for the first word where a
@@ -140,7 +148,9 @@ Result<void> CommandLine::Parse(const std::vector<std::string>& words) {
     return Error{ErrorCode::kInvalid, unknown};
   }
   try {
-    app_.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+    std::vector<std::string> whole(words.rbegin(), words.rend());
+    std::ranges::transform(whole, whole.begin(), KeptWhole);
+    app_.parse(std::move(whole));
   } catch (const CLI::Success&) {
     throw;
   } catch (const CLI::ParseError& mistake) {

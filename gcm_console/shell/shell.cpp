@@ -52,19 +52,20 @@ int Shell::Run(const std::string& line, const Streams& streams, AfterFailure aft
     streams.err << "gcm: " << Plain(commands.error().message) << '\n';
     return program::kUsage;
   }
-  int exit_code = program::kOk;
+  int failure = program::kOk;
   for (const Command& command : *commands) {
     // Also what came while a command ran that could not be cut short.
     if (tendon::os::TerminationAsked(std::chrono::milliseconds(0))) {
       tendon::os::HoldTerminationSignals();
       return program::kInterrupted;
     }
-    exit_code = RunCommand(command, streams);
+    const int exit_code = RunCommand(command, streams);
     const bool is_interrupted = exit_code == program::kInterrupted;
+    if (failure == program::kOk || is_interrupted) failure = exit_code;
     if (exit_code != program::kOk && (is_interrupted || after == AfterFailure::kStop)) break;
     if (has_ended_) break;
   }
-  return exit_code;
+  return failure;
 }
 
 int Shell::RunCommand(const Command& command, const Streams& streams) {

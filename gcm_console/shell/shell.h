@@ -22,7 +22,7 @@ class Shell {
   /// What is to be done once a command of a line has failed.
   enum class AfterFailure { kGoOn, kStop };
 
-  /// Runs the commands of one line; the exit code of the last that ran, 0 of an empty line.
+  /// Runs the commands of one line; the exit code of the first that failed, 0 where none did.
   int Run(const std::string& line, const Streams& streams, AfterFailure after);
   /// Somebody has typed `exit`.
   [[nodiscard]] bool has_ended() const { return has_ended_; }

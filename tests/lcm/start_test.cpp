@@ -92,7 +92,7 @@ TEST_F(LcmStart, ABadAddressOfTheGcm) {
 
 TEST_F(LcmStart, AFileThatIsNone) {
   ExpectFileRefused(folder / "none.json", "there is no such file", program::kNotFound);
-  ExpectFileRefused(folder, "is a folder, not a system file");
+  ExpectFileRefused(folder, "is a folder, not a file");
   ASSERT_EQ(mkfifo((folder / "fifo").c_str(), 0600), 0);
   ExpectFileRefused(folder / "fifo", "is no regular file");
   ExpectFileRefused("/dev/zero", "is no regular file");

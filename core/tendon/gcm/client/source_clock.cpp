@@ -45,12 +45,12 @@ void SourceClock::Ask() {
 }
 
 void SourceClock::AskLater() {
-  constexpr std::chrono::milliseconds kPause(500);
+  constexpr std::chrono::milliseconds kBetweenQuestions(500);
   {
     const std::scoped_lock lock(mutex_);
     if (!is_known_ || !channel_->is_open()) return;
   }
-  timer_->PostAfter(kPause, [weak = weak_from_this()] {
+  timer_->PostAfter(kBetweenQuestions, [weak = weak_from_this()] {
     if (const auto self = weak.lock()) self->Ask();
   });
 }

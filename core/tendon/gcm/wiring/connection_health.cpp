@@ -3,7 +3,7 @@
 namespace tendon {
 namespace {
 
-using Kind = ConnectionFlaw::Kind;
+using FlawKind = ConnectionFlaw::Kind;
 
 constexpr std::chrono::milliseconds kLongestRoundTrip{100};
 constexpr double kFullest = 0.8;  // of a mailbox
@@ -19,17 +19,18 @@ std::vector<ConnectionFlaw> FlawsOf(const ConnectionCounts& now,
                                     const std::optional<ConnectionCounts>& before) {
   std::vector<ConnectionFlaw> flaws;
   if (before && HasGrown(now.refused, before->refused)) {
-    flaws.push_back({.kind = Kind::kCallsRefused, .count = now.refused});
+    flaws.push_back({.kind = FlawKind::kCallsRefused, .count = now.refused});
   }
   if (before && HasGrown(now.lost_events, before->lost_events)) {
-    flaws.push_back({.kind = Kind::kEventsLost, .count = now.lost_events});
+    flaws.push_back({.kind = FlawKind::kEventsLost, .count = now.lost_events});
   }
   if (now.capacity > 0 &&
       static_cast<double>(now.waiting) >= kFullest * static_cast<double>(now.capacity)) {
-    flaws.push_back({.kind = Kind::kMailboxFull, .count = now.waiting, .capacity = now.capacity});
+    flaws.push_back(
+        {.kind = FlawKind::kMailboxFull, .count = now.waiting, .capacity = now.capacity});
   }
   if (now.round_trip > kLongestRoundTrip) {
-    flaws.push_back({.kind = Kind::kLate, .round_trip = now.round_trip});
+    flaws.push_back({.kind = FlawKind::kLate, .round_trip = now.round_trip});
   }
   return flaws;
 }
@@ -37,13 +38,13 @@ std::vector<ConnectionFlaw> FlawsOf(const ConnectionCounts& now,
 std::string ToString(const ConnectionFlaw& flaw) {
   const std::string count = std::to_string(flaw.count);
   switch (flaw.kind) {
-    case Kind::kCallsRefused:
+    case FlawKind::kCallsRefused:
       return count + " calls found no room";
-    case Kind::kEventsLost:
+    case FlawKind::kEventsLost:
       return count + " events were lost";
-    case Kind::kMailboxFull:
+    case FlawKind::kMailboxFull:
       return count + " of " + std::to_string(flaw.capacity) + " calls wait";
-    case Kind::kLate:
+    case FlawKind::kLate:
       break;
   }
   using std::chrono::milliseconds;

@@ -6,7 +6,7 @@
 namespace tendon {
 namespace {
 
-using Kind = CatalogChange::Kind;
+using ChangeKind = CatalogChange::Kind;
 
 template <typename Key, typename Description>
 std::map<Key, const Description*> ByKey(const std::vector<Description>& descriptions,
@@ -29,7 +29,7 @@ void Compare(const std::map<Key, const Description*>& before,
   }
 }
 
-CatalogChange ChangeOf(Kind kind) {
+CatalogChange ChangeOf(ChangeKind kind) {
   CatalogChange change;
   change.kind = kind;
   return change;
@@ -44,11 +44,11 @@ std::vector<CatalogChange> Differences(const ProcessContent& before, const Proce
       ByKey(before.components, &ComponentDescription::name),
       ByKey(after.components, &ComponentDescription::name),
       [&](const std::string& name) {
-        gone.push_back(ChangeOf(Kind::kComponentRemoved));
+        gone.push_back(ChangeOf(ChangeKind::kComponentRemoved));
         gone.back().component = name;
       },
       [&](const ComponentDescription& component) {
-        there.push_back(ChangeOf(Kind::kComponent));
+        there.push_back(ChangeOf(ChangeKind::kComponent));
         there.back().components = {component};
       });
   std::vector<CatalogChange> changes;  // connections go before components, and come after them
@@ -56,11 +56,11 @@ std::vector<CatalogChange> Differences(const ProcessContent& before, const Proce
       ByKey(before.connections, &ConnectionDescription::id),
       ByKey(after.connections, &ConnectionDescription::id),
       [&](std::uint64_t id) {
-        changes.push_back(ChangeOf(Kind::kConnectionRemoved));
+        changes.push_back(ChangeOf(ChangeKind::kConnectionRemoved));
         changes.back().connection = id;
       },
       [&](const ConnectionDescription& connection) {
-        there.push_back(ChangeOf(Kind::kConnection));
+        there.push_back(ChangeOf(ChangeKind::kConnection));
         there.back().connections = {connection};
       });
   changes.insert(changes.end(), gone.begin(), gone.end());

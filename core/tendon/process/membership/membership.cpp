@@ -13,15 +13,15 @@
 namespace tendon {
 namespace {
 
-constexpr std::chrono::milliseconds kOpenTimeout(1000);
+constexpr std::chrono::milliseconds kGcmOpenTimeout(1000);
 constexpr std::chrono::milliseconds kJoinTimeout(2000);
 constexpr std::chrono::milliseconds kLeaveTimeout(300);
 constexpr std::chrono::milliseconds kBeginTimeout(1000);
 constexpr std::chrono::milliseconds kBetweenRenewals(250);
 constexpr std::chrono::milliseconds kRenewalTimeout(500);
 constexpr std::chrono::milliseconds kSilence(1500);  // of a GCM that is lost
-constexpr std::chrono::milliseconds kShortestPause(100);
-constexpr std::chrono::milliseconds kLongestPause(2000);
+constexpr std::chrono::milliseconds kShortestGcmPause(100);
+constexpr std::chrono::milliseconds kLongestGcmPause(2000);
 
 /// Refused by a GCM, which will not change its mind soon.
 bool IsRefusal(const Error& error) {
@@ -151,7 +151,7 @@ void Membership::Try() {
   Hello hello = context_.hello;
   hello.wanted = kGcmName;
   auto channel =
-      Channel::Open(*context_.middleware, options_.gcm, hello, std::move(handler), kOpenTimeout);
+      Channel::Open(*context_.middleware, options_.gcm, hello, std::move(handler), kGcmOpenTimeout);
   if (!channel) {
     Error error = channel.error();
     if (error.code == ErrorCode::kUnreachable || error.code == ErrorCode::kTimeout) {
@@ -248,7 +248,7 @@ void Membership::OnClosed(const std::shared_ptr<Channel>& channel, const Error& 
 }
 
 void Membership::TryLater() {
-  pause_ = std::clamp(2 * pause_, kShortestPause, kLongestPause);
+  pause_ = std::clamp(2 * pause_, kShortestGcmPause, kLongestGcmPause);
   const auto jitter = pause_ * static_cast<std::int64_t>(os::RandomNumber() % 1000) / 2000;
   context_.worker->PostAfter(pause_ - jitter, [this] { Try(); });
 }

@@ -9,12 +9,12 @@
 namespace tendon {
 namespace {
 
-constexpr std::chrono::milliseconds kOpenTimeout(1000);
-constexpr std::chrono::milliseconds kAnswerTimeout(2000);
+constexpr std::chrono::milliseconds kSourceOpenTimeout(1000);
+constexpr std::chrono::milliseconds kSourceAnswerTimeout(2000);
 constexpr std::chrono::milliseconds kListenTimeout(5000);
 constexpr std::chrono::seconds kBrokerRest(30);  // of one that did not let us listen
-constexpr std::chrono::milliseconds kShortestPause(100);
-constexpr std::chrono::milliseconds kLongestPause(1000);
+constexpr std::chrono::milliseconds kShortestSourcePause(100);
+constexpr std::chrono::milliseconds kLongestSourcePause(1000);
 constexpr std::chrono::seconds kLongestSilence(
     5);  // of a topic, which says something twice a second
 
@@ -69,7 +69,7 @@ Result<void> RowSource::Open() {
   Hello hello = access_.hello;
   hello.wanted = process_;
   auto channel =
-      Channel::Open(*access_.middleware, *address, hello, shared_from_this(), kOpenTimeout);
+      Channel::Open(*access_.middleware, *address, hello, shared_from_this(), kSourceOpenTimeout);
   if (!channel) return channel.error();
   channel_ = *std::move(channel);
   {
@@ -107,7 +107,7 @@ void RowSource::AskDirectly(Item& item) {
   item.stage = Stage::kAsked;
   tendon::Ask<message::Subscribed>(
       *worker_, channel_, message::kSubscribe, RequestFor(item.subscription->wanted()),
-      kAnswerTimeout,
+      kSourceAnswerTimeout,
       [self = shared_from_this(), channel = channel_,
        subscription = item.subscription](const Result<message::Subscribed>& answer) {
         auto outcome = answer;
@@ -139,7 +139,7 @@ void RowSource::AskForTopic(Item& item, const std::string& broker) {
   item.stage = Stage::kAsked;
   tendon::Ask<message::TopicJoined>(
       *worker_, channel_, message::kJoinTopic, RequestFor(item.subscription->wanted()),
-      kAnswerTimeout,
+      kSourceAnswerTimeout,
       [self = shared_from_this(), channel = channel_, subscription = item.subscription,
        broker](const Result<message::TopicJoined>& answer) {
         self->worker_->Post([self, channel, subscription, broker, answer] {
@@ -207,7 +207,7 @@ Result<void> RowSource::Follow(Item& item, const std::string& broker,
 
 void RowSource::WatchOverTopic(const SharedSubscription& subscription,
                                const std::shared_ptr<TopicLine>& line) {
-  worker_->PostAfter(kLongestPause, [self = shared_from_this(), subscription, line] {
+  worker_->PostAfter(kLongestSourcePause, [self = shared_from_this(), subscription, line] {
     Item* item = self->Find(subscription);
     if (item == nullptr || item->line != line || !self->channel_) return;
     if (line->silence() < kLongestSilence) return self->WatchOverTopic(subscription, line);
@@ -327,7 +327,7 @@ void RowSource::EndThere(Channel& channel, std::uint32_t handle) {
 
 void RowSource::RetryLater() {
   if (std::exchange(is_retry_due_, true)) return;
-  pause_ = std::clamp(2 * pause_, kShortestPause, kLongestPause);
+  pause_ = std::clamp(2 * pause_, kShortestSourcePause, kLongestSourcePause);
   worker_->PostAfter(pause_, [self = shared_from_this()] {
     self->is_retry_due_ = false;
     self->Pursue();

@@ -69,7 +69,7 @@ TEST_F(MisuseTest, OfFilesThatAreNone) {
 
   for (const std::string verb : {"plan", "diff", "apply"}) {
     ExpectSentences({
-        {{verb, folder}, program::kUsage, folder + ": is a folder, not a system file"},
+        {{verb, folder}, program::kUsage, folder + ": is a folder, not a file"},
         {{verb, pipe}, program::kUsage, pipe + ": is no regular file"},
         {{verb, torn}, program::kUsage, torn + ": line 2, column 8: unexpected end"},
         {{verb, folder + "/none.json"}, program::kNotFound, "there is no such file"},
