@@ -3,6 +3,7 @@
 #include <tendon/middleware/handshake/handshake.h>
 #include <tendon/process/messages.h>
 #include <tendon/proxy/messages.h>
+#include <tendon/proxy/mirror/messages.h>
 
 #include <string>
 
@@ -46,6 +47,8 @@ TEST(Protocol, WhoChangesAMessageRaisesTheVersion) {
   // Came since: a program that does not know them refuses them by their numbers.
   EXPECT_EQ(ToString(FingerprintOfAll<message::ProcessOrder>()),
             "d5aa5869dbf7b2967e2cac9f17106c81");
+  EXPECT_EQ(ToString(FingerprintOfAll<message::Mirror, message::Mirrored>()),
+            "e25f1064d003da76e96f89e74cfdaa8a");
 }
 
 }  // namespace
