@@ -49,6 +49,8 @@ OPENS_BODY = re.compile(r"^(?! *//).*[)\w>&*] \{$|^ *\{$")
 ENDS_STATEMENT = re.compile(r"[;{}]$|^\s*$|^\s*(//|#|(public|protected|private|signals|.* slots):$)")
 OPENS_NAMESPACE = re.compile(r"(?:inline )?namespace ?([\w:]*) ?\{$")
 DEFINES_TYPE = re.compile(r"(?:class|struct|union|enum class|enum) (?:\[\[\w+\]\] )?(\w+)(?: final)?(?: :.*| \{.*)?$")
+PRIVATE_NAME = re.compile(r"(?:constexpr|constinit|const|static|thread_local)\b[^=({]*?\b(k\w+)\b"
+                          r"|using (\w+) =|(?:class|struct|enum class) (\w+)\b(?!;)")
 NO_FUNCTION = re.compile(r"\s*(inline namespace|namespace|class|struct|enum|union|extern|export)\b")
 LEFT_OVER = re.compile(r"\b(TO[D]O|FIX[M]E|HAC[K]|XX[X])\b")
 
@@ -259,6 +261,20 @@ def types_have_names_of_their_own(files):
             seen.setdefault(name, f"{file.path}:{number}")
 
 
+def joined_sources_share_no_names(files):
+    """Sources of core are compiled several at a time, so what is private to one is seen by the next. Two aliases for
+    the same are one."""
+    seen = {}
+    for file in files:
+        if file.core_folder is None or file.suffix != ".cpp":
+            continue
+        row = "core" if file.core_folder in CORE else "ice" if file.core_folder == "ice" else "network"
+        for number, namespace, name, text in private_names_of(file.lines):
+            place, other = seen.setdefault((row, namespace, name), (f"{file.path}:{number}", text))
+            if place.split(":")[0] != file.path and text != other:
+                yield f"{file.path}:{number}: {name} is private to {place}, too, and the two are compiled together"
+
+
 def folders_are_built(files):
     """A folder that the one above forgets is a library that is missing, or a test that never runs."""
     lists = {str(PurePosixPath(file.path).parent): "\n".join(file.lines) for file in files
@@ -270,6 +286,19 @@ def folders_are_built(files):
         named_above = re.search(rf"(?<!\w){re.escape(PurePosixPath(folder).name)}(?!\w)", lists[above])
         if not named_above and not any(f"/{folder} " in other for other in lists.values()):
             yield f"{folder}/CMakeLists.txt:1: nobody builds it; add it to {above}/CMakeLists.txt"
+
+
+def private_names_of(lines):
+    """Constants, types and aliases of unnamed namespaces: line number, namespace around, name, and an alias' text."""
+    namespaces = []
+    for number, line in enumerate(lines, 1):
+        if match := OPENS_NAMESPACE.match(line):
+            namespaces.append(match[1])
+        elif line.startswith("}  // namespace") and namespaces:
+            namespaces.pop()
+        elif namespaces and not namespaces[-1] and (match := PRIVATE_NAME.match(line)):
+            name = next(group for group in match.groups() if group)
+            yield number, "::".join(namespaces), name, line if line.startswith("using") else f"{number} {line}"
 
 
 def types_of(lines):
@@ -290,7 +319,7 @@ FILE_RULES = (
     atomics_stay_in_lockfree_and_state, code_has_no_macros, headers_are_included_once, nothing_is_left_over,
     files_are_short, scripts_are_narrow, functions_are_short)
 FOLDER_RULES = (folders_are_small,)
-TREE_RULES = (types_have_names_of_their_own, folders_are_built)
+TREE_RULES = (types_have_names_of_their_own, joined_sources_share_no_names, folders_are_built)
 
 
 def folders_of(root):

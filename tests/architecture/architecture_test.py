@@ -111,6 +111,14 @@ BROKEN = {
         ({"lcm/a.h": in_namespace("class Link final : public Base {"), "lcm/b.h": in_namespace("enum class Link {")},
          "lcm/b.h:3", "tendon::Link"),
     ],
+    "joined_sources_share_no_names": [
+        ({"core/tendon/gcm/a.cpp": in_namespace("namespace {\nconstexpr int kMost = 1;\n}  // namespace"),
+          "core/tendon/proxy/b.cpp": in_namespace("namespace {\n\nconstexpr int kMost = 2;\n}  // namespace")},
+         "core/tendon/proxy/b.cpp:5", "kMost is private to core/tendon/gcm/a.cpp:4, too"),
+        ({"core/tendon/gcm/a.cpp": in_namespace("namespace {\nusing Kind = Step::Kind;\n}  // namespace"),
+          "core/tendon/gcm/b.cpp": in_namespace("namespace {\nusing Kind = Flaw::Kind;\n}  // namespace")},
+         "core/tendon/gcm/b.cpp:4", "Kind is private to"),
+    ],
     "folders_are_built": [
         ({"CMakeLists.txt": "add_subdirectory(lcm)\n", "lcm/CMakeLists.txt": "", "lcms/CMakeLists.txt": ""},
          "lcms/CMakeLists.txt:1", "nobody builds it; add it to ./CMakeLists.txt"),
@@ -167,6 +175,15 @@ KEPT = {
         {"lcm/a.cpp": in_namespace("namespace {\nclass Link {\n};\n}  // namespace"),
          "lcm/b.cpp": in_namespace("namespace {\nclass Link {\n};\n}  // namespace"),
          "lcm/c.cpp": in_namespace("class Link {\n};").replace("tendon", "program")},
+    ],
+    "joined_sources_share_no_names": [
+        {"core/tendon/gcm/a.cpp": in_namespace("namespace {\nusing Kind = Step::Kind;\n}  // namespace"),
+         "core/tendon/gcm/b.cpp": in_namespace("namespace {\nusing Kind = Step::Kind;\nclass End;\n}  // namespace"),
+         "core/tendon/ice/b.cpp": in_namespace("namespace {\nusing Kind = Other::Kind;\n}  // namespace")},
+        {"core/tendon/gcm/a.cpp": in_namespace("void Run() {\nconstexpr int kMost = 1;\n}"),
+         "core/tendon/gcm/b.cpp": in_namespace("namespace server {\nnamespace {\nclass A {\n};\n}  // namespace",
+                                               "}  // namespace server"),
+         "core/tendon/gcm/c.cpp": in_namespace("namespace {\nclass A {\n};\n}  // namespace")},
     ],
     "folders_are_built": [
         {"CMakeLists.txt": "foreach(folder lcm core)\n", "lcm/CMakeLists.txt": "",
