@@ -24,7 +24,6 @@ struct ClientEnd final : ChannelHandler {
       EXPECT_EQ(header.handle, kClientHandle);
       const auto credit = *DecodeBody<message::Credit>(body);
       executed = credit.executed;
-      ++credits;
       if (!is_deaf) proxy->OnCredit(credit);
     } else if (header.type == message::kEventsLost) {
       EXPECT_EQ(header.handle, kClientHandle);
@@ -35,8 +34,7 @@ struct ClientEnd final : ChannelHandler {
       });
     }
   }
-  std::atomic<bool> is_deaf{false};  // to credit
-  std::atomic<int> credits{0};
+  std::atomic<bool> is_deaf{false};        // to credit
   std::atomic<std::uint64_t> executed{0};  // as was told last
   std::shared_ptr<ProvidedInterfaceProxy> proxy;
 };

@@ -265,21 +265,6 @@ class Executor {
   std::jthread thread_;
 };
 
-TEST_F(InterfaceProxies, WhatAnswersHaveToldIsCreditSeldom) {
-  constexpr int kWaits = 2000;
-  constexpr int kFew = 3;
-  const Executor executor(server_inbox);
-
-  // Where the machine is busy a call is not over soon, and credit is told as of any other.
-  EXPECT_TRUE(EventuallyTrue([this] {
-    const int before = client_end->credits;
-    for (int i = 0; i < kWaits; ++i) {
-      if (push.Wait(i, std::chrono::seconds(20)) != Status(Status::kDone)) return false;
-    }
-    return client_end->credits - before <= kFew;
-  }));
-}
-
 TEST_F(InterfaceProxies, WhatAnswersMayNotHaveToldIsToldAllTheSame) {
   constexpr std::uint64_t kWaits = 100;
   const Executor executor(server_inbox);
