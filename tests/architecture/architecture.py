@@ -290,27 +290,29 @@ def folders_are_built(files):
 
 def private_names_of(lines):
     """Constants, types and aliases of unnamed namespaces: line number, namespace around, name, and an alias' text."""
-    namespaces = []
-    for number, line in enumerate(lines, 1):
-        if match := OPENS_NAMESPACE.match(line):
-            namespaces.append(match[1])
-        elif line.startswith("}  // namespace") and namespaces:
-            namespaces.pop()
-        elif namespaces and not namespaces[-1] and (match := PRIVATE_NAME.match(line)):
+    for number, namespaces, line in in_namespaces(lines):
+        if not namespaces[-1] and (match := PRIVATE_NAME.match(line)):
             name = next(group for group in match.groups() if group)
             yield number, "::".join(namespaces), name, line if line.startswith("using") else f"{number} {line}"
 
 
 def types_of(lines):
     """The types of named namespaces, with the lines that define them."""
+    for number, namespaces, line in in_namespaces(lines):
+        if all(namespaces) and (match := DEFINES_TYPE.match(line)):
+            yield number, "::".join((*namespaces, match[1]))
+
+
+def in_namespaces(lines):
+    """Each line within a namespace: its number, the namespaces around it from the outside, its text."""
     namespaces = []
     for number, line in enumerate(lines, 1):
         if match := OPENS_NAMESPACE.match(line):
             namespaces.append(match[1])
         elif line.startswith("}  // namespace") and namespaces:
             namespaces.pop()
-        elif namespaces and all(namespaces) and (match := DEFINES_TYPE.match(line)):
-            yield number, "::".join((*namespaces, match[1]))
+        elif namespaces:
+            yield number, tuple(namespaces), line
 
 
 FILE_RULES = (
