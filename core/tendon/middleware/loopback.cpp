@@ -1,97 +1,16 @@
-#include <tendon/base/os/thread.h>
 #include <tendon/middleware/loopback.h>
+#include <tendon/middleware/loopback/courier.h>
 
-#include <cassert>
-#include <condition_variable>
 #include <deque>
-#include <set>
-#include <thread>
 #include <utility>
 
 namespace tendon {
 namespace loopback {
 
-/// The one thread of a LoopbackMiddleware, and the ends of links that live in it.
-class Courier {
- public:
-  using Errand = std::function<void()>;
-
-  Courier() : thread_([this] { Run(); }) {}
-  Courier(const Courier&) = delete;
-  Courier& operator=(const Courier&) = delete;
-  ~Courier() { assert(!thread_.joinable()); }
-
-  /// Does it soon, in order; false after Stop().
-  bool Post(Errand errand) {
-    const std::scoped_lock lock(mutex_);
-    if (stopped_) return false;
-    errands_.push_back(std::move(errand));
-    changed_.notify_all();
-    return true;
-  }
-
-  /// Until all that was posted before is done.
-  void Flush() {
-    assert(std::this_thread::get_id() != thread_.get_id());
-    std::unique_lock lock(mutex_);
-    const std::uint64_t target = done_ + errands_.size() + (busy_ ? 1 : 0);
-    changed_.wait(lock, [&] { return done_ >= target; });
-  }
-
-  void Adopt(std::shared_ptr<End> end) {
-    const std::scoped_lock lock(mutex_);
-    ends_.insert(std::move(end));
-  }
-  void Forget(const std::shared_ptr<End>& end) {
-    const std::scoped_lock lock(mutex_);
-    ends_.erase(end);
-  }
-  std::set<std::shared_ptr<End>> ends() {
-    const std::scoped_lock lock(mutex_);
-    return ends_;
-  }
-
-  /// Of the courier's thread: whether links are still accepted.
-  [[nodiscard]] bool is_closing() const { return is_closing_; }
-
-  /// Closes every end; when it returns their handlers have heard it.
-  void Stop();
-
- private:
-  void Run() {
-    os::NameThisThread("loopback");
-    std::unique_lock lock(mutex_);
-    while (true) {
-      changed_.wait(lock, [&] { return stopped_ || !errands_.empty(); });
-      if (errands_.empty()) return;
-      {
-        const Errand errand = std::move(errands_.front());
-        errands_.pop_front();
-        busy_ = true;
-        lock.unlock();
-        errand();
-      }
-      lock.lock();
-      busy_ = false;
-      ++done_;
-      changed_.notify_all();
-    }
-  }
-
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  std::deque<Errand> errands_;
-  std::set<std::shared_ptr<End>> ends_;
-  std::uint64_t done_ = 0;
-  bool busy_ = false;
-  bool stopped_ = false;
-  bool is_closing_ = false;
-  std::thread thread_;  // last: it uses the others
-};
-
 /// A listener as others see it.
 struct Door {
   std::shared_ptr<Courier> courier;
+  std::string address;
   AcceptLink accept;
   bool is_open = true;  // of the courier's thread
 
@@ -132,6 +51,25 @@ class End final : public Link, public std::enable_shared_from_this<End> {
   [[nodiscard]] std::string local() const override { return local_name_; }
   [[nodiscard]] const Door* door() const { return door_; }
 
+  /// Those that wait for it are delivered.
+  void Release() {
+    const std::scoped_lock lock(mutex_);
+    for (Late& late : late_) {
+      if (late.due == kHeld) late.due = {};
+    }
+    Expect(SteadyClock().Now());
+  }
+
+  /// Sends and delivers nothing more; the other end is told that it was closed.
+  void Crash() {
+    {
+      const std::scoped_lock lock(mutex_);
+      is_deaf_ = true;
+      is_dumb_ = true;
+    }
+    TellOther();
+  }
+
   /// In the courier's thread, before anything else is.
   void SetHandler(std::shared_ptr<LinkHandler> handler) { handler_ = std::move(handler); }
 
@@ -139,29 +77,66 @@ class End final : public Link, public std::enable_shared_from_this<End> {
   /// What a frame is to who gets it; a question's answer needs no room on the link.
   enum class Kind { kSent, kAsked, kAnswer };
 
+  struct Late {
+    Bytes frame;
+    Kind kind = Kind::kSent;
+    SteadyTime due;
+  };
+  static constexpr SteadyTime kHeld = SteadyTime::max();
+
   Status Pass(std::span<const std::byte> frame, Kind kind) {
     if (!ReadWholeFrame(frame)) return Status::kInvalid;
     const auto other = other_.lock();
     if (!other || !IsOpen()) return Status::kNotConnected;
-    if (!network_->Passes(frame)) return Status::kQueued;
-    return other->Take(frame, kind);
+    const Verdict verdict =
+        network_->Decide({.bytes = frame, .from = local_name_, .to = peer_name_});
+    return verdict.fate == Fate::kDrop ? Status::kQueued : other->Take(frame, kind, verdict);
   }
 
   bool IsOpen() {
     const std::scoped_lock lock(mutex_);
-    return !has_ended_;
+    return !has_ended_ && !is_dumb_;
   }
 
-  Status Take(std::span<const std::byte> frame, Kind kind) {
+  Status Take(std::span<const std::byte> frame, Kind kind, const Verdict& verdict) {
     const std::scoped_lock lock(mutex_);
     if (has_ended_) return Status::kNotConnected;
     const bool is_full = waiting_ != 0 && waiting_ + frame.size() > kSendWindow;
     if (is_full && kind != Kind::kAnswer) return Status::kQueueFull;
     waiting_ += frame.size();
-    courier_->Post([self = shared_from_this(), copy = Bytes(frame.begin(), frame.end()), kind] {
-      self->Deliver(copy, kind);
-    });
+    Bytes copy(frame.begin(), frame.end());
+    const bool is_held = verdict.fate == Fate::kHold;
+    if (late_.empty() && !is_held && verdict.delay.count() == 0) {
+      courier_->Post([self = shared_from_this(), frame = std::move(copy), kind] {
+        self->Deliver(frame, kind);
+      });
+      return Status::kQueued;
+    }
+    const SteadyTime due = is_held ? kHeld : SteadyClock().Now() + verdict.delay;
+    late_.push_back({std::move(copy), kind, due});
+    if (is_held) {
+      network_->Remember(weak_from_this());
+    } else {
+      Expect(due);
+    }
     return Status::kQueued;
+  }
+
+  void Expect(SteadyTime due) {
+    courier_->PostAt(due, [self = shared_from_this()] { self->DeliverDue(); });
+  }
+  /// In order: what is late holds up what comes behind it.
+  void DeliverDue() {
+    while (true) {
+      Late late;
+      {
+        const std::scoped_lock lock(mutex_);
+        if (late_.empty() || late_.front().due > SteadyClock().Now()) return;
+        late = std::move(late_.front());
+        late_.pop_front();
+      }
+      Deliver(late.frame, late.kind);
+    }
   }
 
   void CloseFor(const Error& reason) {
@@ -170,6 +145,9 @@ class End final : public Link, public std::enable_shared_from_this<End> {
       is_deaf_ = true;
     }
     Finish(reason);
+    TellOther();
+  }
+  void TellOther() {
     if (const auto other = other_.lock()) {
       other->Finish({ErrorCode::kUnreachable, other->peer_name_ + " closed the connection"});
     }
@@ -210,13 +188,15 @@ class End final : public Link, public std::enable_shared_from_this<End> {
   std::mutex mutex_;
   std::size_t limit_ = kMaxStrangersFrameSize;
   std::size_t waiting_ = 0;  // bytes that were sent and not delivered
+  std::deque<Late> late_;    // the network has them still
   bool is_deaf_ = false;     // closed from this end: delivers nothing more
+  bool is_dumb_ = false;     // crashed: sends nothing more
   bool has_ended_ = false;   // closed from either end: takes nothing more
 };
 
 void Courier::Stop() {
   Post([this] {
-    is_closing_ = true;
+    is_closing_.Set(true);
     for (const auto& end : ends()) end->Close();
   });
   Flush();  // closes them
@@ -228,6 +208,12 @@ void Courier::Stop() {
   }
   thread_.join();
   ends_.clear();
+  later_.clear();
+}
+
+void Courier::Crash() {
+  is_closing_.Set(true);
+  for (const auto& end : ends()) end->Crash();
 }
 
 void Door::Enter(const std::shared_ptr<End>& end) {
@@ -251,17 +237,33 @@ void Door::Shut() {
 
 }  // namespace loopback
 
-void LoopbackNetwork::SetFilter(Filter filter) {
+void LoopbackNetwork::SetJudge(Judge judge) {
   const std::scoped_lock lock(mutex_);
-  filter_ = std::move(filter);
+  judge_ = std::move(judge);
 }
 
-bool LoopbackNetwork::Passes(std::span<const std::byte> frame) {
+loopback::Verdict LoopbackNetwork::Decide(const loopback::Frame& frame) {
   std::unique_lock lock(mutex_);
-  if (!filter_) return true;
-  const Filter filter = filter_;
+  if (!judge_) return loopback::kPass;
+  const Judge judge = judge_;
   lock.unlock();
-  return filter(frame);
+  return judge(frame);
+}
+
+void LoopbackNetwork::Remember(std::weak_ptr<loopback::End> holder) {
+  const std::scoped_lock lock(mutex_);
+  holders_.push_back(std::move(holder));
+}
+
+void LoopbackNetwork::ReleaseHeld() {
+  std::vector<std::weak_ptr<loopback::End>> holders;
+  {
+    const std::scoped_lock lock(mutex_);
+    holders.swap(holders_);
+  }
+  for (const auto& holder : holders) {
+    if (const auto end = holder.lock()) end->Release();
+  }
 }
 
 bool LoopbackNetwork::Add(HostPort& address, const std::shared_ptr<loopback::Door>& door) {
@@ -273,9 +275,16 @@ bool LoopbackNetwork::Add(HostPort& address, const std::shared_ptr<loopback::Doo
   return true;
 }
 
-void LoopbackNetwork::Remove(const std::string& address) {
+/// Unless somebody else has come there.
+void LoopbackNetwork::Remove(const loopback::Door& door) {
   const std::scoped_lock lock(mutex_);
-  doors_.erase(address);
+  const auto found = doors_.find(door.address);
+  if (found != doors_.end() && found->second.get() == &door) doors_.erase(found);
+}
+
+void LoopbackNetwork::RemoveAll(const loopback::Courier& courier) {
+  const std::scoped_lock lock(mutex_);
+  std::erase_if(doors_, [&](const auto& one) { return one.second->courier.get() == &courier; });
 }
 
 std::shared_ptr<loopback::Door> LoopbackNetwork::Find(const std::string& address) {
@@ -294,6 +303,11 @@ LoopbackMiddleware::LoopbackMiddleware(std::shared_ptr<LoopbackNetwork> network)
 
 LoopbackMiddleware::~LoopbackMiddleware() { courier_->Stop(); }
 
+void LoopbackMiddleware::Crash() {
+  network_->RemoveAll(*courier_);
+  courier_->Crash();
+}
+
 Result<std::unique_ptr<Listener>> LoopbackMiddleware::Listen(const std::string& address,
                                                              AcceptLink accept) {
   auto place = ParseAddress(address, 0);
@@ -304,9 +318,9 @@ Result<std::unique_ptr<Listener>> LoopbackMiddleware::Listen(const std::string& 
   if (!network_->Add(*place, door)) {
     return Error{ErrorCode::kExists, address + " is in use by another program"};
   }
-  const std::string where = ToString(*place);
-  return MakeListener(where, [network = network_, door = std::move(door), where] {
-    network->Remove(where);
+  door->address = ToString(*place);
+  return MakeListener(door->address, [network = network_, door] {
+    network->Remove(*door);
     door->Shut();
   });
 }
@@ -317,6 +331,7 @@ Result<std::shared_ptr<Link>> LoopbackMiddleware::Open(const std::string& addres
   const auto place = ParseAddress(address, 1);
   if (!place) return place.error();
   const auto door = network_->Find(ToString(*place));
+  if (courier_->is_closing()) return Error{ErrorCode::kUnreachable, "this process has crashed"};
   if (!door) return Error{ErrorCode::kUnreachable, "nobody listens at " + address};
   const std::string caller = network_->NameOfNextCaller();
   const std::string called = ToString(*place);

@@ -2,12 +2,17 @@
 
 #include <tendon/middleware/middleware.h>
 
+#include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace tendon {
 
@@ -15,29 +20,55 @@ namespace loopback {
 class Courier;
 class End;
 struct Door;
+
+/// A frame on its way. An end of a link has the address of its listener, or one of its own.
+struct Frame {
+  std::span<const std::byte> bytes;
+  std::string_view from;
+  std::string_view to;
+};
+
+enum class Fate { kPass, kDrop, kHold };
+
+/// What becomes of a frame. The sender does not notice, until there is no more room for what waits.
+struct Verdict {
+  Fate fate = Fate::kPass;
+  std::chrono::nanoseconds delay{0};  ///< of what passes
+};
+
+inline constexpr Verdict kPass{};
+inline constexpr Verdict kDrop{.fate = Fate::kDrop};
+/// Until ReleaseHeld(). As with every delay, what its link carries later waits behind it; what
+/// waits when the link is closed is lost.
+inline constexpr Verdict kHold{.fate = Fate::kHold};
 }  // namespace loopback
 
-/// What the LoopbackMiddlewares of one process have in common: the addresses. Thread-safe.
+/// What the LoopbackMiddlewares of one process have in common: the addresses, and the faults that a
+/// test wants of the network. Thread-safe.
 class LoopbackNetwork {
  public:
-  /// Whether a frame arrives; called in the sender's thread. For tests that lose frames.
-  using Filter = std::function<bool(std::span<const std::byte> frame)>;
-  void SetFilter(Filter filter);
+  /// Called in the sender's thread; null: everything passes.
+  using Judge = std::function<loopback::Verdict(const loopback::Frame& frame)>;
+  void SetJudge(Judge judge);
+  void ReleaseHeld();
 
  private:
   friend class LoopbackMiddleware;
   friend class loopback::End;
   friend struct loopback::Door;
 
-  bool Passes(std::span<const std::byte> frame);
+  loopback::Verdict Decide(const loopback::Frame& frame);
+  void Remember(std::weak_ptr<loopback::End> holder);
   /// Fills in port 0; false where the address is taken.
   bool Add(HostPort& address, const std::shared_ptr<loopback::Door>& door);
-  void Remove(const std::string& address);
+  void Remove(const loopback::Door& door);
+  void RemoveAll(const loopback::Courier& courier);
   std::shared_ptr<loopback::Door> Find(const std::string& address);
   std::string NameOfNextCaller();
 
   std::mutex mutex_;
-  Filter filter_;
+  Judge judge_;
+  std::vector<std::weak_ptr<loopback::End>> holders_;  // of frames that are held
   std::uint32_t last_port_ = 49151;
   std::map<std::string, std::shared_ptr<loopback::Door>> doors_;
 };
@@ -54,6 +85,10 @@ class LoopbackMiddleware final : public Middleware {
   Result<std::shared_ptr<Link>> Open(const std::string& address,
                                      std::shared_ptr<LinkHandler> handler,
                                      std::chrono::milliseconds timeout) override;
+
+  /// As if its process was killed: the other ends of its links are told that they were closed, its
+  /// addresses are free, and nothing leaves it or arrives in it any more.
+  void Crash();
 
  private:
   std::shared_ptr<LoopbackNetwork> network_;

@@ -61,10 +61,10 @@ struct FrozenPeer : RemoteConnection {
     StartDesk();
     Connect();
   }
-  ~FrozenPeer() override { TheNetwork()->SetFilter(nullptr); }
+  ~FrozenPeer() override { TheNetwork()->SetJudge(nullptr); }
 
   static void Freeze() {
-    TheNetwork()->SetFilter([](std::span<const std::byte> /*frame*/) { return false; });
+    TheNetwork()->SetJudge([](const auto& /*frame*/) { return tendon::loopback::kDrop; });
   }
 };
 

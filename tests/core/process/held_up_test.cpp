@@ -71,12 +71,12 @@ class Answering final : public tendon::ChannelHandler {
 class WatchOver : public testing::Test {
  protected:
   WatchOver() {
-    network_->SetFilter([this](std::span<const std::byte> frame) {
-      const MessageType type = tendon::ReadFrameHeader(frame, frame.size())->type;
-      if (type == MessageType::kPart && is_slow_) Carry(frame.size());
-      if (type != tendon::message::kPing) return true;
+    network_->SetJudge([this](const tendon::loopback::Frame& frame) {
+      const MessageType type = tendon::ReadFrameHeader(frame.bytes, frame.bytes.size())->type;
+      if (type == MessageType::kPart && is_slow_) Carry(frame.bytes.size());
+      if (type != tendon::message::kPing) return tendon::loopback::kPass;
       ++asked_;
-      return !are_lost_;
+      return are_lost_ ? tendon::loopback::kDrop : tendon::loopback::kPass;
     });
     auto listener = server_.Listen(
         "127.0.0.1:0", Channel::Acceptor({.instance = 1, .name = "robot", .cookie = 4711},
@@ -308,13 +308,14 @@ class Idler final : public tendon::NetworkJob {
 class Lease : public testing::Test {
  protected:
   Lease() {
-    network_->SetFilter([this](std::span<const std::byte> frame) {
-      const MessageType type = tendon::ReadFrameHeader(frame, frame.size())->type;
+    network_->SetJudge([this](const tendon::loopback::Frame& frame) {
+      const MessageType type = tendon::ReadFrameHeader(frame.bytes, frame.bytes.size())->type;
       if (type == tendon::message::kRenew) {
         ++renewals_;
-        if (are_renewals_lost_) return false;
+        if (are_renewals_lost_) return tendon::loopback::kDrop;
       }
-      return !are_answers_lost_ || type != MessageType::kReply;
+      const bool is_lost = are_answers_lost_ && type == MessageType::kReply;
+      return is_lost ? tendon::loopback::kDrop : tendon::loopback::kPass;
     });
     auto gcm = tendon::GlobalManager::Start(std::make_shared<LoopbackMiddleware>(network_),
                                             {.state_folder = folder_.path()});

@@ -43,11 +43,11 @@ class Keeper final : public ChannelHandler {
 class Gathering : public testing::Test {
  protected:
   Gathering() {
-    network_->SetFilter([this](std::span<const std::byte> frame) {
-      const auto type = ReadFrameHeader(frame)->type;
+    network_->SetJudge([this](const loopback::Frame& frame) {
+      const auto type = ReadFrameHeader(frame.bytes)->type;
       const std::scoped_lock lock(mutex_);
       if (type == MessageType::kReply || type == MessageType::kReplies) sent_.push_back(type);
-      return true;
+      return loopback::kPass;
     });
     auto listener =
         middleware_.Listen("127.0.0.1:0", Channel::Acceptor(hello_, [this] { return keeper_; }));
