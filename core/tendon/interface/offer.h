@@ -60,6 +60,11 @@ class Offer {
     return *this;
   }
   [[nodiscard]] Overflow overflow() const { return overflow_; }
+  /// Whether it is one that does not disregard that, and keeps the latest call only.
+  [[nodiscard]] bool keeps_latest_only() const {
+    return overflow_ == Overflow::kLatestOnly && uses_mailbox() &&
+           !WaitsForServer(description_.signature.kind);
+  }
 
   /// Says that a call answers with the newest value of a column, which outlives the offer.
   Offer& SetSource(const ColumnSource& source) {

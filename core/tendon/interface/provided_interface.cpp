@@ -36,6 +36,14 @@ void ProvidedInterface::SetSourceFaulted(bool faulted) {
   for (const NamedEvent& one : events_) one.event->SetSourceFaulted(faulted);
 }
 
+std::vector<std::string> ProvidedInterface::latest_only() const {
+  std::vector<std::string> names;
+  for (const auto& offer : commands_) {
+    if (offer->keeps_latest_only()) names.push_back(offer->description().name);
+  }
+  return names;
+}
+
 ProvidedDescription ProvidedInterface::description() const {
   ProvidedDescription description{.name = name_, .commands = {}, .events = {}};
   for (const auto& offer : commands_) description.commands.push_back(offer->description());

@@ -173,6 +173,8 @@ class ProvidedInterface {
   void SetSourceFaulted(bool faulted);
 
   [[nodiscard]] ProvidedDescription description() const;
+  /// The names of the commands that keep the latest call only.
+  [[nodiscard]] std::vector<std::string> latest_only() const;
 
   /// No member can be added from now on.
   void Seal() { names_.Seal(); }

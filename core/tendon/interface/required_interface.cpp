@@ -52,6 +52,14 @@ std::vector<std::string> RequiredInterface::mirrored() const {
   return names;
 }
 
+std::vector<std::string> RequiredInterface::latest_only() const {
+  std::vector<std::string> names;
+  for (const auto& handler : handlers_) {
+    if (handler->keeps_latest_only()) names.push_back(handler->description().name);
+  }
+  return names;
+}
+
 RequiredDescription RequiredInterface::description() const {
   RequiredDescription description{
       .name = name_, .functions = {}, .event_handlers = {}, .optional = need_ == Need::kOptional};

@@ -130,6 +130,8 @@ class RequiredInterface {
   [[nodiscard]] std::uint64_t lost_events() const noexcept { return lost_events_.value(); }
 
   [[nodiscard]] RequiredDescription description() const;
+  /// The names of the event handlers that keep the latest event only.
+  [[nodiscard]] std::vector<std::string> latest_only() const;
   [[nodiscard]] bool is_connected() const { return binding_.Get() != nullptr; }
 
   void Seal() { names_.Seal(); }

@@ -25,6 +25,10 @@ inline constexpr auto kPing = static_cast<MessageType>(0x104);  // request: None
 // request, a function's handle: the argument, and behind it u64, for how many ns the caller waits
 // -> as kRead, once the component has executed it, or will not
 inline constexpr auto kWait = static_cast<MessageType>(0x105);
+/// From this protocol version on the opener asks by kOpenMarked instead of kOpenInterface.
+inline constexpr std::uint16_t kMarksLatestOnly = 8;
+inline constexpr auto kOpenMarked =
+    static_cast<MessageType>(0x106);  // request: OpenMarked -> MarkedOpened
 // From the other.
 // notice: calls of event handlers, as CallBatch puts them
 inline constexpr auto kEvents = static_cast<MessageType>(0x110);
@@ -59,6 +63,18 @@ struct InterfaceOpened {
   std::uint32_t credit = 0;  ///< calls that may be sent before the first Credit
   bool accepting = false;    ///< whether the component executes calls now
   ProvidedDescription description;
+};
+
+/// A connection is wanted. The names are of event handlers that keep the latest event only.
+struct OpenMarked {
+  OpenInterface open;
+  std::vector<std::string> latest_only;
+};
+
+/// The connection stands. The names are of commands that keep the latest call only.
+struct MarkedOpened {
+  InterfaceOpened opened;
+  std::vector<std::string> latest_only;
 };
 
 /// How far the component has come, and how it is; within 5 ms of each change.
@@ -101,6 +117,16 @@ inline constexpr auto tendon::kPayload<tendon::message::InterfaceOpened> = tendo
     tendon::Field{"credit", &tendon::message::InterfaceOpened::credit},
     tendon::Field{"accepting", &tendon::message::InterfaceOpened::accepting},
     tendon::Field{"description", &tendon::message::InterfaceOpened::description});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::OpenMarked> =
+    tendon::Describe("tendon.OpenMarked", tendon::Field{"open", &tendon::message::OpenMarked::open},
+                     tendon::Field{"latest_only", &tendon::message::OpenMarked::latest_only});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::MarkedOpened> = tendon::Describe(
+    "tendon.MarkedOpened", tendon::Field{"opened", &tendon::message::MarkedOpened::opened},
+    tendon::Field{"latest_only", &tendon::message::MarkedOpened::latest_only});
 
 template <>
 inline constexpr auto tendon::kPayload<tendon::message::Credit> =

@@ -177,6 +177,70 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
   std::vector<Bytes> pool_;  // of arguments, by slot
 };
 
+/// As a LatestCommand: a newer call replaces an older one that still waits to be sent, and at the
+/// other end one that waits there. Calls that are waited for are as any other's.
+class LatestCommandProxy final : public CommandBase, private Mailbox::Entry {
+ public:
+  LatestCommandProxy(Outbox& outbox, const MemberDescription& command, std::uint32_t handle,
+                     SharedCounter<>& refused, Mailbox& mailbox)
+      : CommandBase(layout::kNone, layout::kNone),
+        outbox_(outbox),
+        handle_(handle),
+        refused_(refused),
+        mailbox_(mailbox),
+        queued_(outbox, command, handle, refused, mailbox) {}
+
+  Status ExecuteEncoded(std::span<const std::byte> in, std::vector<std::byte>& /*out*/) override {
+    const Status posted = Post(in);
+    if (!posted) refused_.Add();
+    return posted;
+  }
+  Status WaitEncoded(std::span<const std::byte> in, std::vector<std::byte>& out,
+                     std::chrono::nanoseconds timeout) override {
+    return queued_.WaitEncoded(in, out, timeout);
+  }
+
+ private:
+  Status Post(std::span<const std::byte> in) {
+    if (!outbox_.is_open()) return Status::kNotConnected;
+    if (in.size() > kMaxPayload) {
+      outbox_.RefusePayload(handle_, in.size());
+      return Status::kInvalid;
+    }
+    if (!mailbox_.is_open()) return mailbox_.refusal();
+    const Lease<>::Hold writing(writing_);
+    if (!writing) {  // the call that writes right now is the newer one
+      mailbox_.CountReplaced();
+      return Status::kQueued;
+    }
+    return Host::Contain(nullptr, [&]() -> Status {  // memory may be short
+      written_.assign(in.begin(), in.end());
+      if (newest_.Write(written_)) {
+        mailbox_.CountReplaced();
+      } else {
+        std::byte* const token = mailbox_.ClaimReserved();
+        assert(token != nullptr);
+        mailbox_.Publish(token, *this);
+      }
+      return Status::kQueued;
+    });
+  }
+
+  void ExecuteSlot(std::byte* /*argument*/, std::size_t /*slot*/) override {
+    if (const Bytes* argument = newest_.Take()) outbox_.Take(handle_, *argument);
+  }
+  void DropSlot(std::size_t /*slot*/) noexcept override { newest_.Take(); }
+
+  Outbox& outbox_;
+  const std::uint32_t handle_;
+  SharedCounter<>& refused_;  // of the offer
+  Mailbox& mailbox_;
+  QueuedCommandProxy queued_;
+  Lease<> writing_;
+  Bytes written_;  // of who has that
+  Snapshot<Bytes> newest_;
+};
+
 }  // namespace
 
 Outbox::Outbox(std::shared_ptr<Channel> channel, MessageType type, Wakeup<>& wakeup,
@@ -303,13 +367,27 @@ Status Outbox::Ask(Question& question, Manner manner) {
   return asked;
 }
 
+Overflow OverflowOf(const std::vector<std::string>& latest_only, const std::string& member) {
+  const bool is_one = std::ranges::find(latest_only, member) != latest_only.end();
+  return is_one ? Overflow::kLatestOnly : Overflow::kRefuse;
+}
+
 QueuedOfferProxy::QueuedOfferProxy(MemberDescription description, Outbox& outbox,
                                    std::uint32_t handle)
     : Offer(std::move(description)), outbox_(outbox), handle_(handle) {
   outbox_.refused_payloads().Add(handle_, this->description().name);
 }
 
+Mailbox::SlotShape QueuedOfferProxy::shape() const {
+  constexpr std::size_t kTokens = 2;  // as many as a LatestCommand has at most
+  return {.reserve = keeps_latest_only() ? kTokens : 0};
+}
+
 std::unique_ptr<CommandBase> QueuedOfferProxy::Bind(Mailbox* mailbox) const {
+  if (keeps_latest_only()) {
+    return std::make_unique<LatestCommandProxy>(outbox_, description(), handle_, refused_,
+                                                *mailbox);
+  }
   return std::make_unique<QueuedCommandProxy>(outbox_, description(), handle_, refused_, *mailbox);
 }
 

@@ -17,6 +17,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace tendon {
 
@@ -127,13 +128,18 @@ class Outbox {
   std::optional<Question> question_;  // comes behind the batch
 };
 
+/// That of a member, where these names are of those that keep the latest only.
+[[nodiscard]] Overflow OverflowOf(const std::vector<std::string>& latest_only,
+                                  const std::string& member);
+
 /// A command of another process that its component's thread executes, or a handler of its events:
 /// what is called here is sent there. It takes encoded values alone; they are copied into buffers
-/// that keep their capacity.
+/// that keep their capacity. One that keeps the latest only does so on its way, too.
 class QueuedOfferProxy final : public Offer {
  public:
   QueuedOfferProxy(MemberDescription description, Outbox& outbox, std::uint32_t handle);
 
+  [[nodiscard]] Mailbox::SlotShape shape() const override;
   [[nodiscard]] std::unique_ptr<CommandBase> Bind(Mailbox* mailbox) const override;
 
   /// How many calls were not accepted: no room, too large, or nobody to send them to.

@@ -45,7 +45,8 @@ void ProvidedInterfaceProxy::AddCommands(const Remote& remote, const RequiredDes
     if (command == nullptr) continue;
     const auto mirrored = mirrored_.find(function.name);
     if (CanBeAwaited(command->signature.kind)) {
-      interface_.AddOffer(std::make_unique<QueuedOfferProxy>(*command, outbox_, handle));
+      interface_.AddOffer(std::make_unique<QueuedOfferProxy>(*command, outbox_, handle))
+          .SetOverflow(OverflowOf(remote.latest_only, function.name));
     } else if (mirrored != mirrored_.end()) {
       interface_.AddOffer(std::make_unique<MirroredReadProxy>(*command, mirrored->second));
     } else {

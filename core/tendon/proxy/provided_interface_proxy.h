@@ -32,6 +32,7 @@ class ProvidedInterfaceProxy final : public NetworkJob {
     InterfaceName name{};  ///< for the log
     /// What is read from copies here, by the command's name.
     std::map<std::string, std::shared_ptr<MirroredValue>> mirrored{};
+    std::vector<std::string> latest_only{};  ///< commands that keep the latest call only
   };
   /// Offers what `required` can use of the remote interface. ConfigurationError where its
   /// description makes no sense.

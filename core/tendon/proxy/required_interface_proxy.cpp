@@ -44,7 +44,8 @@ class Waiter {
 
 RequiredInterfaceProxy::RequiredInterfaceProxy(std::shared_ptr<NetworkThread> thread,
                                                std::shared_ptr<Channel> channel,
-                                               const message::OpenInterface& open, Events events)
+                                               const message::OpenInterface& open, Events events,
+                                               const std::vector<std::string>& latest_only)
     : thread_(std::move(thread)),
       channel_(std::move(channel)),
       handle_(open.handle),
@@ -64,6 +65,7 @@ RequiredInterfaceProxy::RequiredInterfaceProxy(std::shared_ptr<NetworkThread> th
   std::uint32_t handle = handle_;
   for (const MemberDescription& handler : open.description.event_handlers) {
     auto offer = std::make_unique<QueuedOfferProxy>(handler, outbox_, ++handle);
+    offer->SetOverflow(OverflowOf(latest_only, handler.name));
     handlers_.push_back(offer.get());
     interface_.AddOffer(std::move(offer));
   }

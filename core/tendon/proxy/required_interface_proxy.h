@@ -26,9 +26,11 @@ class RequiredInterfaceProxy final : public NetworkJob, private BegunCalls::Owne
   /// Whether events are sent as kEvents or, with the time when they were raised, as kTimedEvents.
   enum class Events { kPlain, kTimed };
 
-  /// ConfigurationError where the description makes no sense.
+  /// `latest_only` names handlers that keep the latest event only. ConfigurationError where the
+  /// description makes no sense.
   RequiredInterfaceProxy(std::shared_ptr<NetworkThread> thread, std::shared_ptr<Channel> channel,
-                         const message::OpenInterface& open, Events events = Events::kPlain);
+                         const message::OpenInterface& open, Events events = Events::kPlain,
+                         const std::vector<std::string>& latest_only = {});
 
   [[nodiscard]] RequiredInterface& interface() { return interface_; }
   /// Of the other end.

@@ -36,14 +36,20 @@ Fingerprint MessagesOfVersion6() {
 /// The same: what is new is how a version is agreed on, and what an answer tells.
 Fingerprint MessagesOfVersion7() { return MessagesOfVersion6(); }
 
+/// What is new is how an interface is opened, by messages of its own.
+Fingerprint MessagesOfVersion8() {
+  return FingerprintOfAll<message::OpenMarked, message::MarkedOpened>();
+}
+
 TEST(Protocol, WhoChangesAMessageRaisesTheVersion) {
   // Another fingerprint belongs to another version: two programs that know different messages would
   // otherwise misread each other. Raise FrameHeader::kProtocolVersion, then put both down here, and
   // keep the messages of the version before as long as that is spoken.
-  EXPECT_EQ(FrameHeader::kProtocolVersion, 7);
+  EXPECT_EQ(FrameHeader::kProtocolVersion, 8);
   EXPECT_EQ(FrameHeader::kOldestVersion, 6);
   EXPECT_EQ(ToString(MessagesOfVersion6()), "06f20568342fb9f8a3c910452d3ea7d0");
   EXPECT_EQ(ToString(MessagesOfVersion7()), "06f20568342fb9f8a3c910452d3ea7d0");
+  EXPECT_EQ(ToString(MessagesOfVersion8()), "21c676620cdb8760560c6be7fa92b1c0");
   // Came since: a program that does not know them refuses them by their numbers.
   EXPECT_EQ(ToString(FingerprintOfAll<message::ProcessOrder>()),
             "d5aa5869dbf7b2967e2cac9f17106c81");

@@ -1,4 +1,4 @@
-#include "core/parity/pair.h"
+#include "core/parity/places/two_processes.h"
 
 namespace tendon_test {
 namespace {
@@ -6,7 +6,7 @@ namespace {
 using tendon::Status;
 
 /// Every kind of command.
-using Commands = AnyPair;
+using Commands = AnyPlacedPair;
 
 TEST_P(Commands, VoidOnesAndWritesRunInTheServersThreadInOrder) {
   pair.InClient([&](auto& port) {
@@ -15,11 +15,16 @@ TEST_P(Commands, VoidOnesAndWritesRunInTheServersThreadInOrder) {
     EXPECT_EQ(port.reset(), pair.queued());
   });
 
+  pair.Deliver();
   std::thread::id client;
   pair.OnceInClient([&] { client = std::this_thread::get_id(); });
   pair.InServer([&](auto& port) {
     EXPECT_EQ(port.resets, 1);
-    EXPECT_EQ(port.thread, pair.queued() == Status::kDone ? client : std::this_thread::get_id());
+    if (std::get<1>(GetParam()) == Kind::kThreadless) {
+      pair.ExpectInThreadOf(client, port.thread);
+    } else {
+      EXPECT_EQ(port.thread, std::this_thread::get_id());
+    }
     ASSERT_EQ(port.received.size(), 20U);
     for (int i = 1; i <= 20; ++i) {
       EXPECT_TRUE(IsSample(port.received[static_cast<std::size_t>(i - 1)], i)) << i;
@@ -72,31 +77,36 @@ TEST_P(Commands, ReturnsAreExecutedInTheServersThreadAndAnswered) {
   });
 
   pair.InServer([&](auto& port) {
-    EXPECT_EQ(port.thread, pair.queued() == Status::kDone ? client : std::this_thread::get_id());
+    if (std::get<1>(GetParam()) == Kind::kThreadless) {
+      pair.ExpectInThreadOf(client, port.thread);
+    } else {
+      EXPECT_EQ(port.thread, std::this_thread::get_id());
+    }
   });
 }
 
-TEST_P(Commands, AFilterRunsInTheClientsThreadAndItsOutputIsQueued) {
+TEST_P(Commands, AFilterRunsInTheCallersThreadAndItsOutputIsQueued) {
   std::uint64_t client = 0;
   pair.InClient([&](auto& port) {
     using P = PayloadIn<decltype(port)>;
     client = std::hash<std::thread::id>()(std::this_thread::get_id());
     EXPECT_EQ(port.write_filtered(Sample<P>(9)), pair.queued());
   });
+  pair.Deliver();
 
   pair.InServer([&](auto& port) {
     using P = PayloadIn<decltype(port)>;
     ASSERT_EQ(port.filtered.size(), 1U);
     EXPECT_EQ(port.filtered[0].bytes, BytesOf(Sample<P>(9)).size());
-    EXPECT_EQ(port.filtered[0].thread, client);
+    EXPECT_EQ(port.filtered[0].thread == client, !pair.is_remote());
   });
 }
 
-TEST_P(Commands, DirectOnesRunInTheClientsThread) {
+TEST_P(Commands, DirectOnesRunInTheCallersThread) {
   pair.InClient([&](auto& port) {
     using P = PayloadIn<decltype(port)>;
     EXPECT_EQ(port.reset.Wait(kLong), Status::kDone);
-    EXPECT_EQ(port.write_direct(Sample<P>(1)), Status::kDone);
+    EXPECT_EQ(port.write_direct(Sample<P>(1)), pair.direct());
     std::int32_t count = 0;
     EXPECT_EQ(port.count(count), Status::kDone);
     EXPECT_EQ(count, 1);
@@ -104,7 +114,8 @@ TEST_P(Commands, DirectOnesRunInTheClientsThread) {
 
   std::thread::id client;
   pair.OnceInClient([&] { client = std::this_thread::get_id(); });
-  pair.InServer([&](auto& port) { EXPECT_EQ(port.direct_thread, client); });
+  pair.Deliver();
+  pair.InServer([&](auto& port) { pair.ExpectInThreadOf(client, port.direct_thread); });
 }
 
 TEST_P(Commands, OneThatKeepsTheLatestOnlyIsNeverRefusedAndLosesNotTheLast) {
@@ -112,6 +123,7 @@ TEST_P(Commands, OneThatKeepsTheLatestOnlyIsNeverRefusedAndLosesNotTheLast) {
     using P = PayloadIn<decltype(port)>;
     for (int i = 1; i <= 200; ++i) EXPECT_EQ(port.keep(Sample<P>(i)), pair.queued());
   });
+  pair.Deliver();
 
   pair.InServer([&](auto& port) {
     ASSERT_FALSE(port.kept.empty());
@@ -119,7 +131,9 @@ TEST_P(Commands, OneThatKeepsTheLatestOnlyIsNeverRefusedAndLosesNotTheLast) {
   });
 }
 
-INSTANTIATE_TEST_SUITE_P(Parity, Commands, AllPairs(), NameOfPair);
+INSTANTIATE_TEST_SUITE_P(Parity, Commands, AllPairsInOneProcess(), NameOfPlacedPair);
+INSTANTIATE_TEST_SUITE_P(RemoteParity, Commands, testing::ValuesIn(RemotePairs()),
+                         NameOfPlacedPair);
 
 }  // namespace
 }  // namespace tendon_test

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <future>
 
-#include "core/parity/pair.h"
+#include "core/parity/places/two_processes.h"
 #include "support/log/log_record.h"
 
 namespace tendon_test {
@@ -11,7 +11,7 @@ using tendon::Status;
 using namespace std::chrono_literals;
 
 /// Events and their handlers.
-using Events = AnyPair;
+using Events = AnyPlacedPair;
 
 TEST_P(Events, QueuedHandlersRunInTheClientsThreadInOrder) {
   pair.InServer([&](auto& port) {
@@ -20,13 +20,18 @@ TEST_P(Events, QueuedHandlersRunInTheClientsThreadInOrder) {
     port.done();
     EXPECT_EQ(port.reached.lost(), 0U);
   });
+  pair.Deliver();
 
   std::thread::id server;
   pair.OnceInServer([&] { server = std::this_thread::get_id(); });
   const bool has_thread = std::get<0>(GetParam()) != Kind::kThreadless;
   pair.InClient([&](auto& port) {
     EXPECT_EQ(port.dones, 1);
-    EXPECT_EQ(port.thread, has_thread ? std::this_thread::get_id() : server);
+    if (has_thread) {
+      EXPECT_EQ(port.thread, std::this_thread::get_id());
+    } else {
+      pair.ExpectInThreadOf(server, port.thread);
+    }
     ASSERT_EQ(port.reached.size(), 20U);
     for (int i = 1; i <= 20; ++i) {
       EXPECT_TRUE(IsSample(port.reached[static_cast<std::size_t>(i - 1)], i)) << i;
@@ -35,7 +40,7 @@ TEST_P(Events, QueuedHandlersRunInTheClientsThreadInOrder) {
   });
 }
 
-TEST_P(Events, DirectHandlersRunInTheServersThread) {
+TEST_P(Events, DirectHandlersRunInTheRaisersThread) {
   std::thread::id server;
   pair.InServer([&](auto& port) {
     using P = PayloadIn<decltype(port)>;
@@ -43,9 +48,10 @@ TEST_P(Events, DirectHandlersRunInTheServersThread) {
     port.passed(Sample<P>(1));
     port.passed(Sample<P>(2));
   });
+  pair.Deliver();
 
   pair.InClient([&](auto& port) {
-    EXPECT_EQ(port.direct_thread, server);
+    pair.ExpectInThreadOf(server, port.direct_thread);
     ASSERT_EQ(port.passed.size(), 2U);
     EXPECT_TRUE(IsSample(port.passed[1], 2));
   });
@@ -80,6 +86,7 @@ TEST_P(Events, OneThatIsOffReachesNobody) {
     port.reached(Sample<P>(2));
     EXPECT_EQ(port.reached.lost(), 0U);
   });
+  pair.Deliver();
 
   pair.InClient([&](auto& port) {
     ASSERT_EQ(port.reached.size(), 1U);
@@ -87,7 +94,8 @@ TEST_P(Events, OneThatIsOffReachesNobody) {
   });
 }
 
-INSTANTIATE_TEST_SUITE_P(Parity, Events, AllPairs(), NameOfPair);
+INSTANTIATE_TEST_SUITE_P(Parity, Events, AllPairsInOneProcess(), NameOfPlacedPair);
+INSTANTIATE_TEST_SUITE_P(RemoteParity, Events, testing::ValuesIn(RemotePairs()), NameOfPlacedPair);
 
 /// Clients with a thread, which can be busy.
 using BusyClient = AnyPair;

@@ -1,26 +1,35 @@
 #include "core/parity/pair.h"
 
+#include <algorithm>
+
 namespace tendon_test {
 namespace {
 
 using namespace std::chrono_literals;
 
+class OneManager final : public Ground {
+ public:
+  tendon::LocalManager& server() override { return manager_; }
+  tendon::LocalManager& client() override { return manager_; }
+
+ private:
+  tendon::LocalManager manager_;
+};
+
 /// Through which the test has jobs executed.
 class Director final : public tendon::Component {
  public:
   explicit Director(std::string name) : Component(std::move(name)) {
-    AddRequiredInterface("Server").AddFunction(step_server, "Step");
-    AddRequiredInterface("Client").AddFunction(step_client, "Step");
+    AddRequiredInterface("Part").AddFunction(step, "Step");
   }
-  tendon::VoidFunction step_server;
-  tendon::VoidFunction step_client;
+  tendon::VoidFunction step;
 };
 
-Director& AddDirector(tendon::LocalManager& manager) {
-  auto& director = manager.Add<Director>("director");
-  EXPECT_TRUE(manager.Connect({"director", "Server"}, {"server", "Desk"}).ok());
-  EXPECT_TRUE(manager.Connect({"director", "Client"}, {"client", "Desk"}).ok());
-  return director;
+tendon::VoidFunction& Direct(tendon::LocalManager& manager, const std::string& part) {
+  const std::string name = "director-of-" + part;
+  auto& director = manager.Add<Director>(name);
+  EXPECT_TRUE(manager.Connect({name, "Part"}, {part, "Desk"}).ok());
+  return director.step;
 }
 
 std::jthread Lend(Part& part) {
@@ -36,37 +45,87 @@ bool NeedsAThread(Kind kind) { return kind == Kind::kCallback || kind == Kind::k
 
 }  // namespace
 
-Pair::Pair(Kind client_kind, Kind server_kind)
-    : server(AddServer(manager, server_kind)),
-      client(AddClient(manager, client_kind)),
+Place OneProcess() {
+  return {.name = "", .make = [] { return std::make_unique<OneManager>(); }};
+}
+
+Pair::Pair(Kind client_kind, Kind server_kind, const Place& place)
+    : ground_(place.make()),
+      manager(ground_->server()),
+      server(AddServer(ground_->server(), server_kind)),
+      client(AddClient(ground_->client(), client_kind)),
       has_thread_(server_kind != Kind::kThreadless),
-      step_server_(AddDirector(manager).step_server),
-      step_client_(dynamic_cast<Director&>(*manager.Find("director")).step_client) {
+      step_server_(Direct(ground_->server(), "server")),
+      step_client_(Direct(ground_->client(), "client")) {
   Connect();
-  const auto connected = manager.Connect({"client", "Messages"}, {"server", "Messages"});
+  const auto connected =
+      ground_->client().Connect({"client", "Messages"}, ServerInterface("Messages"));
   EXPECT_TRUE(connected.ok()) << connected.error().message;
-  const auto started = manager.StartAll();
-  EXPECT_TRUE(started.ok()) << started.error().message;
+  for (tendon::LocalManager* one : {&ground_->server(), &ground_->client()}) {
+    const auto started = one->StartAll();
+    EXPECT_TRUE(started.ok()) << started.error().message;
+  }
   if (NeedsAThread(client_kind)) lent_[&client] = Lend(client);
   if (NeedsAThread(server_kind)) lent_[&server] = Lend(server);
+  if (is_remote()) AwaitConnections();
 }
 
 Pair::~Pair() {
   Release();
-  EXPECT_TRUE(manager.StopAll().ok());
+  EXPECT_TRUE(ground_->client().StopAll().ok());
+  EXPECT_TRUE(ground_->server().StopAll().ok());
 }
 
 void Pair::Connect() {
   for (const char* const port : kPortNames) {
-    const auto connected = manager.Connect({"client", port}, {"server", port});
+    const auto connected = ground_->client().Connect({"client", port}, ServerInterface(port));
     EXPECT_TRUE(connected.ok()) << connected.error().message;
   }
+}
+
+tendon::InterfaceName Pair::ServerInterface(const std::string& name) const {
+  return {ground_->server_process(), "server", name};
+}
+
+void Pair::AwaitConnections() {
+  EXPECT_TRUE(EventuallyTrue([this] {
+    return std::ranges::all_of(ground_->client().connections(), [](const auto& one) {
+      return one.state == tendon::ConnectionState::kActive;
+    });
+  }));
+  InClient([](auto& port) {  // that the server runs now is heard a little later
+    const auto value = Sample<PayloadIn<decltype(port)>>(0);
+    EXPECT_TRUE(EventuallyTrue([&] { return bool(port.write_direct(value)); }));
+  });
+}
+
+void Pair::Deliver() {
+  if (!is_remote()) return;
+  InClient([](auto& port) {
+    PayloadIn<decltype(port)> value;
+    EXPECT_EQ(port.take.Wait(value, kLong), tendon::Status::kDone);
+  });
+  InServer([](auto& port) { port.settled(Sample<PayloadIn<decltype(port)>>(0)); });
+  InClient([](auto& port) {
+    PayloadIn<decltype(port)> value;
+    EXPECT_EQ(port.settled.Wait(value, kLong), tendon::Status::kDone);
+  });
+}
+
+void Pair::ExpectInThreadOf(std::thread::id caller, std::thread::id thread) const {
+  if (!is_remote()) {
+    EXPECT_EQ(thread, caller);
+    return;
+  }
+  EXPECT_NE(thread, std::thread::id());
+  EXPECT_NE(thread, caller);
+  EXPECT_NE(thread, std::this_thread::get_id());
 }
 
 bool Pair::Disconnect() {
   const auto begin = std::chrono::steady_clock::now();
   for (const char* const port : kPortNames) {
-    EXPECT_TRUE(manager.Disconnect({"client", port}).ok());
+    EXPECT_TRUE(ground_->client().Disconnect({"client", port}).ok());
   }
   return std::chrono::steady_clock::now() - begin < tendon::LocalManager::kDrainPatience;
 }

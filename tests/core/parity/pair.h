@@ -6,6 +6,8 @@
 #include <chrono>
 #include <functional>
 #include <map>
+#include <memory>
+#include <ostream>
 #include <string>
 #include <thread>
 #include <tuple>
@@ -20,16 +22,37 @@ namespace tendon_test {
 /// How long a call of a test may wait: it bounds a test that fails.
 inline constexpr std::chrono::seconds kLong(60);
 
+/// The managers of a server and of a client; those of two processes, where the server's has a name.
+class Ground {
+ public:
+  virtual ~Ground() = default;
+  [[nodiscard]] virtual tendon::LocalManager& server() = 0;
+  [[nodiscard]] virtual tendon::LocalManager& client() = 0;
+  [[nodiscard]] virtual std::string server_process() const { return {}; }
+};
+
+/// Where a pair lives.
+struct Place {
+  std::string name;
+  std::function<std::unique_ptr<Ground>()> make;
+};
+inline void PrintTo(const Place& place, std::ostream* out) { *out << place.name; }
+[[nodiscard]] Place OneProcess();
+
 /// A server and a client, connected and running. What a test does or looks at in a component's
 /// thread is a job, which that thread executes as a command.
 class Pair {
  public:
-  Pair(Kind client_kind, Kind server_kind);
+  Pair(Kind client_kind, Kind server_kind, const Place& place = OneProcess());
   ~Pair();
   Pair(const Pair&) = delete;
   Pair& operator=(const Pair&) = delete;
 
-  tendon::LocalManager manager;
+ private:
+  const std::unique_ptr<Ground> ground_;
+
+ public:
+  tendon::LocalManager& manager;  ///< of the server, and of the client where there is but one
   ServerPart& server;
   ClientPart& client;
 
@@ -52,10 +75,22 @@ class Pair {
   void HoldClient() { Hold(step_client_, client); }
   void Release();
 
-  /// What a queued call answers: a server without a thread executes it at once.
+  /// Whether there is a network between the two.
+  [[nodiscard]] bool is_remote() const { return !ground_->server_process().empty(); }
+  /// What a queued call answers: a server without a thread executes it at once, in its process.
   [[nodiscard]] tendon::Status queued() const {
-    return has_thread_ ? tendon::Status::kQueued : tendon::Status::kDone;
+    return has_thread_ || is_remote() ? tendon::Status::kQueued : tendon::Status::kDone;
   }
+  /// And what a direct one answers.
+  [[nodiscard]] tendon::Status direct() const {
+    return is_remote() ? tendon::Status::kQueued : tendon::Status::kDone;
+  }
+  /// Where there is a network: what was called or raised before has been executed, or waits in its
+  /// mailbox at the other end. Executes `take`, and raises `settled`.
+  void Deliver();
+  /// Of what runs in the thread that calls or raises it: in that very thread, or, from another
+  /// process, in a thread of neither component.
+  void ExpectInThreadOf(std::thread::id caller, std::thread::id thread) const;
 
   /// The ports' connections, made by name.
   void Connect();
@@ -65,6 +100,8 @@ class Pair {
   void Remove(Part& part);
 
  private:
+  [[nodiscard]] tendon::InterfaceName ServerInterface(const std::string& name) const;
+  void AwaitConnections();
   static void Execute(tendon::VoidFunction& step, Part& part, const std::function<void()>& job);
   void Hold(tendon::VoidFunction& step, Part& part);
 
@@ -86,6 +123,20 @@ inline auto AllPairs() {
 inline std::string NameOfPair(const testing::TestParamInfo<Kinds>& info) {
   return std::string(NameOf(std::get<0>(info.param))) + "CallsA" +
          std::string(NameOf(std::get<1>(info.param)));
+}
+
+/// The same, in some place.
+using PlacedKinds = std::tuple<Kind, Kind, Place>;
+struct AnyPlacedPair : testing::TestWithParam<PlacedKinds> {
+  Pair pair{std::get<0>(GetParam()), std::get<1>(GetParam()), std::get<2>(GetParam())};
+};
+inline auto AllPairsInOneProcess() {
+  return testing::Combine(testing::ValuesIn(AllKinds()), testing::ValuesIn(AllKinds()),
+                          testing::Values(OneProcess()));
+}
+inline std::string NameOfPlacedPair(const testing::TestParamInfo<PlacedKinds>& info) {
+  return std::string(NameOf(std::get<0>(info.param))) + "CallsA" +
+         std::string(NameOf(std::get<1>(info.param))) + std::get<2>(info.param).name;
 }
 
 /// Every kind of server with a client that has no thread: its calls come from the test's.

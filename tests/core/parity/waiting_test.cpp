@@ -1,4 +1,4 @@
-#include "core/parity/pair.h"
+#include "core/parity/places/two_processes.h"
 
 namespace tendon_test {
 namespace {
@@ -7,7 +7,7 @@ using tendon::Status;
 using namespace std::chrono_literals;
 
 /// Calls that are waited for: with a deadline, always.
-using Waiting = AnyPair;
+using Waiting = AnyPlacedPair;
 
 TEST_P(Waiting, ReturnsOnceTheServerHasExecutedTheCall) {
   pair.InClient([&](auto& port) {
@@ -30,7 +30,8 @@ TEST_P(Waiting, ReturnsOnceTheServerHasExecutedTheCall) {
   });
 }
 
-INSTANTIATE_TEST_SUITE_P(Parity, Waiting, AllPairs(), NameOfPair);
+INSTANTIATE_TEST_SUITE_P(Parity, Waiting, AllPairsInOneProcess(), NameOfPlacedPair);
+INSTANTIATE_TEST_SUITE_P(RemoteParity, Waiting, testing::ValuesIn(RemotePairs()), NameOfPlacedPair);
 
 /// Servers with a thread, which can be busy.
 using BusyServer = AnyPair;

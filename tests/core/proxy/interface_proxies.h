@@ -87,13 +87,20 @@ class InterfaceProxies : public testing::Test {
     client_inbox.SetAccepting(true);
     provided.AddCommandWrite(&InterfaceProxies::Push, this, "Push");
     provided.AddCommandWrite(&InterfaceProxies::Load, this, "Load");
-    provided.AddCommandRead(&InterfaceProxies::Count, this, "Count", kThreadSafe);
+    provided.AddCommandRead(&InterfaceProxies::Count, this, "Count", kThreadSafe)
+        .SetOverflow(Overflow::kLatestOnly);  // which it disregards
+    provided.AddCommandWrite(&InterfaceProxies::Follow, this, "Follow")
+        .SetOverflow(Overflow::kLatestOnly);
     provided.AddEvent(pushed, "Pushed");
+    provided.AddEvent(moved, "Moved");
     required.AddFunction(push, "Push");
     required.AddFunction(load, "Load");
     required.AddFunction(count, "Count");
     required.AddFunction(missing, "Missing", Need::kOptional);
+    required.AddFunction(follow, "Follow");
     required.AddEventHandlerWrite(&InterfaceProxies::OnPushed, this, "Pushed");
+    required.AddEventHandlerWrite(&InterfaceProxies::OnMoved, this, "Moved")
+        .SetOverflow(Overflow::kLatestOnly);
     OpenChannel();
     MakeServer();
     MakeClient();
@@ -123,7 +130,8 @@ class InterfaceProxies : public testing::Test {
     server_end->proxy = std::make_shared<RequiredInterfaceProxy>(
         thread, server_end->channel.get_future().get(),
         message::OpenInterface{
-            .description = required.description(), .handle = kClientHandle, .capacity = 4});
+            .description = required.description(), .handle = kClientHandle, .capacity = 4},
+        RequiredInterfaceProxy::Events::kPlain, required.latest_only());
     auto made = Connection::Make(server_end->proxy->interface(), provided, "client", "server");
     ASSERT_TRUE(made.ok()) << made.error().message;
     server_connection = *std::move(made);
@@ -145,21 +153,27 @@ class InterfaceProxies : public testing::Test {
             .opened = {.handle = kServerHandle,
                        .credit = server_end->proxy->capacity(),
                        .accepting = true,
-                       .description = provided.description()}};
+                       .description = provided.description()},
+            .latest_only = provided.latest_only()};
   }
 
   void Push(int number) { numbers.push_back(number); }
   void Load(const std::vector<double>& values) { loads.push_back(values.size()); }
   void Count(int& answer) const { answer = 17; }
+  void Follow(int number) { followed.push_back(number); }
   void OnPushed(int number) { heard.push_back(number); }
+  void OnMoved(int number) { seen.push_back(number); }
 
   std::vector<int> numbers;
   std::vector<std::size_t> loads;
+  std::vector<int> followed;  // the latest only
   std::vector<int> heard;
+  std::vector<int> seen;  // the latest only
 
   Inbox server_inbox;
   ProvidedInterface provided{"Control", &server_inbox};
   WriteEvent<int> pushed;
+  WriteEvent<int> moved;
 
   Inbox client_inbox;
   RequiredInterface required{"Robot", &client_inbox};
@@ -167,6 +181,7 @@ class InterfaceProxies : public testing::Test {
   WriteFunction<std::vector<double>> load;
   ReadFunction<int> count;
   VoidFunction missing;
+  WriteFunction<int> follow;
 
   std::shared_ptr<LoopbackNetwork> network = std::make_shared<LoopbackNetwork>();
   LoopbackMiddleware server{network};

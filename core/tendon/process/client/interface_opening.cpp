@@ -11,30 +11,44 @@ constexpr std::chrono::hours kAsLongAsTheLink(24 * 365);
 using Done = std::function<void(const OpenedInterface&)>;
 
 OpenedInterface MakeProxy(const std::shared_ptr<NetworkThread>& network, const PeerLink& link,
-                          const Result<message::InterfaceOpened>& answer,
+                          const Result<message::MarkedOpened>& answer,
                           const WantedInterface& wanted, const PeerLink::Mirrored& copies) {
   if (!answer) return answer.error();
   const std::shared_ptr<Channel>& channel = link.channel();
-  ProvidedInterfaceProxy::Remote remote{
-      .channel = channel, .opened = *answer, .name = wanted.open.provided};
+  ProvidedInterfaceProxy::Remote remote{.channel = channel,
+                                        .opened = answer->opened,
+                                        .name = wanted.open.provided,
+                                        .mirrored = {},
+                                        .latest_only = answer->latest_only};
   for (std::size_t i = 0; i < copies.size(); ++i) remote.mirrored[wanted.mirrored[i]] = copies[i];
   try {
     return std::make_shared<ProvidedInterfaceProxy>(network, remote, wanted.open.description,
                                                     wanted.read_deadline);
   } catch (const ConfigurationError& error) {
-    (void)channel->Notify(message::kCloseInterface, answer->handle, Bytes());
+    (void)channel->Notify(message::kCloseInterface, answer->opened.handle, Bytes());
     return Error{ErrorCode::kInvalid, channel->peer().name + " answered nonsense: " + error.what()};
   }
 }
 
 void Open(const std::shared_ptr<NetworkThread>& network, const std::shared_ptr<PeerLink>& link,
           const WantedInterface& wanted, const PeerLink::Mirrored& copies, const Done& done) {
-  link->channel()->Request<message::InterfaceOpened>(
+  const auto on_answer = [network, link, wanted, copies,
+                          done](const Result<message::MarkedOpened>& answer) {
+    const OpenedInterface proxy = MakeProxy(network, *link, answer, wanted, copies);
+    if (proxy) link->handles().Put(wanted.open.handle, *proxy);
+    done(proxy);
+  };
+  const std::shared_ptr<Channel>& channel = link->channel();
+  if (channel->protocol_version() >= message::kMarksLatestOnly) {
+    return channel->Request<message::MarkedOpened>(
+        message::kOpenMarked, 0, message::OpenMarked{wanted.open, wanted.latest_only},
+        kAsLongAsTheLink, on_answer);
+  }
+  channel->Request<message::InterfaceOpened>(
       message::kOpenInterface, 0, wanted.open, kAsLongAsTheLink,
-      [network, link, wanted, copies, done](const Result<message::InterfaceOpened>& answer) {
-        const OpenedInterface proxy = MakeProxy(network, *link, answer, wanted, copies);
-        if (proxy) link->handles().Put(wanted.open.handle, *proxy);
-        done(proxy);
+      [on_answer](const Result<message::InterfaceOpened>& answer) {
+        if (!answer) return on_answer(answer.error());
+        on_answer(message::MarkedOpened{.opened = *answer, .latest_only = {}});
       });
 }
 

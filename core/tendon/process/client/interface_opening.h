@@ -13,6 +13,7 @@ namespace tendon {
 /// A provided interface of another process, as a required one here needs it.
 struct WantedInterface {
   message::OpenInterface open;
+  std::vector<std::string> latest_only{};  ///< event handlers that keep the latest event only
   std::chrono::milliseconds read_deadline{0};
   std::vector<std::string> mirrored{};  ///< functions that are answered from copies
 };

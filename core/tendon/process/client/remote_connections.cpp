@@ -113,6 +113,7 @@ void RemoteConnections::Request(ConnectionId id, const std::shared_ptr<PeerLink>
                        .description = (*required)->description(),
                        .handle = 0,
                        .capacity = static_cast<std::uint32_t>((*required)->mailbox_capacity())},
+              .latest_only = (*required)->latest_only(),
               .read_deadline = (*required)->read_deadline(),
               .mirrored = (*required)->mirrored()};
     wanted.open.handle = link->handles().Reserve(wanted.open.description.event_handlers.size());

@@ -9,8 +9,9 @@
 namespace tendon {
 
 void ServedConnections::Open(const std::shared_ptr<Client>& client,
-                             const message::OpenInterface& open, Use use,
+                             const message::OpenMarked& wanted, Use use,
                              const std::shared_ptr<Responder>& responder) {
+  const message::OpenInterface& open = wanted.open;
   const auto lock = context_.host.LockStructure();
   if (IsFull(use)) {
     return responder->Refuse(
@@ -20,7 +21,7 @@ void ServedConnections::Open(const std::shared_ptr<Client>& client,
   }
   const auto server = LookUp(open.provided);
   if (!server) return responder->Refuse(server.error());
-  auto made = Make(client, open, use, **server);
+  auto made = Make(client, wanted, use, **server);
   if (!made && made.error().code == ErrorCode::kIncompatible) {
     return RefuseMisfit(*context_.worker, client->channel, open, (*server)->description(),
                         made.error(), responder);
@@ -29,7 +30,7 @@ void ServedConnections::Open(const std::shared_ptr<Client>& client,
   entries_.push_back(*std::move(made));
   Entry& entry = entries_.back();
   const Component* const component = context_.host.LookUpComponent(entry.component);
-  message::InterfaceOpened opened{
+  const message::InterfaceOpened opened{
       .handle = client->handles.Reserve(open.description.functions.size()),
       .credit = entry.proxy->capacity(),
       .accepting = entry.proxy->BeginCredit(
@@ -39,8 +40,12 @@ void ServedConnections::Open(const std::shared_ptr<Client>& client,
       .description = (*server)->description()};
   entry.handle = opened.handle;
   client->handles.Put(entry.handle, entry.proxy);
-  responder->Reply(EncodeBody(opened), entry.proxy->lane());  // events must not pass it
-  context_.proxies.Add(entry.required, entry.proxy);          // only now it sends
+  const Bytes answer = use == Use::kAllMarked
+                           ? EncodeBody(message::MarkedOpened{
+                                 .opened = opened, .latest_only = (*server)->latest_only()})
+                           : EncodeBody(opened);
+  responder->Reply(answer, entry.proxy->lane());      // events must not pass it
+  context_.proxies.Add(entry.required, entry.proxy);  // only now it sends
 }
 
 bool ServedConnections::IsFull(Use use) const {
@@ -59,13 +64,14 @@ Result<ProvidedInterface*> ServedConnections::LookUp(const InterfaceName& provid
 }
 
 Result<ServedConnections::Entry> ServedConnections::Make(const std::shared_ptr<Client>& client,
-                                                         const message::OpenInterface& open,
-                                                         Use use, ProvidedInterface& provided) {
+                                                         const message::OpenMarked& wanted, Use use,
+                                                         ProvidedInterface& provided) {
+  const message::OpenInterface& open = wanted.open;
   using Events = RequiredInterfaceProxy::Events;
   const Events events = use == Use::kEventsOnly ? Events::kTimed : Events::kPlain;
   try {
-    auto proxy =
-        std::make_shared<RequiredInterfaceProxy>(context_.network, client->channel, open, events);
+    auto proxy = std::make_shared<RequiredInterfaceProxy>(context_.network, client->channel, open,
+                                                          events, wanted.latest_only);
     const auto bytes = Connection::MailboxBytes(proxy->interface(), provided);
     if (const auto fits = CheckSize(open, bytes); !fits) return fits.error();
     auto connection = Connection::Make(proxy->interface(), provided, ToString(open.required),

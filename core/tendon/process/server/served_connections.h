@@ -29,14 +29,14 @@ class ServedConnections {
   explicit ServedConnections(ProcessContext& context) : context_(context) {}
 
   /// Whoever only listens may be a viewer: there are so many of them at most, and nobody waits
-  /// until one has taken what it was sent.
-  enum class Use { kAll, kEventsOnly };
+  /// until one has taken what it was sent. Who knows marks is answered with a MarkedOpened.
+  enum class Use { kAll, kAllMarked, kEventsOnly };
   static constexpr std::ptrdiff_t kMostListeners = 64;
 
   /// Connects, and answers before anything else is sent about the connection. Refusals: kNotFound
   /// with a suggestion, kIncompatible with the first difference, kInvalid for a mailbox that is too
   /// large, kFailed for a listener too many.
-  void Open(const std::shared_ptr<Client>& client, const message::OpenInterface& open, Use use,
+  void Open(const std::shared_ptr<Client>& client, const message::OpenMarked& wanted, Use use,
             const std::shared_ptr<Responder>& responder);
   /// Executes first what has arrived; `handle` is our number of it.
   void Close(const std::shared_ptr<Client>& client, std::uint32_t handle);
@@ -62,7 +62,7 @@ class ServedConnections {
   Result<ProvidedInterface*> LookUp(const InterfaceName& provided) const;
   [[nodiscard]] bool IsFull(Use use) const;
   static Result<void> CheckSize(const message::OpenInterface& open, std::size_t bytes);
-  Result<Entry> Make(const std::shared_ptr<Client>& client, const message::OpenInterface& open,
+  Result<Entry> Make(const std::shared_ptr<Client>& client, const message::OpenMarked& wanted,
                      Use use, ProvidedInterface& provided);
   void TakeDown(Entry& entry, SteadyTime deadline);
   template <typename Predicate>

@@ -8,6 +8,10 @@ namespace {
 
 message::Pong PongOfNow() { return {.time = SteadyClock().Now().time_since_epoch().count()}; }
 
+std::string EndsOf(const message::OpenInterface& open) {
+  return ToString(open.provided) + " for " + ToString(open.required);
+}
+
 }  // namespace
 
 void Session::OnOpen(const SharedChannel& channel, const Hello& /*peer*/) {
@@ -22,6 +26,7 @@ void Session::OnAllowedRequest(const SharedChannel& channel, const FrameHeader& 
   }
   if (type == message::kPing) return responder.Reply(EncodeBody(PongOfNow()), kOwnLane);
   if (type == message::kOpenInterface) return OpenInterface(body, std::move(responder));
+  if (type == message::kOpenMarked) return OpenMarked(body, std::move(responder));
   if (type == message::kListen) return Listen(body, std::move(responder));
   if (type == message::kGetSchemas) return AnswerSchemas(body, responder);
   if (type == message::kGetCounts) return GetCounts(body, std::move(responder));
@@ -67,7 +72,11 @@ std::string Session::ObjectOf(const FrameHeader& header, Body body) const {
   }
   if (header.type == message::kOpenInterface) {
     const auto open = DecodeBody<message::OpenInterface>(body);
-    return open ? ToString(open->provided) + " for " + ToString(open->required) : std::string();
+    return open ? EndsOf(*open) : std::string();
+  }
+  if (header.type == message::kOpenMarked) {
+    const auto wanted = DecodeBody<message::OpenMarked>(body);
+    return wanted ? EndsOf(wanted->open) : std::string();
   }
   return {};
 }
@@ -93,7 +102,13 @@ void Session::Call(const FrameHeader& header, Body body, Responder responder) {
 void Session::OpenInterface(Body body, Responder responder) {
   const auto open = DecodeBody<message::OpenInterface>(body);
   if (!open) return responder.Refuse(open.error());
-  Open(*open, ServedConnections::Use::kAll, std::move(responder));
+  Open({.open = *open, .latest_only = {}}, ServedConnections::Use::kAll, std::move(responder));
+}
+
+void Session::OpenMarked(Body body, Responder responder) {
+  const auto wanted = DecodeBody<message::OpenMarked>(body);
+  if (!wanted) return responder.Refuse(wanted.error());
+  Open(*wanted, ServedConnections::Use::kAllMarked, std::move(responder));
 }
 
 /// Who listens may be a viewer, to whom calls are denied.
@@ -105,14 +120,15 @@ void Session::Listen(Body body, Responder responder) {
         {ErrorCode::kInvalid,
          "who listens to the events of " + ToString(open->provided) + " calls no functions of it"});
   }
-  Open(*open, ServedConnections::Use::kEventsOnly, std::move(responder));
+  Open({.open = *open, .latest_only = {}}, ServedConnections::Use::kEventsOnly,
+       std::move(responder));
 }
 
-void Session::Open(const message::OpenInterface& open, ServedConnections::Use use,
+void Session::Open(const message::OpenMarked& wanted, ServedConnections::Use use,
                    Responder responder) {
-  services_.context.worker->Post([&services = services_, client = client_, open, use,
+  services_.context.worker->Post([&services = services_, client = client_, wanted, use,
                                   shared = std::make_shared<Responder>(std::move(responder))] {
-    services.connections.Open(client, open, use, shared);
+    services.connections.Open(client, wanted, use, shared);
   });
 }
 

@@ -40,8 +40,9 @@ class Session final : public GuardedHandler {
 
   void Call(const FrameHeader& header, Body body, Responder responder);
   void OpenInterface(Body body, Responder responder);
+  void OpenMarked(Body body, Responder responder);
   void Listen(Body body, Responder responder);
-  void Open(const message::OpenInterface& open, ServedConnections::Use use, Responder responder);
+  void Open(const message::OpenMarked& wanted, ServedConnections::Use use, Responder responder);
   template <typename Answer>
   void LookUp(std::function<Result<Answer>(const ProcessHost&)> look, Responder responder);
   void GetCounts(Body body, Responder responder);

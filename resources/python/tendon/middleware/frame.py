@@ -8,7 +8,7 @@ from typing import NamedTuple
 from ..errors import Invalid
 
 MAGIC = 0x4E444E54  # "TNDN"
-PROTOCOL_VERSION = 7
+PROTOCOL_VERSION = 8
 OLDEST_VERSION = 6
 """The oldest one that is spoken too."""
 HEADER_SIZE = 24

@@ -31,7 +31,7 @@ const Types kActs = {
     message::kLeave,         message::kConnect,    message::kDisconnect, message::kUndo,
     message::kForget,        message::kReplace,    message::kLogRecords, message::kSetLogLevel,
     message::kLife,          message::kPassOver,   message::kBeginOrder, message::kTellHealth,
-    message::kProcess,       message::kMirror};
+    message::kProcess,       message::kMirror,     message::kOpenMarked};
 
 /// By name: a number in the table that belongs to another message would show here.
 TEST(Rights, AreThoseOfTheMessages) {
@@ -55,7 +55,7 @@ TEST(Rights, WhatChangesTheSystemIsWrittenDown) {
                          message::kLeave,         message::kConnect,    message::kDisconnect,
                          message::kUndo,          message::kForget,     message::kReplace,
                          message::kSetLogLevel,   message::kLife,       message::kPassOver,
-                         message::kProcess};
+                         message::kProcess,       message::kOpenMarked};
   for (const Right& right : kRights) {
     EXPECT_EQ(right.audit == Audit::kAll, written.contains(static_cast<MessageType>(right.type)))
         << right.act;
