@@ -45,6 +45,7 @@ void PeerLink::OnNotice(const std::shared_ptr<Channel>& channel, const FrameHead
   if (header.type == message::kRows || header.type == message::kRowsEnded) {
     return OnRows(channel, header, body);
   }
+  if (header.type == message::kMirrorTurned) return OnMirrorTurned(header.handle, body);
   if (header.type == message::kEvents) {
     return ForEachCall(body, [this](std::uint32_t handler, std::span<const std::byte> value) {
       const auto [proxy, offset] = handles_.Find(handler);
@@ -101,6 +102,14 @@ void PeerLink::OnRows(const std::shared_ptr<Channel>& channel, const FrameHeader
     Put(*value, rows->time(newest), rows->cell(newest, 0));
   }
   TellTaken(channel, header.handle);
+}
+
+void PeerLink::OnMirrorTurned(std::uint32_t handle, std::span<const std::byte> body) {
+  const auto is_enabled = DecodeBody<bool>(body);
+  const std::scoped_lock lock(mutex_);
+  const auto found = mirrored_.find(handle);
+  const auto value = found == mirrored_.end() ? nullptr : found->second.lock();
+  if (value && is_enabled) value->SetEnabled(*is_enabled);
 }
 
 /// Not told, the process would send no more: again, where the link has no room.

@@ -122,7 +122,7 @@ Result<TelemetryServer::Source> TelemetryServer::LookUp(const message::Subscribe
     return Error{ErrorCode::kNotFound, where + " has no state table '" + wanted.table + "'" +
                                            DidYouMean(wanted.table, NamesOf(tables))};
   }
-  Source source{.table = *table, .columns = {}};
+  Source source{.table = *table, .columns = {}, .enabled = nullptr};
   const auto columns = (*table)->columns();
   for (const std::string& name : wanted.columns) {
     const auto column = std::find_if(columns.begin(), columns.end(),
@@ -160,7 +160,13 @@ void TelemetryServer::Mirror(const std::shared_ptr<Channel>& channel, const mess
     if (source.table == nullptr) continue;
     FeedOf(wanted.provided.component, *source.table)
         .Add(source.columns, newest, channel, mirrored.columns[i].handle, lane);
+    mirrored_.Add({.component = wanted.provided.component,
+                   .enabled = source.enabled,
+                   .channel = channel,
+                   .handle = mirrored.columns[i].handle,
+                   .lane = lane});
   }
+  mirrored_.Tell();
   context_.network->Notify();
 }
 
@@ -183,8 +189,9 @@ Result<std::vector<TelemetryServer::Source>> TelemetryServer::LookUp(
     }
     const auto columns = source.table->columns();
     const auto place = std::ranges::find(columns, source.column, &std::unique_ptr<ColumnBase>::get);
-    sources.push_back(
-        {.table = source.table, .columns = {static_cast<std::size_t>(place - columns.begin())}});
+    sources.push_back({.table = source.table,
+                       .columns = {static_cast<std::size_t>(place - columns.begin())},
+                       .enabled = &command->enabled()});
   }
   return sources;
 }
@@ -198,6 +205,7 @@ TableFeed& TelemetryServer::FeedOf(const std::string& component, const StateTabl
 void TelemetryServer::Unsubscribe(const std::shared_ptr<Channel>& channel, std::uint32_t handle) {
   const std::scoped_lock lock(mutex_);
   for (TableFeed& feed : feeds_) feed.Remove(*channel, handle);
+  mirrored_.Remove(*channel, handle);
 }
 
 void TelemetryServer::OnRowTaken(const std::shared_ptr<Channel>& channel, std::uint32_t handle) {
@@ -209,6 +217,7 @@ void TelemetryServer::RemoveComponent(const std::string& component) {
   const Error reason{ErrorCode::kNotFound,
                      "component " + context_.name + "/" + component + " was removed"};
   const std::scoped_lock lock(mutex_);
+  mirrored_.Remove(component);
   feeds_.remove_if([&](TableFeed& feed) {
     if (feed.component() != component) return false;
     feed.End(reason);
@@ -223,6 +232,7 @@ bool TelemetryServer::Work(SteadyTime now, SteadyTime& next) {
   if (now >= next_gathering_) {
     for (TableFeed& feed : feeds_) more = feed.Gather() || more;
     feeds_.remove_if([](const TableFeed& feed) { return !feed.has_viewers(); });
+    mirrored_.Tell();
     if (!more) next_gathering_ = now + kBetweenBatches;
   }
   next = std::min(next, next_gathering_);

@@ -3,6 +3,7 @@
 #include <tendon/middleware/channel.h>
 #include <tendon/process/context.h>
 #include <tendon/process/messages.h>
+#include <tendon/process/server/mirrored_commands.h>
 #include <tendon/process/telemetry/fan_out_messages.h>
 #include <tendon/process/telemetry/table_feed.h>
 #include <tendon/proxy/mirror/messages.h>
@@ -51,6 +52,7 @@ class TelemetryServer final : public NetworkJob {
   struct Source {
     const StateTable* table = nullptr;
     std::vector<std::size_t> columns;
+    const Flag* enabled = nullptr;  // of the command that reads it, if it is one
   };
 
   [[nodiscard]] Result<void> FitsTopic(const message::Subscribe& wanted,
@@ -63,6 +65,7 @@ class TelemetryServer final : public NetworkJob {
   ProcessContext& context_;
   std::mutex mutex_;  // taken after the manager's lock
   std::list<TableFeed> feeds_;
+  MirroredCommands mirrored_;
   std::string broker_;
   std::uint32_t last_handle_ = 0;
   SteadyTime next_gathering_{};

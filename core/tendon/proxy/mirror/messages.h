@@ -14,6 +14,10 @@ namespace tendon::message {
 // rows of one column, the newest only: what follows is as after kSubscribe.
 inline constexpr auto kMirror = static_cast<MessageType>(0x20b);  // request: Mirror -> Mirrored
 
+// From the other.
+// notice: bool: whether the read command is on; the handle is that of its copies
+inline constexpr auto kMirrorTurned = static_cast<MessageType>(0x20c);
+
 /// Read commands that answer with the newest value of a column.
 struct Mirror {
   InterfaceName provided;

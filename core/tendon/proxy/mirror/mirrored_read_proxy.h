@@ -9,7 +9,7 @@
 namespace tendon {
 
 /// Answers from the copy of a value: nobody is asked. kNoSample before the first copy,
-/// kNotConnected when the peer is gone.
+/// kDisabled while the command is off over there, kNotConnected when the peer is gone.
 class MirroredReadProxy final : public Offer {
  public:
   MirroredReadProxy(MemberDescription description, std::shared_ptr<const MirroredValue> value)

@@ -34,6 +34,7 @@ bool MirroredValue::Put(SteadyTime time, std::span<const std::byte> body) {
 
 Status MirroredValue::Read(std::vector<std::byte>& body, SteadyTime& time) const {
   if (has_ended_.Get()) return Status::kNotConnected;
+  if (!is_enabled_.Get()) return Status::kDisabled;
   std::uint64_t tick = 0;
   const RowResult result = copies_.ReadNewest(tick, [&](const RowRing<>::Word* words) {
     std::array<std::byte, kWord> word{};

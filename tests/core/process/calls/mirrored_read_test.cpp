@@ -28,7 +28,7 @@ class Gauge final : public tendon::Component {
     table_.Add(move_, "Move");
     table_.Add(note_, "Note", 64);
     auto& level = AddProvidedInterface("Level");
-    level.AddCommandReadState(table_, move_, "GetMove");
+    get_move = &level.AddCommandReadState(table_, move_, "GetMove");
     level.AddCommandReadState(table_, note_, "GetNote");
     level.AddCommandReadState(table_, move_, "GetMoveBefore", 1);
   }
@@ -41,6 +41,8 @@ class Gauge final : public tendon::Component {
     table_.Advance(now);
     return now;
   }
+
+  tendon::Offer* get_move = nullptr;
 
  private:
   tendon::StateTable table_;
@@ -206,6 +208,31 @@ TEST_P(MirroredRead, OfWhatIsNotTheNewestRowIsRefused) {
   EXPECT_EQ(id.error().code, tendon::ErrorCode::kIncompatible);
   EXPECT_THAT(id.error().message, HasSubstr("'GetMoveBefore' of robot/gauge/Level cannot be "
                                             "mirrored"));
+}
+
+TEST_P(MirroredRead, IsRefusedWhileTheCommandIsOff) {
+  gauge->Write(1, "note");
+  Connect();
+  Move move;
+  Note note;
+  ASSERT_EQ(reader->get_move(move), Status(Status::kDone));
+
+  gauge->get_move->Disable();
+
+  EXPECT_TRUE(EventuallyTrue([&] { return reader->get_move(move) == Status(Status::kDisabled); }));
+  EXPECT_EQ(reader->get_note(note), Status(Status::kDone)) << "another command";
+  gauge->Write(2, "note");
+  gauge->get_move->Enable();
+  EXPECT_TRUE(EventuallyReads(2));
+}
+
+TEST_P(MirroredRead, IsRefusedFromTheFirstOnWhereTheCommandWasOffBefore) {
+  gauge->Write(1, "");
+  gauge->get_move->Disable();
+  Connect();
+  Move move;
+
+  EXPECT_EQ(reader->get_move(move), Status(Status::kDisabled));
 }
 
 TEST_P(MirroredRead, InOneProcessReadsTheRowItself) {
