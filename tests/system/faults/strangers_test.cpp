@@ -266,5 +266,38 @@ TEST_P(Strangers, OutOfDescriptorsTheOldAreKeptAndNewOnesWait) {
   ExpectHonestCommands();
 }
 
+/// Row 30.
+TEST_P(Strangers, OutOfMemoryTheOldAreKeptAndALargeMessageIsRefused) {
+  ASSERT_NO_FATAL_FAILURE(StartSystem());
+  const auto middleware = NewMiddleware();
+  const tendon::Hello hello{.instance = 1, .name = "giant", .cookie = *tendon::LoopbackCookie()};
+  const auto ask = [&]() -> tendon::Error {
+    const auto channel = Channel::Open(*middleware, gcm_address_, hello,
+                                       std::make_shared<ChannelHandler>(), Patience());
+    if (!channel) return channel.error();
+    constexpr auto kNobodys = static_cast<tendon::MessageType>(0x3ff);
+    return (*channel)->Ask(kNobodys, 0, Bytes(tendon::kMaxPayload), Patience()).error();
+  };
+  rlimit limit{};
+  ASSERT_EQ(prlimit(gcm_->pid(), RLIMIT_AS, nullptr, &limit), 0);
+  const rlim_t room = AddressSpaceOf(gcm_->pid()) + (std::size_t{16} << 20U);
+  const rlim_t usual = std::exchange(limit.rlim_cur, room);
+  ASSERT_EQ(prlimit(gcm_->pid(), RLIMIT_AS, &limit, nullptr), 0);
+
+  EXPECT_EQ(ask().code, tendon::ErrorCode::kUnreachable);
+
+  EXPECT_TRUE(Eventually([&] { return gcm_->err().find("ulimit -v") != std::string::npos; }))
+      << gcm_->err();
+  EXPECT_EQ(Gcm({"ls"}).exit_code, 0) << "small ones are served";
+  ASSERT_TRUE(Flows());
+  ExpectNeverLost("robot");
+
+  limit.rlim_cur = usual;
+  ASSERT_EQ(prlimit(gcm_->pid(), RLIMIT_AS, &limit, nullptr), 0);
+  EXPECT_EQ(ask().code, tendon::ErrorCode::kDenied) << "there is room again, and it is nobody's";
+  ExpectNoRowLost();
+  ExpectHonestCommands();
+}
+
 }  // namespace
 }  // namespace faults

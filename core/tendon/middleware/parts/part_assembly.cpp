@@ -1,8 +1,12 @@
+#include <tendon/middleware/complaints.h>
 #include <tendon/middleware/parts/part_assembly.h>
 #include <tendon/middleware/parts/part_sender.h>
 #include <tendon/middleware/parts/payload_limit.h>
 
 #include <algorithm>
+#include <new>
+#include <string>
+#include <utility>
 
 namespace tendon {
 namespace {
@@ -44,11 +48,17 @@ PartAssembly::Frame* PartAssembly::Begin(std::uint32_t number, std::span<const s
   if (!header || IsOfParts(header->type)) return nullptr;
   const std::size_t size = FrameHeader::kSize + header->size;
   if (size > kMaxClaimed - claimed_) return nullptr;
-  Frame& begun = begun_[number];
-  begun.header = *header;
-  begun.body.reserve(header->size);
+  Frame begun{.header = *header, .body = {}};
+  try {
+    begun.body.reserve(header->size);
+  } catch (const std::bad_alloc&) {  // this message is lost, with its link; all others are not
+    static Complaints complaints("channel");
+    complaints.Add("out of memory (ulimit -v): a message of " + std::to_string(size) +
+                   " bytes is refused");
+    return nullptr;
+  }
   claimed_ += size;
-  return &begun;
+  return &(begun_[number] = std::move(begun));
 }
 
 void PartAssembly::Clear() {

@@ -17,8 +17,9 @@ class PartAssembly {
   /// What a part has led to.
   enum class Progress {
     kMoreToCome,
-    kWhole,     ///< a frame is whole
-    kNonsense,  ///< no part of a frame that the peer may send; the link is to be closed
+    kWhole,  ///< a frame is whole
+    /// No part of a frame that the peer may send, or no memory for it; the link is to be closed.
+    kNonsense
   };
   /// What has been put together; it belongs to who has asked.
   struct Frame {

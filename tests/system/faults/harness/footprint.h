@@ -31,6 +31,14 @@ inline Footprint FootprintOf(int pid) {
   return footprint;
 }
 
+/// Bytes, whether they are used or not: what RLIMIT_AS bounds.
+inline std::size_t AddressSpaceOf(int pid) {
+  constexpr std::size_t kPage = 4096;
+  std::size_t pages = 0;
+  std::ifstream("/proc/" + std::to_string(pid) + "/statm") >> pages;
+  return pages * kPage;
+}
+
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 inline constexpr std::size_t kMemory = std::size_t{256} << 20U;  // they keep what was freed
 #else
