@@ -30,6 +30,19 @@ inline RawMessage WithProxy(std::int64_t endpoints) {
   return request.Int(0).Int(0x00010001).Size(endpoints).Text("evil");
 }
 
+/// 64 MiB of zeros, as bzip2 packs them: nothing is wrong with it but its size.
+inline constexpr std::string_view kBomb(
+    "\x42\x5a\x68\x39\x31\x41\x59\x26\x53\x59\x0e\x09\xe2\xdf\x01\x5f\x8e\x40\x00\xc0"
+    "\x00\x00\x08\x20\x00\x30\x80\x4d\x46\x42\xa0\x25\xa9\x0a\x80\x97\x31\x41\x59\x26"
+    "\x53\x59\xbc\x04\xb5\xc3\x00\xa2\x75\xc0\x00\xc0\x00\x00\x08\x20\x00\x20\xa4\x08"
+    "\x36\x32\x8a\x88\x4d\x2a\x2a\x21\x38\xbb\x92\x29\xc2\x84\x85\x00\xbb\x83\xe8",
+    79);
+
+/// A request that claims to unpack to so many bytes.
+inline RawMessage Bomb(std::int64_t size) {
+  return RawMessage(RawMessage::kRequest, 2).Int(size).Text(kBomb);
+}
+
 /// Requests that are wrong in every way known to hurt programs of Ice, by name.
 inline std::map<std::string, Bytes> Attacks() {
   const auto message = [](RawMessage::Type type) { return RawMessage(type); };
@@ -56,6 +69,10 @@ inline std::map<std::string, Bytes> Attacks() {
     attacks["a proxy of so many endpoints: " + std::to_string(size)] = WithProxy(size).Finished();
     attacks["compressed from " + std::to_string(size)] =
         RawMessage(RawMessage::kRequest, 2).Int(size).Text("BZh91AY&SYjunkjunkjunk").Finished();
+  }
+  for (const std::int64_t size :
+       {std::int64_t{64} << 20U, std::int64_t{200} << 10U, kHugeSize, std::int64_t{14}}) {
+    attacks["a bomb of " + std::to_string(size)] = Bomb(size).Finished();
   }
   attacks["no parameters"] = Request().Int(6).Byte(1).Byte(1).Finished();
   attacks["no frame"] = Request().Int(11).Byte(1).Byte(1).String("body").Finished();
