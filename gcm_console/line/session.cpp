@@ -1,4 +1,5 @@
 #include <gcm_console/line/session.h>
+#include <tendon/base/os/process.h>
 
 #include <utility>
 
@@ -15,7 +16,7 @@ tendon::Result<std::shared_ptr<tendon::GcmClient>> OpenClient(
   return std::make_shared<tendon::GcmClient>(
       *middleware,
       tendon::GcmClient::Options{
-          .name = name,
+          .name = name + " of " + tendon::os::UserAtHost(),
           .address = settings.gcm,
           .timeout = settings.timeout,
           .role = settings.read_only ? tendon::Role::kViewer : tendon::Role::kOperator},

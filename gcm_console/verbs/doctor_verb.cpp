@@ -5,8 +5,9 @@
 #include <tendon/base/os/socket.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/text/health_text.h>
-#include <tendon/middleware/frame.h>
+#include <tendon/gcm/text/version_text.h>
 #include <tendon/middleware/hello.h>
+#include <tendon/process/program_messages.h>
 #include <tendon/security/certificate_check.h>
 
 #include <CLI/CLI.hpp>
@@ -116,9 +117,8 @@ class Doctor {
   }
 
   void ExamineProgram() {
-    Good("gcm", std::string("version ") + TENDON_VERSION + ", protocol " +
-                    std::to_string(tendon::FrameHeader::kProtocolVersion) + ", over " +
-                    context_.settings().network.middleware + ", on host " + tendon::os::HostName());
+    Good("gcm", tendon::VersionText(own_) + ", over " + context_.settings().network.middleware +
+                    ", on host " + tendon::os::HostName());
     if (tendon::os::RunsAsRoot()) {
       findings_.push_back({"user", Verdict::kUnknown, "root, which nothing here needs"});
     }
@@ -168,8 +168,10 @@ class Doctor {
       Bad("GCM", place + ": " + history.error().message, "gcm log --level error");
       return;
     }
-    Good("GCM", place + ", answers within " + Milliseconds(passed) + ", revision " +
-                    std::to_string(client.catalog().revision()));
+    AddVersion("GCM", "",
+               place + ", answers within " + Milliseconds(passed) + ", revision " +
+                   std::to_string(client.catalog().revision()),
+               "start it anew with this release of gcm serve; the system runs on meanwhile");
   }
   void ExamineProcess(tendon::GcmClient& client, const tendon::ProcessEntry& entry) {
     const auto& process = entry.process;
@@ -201,8 +203,23 @@ class Doctor {
           "see that no firewall is between, and gcm log --from " + process.name);
       return;
     }
-    Good(what, place + ", at " + process.address + ", answers within " + Milliseconds(passed) +
-                   UsageText(process) + ClockText(client, entry));
+    AddVersion(what, process.name,
+               place + ", at " + process.address + ", answers within " + Milliseconds(passed) +
+                   UsageText(process) + ClockText(client, entry),
+               "build it anew with this release, or use a gcm of its own");
+  }
+  /// Who answers, well or not; `process` is empty for the GCM. Two releases that understand each
+  /// other are no fault, but what the older one cannot do may be what is looked for.
+  void AddVersion(const std::string& what, const std::string& process, const std::string& text,
+                  const std::string& fix) {
+    const auto told = context_.Ask<tendon::message::ProgramVersion>(
+        [&](tendon::GcmClient& asked, auto handler) { asked.GetVersion(process, handler); });
+    const auto [version, is_own] = tendon::JudgeVersion(told, own_);
+    if (is_own) {
+      Good(what, text + ", " + version);
+    } else {
+      Bad(what, text + ", " + version, fix);
+    }
   }
   /// ", cpu 12.5 %, memory 34.1 MiB", or nothing where it has not told.
   [[nodiscard]] std::string UsageText(const tendon::ProcessDescription& process) const {
@@ -245,6 +262,7 @@ class Doctor {
   }
 
   Context& context_;
+  const tendon::message::ProgramVersion own_ = tendon::OwnVersion();
   tendon::message::SystemHealth health_;
   Findings findings_;
 };
@@ -289,7 +307,8 @@ Result<ExitCode> Examine(Context& context) {
 }  // namespace
 
 std::vector<Verb> DoctorVerbs() {
-  return {{"doctor", "look for what is wrong: keys, addresses, processes, clocks, connections",
+  return {{"doctor",
+           "look for what is wrong: keys, addresses, versions, processes, clocks, connections",
            [](CLI::App&) -> Verb::Run { return &Examine; }}};
 }
 

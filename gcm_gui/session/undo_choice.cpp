@@ -11,6 +11,11 @@
 namespace tendon::gui {
 namespace {
 
+/// The GCM puts the name of a certificate before that of the program: "anna (gcm-gui of ...)".
+bool IsBy(const std::string& who, const std::string& program) {
+  return who == program || who.ends_with(" (" + program + ")");
+}
+
 std::string Question(const message::HistoryEntry& step, std::int64_t wall_now) {
   const std::string motion =
       IsOfLife(step) ? "; taking it back can set something in motion" : std::string();
@@ -22,11 +27,7 @@ std::string Question(const message::HistoryEntry& step, std::int64_t wall_now) {
 
 }  // namespace
 
-std::string NameOfThisWindow() {
-  const QString user = qEnvironmentVariable("USER", qEnvironmentVariable("LOGNAME"));
-  return "gcm-gui of " + (user.isEmpty() ? std::string() : user.toStdString() + '@') +
-         os::HostName();
-}
+std::string NameOfThisWindow() { return "gcm-gui of " + os::UserAtHost(); }
 
 Result<std::uint64_t> UndoChoice::Choose(const message::History& history, Time now,
                                          std::int64_t wall_now) {
@@ -35,7 +36,7 @@ Result<std::uint64_t> UndoChoice::Choose(const message::History& history, Time n
       all.rbegin(), all.rend(), [](const auto& step) { return !step.undone && !step.passed_over; });
   if (newest == all.rend()) return Error{ErrorCode::kNotFound, "there is nothing to undo"};
   const bool is_answered = std::exchange(asked_, 0) == newest->id && now <= until_;
-  if (is_answered || (newest->who == me_ && !IsOfLife(*newest))) return newest->id;
+  if (is_answered || (IsBy(newest->who, me_) && !IsOfLife(*newest))) return newest->id;
   asked_ = newest->id;
   until_ = now + kPatience;
   return Error{ErrorCode::kFailed, Question(*newest, wall_now)};

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <program/exit_code.h>
+#include <tendon/base/os/process.h>
 
 #include <csignal>
 #include <cstdio>
@@ -422,7 +423,8 @@ TEST_F(ConsoleTest, AskingAsAViewerShowsEverythingAndChangesNothing) {
         {"--read-only", "undo"}}) {
     const Outcome outcome = Gcm(words);
     EXPECT_EQ(outcome.exit_code, program::kDenied) << words[1];
-    EXPECT_THAT(outcome.err, HasSubstr("is for an operator, and 'gcm " + words[1] +
+    EXPECT_THAT(outcome.err, HasSubstr("is for an operator, and 'gcm " + words[1] + " of " +
+                                       tendon::os::UserAtHost() +
                                        "' is a viewer here: ask again as an operator"));
   }
 

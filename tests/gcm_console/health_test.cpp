@@ -93,7 +93,9 @@ TEST_F(HealthTest, IsShownByEachVerbThatShowsProcesses) {
   EXPECT_TRUE(EventuallyMatches({"show", "idle"},
                                 "cpu\t[0-9.]+ %\nmemory\t[0-9.]+ MiB\nclock\t0.0 ms off \\(\\+-"));
   EXPECT_TRUE(EventuallyMatches({"--json", "show", "idle"}, "\"memory_bytes\""));
-  EXPECT_TRUE(EventuallyMatches({"doctor"}, "process idle .*, cpu [0-9.]+ %, memory"));
+  EXPECT_TRUE(EventuallyMatches(
+      {"doctor"}, "process idle .*, cpu [0-9.]+ %, memory .*, version [0-9.]+, protocol [0-9]+\n"));
+  EXPECT_TRUE(EventuallyMatches({"doctor"}, "ok   GCM .*, version [0-9.]+, protocol [0-9]+\n"));
   EXPECT_TRUE(EventuallyTrue([&] {
     const json top = json::parse(Gcm({"--json", "top"}).out, nullptr, false);
     return top.is_object() && HealthIn(top["processes"], "idle").contains("cpu_cores");

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <program/exit_code.h>
+#include <tendon/base/os/process.h>
 
 #include <csignal>
 #include <fstream>
@@ -106,7 +107,8 @@ TEST_F(LogTest, LevelsAreSetFromAfar) {
   EXPECT_EQ(set.out, "hall  logs error and above\n");
   EXPECT_TRUE(EventuallyTrue([&] { return Gcm(log).out == Gcm(log).out; }));
   EXPECT_TRUE(EventuallySays({"log", "--from", "gcm"},
-                             "gcm log-level has set the log level of process 'hall' to error"));
+                             "gcm log-level of " + tendon::os::UserAtHost() +
+                                 " has set the log level of process 'hall' to error"));
 
   const std::string silent = Gcm(log).out;
   const json answer = json::parse(Gcm({"--json", "log-level", "hall", "info"}).out);

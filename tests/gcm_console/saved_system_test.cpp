@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <program/exit_code.h>
+#include <tendon/base/os/process.h>
 
 #include <csignal>
 #include <filesystem>
@@ -353,14 +354,15 @@ TEST_F(SavedSystemTest, UndoTakesSeveralStepsBackAndHistoryTellsOfThem) {
 
   const Outcome history = Gcm({"history"});
   EXPECT_THAT(history.out,
-              testing::MatchesRegex("1\t[-0-9]* [:0-9]*\tgcm disconnect\tundone\tdisconnect desk/"
-                                    "supervisor/Robot robot/arm/Control\n"
-                                    "2\t[-0-9]* [:0-9]*\tgcm connect\tundone\tconnect desk/"
-                                    "teleoperation/Robot robot/arm/Control\n"));
+              testing::MatchesRegex(
+                  "1\t[-0-9]* [:0-9]*\tgcm disconnect of [^@]+@[^\t]+\tundone\tdisconnect desk/"
+                  "supervisor/Robot robot/arm/Control\n"
+                  "2\t[-0-9]* [:0-9]*\tgcm connect of [^@]+@[^\t]+\tundone\tconnect desk/"
+                  "teleoperation/Robot robot/arm/Control\n"));
   const json newest = json::parse(Gcm({"history", "--count", "1", "--json"}).out);
   ASSERT_EQ(newest["steps"].size(), 1U);
   EXPECT_EQ(newest["steps"][0]["id"], 2);
-  EXPECT_EQ(newest["steps"][0]["who"], "gcm connect");
+  EXPECT_EQ(newest["steps"][0]["who"], "gcm connect of " + tendon::os::UserAtHost());
   EXPECT_EQ(newest["steps"][0]["undone"], true);
   EXPECT_EQ(Gcm({"undo"}).err, "gcm: there is nothing to undo\n");
 }
@@ -374,11 +376,11 @@ TEST_F(SavedSystemTest, StepsOfAnEarlierRunAreSaidAndPassedOver) {
 
   const Outcome refused = Gcm({"undo"});
   EXPECT_EQ(refused.exit_code, program::kRefused);
-  EXPECT_THAT(refused.err,
-              testing::MatchesRegex("gcm: cannot undo step 1 .disconnect desk/supervisor/Robot "
-                                    "robot/arm/Control, by gcm disconnect at .*: process 'desk' "
-                                    "was started again since; to leave it as it is and undo what "
-                                    "was before it: gcm undo --skip\n"));
+  EXPECT_THAT(refused.err, testing::MatchesRegex(
+                               "gcm: cannot undo step 1 .disconnect desk/supervisor/Robot "
+                               "robot/arm/Control, by gcm disconnect of .* at .*: process 'desk' "
+                               "was started again since; to leave it as it is and undo what "
+                               "was before it: gcm undo --skip\n"));
   const Outcome skipped = Gcm({"undo", "--skip"});
 
   EXPECT_THAT(skipped.err, HasSubstr("gcm: passed over, and left as it is: step 1 (disconnect"));

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <program/exit_code.h>
+#include <tendon/base/os/process.h>
 
 #include <csignal>
 #include <filesystem>
@@ -95,7 +96,7 @@ TEST_F(StartedSystemTest, AnApplyBringsAWholeSystemUpFromNothing) {
   EXPECT_TRUE(EventuallySays({"ls", "desk/supervisor"}, "-> robot/arm/Control\n"));
   EXPECT_EQ(Gcm({"apply", File()}).out, "");
   EXPECT_EQ(Gcm({"diff", File()}).out, "");
-  EXPECT_THAT(Gcm({"history"}).out, HasSubstr("\tgcm apply\t"));
+  EXPECT_THAT(Gcm({"history"}).out, HasSubstr("\tgcm apply of " + tendon::os::UserAtHost() + "\t"));
   EXPECT_THAT(Gcm({"history"}).out, HasSubstr("start robot\n"));
   ASSERT_EQ(Gcm({"save", File()}).exit_code, program::kOk);
   const json saved = json::parse(home.Read("lab.json"));

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <program/exit_code.h>
+#include <tendon/base/os/process.h>
 
 #include "gcm_console/system_fixture.h"
 
@@ -67,7 +68,8 @@ TEST_F(CertifiedPrograms, AnOperatorActsAndAViewerLooks) {
   EXPECT_EQ(looked.exit_code, program::kOk) << looked.err;
   EXPECT_THAT(looked.out, HasSubstr("arm"));
   EXPECT_EQ(refused.exit_code, program::kDenied);
-  EXPECT_THAT(refused.err, HasSubstr("'vera (gcm call)' is a viewer here"));
+  EXPECT_THAT(refused.err,
+              HasSubstr("'vera (gcm call of " + tendon::os::UserAtHost() + ")' is a viewer here"));
 }
 
 TEST_F(CertifiedPrograms, WhoPosesAsAnotherDoesNotJoin) {

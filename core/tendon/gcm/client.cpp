@@ -329,6 +329,18 @@ void GcmClient::GetHealth(std::function<void(Result<message::SystemHealth>)> han
       message::kHealth, None{}, implementation_->Guarded(std::move(handler)));
 }
 
+void GcmClient::GetVersion(const std::string& process,
+                           std::function<void(Result<message::ProgramVersion>)> handler) {
+  auto done = implementation_->Guarded(std::move(handler));
+  if (process.empty()) {
+    return implementation_->link().Request<message::ProgramVersion>(message::kGetProgram, None{},
+                                                                    std::move(done));
+  }
+  implementation_->timer().Post([this, process, done = std::move(done)] {
+    implementation_->caller().GetVersion(process, done);
+  });
+}
+
 void GcmClient::GetCounts(const InterfaceName& required,
                           std::function<void(Result<ConnectionCounts>)> handler) {
   implementation_->timer().Post(

@@ -3,6 +3,7 @@
 #include <tendon/gcm/catalog.h>
 #include <tendon/gcm/event_sink.h>
 #include <tendon/gcm/messages.h>
+#include <tendon/process/program_messages.h>
 #include <tendon/process/telemetry_client.h>
 #include <tendon/security/role.h>
 
@@ -118,6 +119,10 @@ class GcmClient {
   void GetHistory(std::function<void(Result<message::History>)> handler);
   /// What processes take of their machines, as they have told the GCM last.
   void GetHealth(std::function<void(Result<message::SystemHealth>)> handler);
+  /// Of a process, or of the GCM where it is empty. kDenied by a program that is older than the
+  /// question; kFailed where it is not reached, or does not let us in.
+  void GetVersion(const std::string& process,
+                  std::function<void(Result<message::ProgramVersion>)> handler);
   /// How the connection of a required interface does, as its process knows. kNotFound, kFailed
   /// where it does not stand.
   void GetCounts(const InterfaceName& required,

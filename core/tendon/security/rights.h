@@ -44,6 +44,7 @@ inline constexpr auto kRights = std::to_array<Right>({
     {0x209, "look at mailboxes", Role::kViewer, Audit::kRefusals},
     {0x20a, "watch a state table by the fan-out", Role::kViewer, Audit::kRefusals},  // telemetry/
     {0x20b, "mirror a read command", Role::kOperator, Audit::kRefusals},  // proxy/mirror/
+    {0x20d, "ask for its version", Role::kViewer, Audit::kRefusals},  // process/program_messages.h
     // process/membership_messages.h
     {0x300, "join", Role::kOperator, Audit::kAll},
     {0x301, "report a change", Role::kOperator, Audit::kRefusals},

@@ -2,6 +2,7 @@
 #include <tendon/gcm/messages.h>
 #include <tendon/middleware/handshake/handshake.h>
 #include <tendon/process/messages.h>
+#include <tendon/process/program_messages.h>
 #include <tendon/proxy/messages.h>
 #include <tendon/proxy/mirror/messages.h>
 
@@ -55,6 +56,8 @@ TEST(Protocol, WhoChangesAMessageRaisesTheVersion) {
             "d5aa5869dbf7b2967e2cac9f17106c81");
   EXPECT_EQ(ToString(FingerprintOfAll<message::Mirror, message::Mirrored>()),
             "e25f1064d003da76e96f89e74cfdaa8a");
+  EXPECT_EQ(ToString(FingerprintOfAll<message::ProgramVersion>()),
+            "4e0b26e16b597182cb5135252a9dbc3c");
 }
 
 }  // namespace

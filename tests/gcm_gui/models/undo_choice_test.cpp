@@ -33,6 +33,12 @@ TEST(UndoChoice, OnesOwnNewestStepIsTakenBackAtOnce) {
   EXPECT_EQ(*step, 2U);
 }
 
+TEST(UndoChoice, OnesOwnIsKnownUnderACertificateToo) {
+  UndoChoice choice("gcm-gui of anna@host");
+  EXPECT_TRUE(choice.Choose({{Step(1, "anna (gcm-gui of anna@host)")}}, kNow, kWallNow).ok());
+  EXPECT_FALSE(choice.Choose({{Step(2, "bert (gcm-gui of bert@host)")}}, kNow, kWallNow).ok());
+}
+
 TEST(UndoChoice, AnothersIsAskedForAndTakenBackAtTheSecondTime) {
   UndoChoice choice("me");
   const message::History history{{Step(7, "gcm-gui of anna@host")}};

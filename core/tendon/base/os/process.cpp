@@ -1,3 +1,4 @@
+#include <pwd.h>
 #include <sys/random.h>
 #include <tendon/base/os/process.h>
 #include <unistd.h>
@@ -51,6 +52,16 @@ std::string HostName() {
   std::array<char, 256> name{};
   if (gethostname(name.data(), name.size() - 1) != 0) return "localhost";
   return name.data();
+}
+
+std::string UserAtHost() {
+  const uid_t user = geteuid();
+  std::array<char, 4096> room{};
+  passwd entry{};
+  passwd* found = nullptr;
+  const bool has_name =
+      getpwuid_r(user, &entry, room.data(), room.size(), &found) == 0 && found != nullptr;
+  return (has_name ? std::string(entry.pw_name) : std::to_string(user)) + '@' + HostName();
 }
 
 std::uint64_t RandomNumber() {

@@ -23,6 +23,10 @@ struct Usage {
 
 [[nodiscard]] std::string HostName();
 
+/// Whose process this is, and on which machine: "anna@desk". By the kernel's word, not by that of
+/// the environment; the user's number where it has no name.
+[[nodiscard]] std::string UserAtHost();
+
 /// 64 bits that nobody can guess, from the kernel.
 [[nodiscard]] std::uint64_t RandomNumber();
 

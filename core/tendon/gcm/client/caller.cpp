@@ -84,6 +84,19 @@ void Caller::GetSchema(const std::string& process, Fingerprint fingerprint,
                });
 }
 
+void Caller::GetVersion(const std::string& process, Handler<message::ProgramVersion> handler) {
+  links_->With(
+      process, [self = shared_from_this(), handler = std::move(handler)](const auto& channel) {
+        if (channel) {
+          return Ask<message::ProgramVersion>(*self->timer_, *channel, message::kGetProgram, None{},
+                                              self->timeout_, handler);
+        }
+        // Who does not open the link does not answer: kDenied is what an older program answers.
+        const Error& why = channel.error();
+        handler(Error{why.code == ErrorCode::kDenied ? ErrorCode::kFailed : why.code, why.message});
+      });
+}
+
 void Caller::GetCounts(const InterfaceName& required, Handler<ConnectionCounts> handler) {
   AskProcess(required.process, message::kGetCounts, message::GetCounts{required},
              std::move(handler));

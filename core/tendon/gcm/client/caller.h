@@ -7,6 +7,7 @@
 #include <tendon/payload/schema.h>
 #include <tendon/process/membership_messages.h>
 #include <tendon/process/messages.h>
+#include <tendon/process/program_messages.h>
 
 #include <chrono>
 #include <functional>
@@ -32,6 +33,7 @@ class Caller final : public std::enable_shared_from_this<Caller> {
 
   void Call(const Path& path, const MemberDescription& command, const std::string& argument,
             Handler<std::string> handler);
+  void GetVersion(const std::string& process, Handler<message::ProgramVersion> handler);
   void GetSchema(const std::string& process, Fingerprint fingerprint, Handler<Schema> handler);
   void GetCounts(const InterfaceName& required, Handler<ConnectionCounts> handler);
   void GetServed(const message::Wire& wire, Handler<ConnectionCounts> handler);

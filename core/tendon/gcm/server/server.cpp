@@ -4,6 +4,7 @@
 #include <tendon/gcm/server/server.h>
 #include <tendon/gcm/text/audit_object.h>
 #include <tendon/process/access/guarded_handler.h>
+#include <tendon/process/program_messages.h>
 #include <tendon/process/telemetry/fan_out_messages.h>
 
 #include <map>
@@ -161,16 +162,27 @@ void Server::SendPeers() {
 
 Server::Serve Server::ServeOf(MessageType type) {
   static const std::map<MessageType, Serve> kServes = {
-      {message::kJoin, &Server::Join},         {message::kRenew, &Server::Renew},
-      {message::kLeave, &Server::Leave},       {message::kWatch, &Server::Watch},
-      {message::kConnect, &Server::Connect},   {message::kDisconnect, &Server::Disconnect},
-      {message::kUndo, &Server::Undo},         {message::kHistory, &Server::Tell},
-      {message::kForget, &Server::Forget},     {message::kReplace, &Server::Replace},
-      {message::kWatchLog, &Server::WatchLog}, {message::kSetLogLevel, &Server::SetLogLevel},
-      {message::kLife, &Server::Steer},        {message::kGetClasses, &Server::ListClasses},
-      {message::kPassOver, &Server::PassOver}, {message::kBeginOrder, &Server::BeginOrder},
-      {message::kHealth, &Server::TellHealth}, {message::kTellHealth, &Server::TakeHealth},
-      {message::kFanOut, &Server::TellFanOut}, {message::kProcess, &Server::SteerProcess}};
+      {message::kJoin, &Server::Join},
+      {message::kRenew, &Server::Renew},
+      {message::kLeave, &Server::Leave},
+      {message::kWatch, &Server::Watch},
+      {message::kConnect, &Server::Connect},
+      {message::kDisconnect, &Server::Disconnect},
+      {message::kUndo, &Server::Undo},
+      {message::kHistory, &Server::Tell},
+      {message::kForget, &Server::Forget},
+      {message::kReplace, &Server::Replace},
+      {message::kWatchLog, &Server::WatchLog},
+      {message::kSetLogLevel, &Server::SetLogLevel},
+      {message::kLife, &Server::Steer},
+      {message::kGetClasses, &Server::ListClasses},
+      {message::kPassOver, &Server::PassOver},
+      {message::kBeginOrder, &Server::BeginOrder},
+      {message::kHealth, &Server::TellHealth},
+      {message::kTellHealth, &Server::TakeHealth},
+      {message::kFanOut, &Server::TellFanOut},
+      {message::kProcess, &Server::SteerProcess},
+      {message::kGetProgram, &Server::TellVersion}};
   const auto found = kServes.find(type);
   return found == kServes.end() ? nullptr : found->second;
 }
@@ -316,6 +328,10 @@ void Server::Tell(const Request& request) { request.responder->Answer(Result(his
 
 void Server::TellFanOut(const Request& request) {
   request.responder->Answer(Result(message::FanOutPlace{options_.fan_out}));
+}
+
+void Server::TellVersion(const Request& request) {
+  request.responder->Answer(Result(OwnVersion()));
 }
 
 void Server::TellHealth(const Request& request) {

@@ -1,3 +1,4 @@
+#include <tendon/process/program_messages.h>
 #include <tendon/process/schema_exchange.h>
 #include <tendon/process/server/session.h>
 
@@ -31,6 +32,7 @@ void Session::OnAllowedRequest(const SharedChannel& channel, const FrameHeader& 
   if (type == message::kGetSchemas) return AnswerSchemas(body, responder);
   if (type == message::kGetCounts) return GetCounts(body, std::move(responder));
   if (type == message::kGetFill) return GetFill(body, std::move(responder));
+  if (type == message::kGetProgram) return responder.Answer(Result(OwnVersion()));
   if (type == message::kCallMember) return CallMember(body, std::move(responder));
   if (type == message::kSubscribe || type == message::kJoinTopic) {
     return Subscribe(type, channel, body, std::move(responder));

@@ -3,6 +3,7 @@
 #include <tendon/process/access/guarded_handler.h>
 #include <tendon/process/membership_messages.h>
 #include <tendon/process/messages.h>
+#include <tendon/process/program_messages.h>
 #include <tendon/process/telemetry/fan_out_messages.h>
 #include <tendon/proxy/messages.h>
 #include <tendon/proxy/mirror/messages.h>
@@ -22,7 +23,7 @@ const Types kLooks = {message::kPing,        message::kGetSchemas, message::kSub
                       message::kWatch,       message::kHistory,    message::kWatchLog,
                       message::kGetClasses,  message::kListen,     message::kCloseInterface,
                       message::kHealth,      message::kGetCounts,  message::kGetFill,
-                      message::kJoinTopic,   message::kFanOut};
+                      message::kJoinTopic,   message::kFanOut,     message::kGetProgram};
 
 /// What an operator may send besides.
 const Types kActs = {

@@ -1,0 +1,20 @@
+#include <tendon/gcm/text/version_text.h>
+
+namespace tendon {
+
+std::string VersionText(const message::ProgramVersion& version) {
+  return "version " + version.release + ", protocol " + std::to_string(version.protocol);
+}
+
+ToldVersion JudgeVersion(const Result<message::ProgramVersion>& told,
+                         const message::ProgramVersion& own) {
+  if (!told && told.error().code == ErrorCode::kDenied) {
+    return {.text = "of a version too old to say which"};
+  }
+  if (!told) return {.text = "of an unknown version (" + told.error().message + ")"};
+  const bool is_own = told->release == own.release && told->protocol == own.protocol;
+  return {.text = VersionText(*told) + (is_own ? "" : ", which is not that of this program"),
+          .is_own = is_own};
+}
+
+}  // namespace tendon

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <tendon/base/result.h>
+#include <tendon/process/program_messages.h>
+
+#include <string>
+
+namespace tendon {
+
+/// "version 0.4.0, protocol 7".
+[[nodiscard]] std::string VersionText(const message::ProgramVersion& version);
+
+/// What a program has told, or that it has told nothing; and whether it is another than `own`.
+struct ToldVersion {
+  std::string text;  ///< "version 0.3.0, protocol 6, which is not that of this program"
+  bool is_own = false;
+};
+[[nodiscard]] ToldVersion JudgeVersion(const Result<message::ProgramVersion>& told,
+                                       const message::ProgramVersion& own);
+
+}  // namespace tendon

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <tendon/middleware/frame.h>
+#include <tendon/payload/payload.h>
+
+#include <cstdint>
+#include <string>
+
+/// What program it is that answers: an LCM or a GCM.
+namespace tendon::message {
+
+// From a viewer. A program that is older than this message refuses it.
+inline constexpr auto kGetProgram =
+    static_cast<MessageType>(0x20d);  // request: None -> ProgramVersion
+
+/// The answer to kGetProgram.
+struct ProgramVersion {
+  std::string release;         ///< of Tendon: "0.4.0"
+  std::uint16_t protocol = 0;  ///< the newest that it speaks
+};
+
+}  // namespace tendon::message
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::ProgramVersion> = tendon::Describe(
+    "tendon.ProgramVersion", tendon::Field{"release", &tendon::message::ProgramVersion::release},
+    tendon::Field{"protocol", &tendon::message::ProgramVersion::protocol});
+
+namespace tendon {
+
+/// Of the program that this is part of.
+[[nodiscard]] message::ProgramVersion OwnVersion();
+
+}  // namespace tendon
