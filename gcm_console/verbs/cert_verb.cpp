@@ -27,6 +27,7 @@ struct Arguments {
   std::vector<std::string> hosts;
   int days = 365;
   bool is_process = false;
+  bool is_dry = false;  ///< only say what would be done
 };
 
 /// The folder of the CA.
@@ -56,15 +57,53 @@ void PrintText(Context& context, const tendon::Certificate& certificate,
   context.Print(table);
 }
 
-Result<ExitCode> Init(Context& context, const Arguments& /*arguments*/) {
+/// Of an `init` that would go well.
+Result<ExitCode> RehearseInit(Context& context) {
+  const fs::path folder = Authority(context);
+  if (auto good = CertificateAuthority::CheckInit(folder); !good) return good.error();
+  if (context.settings().json) {
+    context.PrintJson({{"folder", folder.string()}, {"not_after", nullptr}, {"dry_run", true}});
+  } else {
+    context.out() << "CA would be made in " << Plain(folder.string()) << '\n';
+  }
+  return program::kOk;
+}
+
+Result<ExitCode> Init(Context& context, const Arguments& arguments) {
+  if (arguments.is_dry) return RehearseInit(context);
   const auto authority = CertificateAuthority::Init(Authority(context));
   if (!authority) return authority.error();
   const std::string folder = authority->folder().string();
   const std::string last = tendon::DateText(authority->not_after());
   if (context.settings().json) {
-    context.PrintJson({{"folder", folder}, {"not_after", last}});
+    context.PrintJson({{"folder", folder}, {"not_after", last}, {"dry_run", false}});
   } else {
     context.out() << "CA in " << Plain(folder) << ", valid until " << last << '\n';
+  }
+  return program::kOk;
+}
+
+/// Of an `issue` that would go well. A serial number and a time are a certificate's only once it is
+/// made.
+Result<ExitCode> RehearseIssue(Context& context, const CertificateAuthority& authority,
+                               const CertificateAuthority::Request& request, const fs::path& out) {
+  if (auto good = authority.CheckIssue(request, out); !good) return good.error();
+  const std::string certificate = (out / (request.name + ".crt")).string();
+  const std::string key = (out / (request.name + ".key")).string();
+  if (context.settings().json) {
+    context.PrintJson({{"name", request.name},
+                       {"role", ToString(request.role)},
+                       {"holder", ToString(request.holder)},
+                       {"serial", nullptr},
+                       {"not_before", nullptr},
+                       {"not_after", nullptr},
+                       {"certificate", certificate},
+                       {"key", key},
+                       {"dry_run", true}});
+  } else {
+    for (const std::string& file : {certificate, key}) {
+      context.out() << Plain(file) << "  would be written\n";
+    }
   }
   return program::kOk;
 }
@@ -75,12 +114,13 @@ Result<ExitCode> Issue(Context& context, const Arguments& arguments) {
   const auto authority = CertificateAuthority::Open(Authority(context));
   if (!authority) return authority.error();
   const auto holder = arguments.is_process ? tendon::Holder::kProcess : tendon::Holder::kPerson;
-  const auto issued = authority->Issue({.name = arguments.name,
-                                        .role = *role,
-                                        .holder = holder,
-                                        .hosts = arguments.hosts,
-                                        .validity = std::chrono::days(arguments.days)},
-                                       arguments.out);
+  const CertificateAuthority::Request request{.name = arguments.name,
+                                              .role = *role,
+                                              .holder = holder,
+                                              .hosts = arguments.hosts,
+                                              .validity = std::chrono::days(arguments.days)};
+  if (arguments.is_dry) return RehearseIssue(context, *authority, request, arguments.out);
+  const auto issued = authority->Issue(request, arguments.out);
   if (!issued) return issued.error();
   const std::string file = issued->certificate_file.string();
   const std::string key = issued->key_file.string();
@@ -88,6 +128,7 @@ Result<ExitCode> Issue(Context& context, const Arguments& arguments) {
     auto content = JsonOf(issued->certificate);
     content["certificate"] = file;
     content["key"] = key;
+    content["dry_run"] = false;
     context.PrintJson(content);
   } else {
     PrintText(context, issued->certificate, {{"certificate", Plain(file)}, {"key", Plain(key)}});
@@ -117,18 +158,27 @@ Result<ExitCode> Check(Context& context, const Arguments& arguments) {
 Result<ExitCode> Revoke(Context& context, const Arguments& arguments) {
   const auto authority = CertificateAuthority::Open(Authority(context));
   if (!authority) return authority.error();
-  const auto revoked = authority->Revoke(arguments.name);
+  const bool is_dry = arguments.is_dry;
+  const auto revoked =
+      is_dry ? authority->Revocable(arguments.name) : authority->Revoke(arguments.name);
   if (!revoked) return revoked.error();
   const std::string list = (authority->folder() / "crl.pem").string();
   if (context.settings().json) {
-    context.PrintJson({{"name", arguments.name}, {"revoked", *revoked}, {"list", list}});
+    context.PrintJson(
+        {{"name", arguments.name}, {"revoked", *revoked}, {"list", list}, {"dry_run", is_dry}});
   } else {
     for (const std::string& serial : *revoked) {
-      context.out() << arguments.name << "  revoked  " << serial << '\n';
+      context.out() << arguments.name << (is_dry ? "  would be revoked  " : "  revoked  ") << serial
+                    << '\n';
     }
-    context.err() << "gcm: other hosts learn of it from a copy of " << Plain(list) << '\n';
+    if (!is_dry)
+      context.err() << "gcm: other hosts learn of it from a copy of " << Plain(list) << '\n';
   }
   return program::kOk;
+}
+
+void AddDryRun(CLI::App& app, Arguments& arguments) {
+  app.add_flag("--dry-run", arguments.is_dry, "say what would be done, and do nothing");
 }
 
 void AddIssueOptions(CLI::App& app, Arguments& arguments) {
@@ -145,6 +195,7 @@ void AddIssueOptions(CLI::App& app, Arguments& arguments) {
       ->capture_default_str();
   Names(app.add_option("--out", arguments.out, "folder of NAME.crt and NAME.key"), WordKind::kFile)
       ->capture_default_str();
+  AddDryRun(app, arguments);
 }
 
 /// One of `gcm cert ...`.
@@ -156,7 +207,7 @@ struct Act {
 };
 
 constexpr Act kActs[] = {
-    {"init", "make a CA", [](CLI::App&, Arguments&) {}, &Init},
+    {"init", "make a CA", &AddDryRun, &Init},
     {"issue", "make a key and a certificate", &AddIssueOptions, &Issue},
     {"check", "say whose a certificate is, and whether it is good",
      [](CLI::App& app, Arguments& arguments) {
@@ -168,6 +219,7 @@ constexpr Act kActs[] = {
     {"revoke", "make all certificates of a name worthless",
      [](CLI::App& app, Arguments& arguments) {
        app.add_option("name", arguments.name, "whose")->required();
+       AddDryRun(app, arguments);
      },
      &Revoke}};
 

@@ -62,6 +62,32 @@ TEST_F(CertTest, MakesACaAndACertificateThatIsGood) {
   EXPECT_THAT(checked.out, HasSubstr("key\t" + out + "/anna.key\n"));
 }
 
+TEST_F(CertTest, ADryRunSaysWhatWouldBeMadeAndMakesNothing) {
+  EXPECT_EQ(Cert({"init", "--dry-run"}).out, "CA would be made in " + ca.string() + "\n");
+  EXPECT_EQ(json::parse(Cert({"init", "--dry-run", "--json"}).out)["dry_run"], true);
+  EXPECT_FALSE(fs::exists(ca));
+
+  Must({"init"});
+  ExpectRefused({"init", "--dry-run"}, program::kRefused, "there is a CA in");
+  const Program::Words issue = {"issue", "anna", "--role", "viewer", "--out", out};
+  Program::Words rehearsed = issue;
+  rehearsed.emplace_back("--dry-run");
+  EXPECT_EQ(Cert(rehearsed).out,
+            out + "/anna.crt  would be written\n" + out + "/anna.key  would be written\n");
+  EXPECT_FALSE(fs::exists(out));
+  ExpectRefused({"issue", "a b", "--role", "viewer", "--dry-run"}, program::kUsage, "'a b'");
+  Must(issue);
+  ExpectRefused(rehearsed, program::kRefused, "is there already");
+
+  const Outcome revoked = Cert({"revoke", "anna", "--dry-run"});
+  EXPECT_THAT(revoked.out, testing::MatchesRegex("anna  would be revoked  [0-9a-fA-F:]+\n"));
+  EXPECT_EQ(Cert({"check", out + "/anna.crt"}).exit_code, program::kOk) << "it is good still";
+  ExpectRefused({"revoke", "ana", "--dry-run"}, program::kNotFound, "did you mean 'anna'?");
+  EXPECT_EQ("anna  revoked  " + revoked.out.substr(revoked.out.rfind(' ') + 1),
+            Cert({"revoke", "anna"}).out);
+  ExpectRefused({"revoke", "anna", "--dry-run"}, program::kRefused, "revoked already");
+}
+
 TEST_F(CertTest, SaysItInJson) {
   const json made = json::parse(Cert({"init", "--json"}).out);
   EXPECT_EQ(made["schema"], 1);

@@ -93,6 +93,15 @@ Result<void> Check(const CertificateAuthority::Request& request, sys_seconds las
   return {};
 }
 
+/// What is issued to somebody, in a folder.
+struct PersonalFiles {
+  PersonalFiles(const std::string& name, const fs::path& folder)
+      : certificate(folder / (name + ".crt")), key(folder / (name + ".key")) {}
+
+  fs::path certificate;
+  fs::path key;
+};
+
 Result<void> RequireFree(const fs::path& file) {
   std::error_code reason;
   if (fs::symlink_status(file, reason).type() == fs::file_type::not_found) return {};
@@ -133,9 +142,38 @@ Result<Found> Find(const AuthorityFolder& folder, const std::string& name) {
   return found;
 }
 
+/// Of the certificates of a name, those that are not revoked: at least one, or the error says why
+/// there is none.
+Result<std::vector<openssl::CertificateHandle>> FindValid(const AuthorityFolder& folder,
+                                                          X509_CRL& revoked,
+                                                          const std::string& name) {
+  Result<Found> found = Find(folder, name);
+  if (!found) return found.error();
+  if (found->certificates.empty()) {
+    return Error{ErrorCode::kNotFound, "the CA in " + folder.path.string() +
+                                           " has issued no certificate to '" + Printable(name, 64) +
+                                           "'" + DidYouMean(name, found->names)};
+  }
+  std::erase_if(found->certificates, [&revoked](const auto& certificate) {
+    X509_REVOKED* entry = nullptr;
+    return X509_CRL_get0_by_cert(&revoked, &entry, certificate.get()) == 1;
+  });
+  if (found->certificates.empty()) {
+    return Error{ErrorCode::kExists, "all certificates of '" + name + "' are revoked already"};
+  }
+  return std::move(found->certificates);
+}
+
+std::vector<std::string> SerialsOf(const std::vector<openssl::CertificateHandle>& certificates) {
+  std::vector<std::string> serials;
+  for (const auto& certificate : certificates) serials.push_back(openssl::SerialOf(*certificate));
+  std::sort(serials.begin(), serials.end());
+  return serials;
+}
+
 }  // namespace
 
-Result<CertificateAuthority> CertificateAuthority::Init(const fs::path& folder) {
+Result<void> CertificateAuthority::CheckInit(const fs::path& folder) {
   const AuthorityFolder files{folder};
   std::error_code reason;
   if (fs::exists(files.certificate(), reason)) {
@@ -154,6 +192,13 @@ Result<CertificateAuthority> CertificateAuthority::Init(const fs::path& folder) 
     return Error{ErrorCode::kExists,
                  folder.string() + " holds other files: choose another folder with --ca"};
   }
+  return {};
+}
+
+Result<CertificateAuthority> CertificateAuthority::Init(const fs::path& folder) {
+  const AuthorityFolder files{folder};
+  if (auto good = CheckInit(folder); !good) return good.error();
+  std::error_code reason;
   if (auto made = MakePrivateFolder(folder); !made) return made.error();
   fs::permissions(folder, fs::perms::owner_all, reason);
   if (auto made = MakePrivateFolder(files.issued()); !made) return made.error();
@@ -181,20 +226,24 @@ Result<CertificateAuthority> CertificateAuthority::Open(const fs::path& folder) 
                               openssl::TimeOf(X509_get0_notAfter(authority->certificate.get())));
 }
 
+Result<void> CertificateAuthority::CheckIssue(const Request& request, const fs::path& out) const {
+  if (auto good = Check(request, not_after_); !good) return good;
+  const PersonalFiles files(request.name, out);
+  for (const fs::path& file : {files.certificate, files.key}) {
+    if (auto is_free = RequireFree(file); !is_free) return is_free;
+  }
+  return {};
+}
+
 Result<CertificateAuthority::Issued> CertificateAuthority::Issue(const Request& request,
                                                                  const fs::path& out) const {
   const AuthorityFolder files{folder_};
-  if (auto good = Check(request, not_after_); !good) return good.error();
   const auto authority = Read(files);
   if (!authority) return authority.error();
-  if (auto made = MakePrivateFolder(out); !made) return made.error();
-  const fs::path certificate_file = out / (request.name + ".crt");
-  const fs::path key_file = out / (request.name + ".key");
   const Lock lock(files);
   if (auto held = lock.Held(); !held) return held.error();
-  for (const fs::path& file : {certificate_file, key_file}) {
-    if (auto is_free = RequireFree(file); !is_free) return is_free.error();
-  }
+  if (auto good = CheckIssue(request, out); !good) return good.error();
+  if (auto made = MakePrivateFolder(out); !made) return made.error();
 
   const openssl::Key key = openssl::MakeKey();
   const auto certificate =
@@ -203,13 +252,23 @@ Result<CertificateAuthority::Issued> CertificateAuthority::Issue(const Request& 
   const fs::path copy = files.issued() / (openssl::SerialOf(*certificate) + ".crt");
   // The copy first: nothing leaves the CA that it could not revoke.
   if (auto done = WritePrivateFile(copy, text); !done) return done.error();
-  if (auto done = WriteKey(key_file, *key); !done) return done.error();
-  if (auto done = WritePrivateFile(certificate_file, text); !done) return done.error();
+  const PersonalFiles issued(request.name, out);
+  if (auto done = WriteKey(issued.key, *key); !done) return done.error();
+  if (auto done = WritePrivateFile(issued.certificate, text); !done) return done.error();
   auto described = openssl::Describe(*certificate);
   if (!described) return described.error();
   return Issued{.certificate = *std::move(described),
-                .certificate_file = certificate_file,
-                .key_file = key_file};
+                .certificate_file = issued.certificate,
+                .key_file = issued.key};
+}
+
+Result<std::vector<std::string>> CertificateAuthority::Revocable(const std::string& name) const {
+  const AuthorityFolder files{folder_};
+  const auto former = ReadRevoked(files);
+  if (!former) return former.error();
+  const auto valid = FindValid(files, **former, name);
+  if (!valid) return valid.error();
+  return SerialsOf(*valid);
 }
 
 Result<std::vector<std::string>> CertificateAuthority::Revoke(const std::string& name) const {
@@ -220,30 +279,15 @@ Result<std::vector<std::string>> CertificateAuthority::Revoke(const std::string&
   if (auto held = lock.Held(); !held) return held.error();
   const auto former = ReadRevoked(files);
   if (!former) return former.error();
-  const Result<Found> found = Find(files, name);
-  if (!found) return found.error();
-  if (found->certificates.empty()) {
-    return Error{ErrorCode::kNotFound, "the CA in " + folder_.string() +
-                                           " has issued no certificate to '" + Printable(name, 64) +
-                                           "'" + DidYouMean(name, found->names)};
-  }
+  const auto valid = FindValid(files, **former, name);
+  if (!valid) return valid.error();
   std::vector<const X509*> fresh;
-  std::vector<std::string> serials;
-  for (const auto& certificate : found->certificates) {
-    X509_REVOKED* entry = nullptr;
-    if (X509_CRL_get0_by_cert(former->get(), &entry, certificate.get()) == 1) continue;
-    fresh.push_back(certificate.get());
-    serials.push_back(openssl::SerialOf(*certificate));
-  }
-  if (fresh.empty()) {
-    return Error{ErrorCode::kExists, "all certificates of '" + name + "' are revoked already"};
-  }
+  for (const auto& certificate : *valid) fresh.push_back(certificate.get());
   const auto list = openssl::MakeRevocationList(former->get(), fresh, authority->signer());
   if (auto done = WritePrivateFile(files.revoked(), openssl::PemOf(*list)); !done) {
     return done.error();
   }
-  std::sort(serials.begin(), serials.end());
-  return serials;
+  return SerialsOf(*valid);
 }
 
 }  // namespace tendon

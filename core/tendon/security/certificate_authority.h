@@ -25,6 +25,8 @@ class CertificateAuthority {
  public:
   /// Makes one that lasts ten years. kExists unless the folder is empty or missing.
   static Result<CertificateAuthority> Init(const std::filesystem::path& folder);
+  /// What Init() would refuse to begin with, as things are.
+  static Result<void> CheckInit(const std::filesystem::path& folder);
 
   /// One that is there. kNotFound where there is none, kDenied where others can read its key.
   static Result<CertificateAuthority> Open(const std::filesystem::path& folder);
@@ -47,11 +49,16 @@ class CertificateAuthority {
   /// missing. Never overwrites a file. A name may have several certificates: a new one is issued
   /// before the old one expires.
   Result<Issued> Issue(const Request& request, const std::filesystem::path& out) const;
+  /// What Issue() would refuse to begin with, as things are.
+  [[nodiscard]] Result<void> CheckIssue(const Request& request,
+                                        const std::filesystem::path& out) const;
 
   /// Revokes all certificates of that name; returns their serial numbers. kNotFound where none was
   /// issued, kExists where all are revoked already, kInvalid where a copy cannot be read: it could
   /// be one of them.
   Result<std::vector<std::string>> Revoke(const std::string& name) const;
+  /// The serial numbers of those that Revoke() would revoke, or why it would refuse.
+  [[nodiscard]] Result<std::vector<std::string>> Revocable(const std::string& name) const;
 
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
   [[nodiscard]] std::chrono::sys_seconds not_after() const { return not_after_; }
