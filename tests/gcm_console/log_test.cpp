@@ -4,7 +4,6 @@
 #include <tendon/base/os/process.h>
 
 #include <csignal>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -20,16 +19,6 @@ class LogTest : public SystemFixture {
  protected:
   void SetUp() override { StartGcm(); }
 
-  /// A process with nothing in it but this component.
-  std::unique_ptr<Program> StartOne(const std::string& process, const std::string& component,
-                                    const std::string& class_name, const std::string& library) {
-    const std::string file = (home.path() / (process + ".json")).string();
-    std::ofstream(file) << R"({"version": 1, "name": ")" << process
-                        << R"(", "processes": [{"name": ")" << process
-                        << R"(", "components": [{"name": ")" << component << R"(", "class": ")"
-                        << class_name << R"(", "library": ")" << library << R"("}]}]})";
-    return StartLcm(process, file);
-  }
   [[nodiscard]] std::unique_ptr<Program> Follow(Program::Words words = {}) const {
     words.insert(words.begin(),
                  {Binary("gcm"), "--gcm", address, "--timeout", kPatience, "log", "--follow"});

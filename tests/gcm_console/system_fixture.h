@@ -42,6 +42,17 @@ class SystemFixture : public testing::Test {
     return std::make_unique<Program>(Program::Words{Binary("lcm"), "--name", name, "--gcm", address,
                                                     "--timeout", kPatience, "--system", system});
   }
+  /// A process with nothing in it but this component.
+  std::unique_ptr<Program> StartOne(const std::string& process, const std::string& component,
+                                    const std::string& class_name,
+                                    const std::string& library) const {
+    const std::string file = process + ".json";
+    home.Write(file, R"({"version": 1, "name": ")" + process + R"(", "processes": [{"name": ")" +
+                         process + R"(", "components": [{"name": ")" + component +
+                         R"(", "class": ")" + class_name + R"(", "library": ")" + library +
+                         R"("}]}]})");
+    return StartLcm(process, (home.path() / file).string());
+  }
   /// Waits until `gcm WORDS...` says `text`.
   testing::AssertionResult EventuallySays(const Program::Words& words,
                                           const std::string& text) const {

@@ -1,0 +1,53 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <program/exit_code.h>
+
+#include <nlohmann/json.hpp>
+
+#include "gcm_console/system_fixture.h"
+
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+/// A connection that stands, and does badly.
+class UnhealthyTest : public SystemFixture {
+ protected:
+  void SetUp() override {
+    StartGcm();
+    hall = StartOne("hall", "clerk", "Clerk", "office");
+    street = StartOne("street", "petitioner", "Petitioner", "office");
+    ASSERT_TRUE(EventuallySays({"ls"}, "hall\talive")) << hall->err();
+    ASSERT_TRUE(EventuallySays({"ls"}, "street\talive")) << street->err();
+    ASSERT_EQ(Gcm({"connect", kDesk, "hall/clerk/Desk"}).exit_code, program::kOk);
+  }
+
+  static constexpr const char* kDesk = "street/petitioner/Desk";
+
+  std::unique_ptr<Program> hall;
+  std::unique_ptr<Program> street;
+};
+
+TEST_F(UnhealthyTest, ItIsSaidWhatIsWrongUntilItIsNot) {
+  Outcome ill;
+  ASSERT_TRUE(EventuallyTrue([&] {
+    ill = Gcm({"explain", kDesk});
+    return ill.out.find("calls found no room") != std::string::npos;
+  })) << ill.out
+      << ill.err;
+  EXPECT_EQ(ill.exit_code, program::kRefused);
+  EXPECT_THAT(ill.out, HasSubstr("  6 BAD it is made, but "));
+  EXPECT_THAT(ill.out, HasSubstr("fix: see which of the two does not keep up: gcm top\n"));
+  const json document = json::parse(Gcm({"explain", kDesk, "--json"}).out);
+  EXPECT_EQ(document["connected"], true);
+  EXPECT_EQ(document["steps"][5]["verdict"], "bad");
+
+  ASSERT_EQ(Gcm({"suspend", "street/petitioner"}).exit_code, program::kOk);
+
+  EXPECT_TRUE(EventuallyTrue([&] {
+    return Gcm({"explain", kDesk}).exit_code == program::kOk;
+  })) << Gcm({"explain", kDesk}).out;
+}
+
+}  // namespace
