@@ -107,7 +107,8 @@ void ColumnFeed::untap(const std::string& field) {
 }
 
 ColumnFeed::Taken ColumnFeed::take(const std::string& field) {
-  const std::lock_guard lock(mutex_);
+  const std::unique_lock lock(mutex_, std::try_to_lock);
+  if (!lock) return {};
   const auto it = taps_.find(field);
   if (it == taps_.end()) return {};
   return {std::exchange(it->second.runs, {}), std::exchange(it->second.stale, std::nullopt)};
@@ -124,7 +125,8 @@ ChannelList ColumnFeed::shapeOf(const std::vector<std::byte>& row) {
 }
 
 std::optional<ColumnValues> ColumnFeed::takeValues() {
-  const std::lock_guard lock(mutex_);
+  const std::unique_lock lock(mutex_, std::try_to_lock);
+  if (!lock) return std::nullopt;
   if (!std::exchange(fresh_, false)) return std::nullopt;
   ColumnValues values;
   values.channels = shapeOf(newest_row_);

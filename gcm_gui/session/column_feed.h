@@ -16,7 +16,8 @@ namespace tendon::gui {
 /// The rows of one column on their way to the GUI thread: network threads put them in, the GUI
 /// thread takes them out. Of tapped numbers every row is kept, of the rest only the newest row.
 ///
-/// Thread-safe; holds its lock for no longer than one batch takes.
+/// Thread-safe. Network threads hold the lock for as long as one batch takes to be read; who takes
+/// out never waits for them, and gets it the next time.
 class ColumnFeed final : public RowSink {
  public:
   /// At most so many samples of a number wait to be taken; more are left out, and seen as lost.

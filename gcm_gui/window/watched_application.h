@@ -2,11 +2,13 @@
 
 #include <QApplication>
 #include <chrono>
+#include <cstdint>
 
 namespace tendon::gui {
 
-/// The application, which notes how much processor time its longest event handler took. Waiting for
-/// the processor does not count, so a busy machine does not look like a stall.
+/// The application, which notes how much processor time its longest event handler took, and how
+/// often handlers have waited. Waiting for the processor does not count, so a busy machine does not
+/// look like a stall; nor does the event loop's own waiting for the next event.
 class WatchedApplication : public QApplication {
   Q_OBJECT
 
@@ -18,11 +20,21 @@ class WatchedApplication : public QApplication {
   [[nodiscard]] std::chrono::nanoseconds longestHandler() const { return longest_; }
   /// What it was: the receiver's class and the event's type.
   [[nodiscard]] const QString& longestName() const { return longest_name_; }
+  /// How often handlers have given up the processor to wait for something.
+  [[nodiscard]] std::int64_t waits() const { return waits_; }
+  /// Each that has waited, by its name and how often: "QTimer 1 · 2 times".
+  [[nodiscard]] const QStringList& waiters() const { return waiters_; }
+  /// From now on anew.
+  void forgetHandlers();
 
  private:
+  static constexpr qsizetype kMostWaiters = 20;
+
   int depth_ = 0;
   std::chrono::nanoseconds longest_{0};
   QString longest_name_;
+  std::int64_t waits_ = 0;
+  QStringList waiters_;
 };
 
 }  // namespace tendon::gui

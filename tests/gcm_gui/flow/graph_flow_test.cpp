@@ -1,8 +1,13 @@
 #include <gcm_gui/graph/graph_view.h>
 #include <gcm_gui/graph/items/component_item.h>
 #include <gcm_gui/graph/items/process_item.h>
+#include <gcm_gui/plot/plot_panel.h>
+#include <gcm_gui/window/watched_application.h>
 
+#include <chrono>
 #include <csignal>
+#include <iostream>
+#include <string>
 
 #include "flow/flow_fixture.h"
 #include "support/pictures.h"
@@ -11,6 +16,7 @@ namespace tendon::gui {
 namespace {
 
 const QString kArmEdge = QStringLiteral("desk/supervisor/Robot");
+constexpr std::chrono::milliseconds kLongestHandler{50};  // of processor time
 
 class GraphFlowTest : public FlowFixture {
  protected:
@@ -28,34 +34,90 @@ class GraphFlowTest : public FlowFixture {
            scene().component("desk/supervisor") != nullptr && !IsGrey("desk/supervisor") &&
            Look() == EdgeItem::Look::kActive;
   }
+
+  /// From now on handlers are watched.
+  void WatchHandlers() {
+    handlers_.forgetHandlers();
+    since_ = std::chrono::steady_clock::now();
+  }
+  /// No handler has taken long since then, nor waited for anybody.
+  void ExpectNoHandlerStalled(const std::string& phase) {
+    const auto milliseconds = [](auto duration) {
+      return std::chrono::duration<double, std::milli>(duration).count();
+    };
+    std::cout << "  " << phase << " after "
+              << milliseconds(std::chrono::steady_clock::now() - since_)
+              << " ms; the longest handler took " << milliseconds(handlers_.longestHandler())
+              << " ms (" << handlers_.longestName().toStdString() << ")\n";
+    EXPECT_LE(handlers_.longestHandler(), kLongestHandler) << handlers_.longestName().toStdString();
+    EXPECT_EQ(handlers_.waits(), 0) << handlers_.waiters().join('\n').toStdString();
+  }
+
+ private:
+  WatchedApplication& handlers_ = *static_cast<WatchedApplication*>(qApp);
+  std::chrono::steady_clock::time_point since_;
 };
 
 TEST_F(GraphFlowTest, AProcessThatStandsStillIsGreyAndComesBackInItsPlace) {
   ASSERT_TRUE(Eventually([&] { return IsWell(); }));
   const QRectF place = scene().component("robot/arm")->sceneRect();
 
+  WatchHandlers();
   robot_->Signal(SIGSTOP);
   ASSERT_TRUE(Eventually([&] { return IsGrey("robot/arm"); }));
+  ExpectNoHandlerStalled("grey");
   EXPECT_FALSE(IsGrey("desk/supervisor"));
   // Pending where the desk has missed it as early as the GCM has.
   EXPECT_TRUE(Look() == EdgeItem::Look::kStale || Look() == EdgeItem::Look::kPending);
   EXPECT_TRUE(scene().processes().at("robot")->title().startsWith("robot · lost"));
   KeepPictures(*window_, "flow-graph-stale");
 
+  WatchHandlers();
   robot_->Signal(SIGCONT);
   EXPECT_TRUE(Eventually([&] { return IsWell(); }));
+  ExpectNoHandlerStalled("healed");
   EXPECT_EQ(scene().component("robot/arm")->sceneRect(), place);
+}
+
+TEST_F(GraphFlowTest, NobodyIsWaitedForWhoIsAskedWhileHeStandsStill) {
+  ASSERT_TRUE(Eventually([&] { return IsWell(); }));
+  session_->reports().listen(window_.get(), {"robot/**"});
+  window_->selection().select(QStringLiteral("robot/arm"));
+  window_->plots().addSignal(QStringLiteral("robot/arm/state.Joints.position[0]"),
+                             QStringLiteral("rad"));
+  QTest::qWait(500);
+  robot_->Signal(SIGSTOP);
+  WatchHandlers();
+
+  bool is_answered = false;
+  session_->callCommand("robot/arm/Control.Stop", {},
+                        [&](const auto&, double) { is_answered = true; });
+  session_->reports().listen(window_.get(), {});
+  session_->reports().listen(window_.get(), {"robot/arm/**"});
+  window_->selection().select(QStringLiteral("robot/host_monitor"));
+  window_->selection().select(QStringLiteral("robot/arm"));
+  ASSERT_TRUE(Eventually([&] { return is_answered && IsGrey("robot/arm"); }));
+  ExpectNoHandlerStalled("answered and grey");
+
+  WatchHandlers();
+  robot_->Signal(SIGCONT);
+  EXPECT_TRUE(Eventually([&] { return IsWell(); }));
+  ExpectNoHandlerStalled("healed");
 }
 
 TEST_F(GraphFlowTest, WithoutItsGcmAllIsGreyUntilItIsBack) {
   ASSERT_TRUE(Eventually([&] { return IsWell(); }));
 
+  WatchHandlers();
   gcm_->Signal(SIGKILL);
   ASSERT_TRUE(Eventually([&] { return IsGrey("robot/arm") && IsGrey("desk/supervisor"); }));
+  ExpectNoHandlerStalled("all grey");
   EXPECT_EQ(Look(), EdgeItem::Look::kStale);
 
   StartGcm();
+  WatchHandlers();
   EXPECT_TRUE(Eventually([&] { return IsWell(); }));
+  ExpectNoHandlerStalled("healed since the GCM is back");
 }
 
 }  // namespace
