@@ -14,8 +14,8 @@ constexpr std::size_t kKept = 500;
 
 QString Name(const InterfaceName& name) { return ToQString(ToString(name)); }
 
-QString VerbText(Action::Verb verb) {
-  switch (verb) {
+QString VerbText(const Action& action) {
+  switch (action.verb) {
     case Action::Verb::kConnect:
       return QStringLiteral("connect");
     case Action::Verb::kDisconnect:
@@ -26,6 +26,8 @@ QString VerbText(Action::Verb verb) {
       return QStringLiteral("undo");
     case Action::Verb::kForget:
       return QStringLiteral("forget");
+    case Action::Verb::kSteer:
+      return ToQString(ToString(action.life));
     case Action::Verb::kCall:
       return QStringLiteral("call");
     case Action::Verb::kLogLevel:
@@ -38,7 +40,14 @@ bool IsStep(const Action& action) {
   const bool wiring = action.verb == Action::Verb::kConnect ||
                       action.verb == Action::Verb::kDisconnect ||
                       action.verb == Action::Verb::kReplace;
-  return wiring && action.outcome == Action::Outcome::kDone && !action.undone;
+  // The history does not keep a restart.
+  const bool steering = action.verb == Action::Verb::kSteer && action.life != LifeVerb::kRestart;
+  return (wiring || steering) && action.outcome == Action::Outcome::kDone && !action.undone;
+}
+
+bool DidTheSame(const Action& action, const Action& step) {
+  return action.verb == step.verb && action.required == step.required &&
+         action.component == step.component && action.life == step.life;
 }
 
 StateMark MarkOf(const Action& action) {
@@ -71,6 +80,7 @@ QString ActivityModel::object(const Action& action) const {
   if (!action.process.empty()) {
     return QString(ToQString(action.process) + ' ' + action.argument).trimmed();
   }
+  if (!action.component.empty()) return ToQString(action.component);
   if (!action.command.isEmpty()) return (action.command + ' ' + action.argument).trimmed();
   if (action.required.interface.empty()) return {};
   if (action.provided.interface.empty()) return Name(action.required);
@@ -96,7 +106,7 @@ QVariant ActivityModel::data(const QModelIndex& index, int role) const {
   const Action& action = this->action(index.row());
   switch (role) {
     case Qt::DisplayRole:
-      return VerbText(action.verb);
+      return VerbText(action);
     case kTimeRole:
       return ClockText(action.when);
     case kGlyphMarkRole:
@@ -107,10 +117,11 @@ QVariant ActivityModel::data(const QModelIndex& index, int role) const {
     case Qt::ToolTipRole:
       return outcome(action);
     case kPathRole:
+      if (!action.component.empty()) return ToQString(action.component);
       if (!action.command.isEmpty()) return action.command;
       return action.required.interface.empty() ? ToQString(action.process) : Name(action.required);
     case Qt::AccessibleTextRole:
-      return QStringList{VerbText(action.verb), object(action), outcome(action)}.join(' ');
+      return QStringList{VerbText(action), object(action), outcome(action)}.join(' ');
     default:
       return {};
   }
@@ -128,6 +139,8 @@ QString ActivityModel::command(int row) const {
           .arg(Name(action.required), Name(action.provided));
     case Action::Verb::kUndo:
       return QStringLiteral("gcm undo");
+    case Action::Verb::kSteer:
+      return QStringLiteral("gcm %1 %2").arg(VerbText(action), ToQString(action.component));
     case Action::Verb::kCall:
       return CallLine(action.command, action.argument);
     case Action::Verb::kLogLevel:
@@ -208,15 +221,15 @@ void ActivityModel::changedUndo() {
   }
 }
 
-void ActivityModel::markUndone(Id undo, Action::Verb verb, const InterfaceName& required,
-                               const InterfaceName& provided) {
+void ActivityModel::markUndone(Id undo, const Action& step) {
   for (auto entry = entries_.rbegin(); entry != entries_.rend(); ++entry) {
     Action& action = entry->action;
     if (entry->id == undo) {
-      action.required = required;
-      action.provided = provided;
+      action.required = step.required;
+      action.provided = step.provided;
+      action.component = step.component;
       changed(static_cast<int>(entry - entries_.rbegin()));
-    } else if (IsStep(action) && action.verb == verb && action.required == required) {
+    } else if (IsStep(action) && DidTheSame(action, step)) {
       action.undone = true;
       changed(static_cast<int>(entry - entries_.rbegin()));
       return changedUndo();

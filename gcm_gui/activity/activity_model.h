@@ -1,6 +1,7 @@
 #pragma once
 
 #include <tendon/base/name.h>
+#include <tendon/process/life/messages.h>
 
 #include <QAbstractTableModel>
 #include <QString>
@@ -13,15 +14,17 @@ namespace tendon::gui {
 
 /// One thing the user did to the system, and what came of it.
 struct Action {
-  enum class Verb { kConnect, kDisconnect, kReplace, kUndo, kForget, kCall, kLogLevel };
+  enum class Verb { kConnect, kDisconnect, kReplace, kUndo, kForget, kSteer, kCall, kLogLevel };
   enum class Outcome { kRunning, kDone, kRefused };
 
   Verb verb = Verb::kConnect;
   InterfaceName required;  ///< of connect, disconnect and replace; of undo once it is known
   InterfaceName provided;
-  std::string process;  ///< of forget and of a log level
-  QString command;      ///< of call: its path
-  QString argument;     ///< of call: JSON; of a log level: its name
+  std::string process;               ///< of forget and of a log level
+  LifeVerb life = LifeVerb::kStart;  ///< of steer
+  std::string component;             ///< of steer: its path; of undo once it is known
+  QString command;                   ///< of call: its path
+  QString argument;                  ///< of call: JSON; of a log level: its name
 
   Outcome outcome = Outcome::kRunning;
   QString refusal;        ///< why it was refused
@@ -55,9 +58,8 @@ class ActivityModel : public QAbstractTableModel {
   Id begin(Action action);
   /// The ends are those an undo turned out to have changed.
   void finish(Id id, double seconds, const QString& refusal);
-  /// Marks the newest action that stands and had these ends.
-  void markUndone(Id undo, Action::Verb verb, const InterfaceName& required,
-                  const InterfaceName& provided);
+  /// Marks the newest action that stands and did the same as `step`.
+  void markUndone(Id undo, const Action& step);
 
  Q_SIGNALS:
   void finished(const tendon::gui::Action& action);

@@ -35,6 +35,8 @@ class GraphView : public QGraphicsView {
   [[nodiscard]] QRectF seen() const;
   /// The required interfaces of the connections that work and can be seen.
   [[nodiscard]] std::vector<InterfaceName> seenConnections() const;
+  /// Of the interface, component or connection that is there; empty where none is.
+  [[nodiscard]] QString pathAt(const QPoint& position) const;
   /// What is being dragged to another place goes back; false where nothing is.
   bool putBack();
 
@@ -88,8 +90,6 @@ class GraphView : public QGraphicsView {
   void beginDrag();
   void selectNext(int key);
   [[nodiscard]] std::optional<PortName> portAt(const QPoint& position) const;
-  /// Of the interface, component or connection that is there; empty where none is.
-  [[nodiscard]] QString pathAt(const QPoint& position) const;
   /// Of the component, or of the process whose head is there: what a drag takes along.
   [[nodiscard]] QString nodeAt(const QPoint& position) const;
 

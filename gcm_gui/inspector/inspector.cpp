@@ -7,6 +7,7 @@
 #include <gcm_gui/models/state_of.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/pictures/picture_shelf.h>
+#include <gcm_gui/steer/steer_row.h>
 #include <gcm_gui/theme/head_row.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
@@ -163,6 +164,13 @@ QWidget* Inspector::buildComponentPage() {
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   component_facts_ = new FactGrid;
+  steer_ = new SteerRow;
+  connect(steer_, &SteerRow::notice, this, &Inspector::notice);
+  connect(steer_, &SteerRow::chosen, this, [this](LifeVerb verb) {
+    if (const auto path = ParsePath(shown_component_.toStdString()); path.ok()) {
+      actions_.steer(verb, path->process, path->component);
+    }
+  });
   tabs_ = new TabPanel(QStringLiteral("inspectorTabs"));
   interfaces_page_ = tabs_->addPage(buildInterfaces(), Words::tr("Interfaces"));
   values_page_ = tabs_->addPage(buildValues(), Words::tr("Values"));
@@ -170,6 +178,7 @@ QWidget* Inspector::buildComponentPage() {
   tabs_->addPage(buildConfiguration(), Words::tr("Config"));
   connect(tabs_, &TabPanel::currentChanged, this, &Inspector::watchValues);
   column->addWidget(component_facts_);
+  column->addWidget(steer_);
   column->addWidget(tabs_, 1);
   return page;
 }
@@ -355,6 +364,7 @@ void Inspector::showComponent(const ProcessEntry& entry, const ComponentDescript
   process_->setText(ToQString(entry.process.name));
   wanted_period_ = component.period;
   shown_component_ = path;
+  steer_->show(store_.catalogue(), entry.process.name, component.name);
   interfaces_.show(store_.catalogue(), entry.process.name, component.name);
   values_.show(path, &component, gone);
   pictures_->setColumns(values_.columns());

@@ -26,6 +26,7 @@ class FactGrid;
 class PictureShelf;
 class RowView;
 class StateLabel;
+class SteerRow;
 class TabPanel;
 
 /// The right column: all about the component that is selected, or that what is selected belongs to;
@@ -52,6 +53,8 @@ class Inspector : public QWidget {
   /// Of a required interface, connected or not.
   void whyRequested(const QString& path);
   void favouriteRequested(const QString& path, const QString& argument);
+  /// One sentence for the user.
+  void notice(const QString& text);
 
  private:
   QWidget* buildHead();
@@ -89,6 +92,7 @@ class Inspector : public QWidget {
   StateLabel* state_;
   QLabel* process_;
   FactGrid* component_facts_;
+  SteerRow* steer_;
   FactGrid* process_facts_;
   QPushButton* forget_;
   QLabel* nothing_;

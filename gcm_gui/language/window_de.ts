@@ -2261,6 +2261,66 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <source>Show all  (0)</source>
         <translation>Alles zeigen  (0)</translation>
     </message>
+    <message>
+        <source>Start</source>
+        <translation>Starten</translation>
+    </message>
+    <message>
+        <source>Suspend</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Restart</source>
+        <translation>Neu starten</translation>
+    </message>
+    <message>
+        <source>Hold to start</source>
+        <translation>Zum Starten halten</translation>
+    </message>
+    <message>
+        <source>Hold to suspend</source>
+        <translation>Zum Anhalten halten</translation>
+    </message>
+    <message>
+        <source>Hold to stop</source>
+        <translation>Zum Beenden halten</translation>
+    </message>
+    <message>
+        <source>Hold to restart</source>
+        <translation>Zum Neustart halten</translation>
+    </message>
+    <message>
+        <source>Nothing was done: hold the button for 0.4 s</source>
+        <translation>Nichts wurde getan: den Knopf 0,4 s lang halten</translation>
+    </message>
+    <message>
+        <source>It can set something in motion: hold the button for 0.4 s</source>
+        <translation>Es kann etwas in Bewegung setzen: den Knopf 0,4 s lang halten</translation>
+    </message>
+    <message>
+        <source>It can set something in motion: hold the button for 0.4 s, or press Enter</source>
+        <translation>Es kann etwas in Bewegung setzen: den Knopf 0,4 s lang halten oder die Eingabetaste drücken</translation>
+    </message>
+    <message>
+        <source>Select a component to start, suspend, stop or restart it</source>
+        <translation>Eine Komponente auswählen, um sie zu starten, anzuhalten, zu beenden oder neu zu starten</translation>
+    </message>
+    <message>
+        <source>%1 has been restarted in %2</source>
+        <translation>%1 ist in %2 neu gestartet</translation>
+    </message>
+    <message>
+        <source>%1: %2 done in %3 · Ctrl+Z undoes</source>
+        <translation>%1: %2 in %3 erledigt · Strg+Z macht es rückgängig</translation>
+    </message>
+    <message>
+        <source>Why is it connected, or not?</source>
+        <translation>Warum verbunden oder nicht?</translation>
+    </message>
+    <message>
+        <source>Start or stop</source>
+        <translation>Starten oder beenden</translation>
+    </message>
 </context>
 <context>
     <name>tendon::gui::Words::Words</name>

@@ -2261,6 +2261,66 @@ Possède %1 des commandes et événements requis.</translation>
         <source>Show all  (0)</source>
         <translation>Tout montrer  (0)</translation>
     </message>
+    <message>
+        <source>Start</source>
+        <translation>Démarrer</translation>
+    </message>
+    <message>
+        <source>Suspend</source>
+        <translation>Suspendre</translation>
+    </message>
+    <message>
+        <source>Restart</source>
+        <translation>Redémarrer</translation>
+    </message>
+    <message>
+        <source>Hold to start</source>
+        <translation>Maintenir pour démarrer</translation>
+    </message>
+    <message>
+        <source>Hold to suspend</source>
+        <translation>Maintenir pour suspendre</translation>
+    </message>
+    <message>
+        <source>Hold to stop</source>
+        <translation>Maintenir pour arrêter</translation>
+    </message>
+    <message>
+        <source>Hold to restart</source>
+        <translation>Maintenir pour redémarrer</translation>
+    </message>
+    <message>
+        <source>Nothing was done: hold the button for 0.4 s</source>
+        <translation>Rien n'a été fait : maintenez le bouton 0,4 s</translation>
+    </message>
+    <message>
+        <source>It can set something in motion: hold the button for 0.4 s</source>
+        <translation>Cela peut mettre quelque chose en mouvement : maintenez le bouton 0,4 s</translation>
+    </message>
+    <message>
+        <source>It can set something in motion: hold the button for 0.4 s, or press Enter</source>
+        <translation>Cela peut mettre quelque chose en mouvement : maintenez le bouton 0,4 s ou appuyez sur Entrée</translation>
+    </message>
+    <message>
+        <source>Select a component to start, suspend, stop or restart it</source>
+        <translation>Sélectionnez un composant pour le démarrer, le suspendre, l'arrêter ou le redémarrer</translation>
+    </message>
+    <message>
+        <source>%1 has been restarted in %2</source>
+        <translation>%1 a redémarré en %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 done in %3 · Ctrl+Z undoes</source>
+        <translation>%1 : %2 fait en %3 · Ctrl+Z annule</translation>
+    </message>
+    <message>
+        <source>Why is it connected, or not?</source>
+        <translation>Pourquoi est-ce connecté, ou non ?</translation>
+    </message>
+    <message>
+        <source>Start or stop</source>
+        <translation>Démarrer ou arrêter</translation>
+    </message>
 </context>
 <context>
     <name>tendon::gui::Words::Words</name>

@@ -1,6 +1,7 @@
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/session/session.h>
 #include <tendon/gcm/lookup.h>
+#include <tendon/gcm/text/step_text.h>
 
 #include <algorithm>
 #include <chrono>
@@ -16,6 +17,27 @@ double SecondsSince(std::chrono::steady_clock::time_point start) {
 template <typename T>
 std::optional<Error> RefusalOf(const Result<T>& result) {
   return result.ok() ? std::nullopt : std::optional(result.error());
+}
+
+/// What a window has done that is this step of the history.
+Action ActionOf(const message::HistoryEntry& step) {
+  Action action;
+  if (IsOfLife(step)) {
+    action.verb = Action::Verb::kUndo;  // unless it is one that windows make
+    action.component = step.life.process + '/' + step.life.component;
+    for (const LifeVerb verb : {LifeVerb::kStart, LifeVerb::kSuspend, LifeVerb::kStop}) {
+      if (ToString(verb) != step.verb) continue;
+      action.verb = Action::Verb::kSteer;
+      action.life = verb;
+    }
+    return action;
+  }
+  action.verb = step.verb == "connect"   ? Action::Verb::kConnect
+                : step.verb == "replace" ? Action::Verb::kReplace
+                                         : Action::Verb::kDisconnect;
+  action.required = step.wire.required;
+  action.provided = step.wire.provided;
+  return action;
 }
 
 }  // namespace
@@ -162,10 +184,7 @@ void Session::undoStep(ActivityModel::Id id, std::chrono::steady_clock::time_poi
     courier->post([this, id, start, result] {
       finish(id, SecondsSince(start), RefusalOf(result));
       if (!result.ok()) return;
-      const auto verb = result->verb == "connect"   ? Action::Verb::kConnect
-                        : result->verb == "replace" ? Action::Verb::kReplace
-                                                    : Action::Verb::kDisconnect;
-      activity_.markUndone(id, verb, result->wire.required, result->wire.provided);
+      activity_.markUndone(id, ActionOf(*result));
     });
   };
   client_->Undo(heard, step);
@@ -178,6 +197,16 @@ void Session::forget(const std::string& process) {
   client_->Forget(process, [finish = begin(std::move(action))](const auto& result) {
     finish(RefusalOf(result));
   });
+}
+
+void Session::steer(LifeVerb verb, const std::string& process, const std::string& component) {
+  Action action;
+  action.verb = Action::Verb::kSteer;
+  action.life = verb;
+  action.component = process + '/' + component;
+  client_->Steer(
+      {.verb = verb, .process = process, .component = component},
+      [finish = begin(std::move(action))](const auto& result) { finish(RefusalOf(result)); });
 }
 
 void Session::setLogLevel(const std::string& process, LogLevel level) {

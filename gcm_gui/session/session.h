@@ -48,6 +48,7 @@ class Session : public QObject, public SystemActions, public CommandCalls, publi
   void replaceConnection(const InterfaceName& required, const InterfaceName& provided) override;
   void undo() override;
   void forget(const std::string& process) override;
+  void steer(LifeVerb verb, const std::string& process, const std::string& component) override;
   void setLogLevel(const std::string& process, LogLevel level) override;
 
   void findSchema(const std::string& process, Fingerprint type, SchemaHandler handler) override;

@@ -2,6 +2,7 @@
 
 #include <tendon/base/log.h>
 #include <tendon/base/name.h>
+#include <tendon/process/life/messages.h>
 
 #include <string>
 
@@ -26,6 +27,8 @@ class SystemActions {
   virtual void undo() = 0;
   /// Removes what is left of a lost process.
   virtual void forget(const std::string& process) = 0;
+  /// Starts, suspends, stops or restarts a component.
+  virtual void steer(LifeVerb verb, const std::string& process, const std::string& component) = 0;
   /// What is below `level` the process drops from now on.
   virtual void setLogLevel(const std::string& process, LogLevel level) = 0;
 };

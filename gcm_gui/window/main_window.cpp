@@ -14,6 +14,7 @@
 #include <gcm_gui/plot/plot_panel.h>
 #include <gcm_gui/plot/plot_view.h>
 #include <gcm_gui/reports/system_reports.h>
+#include <gcm_gui/steer/steer_card.h>
 #include <gcm_gui/theme/icon.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
@@ -36,6 +37,7 @@
 #include <gcm_gui/window/main_window.h>
 #include <gcm_gui/window/plot_binding.h>
 #include <gcm_gui/window/plots/mark_binding.h>
+#include <gcm_gui/window/steer/steer_commands.h>
 #include <gcm_gui/window/zoom_buttons.h>
 #include <tendon/base/path.h>
 
@@ -237,6 +239,7 @@ void MainWindow::connectViews() {
           [this](const QModelIndex&) { inspector_->focusCall(); });
   connect(inspector_, &Inspector::plotRequested, binding_, &PlotBinding::plotSignal);
   connect(inspector_, &Inspector::connectRequested, this, &MainWindow::startConnecting);
+  connect(inspector_, &Inspector::notice, notice_, &NoticeLine::tell);
   connect(binding_, &PlotBinding::notice, notice_, &NoticeLine::tell);
   connect(top_bar_, &TopBar::problemsRequested, this, [this] {
     panels_->reveal(*strip_);
@@ -375,6 +378,7 @@ void MainWindow::escape() {
   if (why_card_->isVisible()) return why_card_->close();
   if (match_->isVisible()) return match_->close();
   if (keys_->isVisible()) return keys_->close();
+  if (steer_->card().isVisible()) return steer_->card().close();
   notice_->tell({});
 }
 

@@ -34,6 +34,7 @@ class MatchCard;
 class NoticeLine;
 class PlotBinding;
 class PlotPanel;
+class SteerCommands;
 class SystemFiles;
 class TabPanel;
 class TopBar;
@@ -96,6 +97,7 @@ class MainWindow : public QMainWindow {
   void addFavourites();
   void addCommands();
   void addSystemCommands();
+  void addSteerCommands();
   void addPlotCommands();
   void addHelpCommands();
   void addPalette();
@@ -139,6 +141,7 @@ class MainWindow : public QMainWindow {
   WhyCard* why_card_ = nullptr;
   WhyBinding* why_ = nullptr;
   MatchCard* match_ = nullptr;
+  SteerCommands* steer_ = nullptr;
   KeysCard* keys_ = nullptr;
   Tour* tour_ = nullptr;
   QTimer second_;

@@ -8,6 +8,7 @@
 #include <gcm_gui/theme/theme.h>
 #include <gcm_gui/tour/tour.h>
 #include <gcm_gui/views/catalogue_panel.h>
+#include <gcm_gui/views/catalogue_tree.h>
 #include <gcm_gui/why/why_binding.h>
 #include <gcm_gui/window/bar/notice_line.h>
 #include <gcm_gui/window/bar/top_bar.h>
@@ -20,6 +21,7 @@
 #include <gcm_gui/window/help/keys_card.h>
 #include <gcm_gui/window/help/window_tour.h>
 #include <gcm_gui/window/main_window.h>
+#include <gcm_gui/window/steer/steer_commands.h>
 
 #include <QAbstractButton>
 #include <QAction>
@@ -85,6 +87,7 @@ void MainWindow::addSystemCommands() {
   add(Words::tr("&Why is it connected, or not?"), Qt::Key_W,
       [this] { why_->open(selection_.current()); });
   add(Words::tr("C&all the command…"), {}, [this] { callSelection(); });
+  addSteerCommands();
   add(Words::tr("&Undo"), QKeySequence::Undo, [this] {
     if (!graph_commands_->undoMove()) parts_.actions.undo();
   });
@@ -105,13 +108,32 @@ void MainWindow::addSystemCommands() {
   add(Words::tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), [this] { close(); });
 }
 
+void MainWindow::addSteerCommands() {
+  steer_ = new SteerCommands(parts_.store, selection_, parts_.actions, *centralWidget());
+  connect(steer_, &SteerCommands::notice, notice_, &NoticeLine::tell);
+  steer_->addCommands(*commands_);
+  steer_->fillMenu(*commands_,
+                   {Words::tr("Connect"), Words::tr("Disconnect"),
+                    Words::tr("Why is it connected, or not?"), Words::tr("Call the command")});
+  graph_commands_->setComponentMenu(steer_->menu(), selection_);
+  CatalogueTree& tree = catalogue_->tree();
+  tree.setContextMenuPolicy(Qt::CustomContextMenu);
+  connect(&tree, &QWidget::customContextMenuRequested, steer_, [this, &tree](const QPoint& place) {
+    if (!selection_.current().isEmpty()) {
+      steer_->menu().popup(tree.viewport()->mapToGlobal(place));
+    }
+  });
+}
+
 void MainWindow::forbidChanges() {
   new ReadOnly(parts_.read_only, this);
   mode_.forbid(parts_.read_only);
   QMenu& menu = commands_->menu(Commands::Menu::kSystem);
   menu.setToolTipsVisible(true);
-  for (const QString& name : {Words::tr("Connect"), Words::tr("Disconnect"),
-                              Words::tr("Call the command"), Words::tr("Undo")}) {
+  for (const QString& name :
+       {Words::tr("Connect"), Words::tr("Disconnect"), Words::tr("Call the command"),
+        Words::tr("Start"), Words::tr("Suspend"), Words::tr("Stop"), Words::tr("Restart"),
+        Words::tr("Undo")}) {
     auto* action = menu.findChild<QAction*>(name);
     action->setEnabled(false);
     action->setToolTip(parts_.read_only);

@@ -52,6 +52,12 @@ void NoticeLine::hear(const Action& finished) {
       return tell(Words::tr("Undone in %1").arg(time));
     case Action::Verb::kForget:
       return tell(Words::tr("Forgotten"));
+    case Action::Verb::kSteer:
+      return tell(
+          finished.life == LifeVerb::kRestart
+              ? Words::tr("%1 has been restarted in %2").arg(ToQString(finished.component), time)
+              : Words::tr("%1: %2 done in %3 · Ctrl+Z undoes")
+                    .arg(ToQString(finished.component), ToQString(ToString(finished.life)), time));
     case Action::Verb::kCall:
       return tell(Words::tr("Called in %1").arg(time));
     case Action::Verb::kLogLevel:

@@ -5,6 +5,7 @@
 #include <gcm_gui/graph/places/saved_places.h>
 #include <gcm_gui/graph/search/graph_search.h>
 #include <gcm_gui/language/words.h>
+#include <gcm_gui/models/selection.h>
 #include <gcm_gui/system/system_document.h>
 #include <gcm_gui/window/commands/commands.h>
 #include <gcm_gui/window/graph/graph_commands.h>
@@ -75,7 +76,17 @@ void GraphCommands::takeBack() {
   Q_EMIT notice(Words::tr("Moved back"));
 }
 
+void GraphCommands::setComponentMenu(QMenu& menu, Selection& selection) {
+  component_menu_ = &menu;
+  selection_ = &selection;
+}
+
 void GraphCommands::openMenu(const QPoint& position) {
+  const QString path = graph_.pathAt(position);
+  if (component_menu_ != nullptr && !path.isEmpty()) {
+    if (!selection_->contains(path)) selection_->select(path);
+    return component_menu_->popup(graph_.mapToGlobal(position));
+  }
   if (menu_ != nullptr) menu_->popup(graph_.mapToGlobal(position));
 }
 

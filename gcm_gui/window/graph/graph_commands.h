@@ -15,6 +15,7 @@ class GraphExport;
 class GraphMap;
 class GraphSearch;
 class GraphView;
+class Selection;
 class SystemDocument;
 
 /// What can be done with the graph besides connecting: its map, a search, where components stand,
@@ -30,6 +31,8 @@ class GraphCommands : public QObject {
   /// Where components were put is kept for the next time, and saved with the system file; one that
   /// is opened puts them where it says.
   void keepPlaces(const WindowParts& parts, SystemDocument& document);
+  /// Where the mouse is on a component it is selected, and has this menu.
+  void setComponentMenu(QMenu& menu, Selection& selection);
   /// Takes back the last move of a component, if nothing else was done since; false otherwise.
   bool undoMove();
   [[nodiscard]] GraphMap& map() const { return *map_; }
@@ -48,6 +51,8 @@ class GraphCommands : public QObject {
   GraphSearch* search_;
   GraphExport* export_;
   QMenu* menu_ = nullptr;
+  QMenu* component_menu_ = nullptr;
+  Selection* selection_ = nullptr;
 };
 
 }  // namespace tendon::gui

@@ -123,11 +123,12 @@ bool MarkBinding::isOwnCall(const QString& path) const {
   return false;
 }
 
-// What was done to connections is marked when the catalogue says so, whoever did it.
+// What was done to connections and components is marked when the catalogue says so, whoever did it.
 void MarkBinding::markAction(const Action& action) {
   const bool is_call = action.verb == Action::Verb::kCall;
   const bool is_refused = action.outcome == Action::Outcome::kRefused;
-  if (!is_call && !is_refused) return;
+  const bool is_wiring = !action.required.interface.empty();
+  if (!is_call && !(is_wiring && is_refused)) return;
   const QString object = is_call ? action.command : Name(action.required);
   QString text = (is_call ? Words::tr("call ") + object + ' ' + action.argument : object).trimmed();
   if (is_refused) text += ": " + action.refusal;

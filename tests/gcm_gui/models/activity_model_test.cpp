@@ -1,5 +1,6 @@
 #include <gcm_gui/activity/activity_model.h>
 #include <gcm_gui/activity/problems_model.h>
+#include <gcm_gui/models/row_roles.h>
 #include <gtest/gtest.h>
 
 #include <QAbstractItemModelTester>
@@ -57,11 +58,34 @@ TEST(ActivityModel, AnUndoneStepSaysSoAndTheOneBeforeCanBeUndone) {
   const auto id = model.begin(undo);
   model.finish(id, 0.02, {});
 
-  model.markUndone(id, Action::Verb::kConnect, kRobot, kControl);
+  model.markUndone(id, Connecting());
 
   EXPECT_TRUE(model.action(1).undone);
   EXPECT_TRUE(model.canUndo(2));
   EXPECT_EQ(model.action(0).required, kRobot);
+}
+
+TEST(ActivityModel, WhatWasOrderedOfAComponentIsAStepUnlessItWasARestart) {
+  ActivityModel model;
+  Action stop;
+  stop.verb = Action::Verb::kSteer;
+  stop.life = LifeVerb::kStop;
+  stop.component = "robot/arm";
+  Action restart = stop;
+  restart.life = LifeVerb::kRestart;
+  model.finish(model.begin(stop), 0.1, {});
+  model.finish(model.begin(restart), 0.1, {});
+
+  EXPECT_EQ(model.command(0), "gcm restart robot/arm");
+  EXPECT_EQ(model.command(1), "gcm stop robot/arm");
+  EXPECT_EQ(model.index(1, 0).data(kObjectRole), "robot/arm");
+  EXPECT_FALSE(model.canUndo(0));
+  EXPECT_TRUE(model.canUndo(1));
+
+  model.markUndone(0, restart);
+  EXPECT_FALSE(model.action(0).undone);
+  model.markUndone(0, stop);
+  EXPECT_TRUE(model.action(1).undone);
 }
 
 TEST(ActivityModel, ARefusalStaysInItsRow) {

@@ -32,6 +32,12 @@ void RecordingActions::forget(const std::string& process) {
   asked.append(QStringLiteral("forget ") + QString::fromStdString(process));
 }
 
+void RecordingActions::steer(LifeVerb verb, const std::string& process,
+                             const std::string& component) {
+  const std::string_view word = ToString(verb);
+  asked.append(QString::fromStdString(std::string(word) + ' ' + process + '/' + component));
+}
+
 void RecordingActions::setLogLevel(const std::string& process, LogLevel level) {
   asked.append(QStringLiteral("log-level ") + QString::fromStdString(process) + ' ' +
                QString::fromStdString(std::string(ToString(level))));

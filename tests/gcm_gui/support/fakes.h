@@ -19,7 +19,7 @@
 namespace tendon::gui {
 
 /// Remembers what it was asked to do: "connect a b", "replace a b", "disconnect a", "undo", "forget
-/// a".
+/// a", "stop robot/arm".
 class RecordingActions final : public SystemActions {
  public:
   void connectInterfaces(const InterfaceName& required, const InterfaceName& provided) override;
@@ -27,6 +27,7 @@ class RecordingActions final : public SystemActions {
   void replaceConnection(const InterfaceName& required, const InterfaceName& provided) override;
   void undo() override { asked.append(QStringLiteral("undo")); }
   void forget(const std::string& process) override;
+  void steer(LifeVerb verb, const std::string& process, const std::string& component) override;
   void setLogLevel(const std::string& process, LogLevel level) override;
 
   QStringList asked;

@@ -1,0 +1,76 @@
+#include <gcm_gui/call/hold_button.h>
+#include <gcm_gui/language/words.h>
+#include <gcm_gui/models/text.h>
+#include <gcm_gui/steer/steer_card.h>
+#include <gcm_gui/theme/head_row.h>
+#include <gcm_gui/theme/metrics.h>
+#include <gcm_gui/theme/theme.h>
+
+#include <QKeyEvent>
+#include <QLabel>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace tendon::gui {
+namespace {
+
+QLabel* MakeSteerLine(const QString& name, const QString& role) {
+  auto* label = new QLabel;
+  label->setObjectName(name);
+  label->setTextFormat(Qt::PlainText);
+  label->setWordWrap(true);
+  SetRole(*label, role);
+  return label;
+}
+
+}  // namespace
+
+SteerCard::SteerCard(QWidget& place)
+    : OverlayCard(place, new QWidget),
+      names_(MakeSteerLine(QStringLiteral("steer.names"), QStringLiteral("mono"))),
+      advice_(MakeSteerLine(QStringLiteral("steer.advice"), QStringLiteral("dim"))),
+      button_(new HoldButton({})) {
+  setObjectName(QStringLiteral("steerCard"));
+  setAccessibleName(Words::tr("Start or stop"));
+  button_->setObjectName(QStringLiteral("steer.confirm"));
+  button_->setCareful(true);
+  button_->setProperty("changesSystem", true);
+  SetRole(*button_, QStringLiteral("primary"));
+  connect(button_, &HoldButton::called, this, &SteerCard::enter);
+  connect(button_, &HoldButton::letGoEarly, this,
+          [this] { Q_EMIT notice(Words::tr("Nothing was done: hold the button for 0.4 s")); });
+  auto* lines = new QVBoxLayout(&body());
+  lines->setContentsMargins(kInset, 2 * kGrid, kInset, 2 * kGrid);
+  lines->setSpacing(2 * kGrid);
+  lines->addWidget(names_);
+  lines->addWidget(advice_);
+  lines->addStretch();
+  addToHead(button_);
+}
+
+void SteerCard::ask(LifeVerb verb, const std::vector<Path>& components) {
+  verb_ = verb;
+  components_ = components;
+  QStringList names;
+  for (const Path& component : components) names.append(ToQString(ToString(component)));
+  head().setTitle(WordOf(verb));
+  setAccessibleName(WordOf(verb) + ' ' + names.join(' '));
+  names_->setText(names.join('\n'));
+  advice_->setText(
+      Words::tr("It can set something in motion: hold the button for 0.4 s, or press Enter"));
+  button_->setText(HoldWordOf(verb));
+  open();
+  setFocus(Qt::ShortcutFocusReason);
+}
+
+void SteerCard::enter() {
+  close();
+  Q_EMIT confirmed(verb_, components_);
+}
+
+/// A key that is still held from what has opened the card is no second one.
+void SteerCard::keyPressEvent(QKeyEvent* event) {
+  if (!event->isAutoRepeat()) OverlayCard::keyPressEvent(event);
+}
+
+}  // namespace tendon::gui

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <gcm_gui/steer/steer_words.h>
+#include <gcm_gui/views/overlay_card.h>
+#include <tendon/base/path.h>
+
+#include <vector>
+
+class QLabel;
+
+namespace tendon::gui {
+
+class HoldButton;
+
+/// Asks once more before components are started or stopped: the button is held, or Enter pressed a
+/// second time.
+class SteerCard : public OverlayCard {
+  Q_OBJECT
+
+ public:
+  /// Over `place`, a part of the window.
+  explicit SteerCard(QWidget& place);
+
+  void ask(LifeVerb verb, const std::vector<Path>& components);
+
+ Q_SIGNALS:
+  void confirmed(tendon::LifeVerb verb, const std::vector<tendon::Path>& components);
+
+ protected:
+  void enter() override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  LifeVerb verb_ = LifeVerb::kStart;
+  std::vector<Path> components_;
+  QLabel* names_;
+  QLabel* advice_;
+  HoldButton* button_;
+};
+
+}  // namespace tendon::gui

@@ -1,0 +1,45 @@
+#include <gcm_gui/call/hold_button.h>
+#include <gcm_gui/language/words.h>
+#include <gcm_gui/models/text.h>
+#include <gcm_gui/steer/steer_row.h>
+#include <gcm_gui/theme/metrics.h>
+#include <tendon/gcm/life/life_plan.h>
+
+#include <QHBoxLayout>
+
+namespace tendon::gui {
+
+SteerRow::SteerRow(QWidget* parent) : QWidget(parent) {
+  auto* line = new QHBoxLayout(this);
+  line->setContentsMargins(kInset, kGrid, kInset, 2 * kGrid);
+  line->setSpacing(kGrid);
+  for (std::size_t i = 0; i < kSteerVerbs.size(); ++i) {
+    const LifeVerb verb = kSteerVerbs[i];
+    auto* button = new HoldButton(WordOf(verb));
+    button->setObjectName(QStringLiteral("steer.") + ToQString(ToString(verb)));
+    button->setCareful(true);
+    button->setProperty("changesSystem", true);
+    connect(button, &HoldButton::called, this, [this, verb] { Q_EMIT chosen(verb); });
+    connect(button, &HoldButton::letGoEarly, this,
+            [this] { Q_EMIT notice(Words::tr("Nothing was done: hold the button for 0.4 s")); });
+    // Each as wide as the others, and never the reason why the panel is.
+    button->setMinimumWidth(1);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    line->addWidget(button);
+    buttons_[i] = button;
+  }
+}
+
+void SteerRow::show(const Catalog& catalogue, const std::string& process,
+                    const std::string& component) {
+  for (std::size_t i = 0; i < kSteerVerbs.size(); ++i) {
+    const auto checked =
+        CheckLife(catalogue, {.verb = kSteerVerbs[i], .process = process, .component = component});
+    buttons_[i]->setToolTip(checked ? Words::tr("It can set something in motion: hold the button "
+                                                "for 0.4 s")
+                                    : ToQString(checked.error().message));
+    buttons_[i]->setEnabled(checked.ok());
+  }
+}
+
+}  // namespace tendon::gui

@@ -1,0 +1,37 @@
+#include <gcm_gui/language/words.h>
+#include <gcm_gui/models/text.h>
+#include <gcm_gui/steer/steer_words.h>
+
+namespace tendon::gui {
+
+QString WordOf(LifeVerb verb) {
+  switch (verb) {
+    case LifeVerb::kStart:
+      return Words::tr("Start");
+    case LifeVerb::kSuspend:
+      return Words::tr("Suspend");
+    case LifeVerb::kStop:
+      return Words::tr("Stop");
+    case LifeVerb::kRestart:
+      return Words::tr("Restart");
+    default:
+      return ToQString(ToString(verb));
+  }
+}
+
+QString HoldWordOf(LifeVerb verb) {
+  switch (verb) {
+    case LifeVerb::kStart:
+      return Words::tr("Hold to start");
+    case LifeVerb::kSuspend:
+      return Words::tr("Hold to suspend");
+    case LifeVerb::kStop:
+      return Words::tr("Hold to stop");
+    case LifeVerb::kRestart:
+      return Words::tr("Hold to restart");
+    default:
+      return WordOf(verb);
+  }
+}
+
+}  // namespace tendon::gui

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <tendon/process/life/messages.h>
+
+#include <QString>
+#include <array>
+
+namespace tendon::gui {
+
+/// What the window orders of a component that is there, in the order of its buttons and menus.
+inline constexpr std::array kSteerVerbs{LifeVerb::kStart, LifeVerb::kSuspend, LifeVerb::kStop,
+                                        LifeVerb::kRestart};
+
+/// "Start".
+[[nodiscard]] QString WordOf(LifeVerb verb);
+/// "Hold to start".
+[[nodiscard]] QString HoldWordOf(LifeVerb verb);
+
+}  // namespace tendon::gui

@@ -1,0 +1,96 @@
+#include <gcm_gui/language/words.h>
+#include <gcm_gui/models/text.h>
+#include <gcm_gui/steer/steer_card.h>
+#include <gcm_gui/window/commands/commands.h>
+#include <gcm_gui/window/steer/steer_commands.h>
+#include <tendon/gcm/life/life_plan.h>
+
+#include <QAction>
+#include <QMenu>
+#include <algorithm>
+
+namespace tendon::gui {
+namespace {
+
+QKeySequence KeyOf(LifeVerb verb) {
+  switch (verb) {
+    case LifeVerb::kStart:
+      return Qt::Key_F6;
+    case LifeVerb::kSuspend:
+      return Qt::Key_F7;
+    case LifeVerb::kStop:
+      return Qt::Key_F8;
+    case LifeVerb::kRestart:
+      return Qt::Key_F9;
+    default:
+      return {};
+  }
+}
+
+}  // namespace
+
+SteerCommands::SteerCommands(const CatalogueStore& store, Selection& selection,
+                             SystemActions& actions, QWidget& place)
+    : QObject(&place),
+      store_(store),
+      selection_(selection),
+      actions_(actions),
+      card_(new SteerCard(place)),
+      menu_(new QMenu(&place)) {
+  menu_->setObjectName(QStringLiteral("componentMenu"));
+  menu_->setToolTipsVisible(true);
+  connect(card_, &SteerCard::confirmed, this, &SteerCommands::carryOut);
+  connect(card_, &OverlayCard::notice, this, &SteerCommands::notice);
+}
+
+void SteerCommands::addCommands(Commands& commands) {
+  for (const LifeVerb verb : kSteerVerbs) {
+    own_.append(&commands.add(Commands::Menu::kSystem, WordOf(verb) + QStringLiteral("…"),
+                              KeyOf(verb), [this, verb] { ask(verb); }));
+  }
+}
+
+void SteerCommands::fillMenu(const Commands& commands, const QStringList& others) {
+  menu_->addActions(own_);
+  menu_->addSeparator();
+  for (QAction* action : commands.actions()) {
+    if (others.contains(action->objectName())) menu_->addAction(action);
+  }
+}
+
+std::vector<Path> SteerCommands::selectedComponents() const {
+  std::vector<Path> components;
+  for (const QString& path : selection_.paths()) {
+    const auto parsed = ParsePath(path.toStdString());
+    if (!parsed || parsed->component.empty()) continue;
+    const Path component{.process = parsed->process, .component = parsed->component};
+    if (std::find(components.begin(), components.end(), component) == components.end()) {
+      components.push_back(component);
+    }
+  }
+  return components;
+}
+
+void SteerCommands::ask(LifeVerb verb) {
+  const std::vector<Path> selected = selectedComponents();
+  if (selected.empty()) {
+    return Q_EMIT notice(Words::tr("Select a component to start, suspend, stop or restart it"));
+  }
+  std::vector<Path> able;
+  QString refusal;
+  for (const Path& one : selected) {
+    const auto checked = CheckLife(
+        store_.catalogue(), {.verb = verb, .process = one.process, .component = one.component});
+    if (checked) able.push_back(one);
+    if (!checked && refusal.isEmpty()) refusal = ToQString(checked.error().message);
+  }
+  if (!refusal.isEmpty()) Q_EMIT notice(refusal);
+  if (able.empty()) return card_->close();
+  card_->ask(verb, able);
+}
+
+void SteerCommands::carryOut(LifeVerb verb, const std::vector<Path>& components) {
+  for (const Path& one : components) actions_.steer(verb, one.process, one.component);
+}
+
+}  // namespace tendon::gui

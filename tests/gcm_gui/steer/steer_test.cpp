@@ -1,0 +1,166 @@
+#include <gcm_gui/call/hold_button.h>
+#include <gcm_gui/graph/graph_view.h>
+#include <gcm_gui/graph/items/component_item.h>
+#include <gcm_gui/steer/steer_card.h>
+#include <gcm_gui/views/catalogue_panel.h>
+#include <gcm_gui/views/catalogue_tree.h>
+#include <gcm_gui/window/bar/notice_line.h>
+#include <gcm_gui/window/commands/command_palette.h>
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QApplication>
+#include <QContextMenuEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QTest>
+
+#include "support/pictures.h"
+#include "window/window_fixture.h"
+
+namespace tendon::gui {
+namespace {
+
+class SteerTest : public WindowFixture {
+ protected:
+  [[nodiscard]] SteerCard& card() const { return *window_.findChild<SteerCard*>(); }
+  [[nodiscard]] QString Notice() const { return window_.findChild<NoticeLine*>()->text(); }
+  [[nodiscard]] HoldButton& Button(const char* name) const {
+    return *window_.findChild<HoldButton*>(name);
+  }
+  bool IsAsked(const QStringList& orders) {
+    return QTest::qWaitFor([&] { return actions_.asked == orders; }, kPatience);
+  }
+  /// The menu that opens there.
+  static QMenu* MenuAt(QWidget& viewport, const QPoint& place) {
+    QContextMenuEvent event(QContextMenuEvent::Mouse, place, viewport.mapToGlobal(place));
+    QApplication::sendEvent(&viewport, &event);
+    return qobject_cast<QMenu*>(QApplication::activePopupWidget());
+  }
+  static void Choose(QMenu& menu, const char* name) {
+    for (QAction* action : menu.actions()) {
+      if (action->objectName() == QString::fromLatin1(name)) {
+        QTest::mouseClick(&menu, Qt::LeftButton, {}, menu.actionGeometry(action).center());
+      }
+    }
+  }
+};
+
+TEST_F(SteerTest, AKeyAsksAndEnterDoes) {
+  window_.selection().select("robot/arm/Drives.Stop");
+  QTest::keyClick(&window_, Qt::Key_F8);
+  ASSERT_TRUE(card().isVisible());
+  EXPECT_EQ(window_.findChild<QLabel*>("steer.names")->text(), "robot/arm");
+  EXPECT_TRUE(actions_.asked.isEmpty());
+  KeepPictures(window_, "steer-card");
+
+  QTest::keyClick(&card(), Qt::Key_Return);
+
+  EXPECT_TRUE(IsAsked({"stop robot/arm"}));
+  EXPECT_FALSE(card().isVisible());
+}
+
+TEST_F(SteerTest, AKeyThatIsStillHeldIsNoSecondOne) {
+  window_.selection().select("robot/arm");
+  QTest::keyClick(&window_, Qt::Key_F8);
+
+  QKeyEvent repeated(QEvent::KeyPress, Qt::Key_Return, Qt::NoModifier, {}, true);
+  QApplication::sendEvent(&card(), &repeated);
+
+  EXPECT_TRUE(card().isVisible());
+  EXPECT_TRUE(actions_.asked.isEmpty());
+  QTest::keyClick(&card(), Qt::Key_Escape);
+  EXPECT_FALSE(card().isVisible());
+  EXPECT_TRUE(actions_.asked.isEmpty());
+}
+
+TEST_F(SteerTest, ThePaletteStopsAllThatIsSelected) {
+  window_.selection().setPaths({"robot/arm", "desk/host_monitor", "robot/arm/Drives"});
+  QTest::keyClick(&window_, Qt::Key_K, Qt::ControlModifier);
+  auto* field = window_.findChild<QLineEdit*>("palette.field");
+  QTest::keyClicks(field, "suspend");
+  QTest::keyClick(field, Qt::Key_Return);
+  ASSERT_TRUE(card().isVisible());
+
+  QTest::keyClick(&card(), Qt::Key_Return);
+
+  EXPECT_TRUE(IsAsked({"suspend robot/arm", "suspend desk/host_monitor"}));
+}
+
+TEST_F(SteerTest, WhatTheComponentWouldRefuseIsSaidAndNotAsked) {
+  window_.selection().select("robot/arm");
+  QTest::keyClick(&window_, Qt::Key_F6);
+
+  EXPECT_FALSE(card().isVisible());
+  EXPECT_TRUE(Notice().startsWith("component 'arm' is active")) << Notice().toStdString();
+  window_.selection().clear();
+  QTest::keyClick(&window_, Qt::Key_F6);
+  EXPECT_TRUE(Notice().startsWith("Select a component"));
+}
+
+TEST_F(SteerTest, AButtonOfTheInspectorIsHeld) {
+  window_.selection().select("robot/arm");
+  EXPECT_FALSE(Button("steer.start").isEnabled());
+  EXPECT_TRUE(Button("steer.start").toolTip().contains("is active"));
+  HoldButton& stop = Button("steer.stop");
+
+  QTest::mouseClick(&stop, Qt::LeftButton);
+  EXPECT_TRUE(actions_.asked.isEmpty());
+  EXPECT_TRUE(Notice().startsWith("Nothing was done"));
+
+  QTest::mousePress(&stop, Qt::LeftButton);
+  EXPECT_TRUE(IsAsked({"stop robot/arm"}));
+  QTest::mouseRelease(&stop, Qt::LeftButton);
+  EXPECT_EQ(actions_.asked.size(), 1);
+}
+
+TEST_F(SteerTest, TheButtonOfTheCardIsHeld) {
+  window_.selection().select("robot/arm");
+  QTest::keyClick(&window_, Qt::Key_F9);
+  QTest::mousePress(&Button("steer.confirm"), Qt::LeftButton);
+
+  EXPECT_TRUE(IsAsked({"restart robot/arm"}));
+}
+
+TEST_F(SteerTest, ARowAndACardOfTheGraphHaveTheirMenu) {
+  CatalogueTree& tree = window_.catalogue().tree();
+  tree.reveal("robot/arm");
+  QTest::mouseClick(tree.viewport(), Qt::LeftButton, {},
+                    tree.visibleRows().value("robot/arm").center());
+  QMenu* menu = MenuAt(*tree.viewport(), tree.visibleRows().value("robot/arm").center());
+  ASSERT_NE(menu, nullptr);
+  Choose(*menu, "Stop");
+  EXPECT_TRUE(card().isVisible());
+  card().close();
+
+  GraphView& graph = window_.graph();
+  const QRectF place = graph.graph().component("desk/host_monitor")->sceneRect();
+  menu = MenuAt(*graph.viewport(), graph.mapFromScene(place.center()));
+  ASSERT_NE(menu, nullptr);
+  EXPECT_EQ(window_.selection().current(), "desk/host_monitor");
+  Choose(*menu, "Stop");
+  QTest::keyClick(&card(), Qt::Key_Return);
+  EXPECT_TRUE(IsAsked({"stop desk/host_monitor"}));
+}
+
+TEST_F(SteerTest, AWindowThatOnlyLooksSaysWhy) {
+  WindowParts parts = Parts();
+  parts.read_only = "this window only looks";
+  MainWindow window(parts);
+  window.show();
+  window.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window, kPatience));
+  window.selection().select("robot/arm");
+
+  QTest::keyClick(&window, Qt::Key_F8);
+
+  EXPECT_FALSE(window.findChild<SteerCard*>()->isVisible());
+  EXPECT_EQ(window.findChild<NoticeLine*>()->text(), parts.read_only);
+  EXPECT_FALSE(window.findChild<HoldButton*>("steer.stop")->isEnabled());
+  EXPECT_EQ(window.findChild<HoldButton*>("steer.stop")->toolTip(), parts.read_only);
+  EXPECT_FALSE(window.findChild<QAction*>("Stop")->isEnabled());
+}
+
+}  // namespace
+}  // namespace tendon::gui
