@@ -1,67 +1,103 @@
 #include <gcm_console/completion/files.h>
 #include <gcm_console/shell/shell.h>
 #include <gcm_gui/console/console_runner.h>
+#include <gcm_gui/console/output_pipe.h>
+#include <gcm_gui/files/file_writer.h>
 #include <gcm_gui/models/text.h>
 #include <tendon/base/os/termination.h>
 
+#include <condition_variable>
+#include <deque>
+#include <iostream>
+#include <mutex>
 #include <optional>
 #include <utility>
 
 namespace tendon::gui {
 
+/// What runner and thread share.
+struct ConsoleRunner::Desk {
+  Desk(console::Settings the_settings, std::function<void()> wake)
+      : settings(std::move(the_settings)), pipe(std::move(wake)) {}
+
+  const console::Settings settings;
+  OutputPipe pipe;
+  std::mutex mutex;
+  std::condition_variable change;
+  std::deque<Job> jobs;                      // guarded by mutex, as all below
+  os::Interruption* interruption = nullptr;  // of the thread, while it lives
+  bool is_interrupted = false;               // since the last job was posted
+  bool is_ending = false;
+  bool is_done = false;  // the thread has ended
+};
+
 ConsoleRunner::ConsoleRunner(console::Settings settings, QObject* parent)
     : QObject(parent),
-      settings_(std::move(settings)),
       courier_(std::make_shared<Courier>(this)),
-      pipe_([this, courier = courier_] { courier->post([this] { deliver(); }); }) {}
+      desk_(std::make_shared<Desk>(std::move(settings), [this, courier = courier_] {
+        courier->post([this] { deliver(); });
+      })) {}
 
 ConsoleRunner::~ConsoleRunner() {
   courier_->detach();
-  pipe_.close();
-  {
-    const std::scoped_lock lock(mutex_);
-    is_ending_ = true;
-    if (interruption_ != nullptr) interruption_->Ask();
-    change_.notify_all();
+  desk_->pipe.close();
+  if (!thread_.joinable()) return;
+  std::unique_lock lock(desk_->mutex);
+  desk_->is_ending = true;
+  if (desk_->interruption != nullptr) desk_->interruption->Ask();
+  desk_->change.notify_all();
+  const bool is_done =
+      desk_->change.wait_for(lock, FileWriter::kPatience, [this] { return desk_->is_done; });
+  lock.unlock();
+  if (is_done) {
+    thread_.join();
+    return;
   }
-  if (thread_.joinable()) thread_.join();
+  std::cerr << "gcm-gui: a line of the console does not end, and is left\n";
+  thread_.detach();
 }
 
 void ConsoleRunner::post(Job job) {
-  const std::scoped_lock lock(mutex_);
-  if (interruption_ != nullptr) interruption_->Forget();  // it was for what ran before
-  is_interrupted_ = false;
-  jobs_.push_back(std::move(job));
-  change_.notify_all();
-  if (!thread_.joinable()) thread_ = std::thread([this] { work(); });
+  const std::scoped_lock lock(desk_->mutex);
+  if (desk_->interruption != nullptr) desk_->interruption->Forget();  // it was for what ran before
+  desk_->is_interrupted = false;
+  desk_->jobs.push_back(std::move(job));
+  desk_->change.notify_all();
+  if (!thread_.joinable()) thread_ = std::thread([desk = desk_] { work(desk); });
 }
 
-void ConsoleRunner::work() {
+void ConsoleRunner::work(const std::shared_ptr<Desk>& desk) {
   os::HoldTerminationSignals();
   os::Interruption interruption;
   std::optional<console::Shell> shell;
+  std::unique_lock lock(desk->mutex);
   while (true) {
-    std::unique_lock lock(mutex_);
-    interruption_ = &interruption;
-    change_.wait(lock, [this] { return !jobs_.empty() || is_ending_; });
-    if (is_ending_) {
-      interruption_ = nullptr;
-      return;
-    }
-    const Job job = std::exchange(jobs_.front(), nullptr);
-    jobs_.pop_front();
-    if (is_interrupted_) interruption.Ask();  // also where nobody was there to hear it
+    desk->interruption = &interruption;
+    desk->change.wait(lock, [&] { return !desk->jobs.empty() || desk->is_ending; });
+    if (desk->is_ending) break;
+    const Job job = std::exchange(desk->jobs.front(), nullptr);
+    desk->jobs.pop_front();
+    if (desk->is_interrupted) interruption.Ask();  // also where nobody was there to hear it
     lock.unlock();
-    if (!shell || shell->has_ended()) shell.emplace(settings_);
+    if (!shell || shell->has_ended()) shell.emplace(desk->settings);
     job(*shell);
+    lock.lock();
   }
+  desk->interruption = nullptr;
+  lock.unlock();
+  shell.reset();  // its link takes a moment to end
+  lock.lock();
+  desk->is_done = true;
+  desk->change.notify_all();
 }
 
 void ConsoleRunner::run(const QString& line, int columns) {
   if (std::exchange(is_running_, true)) return;
-  post([this, courier = courier_, line = line.toStdString(), columns](console::Shell& shell) {
-    PipeStream out(pipe_, OutputPipe::Kind::kOut);
-    PipeStream err(pipe_, OutputPipe::Kind::kError);
+  // Not the desk itself: it has the job.
+  post([this, courier = courier_, &pipe = desk_->pipe, line = line.toStdString(),
+        columns](console::Shell& shell) {
+    PipeStream out(pipe, OutputPipe::Kind::kOut);
+    PipeStream err(pipe, OutputPipe::Kind::kError);
     const console::Streams streams{out, err, columns, nullptr, false};
     const int exit_code = shell.Run(line, streams, console::Shell::AfterFailure::kGoOn);
     const QString prompt = shell.has_ended() ? QStringLiteral("gcm> ") : ToQString(shell.prompt());
@@ -71,9 +107,9 @@ void ConsoleRunner::run(const QString& line, int columns) {
 
 void ConsoleRunner::interrupt() {
   if (!is_running_) return;
-  const std::scoped_lock lock(mutex_);
-  is_interrupted_ = true;
-  if (interruption_ != nullptr) interruption_->Ask();
+  const std::scoped_lock lock(desk_->mutex);
+  desk_->is_interrupted = true;
+  if (desk_->interruption != nullptr) desk_->interruption->Ask();
 }
 
 void ConsoleRunner::complete(const QString& line) {
@@ -87,7 +123,7 @@ void ConsoleRunner::complete(const QString& line) {
 }
 
 void ConsoleRunner::deliver() {
-  for (const OutputPipe::Piece& piece : pipe_.take()) {
+  for (const OutputPipe::Piece& piece : desk_->pipe.take()) {
     const QString text = decode_(QByteArrayView(piece.text.data(), qsizetype(piece.text.size())));
     if (!text.isEmpty()) Q_EMIT output(text, piece.kind == OutputPipe::Kind::kError);
   }
@@ -95,7 +131,7 @@ void ConsoleRunner::deliver() {
 
 /// Behind all that it wrote: pieces of it may be on their way still.
 void ConsoleRunner::finish(int exit_code, const QString& prompt) {
-  if (!pipe_.isEmpty()) {
+  if (!desk_->pipe.isEmpty()) {
     return courier_->post([this, exit_code, prompt] { finish(exit_code, prompt); });
   }
   is_running_ = false;

@@ -2,26 +2,18 @@
 
 #include <gcm_console/completion/completer.h>
 #include <gcm_console/line/settings.h>
-#include <gcm_gui/console/output_pipe.h>
 #include <gcm_gui/session/courier.h>
 
 #include <QObject>
 #include <QString>
 #include <QStringDecoder>
-#include <condition_variable>
-#include <deque>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <thread>
 
 namespace console {
 class Shell;
 }
-namespace tendon::os {
-class Interruption;
-}
-
 namespace tendon::gui {
 
 /// Runs lines in the language of `gcm shell`, in a thread of its own with a link of its own: one
@@ -31,7 +23,7 @@ class ConsoleRunner : public QObject {
 
  public:
   explicit ConsoleRunner(console::Settings settings, QObject* parent = nullptr);
-  /// Interrupts what runs, and waits for it: at most as long as a request may take.
+  /// Interrupts what runs, and waits for it, though not for ever.
   ~ConsoleRunner() override;
 
   /// What it writes arrives by output(), its end by finished(). `columns` letters fit into a line.
@@ -52,25 +44,19 @@ class ConsoleRunner : public QObject {
 
  private:
   using Job = std::function<void(console::Shell& shell)>;
+  struct Desk;
 
   void post(Job job);
-  void work();
+  /// Outlives the runner where a request does not end.
+  static void work(const std::shared_ptr<Desk>& desk);
   void deliver();
   void finish(int exit_code, const QString& prompt);
 
-  const console::Settings settings_;
   std::shared_ptr<Courier> courier_;
-  OutputPipe pipe_;
+  std::shared_ptr<Desk> desk_;
   QStringDecoder decode_{QStringDecoder::Utf8};
   QString prompt_;
   bool is_running_ = false;
-
-  std::mutex mutex_;
-  std::condition_variable change_;
-  std::deque<Job> jobs_;
-  os::Interruption* interruption_ = nullptr;  // of the thread, while it lives
-  bool is_interrupted_ = false;               // since the last job was posted
-  bool is_ending_ = false;
   std::thread thread_;
 };
 

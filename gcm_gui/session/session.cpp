@@ -74,11 +74,11 @@ Session::Session(std::shared_ptr<Middleware> middleware, const std::string& addr
   options.address = address;
   options.role = role;
   options.timeout = timeout;
-  client_ = std::make_unique<GcmClient>(std::move(middleware), options,
+  client_ = std::make_shared<GcmClient>(std::move(middleware), options,
                                         std::make_shared<Listener>(*this, courier_));
   live_signals_ = std::make_unique<LiveSignals>(client_->telemetry());
   reports_ = std::make_unique<NetworkReports>(*client_, store_, courier_);
-  plans_ = std::make_unique<PlanWorker>(*client_, options.timeout);
+  plans_ = std::make_unique<PlanWorker>(client_, options.timeout);
 }
 
 Session::~Session() {

@@ -76,7 +76,7 @@ class Session : public QObject, public SystemActions, public CommandCalls, publi
   ActivityModel activity_;
   UndoChoice undo_choice_;
   std::shared_ptr<Courier> courier_;
-  std::unique_ptr<GcmClient> client_;
+  std::shared_ptr<GcmClient> client_;
   std::unique_ptr<LiveSignals> live_signals_;
   std::unique_ptr<NetworkReports> reports_;
   std::unique_ptr<PlanWorker> plans_;

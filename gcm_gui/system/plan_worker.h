@@ -1,14 +1,13 @@
 #pragma once
 
+#include <gcm_gui/files/background.h>
 #include <gcm_gui/session/courier.h>
 #include <gcm_gui/system/plan_runner.h>
 #include <tendon/gcm/client.h>
 
 #include <QObject>
-#include <QThreadPool>
 #include <chrono>
 #include <memory>
-#include <mutex>
 
 namespace tendon::gui {
 
@@ -17,24 +16,22 @@ class PlanWorker final : public QObject, public PlanRunner {
   Q_OBJECT
 
  public:
-  /// So long `client`, which outlives the worker, waits for an answer.
-  PlanWorker(GcmClient& client, std::chrono::milliseconds timeout);
-  /// Waits for the step that is being made.
+  /// So long `client` waits for an answer.
+  PlanWorker(std::shared_ptr<GcmClient> client, std::chrono::milliseconds timeout);
+  /// Waits for the step that is being made, though not for ever.
   ~PlanWorker() override;
 
   void carryOut(Plan plan, AfterError after_error, Progress progress, Done done) override;
-  void stop() override { setStopped(true); }
+  void stop() override;
 
  private:
-  void setStopped(bool stopped);
-  [[nodiscard]] bool isStopped();
+  struct Order;
 
-  GcmClient& client_;
+  std::shared_ptr<GcmClient> client_;
   const std::chrono::milliseconds timeout_;
   std::shared_ptr<Courier> courier_;
-  std::mutex mutex_;
-  bool is_stopped_ = false;  // guarded by mutex_
-  QThreadPool thread_;
+  std::shared_ptr<Order> order_;  // the newest
+  Background thread_{"a step of a plan"};
 };
 
 }  // namespace tendon::gui

@@ -32,6 +32,7 @@ Restore::Restore(const SystemDocument& document, PlanRunner& runner, QObject* pa
 
 void Restore::preview(const SystemFile& wanted, const QString& goal) {
   if (phase_ == Phase::kRunning) return;
+  to_undo_.reset();
   show(MakePlan(document_.catalogue(), wanted), goal);
 }
 
@@ -47,12 +48,13 @@ void Restore::show(Plan plan, const QString& goal) {
 void Restore::undo() {
   if (!canUndo()) return;
   const Catalog& now = document_.catalogue();
-  const SystemFile before = *std::exchange(before_, std::nullopt);
-  show(WithEnds(MakePlan(now, before), now, births_), Words::tr("what was before"));
+  to_undo_ = {plan_, goal_, outcomes_, outcome_};
+  show(WithEnds(MakePlan(now, *before_), now, births_), Words::tr("what was before"));
 }
 
 void Restore::execute(AfterError after_error) {
   if (phase_ != Phase::kPreview || plan_.steps.empty()) return;
+  to_undo_.reset();
   before_ = Before(plan_, WholeSystem(document_.catalogue()));
   births_.clear();
   phase_ = Phase::kRunning;
@@ -86,6 +88,14 @@ void Restore::noteBirth() {
 void Restore::leave() {
   if (phase_ == Phase::kRunning) return;
   phase_ = Phase::kIdle;
+  if (to_undo_) {
+    plan_ = std::move(to_undo_->plan);
+    goal_ = to_undo_->goal;
+    outcomes_ = std::move(to_undo_->outcomes);
+    outcome_ = to_undo_->outcome;
+    to_undo_.reset();
+    phase_ = Phase::kDone;
+  }
   Q_EMIT changed();
 }
 

@@ -38,12 +38,21 @@ class Restore : public QObject {
   void stop() { runner_.stop(); }
   /// Previews the system as it was before execute(); processes that were started are ended.
   void undo();
+  /// From the preview of an undo back to what it would have undone.
   void leave();
 
  Q_SIGNALS:
   void changed();
 
  private:
+  /// A plan that was carried out, and what came of it.
+  struct Done {
+    Plan plan;
+    QString goal;
+    std::vector<StepOutcome> outcomes;
+    PlanOutcome outcome;
+  };
+
   void show(Plan plan, const QString& goal);
   void noteBirth();
 
@@ -55,6 +64,7 @@ class Restore : public QObject {
   std::vector<StepOutcome> outcomes_;
   PlanOutcome outcome_;
   std::optional<SystemFile> before_;
+  std::optional<Done> to_undo_;   // while its undo is only looked at
   std::vector<PlanStep> births_;  // of processes, since then, with the instances that came of them
 };
 

@@ -45,9 +45,7 @@ QString FileName(const QString& path) { return QFileInfo(path).fileName(); }
 }  // namespace
 
 SystemDocument::SystemDocument(const CatalogueStore& store, QObject* parent)
-    : QObject(parent), store_(store) {
-  thread_.setMaxThreadCount(1);
-  comparing_.setMaxThreadCount(1);
+    : QObject(parent), store_(store), courier_(std::make_shared<Courier>(this)) {
   soon_.setSingleShot(true);
   soon_.setInterval(kSoon);
   connect(&soon_, &QTimer::timeout, this, &SystemDocument::hear);
@@ -56,10 +54,7 @@ SystemDocument::SystemDocument(const CatalogueStore& store, QObject* parent)
   });
 }
 
-SystemDocument::~SystemDocument() {
-  thread_.waitForDone();
-  comparing_.waitForDone();
-}
+SystemDocument::~SystemDocument() { courier_->detach(); }
 
 QString SystemDocument::title() const {
   if (!isOpen()) return {};
@@ -75,10 +70,10 @@ void SystemDocument::hear() {
 void SystemDocument::compare() {
   is_behind_ = std::exchange(is_comparing_, true);
   if (is_behind_) return;
-  comparing_.start([this, version = version_, file = file_,
+  comparing_.start([this, courier = courier_, version = version_, file = file_,
                     running = SystemOf(store_.catalogue(), file_.name).file] {
     auto comparison = CompareSystems(file, running, Starts::kUnknownInSecond);
-    QMetaObject::invokeMethod(this, [this, version, comparison = std::move(comparison)] {
+    courier->post([this, version, comparison = std::move(comparison)] {
       is_comparing_ = false;
       const bool is_old = version != version_;
       if (!is_old) show(comparison);
@@ -98,20 +93,19 @@ void SystemDocument::show(SystemComparison comparison) {
 }
 
 void SystemDocument::take(const QString& path, const SystemFile& file, std::function<void()> done) {
-  comparing_.start([this, path, file, done = std::move(done),
+  comparing_.start([this, courier = courier_, path, file, done = std::move(done),
                     revision = store_.catalogue().revision(),
                     running = SystemOf(store_.catalogue(), file.name).file] {
     auto comparison = CompareSystems(file, running, Starts::kUnknownInSecond);
-    QMetaObject::invokeMethod(
-        this, [this, path, file, done, revision, comparison = std::move(comparison)] {
-          path_ = path;
-          file_ = file;
-          modified_ = 0;
-          ++version_;
-          show(comparison);
-          done();
-          if (store_.catalogue().revision() != revision) compare();
-        });
+    courier->post([this, path, file, done, revision, comparison = std::move(comparison)] {
+      path_ = path;
+      file_ = file;
+      modified_ = 0;
+      ++version_;
+      show(comparison);
+      done();
+      if (store_.catalogue().revision() != revision) compare();
+    });
   });
 }
 
@@ -126,20 +120,21 @@ void SystemDocument::open(const QString& path) {
 
 void SystemDocument::read(const QString& path,
                           std::function<void(const Result<SystemFile>&)> done) {
-  thread_.start([this, path, done = std::move(done)] {
+  thread_.start([courier = courier_, path, done = std::move(done)] {
     auto read = ReadSystemFile(path.toStdString());
-    QMetaObject::invokeMethod(this, [done, read = std::move(read)] { done(read); });
+    courier->post([done, read = std::move(read)] { done(read); });
   });
 }
 
 void SystemDocument::save(const QString& path) {
   const std::string name = FileName(path).section('.', 0, 0).toStdString();
-  thread_.start([this, path, running = SystemOf(store_.catalogue(), name), layout = layout_] {
+  thread_.start([this, courier = courier_, path, running = SystemOf(store_.catalogue(), name),
+                 layout = layout_] {
     const std::string file = path.toStdString();
     const auto system = SystemToSave(file, running, layout);
     const auto written = system ? WriteSystemFile(file, *system) : Result<void>(system.error());
     const QString left_out = running.loose.empty() ? QString() : ToQString(running.LeftOut()[0]);
-    QMetaObject::invokeMethod(this, [this, path, system, written, left_out] {
+    courier->post([this, path, system, written, left_out] {
       if (!written) return Q_EMIT told(ToQString(written.error().message));
       const QString saved = Words::tr("Saved to ") + FileName(path);
       take(path, *system, [this, saved, left_out] {
@@ -151,13 +146,14 @@ void SystemDocument::save(const QString& path) {
 
 void SystemDocument::update(const std::string& what) {
   const SystemFile running = SystemOf(store_.catalogue(), file_.name).file;
-  thread_.start([this, path = path_, system = WithPartOf(file_, running, what)] {
-    const auto written = WriteSystemFile(path.toStdString(), system);
-    QMetaObject::invokeMethod(this, [this, path, system, written] {
-      if (!written) return Q_EMIT told(ToQString(written.error().message));
-      take(path, system, [this, path] { Q_EMIT told(Words::tr("Updated ") + FileName(path)); });
-    });
-  });
+  thread_.start(
+      [this, courier = courier_, path = path_, system = WithPartOf(file_, running, what)] {
+        const auto written = WriteSystemFile(path.toStdString(), system);
+        courier->post([this, path, system, written] {
+          if (!written) return Q_EMIT told(ToQString(written.error().message));
+          take(path, system, [this, path] { Q_EMIT told(Words::tr("Updated ") + FileName(path)); });
+        });
+      });
 }
 
 }  // namespace tendon::gui

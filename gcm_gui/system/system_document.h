@@ -1,17 +1,19 @@
 #pragma once
 
+#include <gcm_gui/files/background.h>
 #include <gcm_gui/session/catalogue_store.h>
+#include <gcm_gui/session/courier.h>
 #include <gcm_gui/system/snapshots.h>
 #include <tendon/gcm/system/comparison.h>
 #include <tendon/gcm/system_file.h>
 
 #include <QObject>
 #include <QString>
-#include <QThreadPool>
 #include <QTimer>
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -24,7 +26,7 @@ class SystemDocument : public QObject {
 
  public:
   explicit SystemDocument(const CatalogueStore& store, QObject* parent = nullptr);
-  /// Waits for what is being read, written or compared.
+  /// Waits for what is being read or written, though not for ever.
   ~SystemDocument() override;
 
   [[nodiscard]] bool isOpen() const { return !path_.isEmpty(); }
@@ -74,8 +76,9 @@ class SystemDocument : public QObject {
   bool is_comparing_ = false;
   bool is_behind_ = false;     // compare once more
   std::uint64_t version_ = 0;  // of file_
-  QThreadPool thread_;
-  QThreadPool comparing_;
+  std::shared_ptr<Courier> courier_;
+  Background thread_{"a system file"};
+  Background comparing_{"the comparison with a system file"};
 };
 
 }  // namespace tendon::gui

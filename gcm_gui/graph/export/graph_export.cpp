@@ -85,11 +85,13 @@ QByteArray PngOf(const QImage& image) {
 }  // namespace
 
 GraphExport::GraphExport(const CatalogueStore& store, GraphScene& scene, QWidget& window)
-    : QObject(&window), store_(store), scene_(scene), window_(window) {
-  thread_.setMaxThreadCount(1);
-}
+    : QObject(&window),
+      store_(store),
+      scene_(scene),
+      window_(window),
+      courier_(std::make_shared<Courier>(this)) {}
 
-GraphExport::~GraphExport() { thread_.waitForDone(); }
+GraphExport::~GraphExport() { courier_->detach(); }
 
 void GraphExport::ask() {
   auto* dialog = new QFileDialog(&window_, Words::tr("Save a picture of the graph"));
@@ -148,13 +150,13 @@ void GraphExport::write(const QString& name, Draw draw) {
 }
 
 void GraphExport::copy() {
-  thread_.start(
-      [this, drawing = DrawingOf(scene_), ground = Theme::instance().color(Token::kCanvas)] {
-        QMetaObject::invokeMethod(this, [this, image = ImageOf(drawing, ground)] {
-          QGuiApplication::clipboard()->setImage(image);
-          Q_EMIT notice(Words::tr("The picture of the graph is in the clipboard"));
-        });
-      });
+  thread_.start([this, courier = courier_, drawing = DrawingOf(scene_),
+                 ground = Theme::instance().color(Token::kCanvas)] {
+    courier->post([this, image = ImageOf(drawing, ground)] {
+      QGuiApplication::clipboard()->setImage(image);
+      Q_EMIT notice(Words::tr("The picture of the graph is in the clipboard"));
+    });
+  });
 }
 
 }  // namespace tendon::gui

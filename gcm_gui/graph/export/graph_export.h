@@ -1,11 +1,13 @@
 #pragma once
 
+#include <gcm_gui/files/background.h>
 #include <gcm_gui/session/catalogue_store.h>
+#include <gcm_gui/session/courier.h>
 
 #include <QObject>
 #include <QString>
-#include <QThreadPool>
 #include <functional>
+#include <memory>
 
 class QWidget;
 
@@ -23,7 +25,7 @@ class GraphExport : public QObject {
  public:
   /// Dialogs belong to `window`.
   GraphExport(const CatalogueStore& store, GraphScene& scene, QWidget& window);
-  /// Waits for what is being drawn for the clipboard.
+  /// Waits for what is being drawn for the clipboard, though not for ever.
   ~GraphExport() override;
 
   /// What the file is, its name's end tells: .svg, .png, .dot or .gv.
@@ -47,7 +49,8 @@ class GraphExport : public QObject {
   const CatalogueStore& store_;
   GraphScene& scene_;
   QWidget& window_;
-  QThreadPool thread_;
+  std::shared_ptr<Courier> courier_;
+  Background thread_{"a picture for the clipboard"};
 };
 
 }  // namespace tendon::gui

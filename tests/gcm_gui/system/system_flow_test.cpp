@@ -134,6 +134,11 @@ TEST_F(SystemFlowTest, WhatWasSavedIsRestoredAndThatTakenBack) {
   QTest::keyClick(&Button("plan.carryOut"), Qt::Key_Space);
   ASSERT_TRUE(Eventually([&] { return IsConnected(); }));
   Click("plan.undo");
+  ASSERT_TRUE(Eventually([&] { return Button("plan.carryOut").isVisible(); }));
+  Click("plan.back");  // an undo that was only looked at can still be had
+  EXPECT_TRUE(Words("plan.summary").contains("1 done"));
+  EXPECT_TRUE(IsConnected());
+  Click("plan.undo");
   Click("plan.carryOut");
   EXPECT_TRUE(Eventually([&] { return !IsConnected(); }));
 }

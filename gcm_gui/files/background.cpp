@@ -1,0 +1,63 @@
+#include <gcm_gui/files/background.h>
+
+#include <condition_variable>
+#include <deque>
+#include <iostream>
+#include <mutex>
+#include <utility>
+
+namespace tendon::gui {
+
+struct Background::Queue {
+  std::mutex mutex;
+  std::condition_variable changed;
+  std::deque<Task> tasks;  // guarded by mutex, as all below
+  bool is_closed = false;  // nothing more comes
+  bool is_done = false;    // the thread has ended
+};
+
+Background::Background(const char* what, std::chrono::milliseconds patience)
+    : what_(what), patience_(patience), queue_(std::make_shared<Queue>()) {}
+
+Background::~Background() {
+  if (!thread_.joinable()) return;
+  std::unique_lock lock(queue_->mutex);
+  queue_->is_closed = true;
+  queue_->changed.notify_all();
+  const bool is_done =
+      queue_->changed.wait_for(lock, patience_, [this] { return queue_->is_done; });
+  if (is_done) {
+    lock.unlock();
+    thread_.join();
+    return;
+  }
+  std::cerr << "gcm-gui: " << what_ << " was not finished: it took longer than "
+            << patience_.count() << " ms\n";
+  queue_->tasks.clear();
+  thread_.detach();
+}
+
+void Background::start(Task task) {
+  const std::lock_guard lock(queue_->mutex);
+  queue_->tasks.push_back(std::move(task));
+  queue_->changed.notify_all();
+  if (!thread_.joinable()) thread_ = std::thread([queue = queue_] { work(queue); });
+}
+
+void Background::work(const std::shared_ptr<Queue>& queue) {
+  std::unique_lock lock(queue->mutex);
+  while (true) {
+    queue->changed.wait(lock, [&] { return queue->is_closed || !queue->tasks.empty(); });
+    if (queue->tasks.empty()) break;
+    Task task = std::move(queue->tasks.front());
+    queue->tasks.pop_front();
+    lock.unlock();
+    task();
+    task = nullptr;
+    lock.lock();
+  }
+  queue->is_done = true;
+  queue->changed.notify_all();
+}
+
+}  // namespace tendon::gui

@@ -1,0 +1,48 @@
+#include <gcm_gui/files/background.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <future>
+#include <memory>
+#include <string>
+
+namespace tendon::gui {
+namespace {
+
+constexpr std::chrono::milliseconds kAMoment{20};
+constexpr std::chrono::minutes kLongForBackground{1};
+
+TEST(Background, TheEndWaitsForWhatWasAskedFor) {
+  std::string done;
+  {
+    Background background("a test");
+    background.start([&] { done += 'a'; });
+    background.start([&] { done += 'b'; });
+  }
+
+  EXPECT_EQ(done, "ab");
+}
+
+TEST(Background, TheEndDoesNotWaitForEverAndSaysWhatIsLeftBehind) {
+  const auto go = std::make_shared<std::promise<void>>();
+  const auto end = std::make_shared<std::promise<void>>();
+  std::promise<void> begun;
+  testing::internal::CaptureStderr();
+  {
+    Background background("a test", kAMoment);
+    background.start([&begun, go, end] {
+      begun.set_value();
+      go->get_future().wait();
+      end->set_value();
+    });
+    begun.get_future().wait();
+  }
+  const std::string said = testing::internal::GetCapturedStderr();
+
+  EXPECT_EQ(said, "gcm-gui: a test was not finished: it took longer than 20 ms\n");
+  go->set_value();  // and it goes on
+  EXPECT_EQ(end->get_future().wait_for(kLongForBackground), std::future_status::ready);
+}
+
+}  // namespace
+}  // namespace tendon::gui
