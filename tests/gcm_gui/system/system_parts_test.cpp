@@ -8,6 +8,8 @@
 #include <QAbstractItemModelTester>
 #include <string>
 
+#include "support/fakes.h"
+
 namespace tendon::gui {
 namespace {
 
@@ -86,6 +88,35 @@ TEST(DiffModel, EachDifferenceHasItsSignItsWordAndASentence) {
   EXPECT_EQ(model.index(1).data(kTrailRole), QStringLiteral("only running"));
   EXPECT_EQ(model.index(2).data(Qt::AccessibleTextRole),
             QStringLiteral("component desk/hand: changed class A -> B"));
+}
+
+TEST(PlanModel, EachStepSaysHowItWent) {
+  const CatalogueStore store;
+  const SystemDocument document(store);
+  ScriptedPlans runner;
+  Restore restore(document, runner);
+  PlanModel model;
+  const QAbstractItemModelTester tester(&model);
+  SystemFile wanted = ArmSystem();
+  for (auto& process : wanted.processes) process.start = SystemFile::Start{};
+
+  restore.preview(wanted, QStringLiteral("arm.json"));
+  model.show(restore);
+  ASSERT_GE(model.rowCount(), 2);
+  const int steps = static_cast<int>(restore.plan().steps.size());
+  const int first = model.rowCount() - steps;  // after what is in its way
+  EXPECT_EQ(model.row(first).kind, PlanLine::Kind::kWaiting);
+
+  restore.execute(AfterError::kStop);
+  runner.progress(1, {.fate = StepOutcome::Fate::kDone, .reason = {}});
+  runner.progress(2, {.fate = StepOutcome::Fate::kFailed, .reason = "it does not fit"});
+  model.show(restore);
+  EXPECT_EQ(model.row(first).kind, PlanLine::Kind::kDone);
+  EXPECT_EQ(model.row(first + 1).kind, PlanLine::Kind::kFailed);
+  EXPECT_TRUE(model.index(first + 1)
+                  .data(Qt::AccessibleTextRole)
+                  .toString()
+                  .endsWith("it does not fit, failed"));
 }
 
 TEST(DiffModel, TheSummaryCountsAll) {
