@@ -6,22 +6,17 @@
 #include <algorithm>
 
 namespace tendon {
-namespace {
 
-/// Whether an answer may yet come that waits behind a large message, at either end.
 bool MayBeHeldUp(const Channel& channel, SteadyTime now, std::chrono::milliseconds silence) {
   return now - std::max(channel.last_part(), LargeInHand::Last(now)) < silence;
 }
 
-}  // namespace
-
 void WatchOver(const std::shared_ptr<Worker>& worker, const std::shared_ptr<Channel>& channel,
                const HearTime& hear_time) {
   constexpr std::chrono::milliseconds kBetweenQuestions(500);
-  static constexpr std::chrono::milliseconds kSilence(1500);
   if (!channel->is_open()) return;
   Ask<message::Pong>(
-      *worker, channel, message::kPing, None{}, kSilence,
+      *worker, channel, message::kPing, None{}, kLongestPeerSilence,
       [weak = std::weak_ptr(channel), hear_time,
        sent = SteadyClock().Now()](const Result<message::Pong>& answer) {
         if (answer && hear_time) {
@@ -29,7 +24,8 @@ void WatchOver(const std::shared_ptr<Worker>& worker, const std::shared_ptr<Chan
         }
         if (answer || answer.error().code != ErrorCode::kTimeout) return;
         const auto silent = weak.lock();
-        if (silent && !MayBeHeldUp(*silent, SteadyClock().Now(), kSilence)) silent->Close();
+        if (silent && !MayBeHeldUp(*silent, SteadyClock().Now(), kLongestPeerSilence))
+          silent->Close();
       },
       kOwnLane);
   worker->PostAfter(kBetweenQuestions, [weak_worker = std::weak_ptr(worker),

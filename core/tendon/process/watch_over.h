@@ -4,10 +4,18 @@
 #include <tendon/middleware/channel.h>
 #include <tendon/process/worker.h>
 
+#include <chrono>
 #include <functional>
 #include <memory>
 
 namespace tendon {
+
+/// After so long without a word the program at the other end is taken for one that hangs.
+inline constexpr std::chrono::milliseconds kLongestPeerSilence(1500);
+
+/// Whether a word may yet come that waits behind a large message, at either end.
+[[nodiscard]] bool MayBeHeldUp(const Channel& channel, SteadyTime now,
+                               std::chrono::milliseconds silence);
 
 /// Hears when a question was sent and its answer arrived, by our clock, and what the other process'
 /// steady clock showed in between. In a thread of the middleware.

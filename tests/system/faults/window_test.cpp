@@ -120,14 +120,17 @@ TEST_P(WindowFault, OneThatIsKilledIsMissedByNobodyAndTheNextShowsTheSame) {
   ExpectHonestCommands();
 }
 
-/// Row 28: hung. Its link stands, so that it goes on where it was; what it does not take costs
-/// nothing.
-TEST_P(WindowFault, OneThatHangsCostsNobodyAnythingAndGoesOnOnceItIsAwake) {
+/// Row 28: hung. It is given up like one that was killed, and heals once it is awake.
+TEST_P(WindowFault, OneThatHangsIsReleasedCostsNobodyAnythingAndHealsOnceItIsAwake) {
   ASSERT_NO_FATAL_FAILURE(StartSystem());
+  const Footprint alone = FootprintOf(robot_->pid());
   const auto window = OpenWindow();
   ASSERT_TRUE(Shows(*window)) << window->err();
 
   window->Signal(SIGSTOP);
+  const Stopwatch since_stop;
+  EXPECT_TRUE(EventuallyReleases(alone));
+  const long released = since_stop.milliseconds();
   ASSERT_TRUE(Flows(kRows));
   const Footprint before = FootprintOf(robot_->pid());
   ASSERT_TRUE(Flows(static_cast<std::uint64_t>(Size(2, 60)) * 1000));
@@ -138,7 +141,7 @@ TEST_P(WindowFault, OneThatHangsCostsNobodyAnythingAndGoesOnOnceItIsAwake) {
 
   window->Signal(SIGCONT);
   EXPECT_TRUE(Shows(*window)) << window->err();
-  Tell("hung: " + ToString(stream_->verdict()));
+  Tell("hung: released after " + std::to_string(released) + " ms; " + ToString(stream_->verdict()));
   ExpectNoRowLost();
   ExpectNeverLost("robot");
   ExpectHonestCommands();

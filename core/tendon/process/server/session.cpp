@@ -25,7 +25,10 @@ void Session::OnAllowedRequest(const SharedChannel& channel, const FrameHeader& 
   if (type == message::kRead || type == message::kWait) {
     return Call(header, body, std::move(responder));
   }
-  if (type == message::kPing) return responder.Reply(EncodeBody(PongOfNow()), kOwnLane);
+  if (type == message::kPing) {
+    watch_->Hear();
+    return responder.Reply(EncodeBody(PongOfNow()), kOwnLane);
+  }
   if (type == message::kOpenInterface) return OpenInterface(body, std::move(responder));
   if (type == message::kOpenMarked) return OpenMarked(body, std::move(responder));
   if (type == message::kListen) return Listen(body, std::move(responder));
@@ -169,6 +172,7 @@ void Session::Subscribe(MessageType type, const SharedChannel& channel, Body bod
                         Responder responder) {
   const auto wanted = DecodeBody<message::Subscribe>(body);
   if (!wanted) return responder.Refuse(wanted.error());
+  if (channel->protocol_version() >= ViewerWatch::kOldestPunctual) watch_->Begin(channel);
   services_.context.worker->Post([&services = services_, type, channel, wanted = *wanted,
                                   shared = std::make_shared<Responder>(std::move(responder))] {
     if (type == message::kJoinTopic) return services.telemetry.JoinTopic(channel, wanted, *shared);

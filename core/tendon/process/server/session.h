@@ -4,6 +4,7 @@
 #include <tendon/process/access/guarded_handler.h>
 #include <tendon/process/server/member_calls.h>
 #include <tendon/process/server/served_connections.h>
+#include <tendon/process/server/viewer_watch.h>
 #include <tendon/process/telemetry/telemetry_server.h>
 
 #include <functional>
@@ -54,6 +55,8 @@ class Session final : public GuardedHandler {
 
   Services& services_;
   const std::shared_ptr<Client> client_ = std::make_shared<Client>();
+  const std::shared_ptr<ViewerWatch> watch_ =
+      std::make_shared<ViewerWatch>(services_.context.worker);
 };
 
 }  // namespace tendon

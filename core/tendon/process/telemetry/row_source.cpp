@@ -87,7 +87,7 @@ Result<void> RowSource::Open() {
 
 /// Each sign of life tells the time, the first before any rows come.
 void RowSource::MeasureClock() {
-  WatchOver(worker_, channel_,
+  WatchOver(pulse_, channel_,
             [weak = weak_from_this()](SteadyTime sent, SteadyTime there, SteadyTime arrived) {
               const auto self = weak.lock();
               if (!self) return;

@@ -35,8 +35,13 @@ class RowSource final : public ChannelHandler, public std::enable_shared_from_th
     std::shared_ptr<std::map<std::string, SteadyTime>> failed_brokers =
         std::make_shared<std::map<std::string, SteadyTime>>();
   };
-  RowSource(const Access& access, std::shared_ptr<Worker> worker, std::string process)
-      : access_(access), worker_(std::move(worker)), process_(std::move(process)) {}
+  /// `pulse` shows the process that we live, while the worker waits for another one.
+  RowSource(const Access& access, std::shared_ptr<Worker> worker, std::shared_ptr<Worker> pulse,
+            std::string process)
+      : access_(access),
+        worker_(std::move(worker)),
+        pulse_(std::move(pulse)),
+        process_(std::move(process)) {}
 
   void Add(const std::shared_ptr<RowSubscription>& subscription);
   /// Ends it there; here it must have been ended before.
@@ -99,6 +104,7 @@ class RowSource final : public ChannelHandler, public std::enable_shared_from_th
 
   const Access& access_;  // on the worker only: a channel that is closed later may outlive it
   const std::shared_ptr<Worker> worker_;
+  const std::shared_ptr<Worker> pulse_;
   const std::string process_;
   std::shared_ptr<Channel> channel_;
   std::vector<Item> items_;

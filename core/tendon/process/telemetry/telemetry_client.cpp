@@ -17,6 +17,7 @@ class ChannelTelemetryClient final : public TelemetryClient {
   ~ChannelTelemetryClient() override {
     for (const auto& [id, subscription] : subscriptions_) subscription->End();
     worker_->Stop();
+    pulse_->Stop();
     for (const auto& [process, source] : sources_) source->Close();
   }
 
@@ -58,12 +59,13 @@ class ChannelTelemetryClient final : public TelemetryClient {
   RowSource& SourceOf(const RowSubscription& subscription) {
     const std::string& process = subscription.wanted().process;
     auto& source = sources_[process];
-    if (!source) source = std::make_shared<RowSource>(access_, worker_, process);
+    if (!source) source = std::make_shared<RowSource>(access_, worker_, pulse_, process);
     return *source;
   }
 
   const RowSource::Access access_;
   const std::shared_ptr<Worker> worker_ = std::make_shared<Worker>("telemetry");
+  const std::shared_ptr<Worker> pulse_ = std::make_shared<Worker>("pulse", "telemetry");
   std::map<std::string, std::shared_ptr<RowSource>> sources_;  // of the worker
   mutable std::mutex mutex_;
   std::map<Id, std::shared_ptr<RowSubscription>> subscriptions_;
