@@ -7,6 +7,7 @@
 namespace tendon::gui {
 
 bool WatchedApplication::notify(QObject* receiver, QEvent* event) {
+  if (depth_ > 0 && event->type() == QEvent::Paint) return paint(receiver, event);
   if (depth_ > 0) return QApplication::notify(receiver, event);
   // Both may be gone afterwards.
   const char* receiver_class = receiver->metaObject()->className();
@@ -15,10 +16,12 @@ bool WatchedApplication::notify(QObject* receiver, QEvent* event) {
     return QStringLiteral("%1 %2").arg(QLatin1String(receiver_class)).arg(type);
   };
   ++depth_;
+  painting_waits_ = 0;
   const auto before = os::ThreadCpuTime();
   const std::int64_t waits_before = os::ThreadWaits();
   const bool handled = QApplication::notify(receiver, event);
-  const std::int64_t waits = os::ThreadWaits() - waits_before;
+  const std::int64_t waits =
+      type == QEvent::Paint ? 0 : os::ThreadWaits() - waits_before - painting_waits_;
   const auto used = os::ThreadCpuTime() - before;
   --depth_;
   if (used > longest_) {
@@ -31,6 +34,15 @@ bool WatchedApplication::notify(QObject* receiver, QEvent* event) {
       waiters_.append(QStringLiteral("%1 · %2 times").arg(name()).arg(waits));
     }
   }
+  return handled;
+}
+
+bool WatchedApplication::paint(QObject* receiver, QEvent* event) {
+  const std::int64_t before = os::ThreadWaits();
+  const std::int64_t waits_so_far = painting_waits_;
+  const bool handled = QApplication::notify(receiver, event);
+  // Those of what is painted within are among them.
+  painting_waits_ = waits_so_far + os::ThreadWaits() - before;
   return handled;
 }
 

@@ -8,7 +8,8 @@ namespace tendon::gui {
 
 /// The application, which notes how much processor time its longest event handler took, and how
 /// often handlers have waited. Waiting for the processor does not count, so a busy machine does not
-/// look like a stall; nor does the event loop's own waiting for the next event.
+/// look like a stall; nor does the event loop's own waiting for the next event, nor what Qt waits
+/// while it paints: it shares large areas with threads of its own.
 class WatchedApplication : public QApplication {
   Q_OBJECT
 
@@ -30,10 +31,13 @@ class WatchedApplication : public QApplication {
  private:
   static constexpr qsizetype kMostWaiters = 20;
 
+  bool paint(QObject* receiver, QEvent* event);
+
   int depth_ = 0;
   std::chrono::nanoseconds longest_{0};
   QString longest_name_;
   std::int64_t waits_ = 0;
+  std::int64_t painting_waits_ = 0;  // in the handler that runs
   QStringList waiters_;
 };
 
