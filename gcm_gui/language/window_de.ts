@@ -2321,6 +2321,14 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <source>Start or stop</source>
         <translation>Starten oder beenden</translation>
     </message>
+    <message>
+        <source>It ends what the component does: hold the button for 0.4 s</source>
+        <translation>Es beendet, was die Komponente tut: den Knopf 0,4 s lang halten</translation>
+    </message>
+    <message>
+        <source>It ends what the component does: hold the button for 0.4 s, or press Enter</source>
+        <translation>Es beendet, was die Komponente tut: den Knopf 0,4 s lang halten oder die Eingabetaste drücken</translation>
+    </message>
 </context>
 <context>
     <name>tendon::gui::Words::Words</name>

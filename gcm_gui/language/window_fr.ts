@@ -2321,6 +2321,14 @@ Possède %1 des commandes et événements requis.</translation>
         <source>Start or stop</source>
         <translation>Démarrer ou arrêter</translation>
     </message>
+    <message>
+        <source>It ends what the component does: hold the button for 0.4 s</source>
+        <translation>Cela met fin à ce que fait le composant : maintenir le bouton 0,4 s</translation>
+    </message>
+    <message>
+        <source>It ends what the component does: hold the button for 0.4 s, or press Enter</source>
+        <translation>Cela met fin à ce que fait le composant : maintenir le bouton 0,4 s ou appuyer sur Entrée</translation>
+    </message>
 </context>
 <context>
     <name>tendon::gui::Words::Words</name>

@@ -19,10 +19,9 @@ bool IsBy(const std::string& who, const std::string& program) {
 std::string Question(const message::HistoryEntry& step, std::int64_t wall_now) {
   const std::string motion =
       IsOfLife(step) ? "; taking it back can set something in motion" : std::string();
-  return "the newest step is '" + ToString(step) + "', by " + step.who + " " +
-         AgeText(wall_now - step.when).toStdString() + " ago" + motion +
-         ". Undo it? Ctrl+Z once more within " + std::to_string(UndoChoice::kPatience.count()) +
-         " s does";
+  return "Ctrl+Z once more within " + std::to_string(UndoChoice::kPatience.count()) +
+         " s takes back '" + ToString(step) + "', by " + step.who + " " +
+         AgeText(wall_now - step.when).toStdString() + " ago" + motion;
 }
 
 }  // namespace

@@ -56,8 +56,7 @@ void SteerCard::ask(LifeVerb verb, const std::vector<Path>& components) {
   head().setTitle(WordOf(verb));
   setAccessibleName(WordOf(verb) + ' ' + names.join(' '));
   names_->setText(names.join('\n'));
-  advice_->setText(
-      Words::tr("It can set something in motion: hold the button for 0.4 s, or press Enter"));
+  advice_->setText(CardAdviceOf(verb));
   button_->setText(HoldWordOf(verb));
   open();
   setFocus(Qt::ShortcutFocusReason);

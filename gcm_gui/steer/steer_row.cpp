@@ -35,8 +35,7 @@ void SteerRow::show(const Catalog& catalogue, const std::string& process,
   for (std::size_t i = 0; i < kSteerVerbs.size(); ++i) {
     const auto checked =
         CheckLife(catalogue, {.verb = kSteerVerbs[i], .process = process, .component = component});
-    buttons_[i]->setToolTip(checked ? Words::tr("It can set something in motion: hold the button "
-                                                "for 0.4 s")
+    buttons_[i]->setToolTip(checked ? ButtonAdviceOf(kSteerVerbs[i])
                                     : ToQString(checked.error().message));
     buttons_[i]->setEnabled(checked.ok());
   }

@@ -3,6 +3,11 @@
 #include <gcm_gui/steer/steer_words.h>
 
 namespace tendon::gui {
+namespace {
+
+bool EndsSomething(LifeVerb verb) { return verb == LifeVerb::kSuspend || verb == LifeVerb::kStop; }
+
+}  // namespace
 
 QString WordOf(LifeVerb verb) {
   switch (verb) {
@@ -32,6 +37,22 @@ QString HoldWordOf(LifeVerb verb) {
     default:
       return WordOf(verb);
   }
+}
+
+QString ButtonAdviceOf(LifeVerb verb) {
+  return EndsSomething(verb)
+             ? Words::tr("It ends what the component does: hold the button for 0.4 s")
+             : Words::tr("It can set something in motion: hold the button for 0.4 s");
+}
+
+QString CardAdviceOf(LifeVerb verb) {
+  return EndsSomething(verb)
+             ? Words::tr(
+                   "It ends what the component does: hold the button for 0.4 s, or press "
+                   "Enter")
+             : Words::tr(
+                   "It can set something in motion: hold the button for 0.4 s, or press "
+                   "Enter");
 }
 
 }  // namespace tendon::gui

@@ -15,5 +15,8 @@ inline constexpr std::array kSteerVerbs{LifeVerb::kStart, LifeVerb::kSuspend, Li
 [[nodiscard]] QString WordOf(LifeVerb verb);
 /// "Hold to start".
 [[nodiscard]] QString HoldWordOf(LifeVerb verb);
+/// What may come of it, and so how it is asked for: "It can set something in motion: hold …".
+[[nodiscard]] QString ButtonAdviceOf(LifeVerb verb);
+[[nodiscard]] QString CardAdviceOf(LifeVerb verb);
 
 }  // namespace tendon::gui

@@ -55,11 +55,11 @@ namespace {
 
 constexpr QSize kWindow{1280, 800};
 constexpr int kCatalogueWidth = 280;
-constexpr int kInspectorWidth = 312;
+constexpr int kInspectorWidth = 336;
 constexpr int kStripHeight = 124;
 constexpr int kLeastCatalogueWidth = 208;
 constexpr int kLeastCentreWidth = 480;
-constexpr int kLeastInspectorWidth = 292;
+constexpr int kLeastInspectorWidth = 334;  // of a form: the panel does not grow for it
 constexpr int kLeastStripHeight = 80;
 constexpr int kRoomToRead = 220;  // of a log, or a console
 constexpr int kPlotsHeight = 268;

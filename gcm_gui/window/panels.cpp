@@ -29,10 +29,10 @@ struct Arrangement {
   double plots;
 };
 constexpr std::array<Arrangement, 4> kArrangements{
-    {{QT_TRANSLATE_NOOP("Words", "Layout for connecting"), {280, 312, 124}, 0.40},
+    {{QT_TRANSLATE_NOOP("Words", "Layout for connecting"), {280, 336, 124}, 0.40},
      {QT_TRANSLATE_NOOP("Words", "Layout for plotting"), {280, 0, 0}, 0.72},
      {QT_TRANSLATE_NOOP("Words", "Layout for operating"), {240, 420, 124}, 0.50},
-     {QT_TRANSLATE_NOOP("Words", "Layout for diagnosing"), {280, 312, 260}, 0.30}}};
+     {QT_TRANSLATE_NOOP("Words", "Layout for diagnosing"), {280, 336, 260}, 0.30}}};
 
 /// As large as wanted when it is first laid out.
 class Page final : public QWidget {

@@ -52,7 +52,7 @@ QRectF PortItem::clickRect() const {
 
 QRectF PortItem::boundingRect() const {
   const double reach = kOuterRing + 2;
-  const QRectF rings(-reach, -reach - kBadge, 2 * reach + kBadge, 2 * reach + kBadge);
+  const QRectF rings(-reach - kBadge, -reach - kBadge, 2 * (reach + kBadge), 2 * reach + kBadge);
   return clickRect() | rings;
 }
 
@@ -113,7 +113,9 @@ void PortItem::paintRings(QPainter& painter) const {
   painter.setPen(QPen(theme.color(Token::kAccent, 0.35), 1));
   painter.drawEllipse(QPointF(), kOuterRing, kOuterRing);
   if (number_ == 0) return;
-  const QRectF badge(8, -8 - kBadge - 2, kBadge, kBadge);
+  // Outside the node, whose name it would hide.
+  const bool left = picture_.port.side == Side::kRequired;
+  const QRectF badge(left ? -8 - kBadge : 8, -8 - kBadge - 2, kBadge, kBadge);
   painter.setPen(Qt::NoPen);
   painter.setBrush(theme.color(Token::kAccent));
   painter.drawRoundedRect(badge, 4, 4);

@@ -41,6 +41,8 @@ SteerCommands::SteerCommands(const CatalogueStore& store, Selection& selection,
   menu_->setToolTipsVisible(true);
   connect(card_, &SteerCard::confirmed, this, &SteerCommands::carryOut);
   connect(card_, &OverlayCard::notice, this, &SteerCommands::notice);
+  connect(menu_, &QMenu::aboutToShow, this, &SteerCommands::disableRefused);
+  connect(menu_, &QMenu::aboutToHide, this, &SteerCommands::enableRefused);
 }
 
 void SteerCommands::addCommands(Commands& commands) {
@@ -69,6 +71,37 @@ std::vector<Path> SteerCommands::selectedComponents() const {
     }
   }
   return components;
+}
+
+QString SteerCommands::refusalOf(LifeVerb verb) const {
+  QString first;
+  for (const Path& one : selectedComponents()) {
+    const auto checked = CheckLife(
+        store_.catalogue(), {.verb = verb, .process = one.process, .component = one.component});
+    if (checked) return {};
+    if (first.isEmpty()) first = ToQString(checked.error().message);
+  }
+  return first;
+}
+
+void SteerCommands::disableRefused() {
+  for (std::size_t i = 0; i < kSteerVerbs.size(); ++i) {
+    QAction* action = own_[static_cast<qsizetype>(i)];
+    const QString refusal = refusalOf(kSteerVerbs[i]);
+    if (refusal.isEmpty() || !action->isEnabled()) continue;
+    action->setEnabled(false);
+    action->setToolTip(refusal);
+    refused_.append(action);
+  }
+}
+
+/// Their keys say why.
+void SteerCommands::enableRefused() {
+  for (QAction* action : refused_) {
+    action->setEnabled(true);
+    action->setToolTip({});
+  }
+  refused_.clear();
 }
 
 void SteerCommands::ask(LifeVerb verb) {

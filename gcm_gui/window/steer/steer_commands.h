@@ -46,6 +46,11 @@ class SteerCommands : public QObject {
  private:
   /// Each once, in the order of selecting.
   [[nodiscard]] std::vector<Path> selectedComponents() const;
+  /// Why none of what is selected would do it; empty where one would.
+  [[nodiscard]] QString refusalOf(LifeVerb verb) const;
+  /// While the menu of a component is open.
+  void disableRefused();
+  void enableRefused();
   void carryOut(LifeVerb verb, const std::vector<Path>& components);
 
   const CatalogueStore& store_;
@@ -54,6 +59,7 @@ class SteerCommands : public QObject {
   SteerCard* card_;
   QMenu* menu_;
   QList<QAction*> own_;
+  QList<QAction*> refused_;  // while the menu is open
 };
 
 }  // namespace tendon::gui

@@ -1,6 +1,7 @@
 #include <gcm_gui/call/hold_button.h>
 #include <gcm_gui/graph/graph_view.h>
 #include <gcm_gui/graph/items/component_item.h>
+#include <gcm_gui/graph/layout/node_metrics.h>
 #include <gcm_gui/steer/steer_card.h>
 #include <gcm_gui/views/catalogue_panel.h>
 #include <gcm_gui/views/catalogue_tree.h>
@@ -130,13 +131,17 @@ TEST_F(SteerTest, ARowAndACardOfTheGraphHaveTheirMenu) {
                     tree.visibleRows().value("robot/arm").center());
   QMenu* menu = MenuAt(*tree.viewport(), tree.visibleRows().value("robot/arm").center());
   ASSERT_NE(menu, nullptr);
+  EXPECT_FALSE(window_.findChild<QAction*>("Start")->isEnabled()) << "it is active";
+  EXPECT_FALSE(window_.findChild<QAction*>("Start")->toolTip().isEmpty());
   Choose(*menu, "Stop");
   EXPECT_TRUE(card().isVisible());
+  EXPECT_TRUE(window_.findChild<QAction*>("Start")->isEnabled()) << "its key says why";
   card().close();
 
   GraphView& graph = window_.graph();
   const QRectF place = graph.graph().component("desk/host_monitor")->sceneRect();
-  menu = MenuAt(*graph.viewport(), graph.mapFromScene(place.center()));
+  const QPointF title = place.topLeft() + QPointF(kNodeHead, kNodeHead / 2);
+  menu = MenuAt(*graph.viewport(), graph.mapFromScene(title));
   ASSERT_NE(menu, nullptr);
   EXPECT_EQ(window_.selection().current(), "desk/host_monitor");
   Choose(*menu, "Stop");
