@@ -5,7 +5,9 @@
 #include <gcm_gui/graph/items/card_item.h>
 #include <gcm_gui/graph/items/component_item.h>
 #include <gcm_gui/graph/items/process_item.h>
+#include <gcm_gui/graph/layout/layout_worker.h>
 #include <gcm_gui/graph/layout/node_metrics.h>
+#include <gcm_gui/graph/places/glide.h>
 #include <gcm_gui/graph/places/graph_places.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/state_of.h>
@@ -60,6 +62,8 @@ GraphScene::GraphScene(const CatalogueStore& store, const Selection& selection,
       store_(store),
       selection_(selection),
       mode_(mode),
+      layout_(new LayoutWorker(this)),
+      glide_(new Glide(this)),
       preview_(new EdgeItem),
       emphasis_(new Emphasis(*this)),
       hover_(new GraphHover(*this, *emphasis_, mode)),
@@ -75,6 +79,8 @@ GraphScene::GraphScene(const CatalogueStore& store, const Selection& selection,
   connect(&selection, &Selection::changed, this, &GraphScene::showSelection);
   connect(&mode, &ConnectMode::changed, this, &GraphScene::showMode);
   connect(places_, &GraphPlaces::changed, this, &GraphScene::showPlaces);
+  connect(layout_, &LayoutWorker::arranged, this, &GraphScene::showArrangement);
+  connect(glide_, &Glide::moved, this, [this] { showItems(true); });
   Touched all;
   for (const auto& [name, entry] : store.catalogue().processes()) all.insert({name, {}});
   showCatalogue(store.catalogue(), all);
@@ -104,9 +110,19 @@ const EdgeItem* GraphScene::edge(const QString& required) const {
   return it == edges_.end() ? nullptr : it->second;
 }
 
+bool GraphScene::isArranging() const { return layout_->isAtWork(); }
+
 void GraphScene::showCatalogue(const Catalog& catalogue, const Touched& touched) {
-  const GraphPicture& picture = updater_.update(catalogue, touched);
-  showItems(layout_.update(picture));
+  layout_->arrange(updater_.update(catalogue, touched), placesByHand());
+  if (layout_->isAtWork()) showItems(false);  // what has a place already
+}
+
+/// What is under way by hand is where the hand is.
+void GraphScene::showArrangement(bool moved) {
+  if (moved) {
+    carried_.empty() ? glide_->goTo(layout_->arrangement()) : glide_->putAt(layout_->arrangement());
+  }
+  showItems(moved);
 }
 
 void GraphScene::showItems(bool moved) {
@@ -118,12 +134,13 @@ void GraphScene::showItems(bool moved) {
   Q_EMIT shown();
 }
 
-void GraphScene::showPlaces() {
+std::map<QString, QPointF> GraphScene::placesByHand() const {
   auto places = carried_;
   places.insert(places_->all().begin(), places_->all().end());
-  layout_.setPlaces(std::move(places));
-  showItems(layout_.update(updater_.picture()));
+  return places;
 }
+
+void GraphScene::showPlaces() { layout_->move(updater_.picture(), placesByHand()); }
 
 void GraphScene::carry(const std::map<QString, QPointF>& places) {
   if (places == carried_) return;
@@ -143,18 +160,23 @@ void GraphScene::showProcesses() {
   std::set<QString> processes;
   std::set<QString> components;
   bool other_ports = false;
+  const Arrangement& now = glide_->now();
   for (const auto& process : updater_.picture().processes) {
+    const auto rect = now.boxes.constFind(process.name);
+    if (rect == now.boxes.constEnd()) continue;
     processes.insert(process.name);
     ProcessItem*& box = processes_[process.name];
     if (box == nullptr) addItem(box = new ProcessItem);
     box->setNow(now_);
-    box->show(process, layout_.process(process.name));
+    box->show(process, *rect);
     const bool stale = outdated_ || IsGone(process.state);
     for (const auto& node : process.nodes) {
+      const auto place = now.nodes.constFind(node.path);
+      if (place == now.nodes.constEnd()) continue;
       components.insert(node.path);
       ComponentItem*& item = components_[node.path];
       if (item == nullptr) addItem(item = new ComponentItem);
-      if (item->show(node, layout_.node(node.path), stale)) other_ports = true;
+      if (item->show(node, *place, stale)) other_ports = true;
     }
   }
   ForgetBut(processes_, processes);

@@ -2,7 +2,6 @@
 
 #include <gcm_gui/connect/connect_mode.h>
 #include <gcm_gui/graph/items/edge_item.h>
-#include <gcm_gui/graph/layout/graph_layout.h>
 #include <gcm_gui/graph/layout/picture_updater.h>
 #include <gcm_gui/models/selection.h>
 #include <gcm_gui/session/catalogue_store.h>
@@ -23,8 +22,10 @@ class CardItem;
 class CardPlace;
 class ComponentItem;
 class Emphasis;
+class Glide;
 class GraphHover;
 class GraphPlaces;
+class LayoutWorker;
 class PortItem;
 class ProcessItem;
 
@@ -48,6 +49,8 @@ class GraphScene : public QGraphicsScene {
   /// Of the connection of a required interface, or of one that was refused; null without either.
   [[nodiscard]] const EdgeItem* edge(const QString& required) const;
   [[nodiscard]] const std::vector<CardItem*>& cards() const { return cards_; }
+  /// Places are looked for; what has come has none yet.
+  [[nodiscard]] bool isArranging() const;
   /// Around all nodes and boxes.
   [[nodiscard]] QRectF contents() const { return contents_; }
   [[nodiscard]] Emphasis& emphasis() const { return *emphasis_; }
@@ -90,8 +93,10 @@ class GraphScene : public QGraphicsScene {
  private:
   void showCatalogue(const Catalog& catalogue, const Touched& touched);
   void showItems(bool moved);
+  void showArrangement(bool moved);
   void showContents();
   void showPlaces();
+  [[nodiscard]] std::map<QString, QPointF> placesByHand() const;
   void showProcesses();
   void showEdges();
   void showSelection();
@@ -107,7 +112,8 @@ class GraphScene : public QGraphicsScene {
   const Selection& selection_;
   const ConnectMode& mode_;
   PictureUpdater updater_;
-  GraphLayout layout_;
+  LayoutWorker* layout_;
+  Glide* glide_;
   std::map<QString, ProcessItem*> processes_;
   std::map<QString, ComponentItem*> components_;
   std::map<PortName, PortItem*> ports_;

@@ -1,9 +1,7 @@
 #include <gcm_gui/graph/layout/free_room.h>
 #include <gcm_gui/graph/layout/graph_layout.h>
 #include <gcm_gui/graph/layout/node_metrics.h>
-#include <gcm_gui/theme/theme.h>
 
-#include <QFontMetricsF>
 #include <algorithm>
 #include <set>
 #include <string>
@@ -18,11 +16,6 @@ using graph::LayerEdge;
 constexpr ColumnLayout::Spacing kNodeSpacing{56, 12};
 constexpr ColumnLayout::Spacing kProcessSpacing{48, 16};
 constexpr graph::Size kEmptyProcess{128, 24};
-constexpr double kTitleSlack = 96;  // for " · lost 12 min"
-
-double WidthOfTitle(const QString& process) {
-  return QFontMetricsF(Theme::instance().strong()).horizontalAdvance(process) + kTitleSlack;
-}
 
 QString ProcessOf(const QString& path) { return path.section('/', 0, 0); }
 
@@ -97,7 +90,7 @@ bool GraphLayout::update(const GraphPicture& picture) {
   for (const auto& process : picture.processes) {
     if (arrangeNodes(process)) moved = true;
     graph::Size size = process.nodes.empty() ? kEmptyProcess : insides_.at(process.name).size();
-    size.width = std::max(size.width, WidthOfTitle(process.name));
+    size.width = std::max(size.width, process.title_width);
     size.width += 2 * kProcessInset;
     size.height += kProcessHead + kProcessInset;
     blocks.push_back({process.name.toStdString(), size, !process.nodes.empty()});
@@ -130,7 +123,8 @@ void GraphLayout::placeNodes(const ProcessPicture& process, const QRectF& box) {
   const QPointF origin = box.topLeft() + QPointF(kProcessInset, kProcessHead);
   const ColumnLayout& inside = insides_.at(process.name);
   for (const auto& node : process.nodes) {
-    nodes_.insert(node.path, RectOf(inside.rect(node.path.toStdString())).translated(origin));
+    arrangement_.nodes.insert(node.path,
+                              RectOf(inside.rect(node.path.toStdString())).translated(origin));
   }
 }
 
@@ -139,24 +133,26 @@ QRectF GraphLayout::placeByHand(const ProcessPicture& process) {
   FreeRoom room({kNodeSpacing.columns, kNodeSpacing.rows});
   QRectF all;
   const auto put = [&](const QString& path, const QRectF& rect) {
-    nodes_.insert(path, rect);
+    arrangement_.nodes.insert(path, rect);
     room.Take(rect);
     all |= rect;
   };
   for (const auto& node : process.nodes) {
     const auto place = places_.find(node.path);
-    if (place != places_.end()) put(node.path, {place->second, nodes_.value(node.path).size()});
+    if (place == places_.end()) continue;
+    put(node.path, {place->second, arrangement_.nodes.value(node.path).size()});
   }
   for (const auto& node : process.nodes) {
-    if (!places_.contains(node.path)) put(node.path, room.Beside(nodes_.value(node.path)));
+    if (places_.contains(node.path)) continue;
+    put(node.path, room.Beside(arrangement_.nodes.value(node.path)));
   }
-  all.setWidth(std::max(all.width(), WidthOfTitle(process.name)));
+  all.setWidth(std::max(all.width(), process.title_width));
   return all.adjusted(-kProcessInset, -kProcessHead, kProcessInset, kProcessInset);
 }
 
 void GraphLayout::placeAll(const GraphPicture& picture) {
-  boxes_.clear();
-  nodes_.clear();
+  arrangement_.boxes.clear();
+  arrangement_.nodes.clear();
   FreeRoom room({kProcessSpacing.columns, kProcessSpacing.rows});
   bool any_by_hand = false;
   std::vector<const ProcessPicture*> others;
@@ -167,13 +163,13 @@ void GraphLayout::placeAll(const GraphPicture& picture) {
     }
     any_by_hand = true;
     const QRectF box = placeByHand(process);
-    boxes_.insert(process.name, box);
+    arrangement_.boxes.insert(process.name, box);
     room.Take(box);
   }
   for (const ProcessPicture* process : others) {
     QRectF box = columnRect(process->name);
     if (any_by_hand) room.Take(box = room.Beside(box));
-    boxes_.insert(process->name, box);
+    arrangement_.boxes.insert(process->name, box);
     placeNodes(*process, box);
   }
 }

@@ -12,6 +12,12 @@
 
 namespace tendon::gui {
 
+/// Where everything of a graph stands.
+struct Arrangement {
+  QHash<QString, QRectF> boxes;  ///< of processes, by name
+  QHash<QString, QRectF> nodes;  ///< of components, by path; in the same coordinates
+};
+
 /// Where everything stands: processes in columns, and in each its components in columns, except for
 /// those that the user has put somewhere. Stable: an update moves only what it is about, and what
 /// the user has put somewhere stays there; what is in its way steps aside.
@@ -25,9 +31,9 @@ class GraphLayout {
   /// next update() on.
   void setPlaces(std::map<QString, QPointF> places);
 
-  [[nodiscard]] QRectF process(const QString& name) const { return boxes_.value(name); }
-  /// Of a component, by path; in the same coordinates as the processes.
-  [[nodiscard]] QRectF node(const QString& path) const { return nodes_.value(path); }
+  [[nodiscard]] const Arrangement& arrangement() const { return arrangement_; }
+  [[nodiscard]] QRectF process(const QString& name) const { return arrangement_.boxes.value(name); }
+  [[nodiscard]] QRectF node(const QString& path) const { return arrangement_.nodes.value(path); }
 
  private:
   void takeAffinities(const std::vector<Affinity>& affinities);
@@ -40,10 +46,9 @@ class GraphLayout {
 
   std::map<QString, graph::ColumnLayout> insides_;  // of each process
   graph::ColumnLayout processes_;
-  std::map<QString, QPointF> places_;                // by hand
-  bool other_places_ = false;                        // since the last update
-  QHash<QString, QRectF> boxes_;                     // of processes, by name
-  QHash<QString, QRectF> nodes_;                     // of components, by path
+  std::map<QString, QPointF> places_;  // by hand
+  bool other_places_ = false;          // since the last update
+  Arrangement arrangement_;
   std::vector<Affinity> affinities_;                 // the last ones, and sorted by process:
   std::map<QString, std::vector<Affinity>> inside_;  // between components of one
   std::vector<Affinity> across_;                     // between two

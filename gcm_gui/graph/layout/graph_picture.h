@@ -43,6 +43,7 @@ struct ProcessPicture {
   ProcessState state = ProcessState::kAlive;
   std::int64_t since = 0;
   std::vector<NodePicture> nodes;
+  double title_width = 0;  ///< what its title needs, with the theme's fonts
 };
 
 /// Data can run from a provided interface of one component to a required one of the other.

@@ -11,6 +11,7 @@ namespace tendon::gui {
 namespace {
 
 constexpr double kLeastWidth = 104;
+constexpr double kTitleSlack = 96;  // for " · lost 12 min"
 
 double WidestName(const std::vector<PortPicture>& ports, const QFontMetricsF& metrics) {
   double widest = 0;
@@ -33,6 +34,10 @@ QSizeF SizeOf(const NodePicture& node) {
   const double width = std::max(kLeastWidth, content + kGrid);
   const auto rows = static_cast<double>(std::max(node.required.size(), node.provided.size()));
   return {std::ceil(width / kGrid) * kGrid, kNodeHead + rows * kPortPitch + kNodeTail};
+}
+
+double WidthOfTitle(const QString& process) {
+  return QFontMetricsF(Theme::instance().strong()).horizontalAdvance(process) + kTitleSlack;
 }
 
 QPointF PortCentre(const QRectF& node, Side side, int index) {

@@ -30,6 +30,9 @@ inline constexpr double kReadout = 8;
 /// What a node needs with the fonts of the theme.
 [[nodiscard]] QSizeF SizeOf(const NodePicture& node);
 
+/// What the title of a process box needs, however long it has been lost.
+[[nodiscard]] double WidthOfTitle(const QString& process);
+
 /// The middle of a port's disc. `index` counts the ports of its side from above.
 [[nodiscard]] QPointF PortCentre(const QRectF& node, Side side, int index);
 

@@ -82,7 +82,11 @@ void PictureUpdater::updatePart(const Catalog& catalogue, const ConnectionIndex&
     return;
   }
   if (!known || part.component.empty()) {
-    ProcessPicture fresh{ToQString(part.process), entry->process.state, entry->process.since, {}};
+    ProcessPicture fresh{ToQString(part.process),
+                         entry->process.state,
+                         entry->process.since,
+                         {},
+                         WidthOfTitle(ToQString(part.process))};
     for (const auto& [name, component] : entry->components) {
       fresh.nodes.push_back(NodeOf(connections, part.process, component));
     }

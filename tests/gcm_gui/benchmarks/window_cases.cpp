@@ -36,7 +36,9 @@ class LargeWindow {
   void Fill() {
     window_->show();
     store_.replace(catalogue_);
-    while (store_.isTelling()) QCoreApplication::processEvents();
+    while (store_.isTelling() || window_->graph().graph().isArranging()) {
+      QCoreApplication::processEvents();
+    }
     window_->grab();
   }
 

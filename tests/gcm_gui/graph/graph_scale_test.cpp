@@ -29,6 +29,12 @@ class GraphScaleTest : public GraphFixture {
  protected:
   GraphScaleTest() : GraphFixture(LargeSystem(kProcesses, kOfEach)) { view_.resize(1000, 600); }
 
+  void AwaitLayout() {
+    constexpr int kLayoutPatience = 60'000;  // ms
+    ASSERT_TRUE(QTest::qWaitFor([this] { return !store_.isTelling() && !scene_.isArranging(); },
+                                kLayoutPatience));
+  }
+
   template <typename Step>
   void Time(const char* what, Step step) {
     const auto before = os::ThreadCpuTime();
@@ -45,6 +51,7 @@ TEST_F(GraphScaleTest, AThousandComponentsAreShownAndFollowed) {
   view_.show();
   Time("the first of it appears", [&] { Show(); });
   while (store_.isTelling()) Time("more of it appears", [] { QCoreApplication::processEvents(); });
+  AwaitLayout();
   EXPECT_EQ(scene_.components().size(), std::size_t{kProcesses * kOfEach});
 
   ComponentDescription one = *system_.catalog().FindComponent(LargeProcess(5), LargeComponent(5));
@@ -66,6 +73,7 @@ TEST_F(GraphScaleTest, AThousandComponentsAreShownAndFollowed) {
   one.name = "newcomer";
   system_.Component(LargeProcess(5), one);
   Time("a component comes", [&] { Show(); });
+  AwaitLayout();
   EXPECT_NE(scene_.component(QString::fromStdString(LargeProcess(5)) + "/newcomer"), nullptr);
 
   system_.Process(LargeProcess(6), ProcessState::kLost, 1);
@@ -79,7 +87,7 @@ TEST_F(GraphScaleTest, AThousandComponentsAreShownAndFollowed) {
 TEST_F(GraphScaleTest, PanningDrawsLessFromFarAwayAndNearOnlyWhatIsSeen) {
   view_.show();
   Show();
-  while (store_.isTelling()) QCoreApplication::processEvents();
+  AwaitLayout();
   view_.fit();
   const auto ports = scene_.ports();
   const auto are_drawn = [&] {

@@ -14,7 +14,8 @@ int RunTests(int argc, char** argv) {
   qunsetenv("DBUS_SESSION_BUS_ADDRESS");
   const QTemporaryDir runtime;
   qputenv("XDG_RUNTIME_DIR", runtime.path().toLocal8Bit());
-  const Application application(argc, argv);
+  Application application(argc, argv);
+  application.setProperty("tendonStill", true);  // what moves is where it is to be at once
   ::testing::InitGoogleMock(&argc, argv);
   return RUN_ALL_TESTS();
 }

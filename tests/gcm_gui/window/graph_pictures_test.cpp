@@ -63,7 +63,8 @@ TEST_F(GraphPicturesTest, PutElsewhere) {
 TEST_F(GraphPicturesTest, ManyFromFarAway) {
   SystemBuilder large = LargeSystem(12, 20);
   store_.replace(large.catalog());
-  EXPECT_TRUE(QTest::qWaitFor([&] { return !store_.isTelling(); }, kPatience));
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] { return !store_.isTelling() && !window_.graph().graph().isArranging(); }, kPatience));
   window_.graph().fit();
   KeepPictures(window_, "graph-far");
 }

@@ -1,0 +1,66 @@
+#include <gcm_gui/graph/layout/layout_worker.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace tendon::gui {
+namespace {
+
+bool IsSmall(const GraphPicture& picture) {
+  std::size_t components = 0;
+  for (const auto& process : picture.processes) components += process.nodes.size();
+  return std::max(components, picture.processes.size()) <= LayoutWorker::kMostAtOnce;
+}
+
+}  // namespace
+
+LayoutWorker::LayoutWorker(QObject* parent)
+    : QObject(parent),
+      layout_(std::make_shared<GraphLayout>()),
+      courier_(std::make_shared<Courier>(this)) {}
+
+LayoutWorker::~LayoutWorker() { courier_->detach(); }
+
+void LayoutWorker::arrange(const GraphPicture& picture, const Places& places) {
+  if (is_at_work_) {
+    next_ = Order{picture, places};
+  } else if (IsSmall(picture)) {
+    doNow(picture, places);
+  } else {
+    doInThread({picture, places});
+  }
+}
+
+void LayoutWorker::move(const GraphPicture& picture, const Places& places) {
+  if (is_at_work_) {
+    next_ = Order{picture, places};
+  } else {
+    doNow(picture, places);
+  }
+}
+
+void LayoutWorker::doNow(const GraphPicture& picture, const Places& places) {
+  layout_->setPlaces(places);
+  const bool moved = layout_->update(picture);
+  if (moved) arrangement_ = layout_->arrangement();
+  Q_EMIT arranged(moved);
+}
+
+void LayoutWorker::doInThread(Order order) {
+  is_at_work_ = true;
+  thread_.start([this, layout = layout_, courier = courier_, order = std::move(order)] {
+    layout->setPlaces(order.places);
+    const bool moved = layout->update(order.picture);
+    courier->post(
+        [this, moved, arrangement = layout->arrangement()] { finish(moved, arrangement); });
+  });
+}
+
+void LayoutWorker::finish(bool moved, const Arrangement& arrangement) {
+  is_at_work_ = false;
+  arrangement_ = arrangement;
+  Q_EMIT arranged(moved);
+  if (const auto next = std::exchange(next_, std::nullopt)) arrange(next->picture, next->places);
+}
+
+}  // namespace tendon::gui

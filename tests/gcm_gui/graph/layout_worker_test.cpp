@@ -1,0 +1,111 @@
+#include <gcm_gui/graph/items/component_item.h>
+#include <gcm_gui/graph/layout/layout_worker.h>
+#include <gcm_gui/graph/layout/picture_updater.h>
+#include <gcm_gui/graph/places/glide.h>
+#include <gcm_gui/graph/places/graph_places.h>
+#include <gtest/gtest.h>
+
+#include <QCoreApplication>
+#include <QSignalSpy>
+#include <QTest>
+
+#include "graph/graph_fixture.h"
+#include "support/large_system.h"
+
+namespace tendon::gui {
+namespace {
+
+constexpr int kWorkerPatience = 20'000;  // ms
+
+GraphPicture LargePicture() { return PictureOf(LargeSystem(4, 50).catalog()); }
+
+TEST(LayoutWorker, WhatIsSmallIsPlacedAtOnce) {
+  LayoutWorker worker;
+  QSignalSpy arranged(&worker, &LayoutWorker::arranged);
+
+  worker.arrange(PictureOf(LookSystem(0).catalog()), {});
+
+  EXPECT_EQ(arranged.count(), 1);
+  EXPECT_FALSE(worker.isAtWork());
+  EXPECT_TRUE(worker.arrangement().nodes.contains("robot/arm"));
+}
+
+TEST(LayoutWorker, WhatIsLargeIsPlacedInItsThreadAndAsTheLayoutDoes) {
+  const GraphPicture picture = LargePicture();
+  GraphLayout layout;
+  layout.update(picture);
+  LayoutWorker worker;
+  QSignalSpy arranged(&worker, &LayoutWorker::arranged);
+
+  worker.arrange(picture, {});
+  EXPECT_TRUE(worker.isAtWork());
+  EXPECT_EQ(arranged.count(), 0);
+
+  ASSERT_TRUE(QTest::qWaitFor([&] { return arranged.count() == 1; }, kWorkerPatience));
+  EXPECT_FALSE(worker.isAtWork());
+  EXPECT_EQ(worker.arrangement().nodes, layout.arrangement().nodes);
+  EXPECT_EQ(worker.arrangement().boxes, layout.arrangement().boxes);
+}
+
+TEST(LayoutWorker, OfWhatComesMeanwhileTheNewestIsPlaced) {
+  const GraphPicture picture = LargePicture();
+  const QString path = picture.processes.front().nodes.front().path;
+  LayoutWorker worker;
+  QSignalSpy arranged(&worker, &LayoutWorker::arranged);
+
+  worker.arrange(picture, {});
+  worker.arrange(picture, {{path, {-500, -500}}});
+  worker.move(picture, {{path, {-1000, -2000}}});
+
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !worker.isAtWork(); }, kWorkerPatience));
+  EXPECT_EQ(worker.arrangement().nodes.value(path).topLeft(), QPointF(-1000, -2000));
+  EXPECT_EQ(arranged.count(), 2);
+}
+
+TEST(LayoutWorker, OneThatIsGoneIsToldNothing) {
+  auto worker = std::make_unique<LayoutWorker>();
+  worker->arrange(LargePicture(), {});
+
+  worker.reset();
+  QCoreApplication::processEvents();
+}
+
+/// Where the graph moves as it does for people.
+class GlideTest : public GraphFixture {
+ protected:
+  GlideTest() : GraphFixture(LookSystem(0)) {
+    QCoreApplication::instance()->setProperty(Glide::kStill, false);
+    Show();
+  }
+  ~GlideTest() override { QCoreApplication::instance()->setProperty(Glide::kStill, true); }
+
+  [[nodiscard]] QPointF place() const { return scene_.component("robot/arm")->pos(); }
+  bool IsEventuallyAt(const QPointF& point) const {
+    return QTest::qWaitFor([&] { return place() == point; }, kWorkerPatience);
+  }
+};
+
+TEST_F(GlideTest, ResettingTheLayoutIsSeenOnItsWayAndTakenBack) {
+  const QPointF laid_out = place();
+  const QPointF by_hand = laid_out + QPointF(600, 400);
+  scene_.places().move({{"robot/arm", by_hand}});
+  ASSERT_TRUE(IsEventuallyAt(by_hand));
+
+  scene_.places().reset();
+  EXPECT_EQ(place(), by_hand) << "it begins where it was";
+  EXPECT_TRUE(IsEventuallyAt(laid_out));
+
+  scene_.places().undo();
+  EXPECT_TRUE(IsEventuallyAt(by_hand));
+}
+
+TEST_F(GlideTest, WhatTheHandCarriesIsWhereTheHandIs) {
+  const QPointF there = place() + QPointF(100, 300);
+
+  scene_.carry({{"robot/arm", there}});
+
+  EXPECT_EQ(place(), there);
+}
+
+}  // namespace
+}  // namespace tendon::gui
