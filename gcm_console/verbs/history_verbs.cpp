@@ -124,7 +124,7 @@ Result<ExitCode> SayWhatWouldBeUndone(Context& context, const UndoWords& words) 
                                          " is not the newest any more, but " +
                                          tendon::WholeText(newest) + "; see: gcm history"};
   }
-  const auto checked = CheckUndoOf((*client)->catalog(), newest);
+  const auto checked = CheckUndoOf((*client)->catalog(), *history, newest);
   if (!checked) return checked.error();
   Print(context, undone, words.dry_run);
   return program::kOk;

@@ -69,7 +69,7 @@ void LifeOrders::Steer(const LifeOrder& order, const std::string& who, Done<None
   if (auto checked = CheckConfiguration(order); !checked) {
     return Answer(claimed, Result<None>(checked.error()));
   }
-  message::HistoryEntry entry{.verb = std::string(ToString(order.verb)),
+  message::HistoryEntry entry{.verb = StepVerbOf(order),
                               .life = StepOf(catalog, order),
                               .who = who,
                               .instance = InstanceOf(catalog, order.process)};
@@ -110,9 +110,9 @@ void LifeOrders::Record(message::HistoryEntry entry, const Result<LifeOutcome>& 
     answer = Error{ErrorCode::kFailed, "done, but: " + outcome->warning};
   }
   entry.is_unknown = !outcome && IsSilence(outcome.error());
-  const bool is_step = !entry.life.process.empty() && (outcome || entry.is_unknown);
-  if (!is_step) return Answer(done, answer);
   if (outcome) AddOutcome(*outcome, entry);
+  const bool is_step = !entry.life.process.empty() && (outcome || entry.is_unknown);
+  if (!is_step || LeavesAsItWas(entry)) return Answer(done, answer);
   entry.when = WallTime();
   parts_.history.Record(std::move(entry), [done, answer] { done(answer); });
 }

@@ -122,8 +122,16 @@ Result<std::vector<Path>> LookUpComponents(const Catalog& catalog, const std::st
                "no component fits '" + pattern + "'; gcm ls -R lists what there is"};
 }
 
+bool LeavesAsItWas(const HistoryEntry& step) {
+  return step.verb == ToString(LifeVerb::kStart) && step.life.state == ComponentState::kActive;
+}
+
+std::string StepVerbOf(const LifeOrder& order) {
+  return std::string(ToString(order.verb == LifeVerb::kRestart ? LifeVerb::kStart : order.verb));
+}
+
 LifeStep StepOf(const Catalog& catalog, const LifeOrder& order) {
-  if (order.verb == LifeVerb::kLoad || order.verb == LifeVerb::kRestart) return {};
+  if (order.verb == LifeVerb::kLoad) return {};
   LifeStep step{.process = order.process,
                 .component = order.component,
                 .class_name = order.class_name,

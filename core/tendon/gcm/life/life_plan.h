@@ -26,8 +26,14 @@ Result<void> CheckLife(const Catalog& catalog, const message::LifeOrder& order);
 /// there, in the order of their paths. kNotFound where there is none.
 Result<std::vector<Path>> LookUpComponents(const Catalog& catalog, const std::string& pattern);
 
+/// What the history calls an order: a restart of what does not run is a start.
+[[nodiscard]] std::string StepVerbOf(const message::LifeOrder& order);
+
+/// Whether there is nothing to take back: who was active is so after a restart too.
+[[nodiscard]] bool LeavesAsItWas(const message::HistoryEntry& step);
+
 /// What the history must keep of an order that is about to be given. Without a process where it is
-/// not undoable: load, restart.
+/// not undoable: load.
 [[nodiscard]] message::LifeStep StepOf(const Catalog& catalog, const message::LifeOrder& order);
 
 /// Completes the step by what the process says was there before, and how it understood the order.

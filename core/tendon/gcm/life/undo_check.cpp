@@ -7,7 +7,8 @@ namespace tendon {
 namespace {
 
 /// Whether the ends are still as the step left them, and can be as before.
-Result<void> CheckWire(const Catalog& catalog, const message::HistoryEntry& step) {
+Result<void> CheckWire(const Catalog& catalog, const message::History& history,
+                       const message::HistoryEntry& step) {
   const InterfaceName& needed = step.wire.required;
   const std::string required = ToString(needed);
   if (const auto found = LookUpRequired(catalog, needed); !found) return found.error();
@@ -21,6 +22,7 @@ Result<void> CheckWire(const Catalog& catalog, const message::HistoryEntry& step
                  required + " was since connected to " + ToString(now->provided)};
   }
   if (step.verb == "connect" || (step.verb == "disconnect" && now != nullptr)) return {};
+  if (WasPending(catalog, history, step)) return {};
   const bool swaps = step.verb == "replace";
   const auto planned =
       PlanConnect(catalog, {needed, swaps ? step.former : step.wire.provided}, Occupied::kReplaced);
@@ -39,7 +41,32 @@ Error CannotUndoNow(const message::HistoryEntry& step, const std::string& why) {
   return CannotUndo(step, {ErrorCode::kFailed, why + joint + next});
 }
 
-Result<void> CheckUndoOf(const Catalog& catalog, const message::HistoryEntry& step) {
+bool WasPending(const Catalog& catalog, const message::History& history,
+                const message::HistoryEntry& step) {
+  const bool is_replacement = step.verb == "replace";
+  const InterfaceName& provided = is_replacement ? step.former : step.wire.provided;
+  const ProcessEntry* provider = catalog.FindProcess(provided.process);
+  const bool is_of_both = is_replacement || step.verb == "disconnect";
+  if (!is_of_both || provider == nullptr ||
+      catalog.FindComponent(provided.process, provided.component) != nullptr) {
+    return false;
+  }
+  bool was_removed = false;
+  for (const message::HistoryEntry& one : history.entries) {
+    const message::LifeStep& life = one.life;
+    if (one.id >= step.id) break;
+    if (one.undone || one.instance != provider->process.instance ||
+        life.process != provided.process || life.component != provided.component) {
+      continue;
+    }
+    if (one.verb == ToString(LifeVerb::kRemove)) was_removed = true;
+    if (one.verb == ToString(LifeVerb::kCreate)) was_removed = false;
+  }
+  return was_removed;
+}
+
+Result<void> CheckUndoOf(const Catalog& catalog, const message::History& history,
+                         const message::HistoryEntry& step) {
   const std::string& process = ProcessOf(step);
   const auto owner = LookUpProcess(catalog, process);
   if (!owner) return CannotUndoNow(step, owner.error().message);
@@ -54,7 +81,8 @@ Result<void> CheckUndoOf(const Catalog& catalog, const message::HistoryEntry& st
     return CannotUndoNow(step, "process '" + process + "' was started again since");
   }
   if (IsOfProcess(step)) return {};
-  const auto checked = IsOfLife(step) ? CheckUndo(catalog, step) : CheckWire(catalog, step);
+  const auto checked =
+      IsOfLife(step) ? CheckUndo(catalog, step) : CheckWire(catalog, history, step);
   return checked ? checked : CannotUndoNow(step, checked.error().message);
 }
 

@@ -100,15 +100,28 @@ void Orders::Undo(const message::WhichStep& which, const std::string& who,
   };
   if (IsOfProcess(*step)) return parts_.supervisor.Undo(*step, which.patience, finish);
   if (IsOfLife(*step)) return UndoLife(*step, which.patience, finish);
-  const InterfaceName& required = step->wire.required;
-  if (step->verb == "connect") {
-    Break(required, finish);
-  } else if (step->verb == "replace") {
-    Swap({required, step->former}, who, finish);
-  } else if (parts_.registry.catalog().FindConnection(required) == nullptr) {
-    Make(step->wire, finish);
-  } else {  // a late process has undone it
-    FinishUndo(*step, who, {}, done);
+  UndoWire(*step, who, finish);
+}
+
+void Orders::UndoWire(const message::HistoryEntry& step, const std::string& who,
+                      const ConnectDone& done) {
+  const Catalog& catalog = parts_.registry.catalog();
+  const InterfaceName& required = step.wire.required;
+  const bool is_replacement = step.verb == "replace";
+  const message::Wire former{required, is_replacement ? step.former : step.wire.provided};
+  const auto* now = catalog.FindConnection(required);
+  if (step.verb == "connect") {
+    Break(required, done);
+  } else if (step.verb == "disconnect" && now != nullptr) {  // a late process has undone it
+    Answer(done, Result(*now));
+  } else if (WasPending(catalog, parts_.history.steps(), step)) {
+    MakePending(former, done);
+  } else if (is_replacement) {
+    Swap(former, who, [done](const Result<Swapped>& swapped) {
+      done(swapped ? Result(swapped->made) : swapped.error());
+    });
+  } else {
+    Make(former, done);
   }
 }
 
@@ -206,6 +219,21 @@ void Orders::Make(const message::Wire& wire, ConnectDone done) {
     if (!wiring) return orders.Answer(done, Result<ConnectionDescription>(wiring.error()));
     if (auto claimed = orders.Claim(wire.required, done)) orders.GiveMake(*wiring, claimed);
   });
+}
+
+/// To what is not there: instead of what the required interface is connected to, if it is.
+void Orders::MakePending(const message::Wire& wire, const ConnectDone& done) {
+  const auto claimed = Claim(wire.required, done);
+  if (!claimed) return;
+  const auto make = [locked = locked_, wire, claimed](const Result<None>& broken) {
+    if (!broken) return claimed(broken.error());
+    locked([&](Orders& orders) {
+      orders.GiveMake(WiringOf(orders.parts_.registry.catalog(), wire), claimed);
+    });
+  };
+  const Catalog& catalog = parts_.registry.catalog();
+  if (catalog.FindConnection(wire.required) != nullptr) return GiveBreak(wire.required, make);
+  GiveMake(WiringOf(catalog, wire), claimed);
 }
 
 void Orders::Break(const InterfaceName& required, ConnectDone done) {
@@ -373,7 +401,7 @@ void Orders::MakeAgain(const message::HistoryEntry& step, const Done<None>& done
 
 /// Whose a process is, the catalogue does not know.
 Result<void> Orders::CheckUndo(const message::HistoryEntry& step) const {
-  auto checked = CheckUndoOf(parts_.registry.catalog(), step);
+  auto checked = CheckUndoOf(parts_.registry.catalog(), parts_.history.steps(), step);
   if (!checked || !IsOfProcess(step)) return checked;
   const auto ours = parts_.supervisor.CheckUndo(step);
   return ours ? ours : CannotUndoNow(step, ours.error().message);

@@ -70,6 +70,7 @@ class Orders {
   using Planned = std::function<void(Orders&, const Result<message::Wiring>&)>;
   void Plan(const message::Wire& wire, Occupied occupied, const Planned& planned);
   void Make(const message::Wire& wire, ConnectDone done);
+  void MakePending(const message::Wire& wire, const ConnectDone& done);
   void Break(const InterfaceName& required, ConnectDone done);
 
   struct Swapped {
@@ -96,6 +97,7 @@ class Orders {
   void GiveBreak(const InterfaceName& required, Done<None> done);
 
   [[nodiscard]] Result<message::HistoryEntry> Newest(const message::WhichStep& which) const;
+  void UndoWire(const message::HistoryEntry& step, const std::string& who, const ConnectDone& done);
   void UndoLife(const message::HistoryEntry& step, std::chrono::nanoseconds patience,
                 const Done<None>& done);
   void MakeAgain(const message::HistoryEntry& step, const Done<None>& done);

@@ -205,6 +205,23 @@ TEST_F(LifePlan, AnUndoOfWhatNobodyHeardOfWantsToSeeThatItWasDone) {
   EXPECT_EQ(CheckUndo(catalog_, step).error().message, "robot/arm was active before");
 }
 
+TEST_F(LifePlan, ARestartIsAStepWhereItStarts) {
+  const LifeOrder restart{.verb = LifeVerb::kRestart, .process = "robot", .component = "arm"};
+  for (const ComponentState resting : {ComponentState::kReady, ComponentState::kSuspended,
+                                       ComponentState::kFinished, ComponentState::kFaulted}) {
+    SetState(resting);
+    EXPECT_EQ(StepOf(catalog_, restart).state, resting);
+    EXPECT_EQ(StepOf(catalog_, restart).component, "arm");
+  }
+  EXPECT_EQ(StepVerbOf(restart), "start");
+
+  HistoryEntry step = StepOfArm(StepVerbOf(restart));
+  step.life.state = ComponentState::kSuspended;
+  EXPECT_FALSE(LeavesAsItWas(step));
+  step.life.state = ComponentState::kActive;
+  EXPECT_TRUE(LeavesAsItWas(step));
+}
+
 TEST_F(LifePlan, AnUndoRefusesAnotherConfiguration) {
   SetState(ComponentState::kFinished);
   HistoryEntry step = StepOfArm("configure");
