@@ -168,7 +168,7 @@ class Doctor {
       Bad("GCM", place + ": " + history.error().message, "gcm log --level error");
       return;
     }
-    AddVersion("GCM", "",
+    AddVersion("GCM", AskForVersion(""),
                place + ", answers within " + Milliseconds(passed) + ", revision " +
                    std::to_string(client.catalog().revision()),
                "start it anew with this release of gcm serve; the system runs on meanwhile");
@@ -194,26 +194,30 @@ class Doctor {
       return;
     }
     const auto begin = std::chrono::steady_clock::now();
-    const auto answer = context_.Ask<tendon::Schema>([&](tendon::GcmClient& asked, auto handler) {
-      asked.GetSchema(process.name, tendon::FingerprintOf<tendon::None>(), handler);
-    });
+    const auto told = AskForVersion(process.name);
     const auto passed = std::chrono::steady_clock::now() - begin;
-    if (!answer && answer.error().code != ErrorCode::kNotFound) {
-      Bad(what, place + ", at " + process.address + ": " + answer.error().message,
-          "see that no firewall is between, and gcm log --from " + process.name);
+    if (!told && told.error().code != ErrorCode::kDenied) {
+      const bool is_silent = told.error().code == ErrorCode::kTimeout;
+      Bad(what, place + ", at " + process.address + ": " + told.error().message,
+          is_silent ? "it may hang: gcm log --from " + process.name
+                    : "see that it listens there, and that no firewall is between; where the "
+                      "address is wrong: start it with --advertise and one that leads to it");
       return;
     }
-    AddVersion(what, process.name,
+    AddVersion(what, told,
                place + ", at " + process.address + ", answers within " + Milliseconds(passed) +
                    UsageText(process) + ClockText(client, entry),
                "build it anew with this release, or use a gcm of its own");
   }
-  /// Who answers, well or not; `process` is empty for the GCM. Two releases that understand each
-  /// other are no fault, but what the older one cannot do may be what is looked for.
-  void AddVersion(const std::string& what, const std::string& process, const std::string& text,
-                  const std::string& fix) {
-    const auto told = context_.Ask<tendon::message::ProgramVersion>(
+  /// Of a process, or, where it is empty, of the GCM.
+  Result<tendon::message::ProgramVersion> AskForVersion(const std::string& process) {
+    return context_.Ask<tendon::message::ProgramVersion>(
         [&](tendon::GcmClient& asked, auto handler) { asked.GetVersion(process, handler); });
+  }
+  /// Who answers, well or not. Two releases that understand each other are no fault, but what the
+  /// older one cannot do may be what is looked for.
+  void AddVersion(const std::string& what, const Result<tendon::message::ProgramVersion>& told,
+                  const std::string& text, const std::string& fix) {
     const auto [version, is_own] = tendon::JudgeVersion(told, own_);
     if (is_own) {
       Good(what, text + ", " + version);

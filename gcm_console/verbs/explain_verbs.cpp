@@ -85,11 +85,10 @@ Result<InterfaceName> LikelyProvider(const Catalog& catalog, const InterfaceName
 /// Asks the process for something that needs no thread of a component's.
 Result<std::chrono::microseconds> RoundTrip(Context& context, const std::string& process) {
   const auto begin = std::chrono::steady_clock::now();
-  const auto answer = context.Ask<tendon::Schema>([&](tendon::GcmClient& client, auto handler) {
-    client.GetSchema(process, tendon::FingerprintOf<tendon::None>(), handler);
-  });
-  const bool knows_not = !answer && answer.error().code == ErrorCode::kNotFound;
-  if (!answer && !knows_not) return answer.error();
+  const auto answer = context.Ask<tendon::message::ProgramVersion>(
+      [&](tendon::GcmClient& client, auto handler) { client.GetVersion(process, handler); });
+  const bool is_older = !answer && answer.error().code == ErrorCode::kDenied;  // it answers
+  if (!answer && !is_older) return answer.error();
   return std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::steady_clock::now() -
                                                                begin);
 }
@@ -158,7 +157,7 @@ ordered_json ToJson(const Diagnosis& diagnosis) {
           {"rolled_back", std::move(remainders)}};
 }
 
-/// That a process is not reached is no lack of a GCM, which scripts are told by kUnreachable.
+/// A process that is gone is no lack of a GCM, which scripts are told by kUnreachable.
 ExitCode ExitCodeOf(const Diagnosis& diagnosis) {
   if (!diagnosis.failure) return program::kOk;
   const ErrorCode code = diagnosis.failure->code;
@@ -185,7 +184,7 @@ Result<ExitCode> Explain(Context& context, const Ends& ends) {
   if (!diagnosis->failure && diagnosis->is_connected) {
     AddHealth(*diagnosis, AskForFlaws(context, *required));
   }
-  if (!diagnosis->failure) {
+  if (!diagnosis->failure || IsTrying(*diagnosis)) {
     AddRoundTrip(*diagnosis, RoundTrip(context, provided->process));
   }
   if (!diagnosis->is_connected) AddRemainders(*diagnosis, catalog, Served(context, *diagnosis));

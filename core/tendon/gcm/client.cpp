@@ -107,6 +107,16 @@ class GcmClient::Implementation {
     return client::CallOnce<T>(outstanding_, std::move(handler));
   }
 
+  /// The same of what a process is asked: where that is not reached the GCM still is, which
+  /// kUnreachable would deny.
+  template <typename T>
+  std::function<void(Result<T>)> GuardedOfProcess(std::function<void(Result<T>)> handler) {
+    return [done = Guarded(std::move(handler))](Result<T> result) {
+      if (result || result.error().code != ErrorCode::kUnreachable) return done(std::move(result));
+      done(Error{ErrorCode::kFailed, result.error().message});
+    };
+  }
+
   client::GcmLink& link() { return *link_; }
   Worker& timer() { return *timer_; }
   client::Caller& caller() { return *caller_; }
@@ -331,35 +341,36 @@ void GcmClient::GetHealth(std::function<void(Result<message::SystemHealth>)> han
 
 void GcmClient::GetVersion(const std::string& process,
                            std::function<void(Result<message::ProgramVersion>)> handler) {
-  auto done = implementation_->Guarded(std::move(handler));
   if (process.empty()) {
-    return implementation_->link().Request<message::ProgramVersion>(message::kGetProgram, None{},
-                                                                    std::move(done));
+    return implementation_->link().Request<message::ProgramVersion>(
+        message::kGetProgram, None{}, implementation_->Guarded(std::move(handler)));
   }
-  implementation_->timer().Post([this, process, done = std::move(done)] {
-    implementation_->caller().GetVersion(process, done);
-  });
+  implementation_->timer().Post(
+      [this, process, done = implementation_->GuardedOfProcess(std::move(handler))] {
+        implementation_->caller().GetVersion(process, done);
+      });
 }
 
 void GcmClient::GetCounts(const InterfaceName& required,
                           std::function<void(Result<ConnectionCounts>)> handler) {
   implementation_->timer().Post(
-      [this, required, done = implementation_->Guarded(std::move(handler))] {
+      [this, required, done = implementation_->GuardedOfProcess(std::move(handler))] {
         implementation_->caller().GetCounts(required, done);
       });
 }
 
 void GcmClient::GetServed(const message::Wire& wire,
                           std::function<void(Result<ConnectionCounts>)> handler) {
-  implementation_->timer().Post([this, wire, done = implementation_->Guarded(std::move(handler))] {
-    implementation_->caller().GetServed(wire, done);
-  });
+  implementation_->timer().Post(
+      [this, wire, done = implementation_->GuardedOfProcess(std::move(handler))] {
+        implementation_->caller().GetServed(wire, done);
+      });
 }
 
 void GcmClient::GetFill(const std::string& process, const std::string& component,
                         std::function<void(Result<MailboxFill>)> handler) {
   implementation_->timer().Post(
-      [this, process, component, done = implementation_->Guarded(std::move(handler))] {
+      [this, process, component, done = implementation_->GuardedOfProcess(std::move(handler))] {
         implementation_->caller().GetFill(process, component, done);
       });
 }
@@ -380,7 +391,7 @@ void GcmClient::SetLogLevel(const std::string& process, LogLevel level, DoneHand
 
 void GcmClient::Call(const std::string& path, const std::string& argument, TextHandler handler) {
   implementation_->timer().Post(
-      [this, path, argument, done = implementation_->Guarded(std::move(handler))] {
+      [this, path, argument, done = implementation_->GuardedOfProcess(std::move(handler))] {
         const auto parsed = ParsePath(path);
         if (!parsed) return done(parsed.error());
         if (parsed->member.empty()) return done(NoCommand(path));
@@ -406,7 +417,7 @@ void GcmClient::StopListening(ListenerId id) { implementation_->events().End(id)
 void GcmClient::GetSchema(const std::string& process, Fingerprint fingerprint,
                           std::function<void(Result<Schema>)> handler) {
   implementation_->timer().Post(
-      [this, process, fingerprint, done = implementation_->Guarded(std::move(handler))] {
+      [this, process, fingerprint, done = implementation_->GuardedOfProcess(std::move(handler))] {
         implementation_->caller().GetSchema(process, fingerprint, done);
       });
 }

@@ -17,6 +17,9 @@ constexpr std::array kSteps = {
     "the signatures match",     "the processes reach each other", "the connection is made",
     "the provider answers"};
 
+/// Of them, from 0 on: that at which the processes reach each other.
+constexpr std::size_t kReached = 4;
+
 /// Goes through the steps until one is bad.
 class Examination {
  public:
@@ -228,19 +231,36 @@ void AddHealth(Diagnosis& diagnosis, const std::vector<ConnectionFlaw>& flaws) {
   diagnosis.failure = Error{ErrorCode::kFailed, step.text + "; " + step.fix};
 }
 
+bool IsTrying(const Diagnosis& diagnosis) {
+  return diagnosis.failure && diagnosis.steps.at(kReached).verdict == Verdict::kBad &&
+         diagnosis.failure->code == ErrorCode::kTimeout;
+}
+
 void AddRoundTrip(Diagnosis& diagnosis, const Result<std::chrono::microseconds>& round_trip) {
-  if (diagnosis.failure) return;
-  DiagnosisStep& step = diagnosis.steps.back();
-  const std::string process = "process '" + diagnosis.wire.provided.process + "'";
+  const bool is_trying = IsTrying(diagnosis);
+  if (diagnosis.failure && !is_trying) return;
+  const std::string& name = diagnosis.wire.provided.process;
+  const std::string process = "process '" + name + "'";
   if (round_trip) {
-    step = {Verdict::kGood,
-            process + " answers within " + std::to_string(round_trip->count()) + " us",
-            {},
-            {}};
+    if (is_trying) return;
+    diagnosis.steps.back() = {
+        Verdict::kGood,
+        process + " answers within " + std::to_string(round_trip->count()) + " us",
+        {},
+        {}};
     return;
   }
-  diagnosis.failure = round_trip.error();
-  step = {Verdict::kBad, round_trip.error().message, "look at " + process + ", which may hang", {}};
+  const bool is_silent = round_trip.error().code == ErrorCode::kTimeout;
+  const bool is_made = diagnosis.steps.at(kReached).verdict == Verdict::kGood;
+  const std::string fix = is_silent
+                              ? "look at " + process + ", which may hang"
+                              : "see that " + name +
+                                    " listens there, and that no firewall is between; where the "
+                                    "address is wrong: start " +
+                                    name + " with --advertise and one that leads to it";
+  DiagnosisStep& step = is_made ? diagnosis.steps.back() : diagnosis.steps.at(kReached);
+  step = {Verdict::kBad, is_trying ? step.text : round_trip.error().message, fix, {}};
+  diagnosis.failure = Error{round_trip.error().code, step.text + "; " + fix};
 }
 
 void AddRemainders(Diagnosis& diagnosis, const Catalog& catalog,

@@ -54,8 +54,13 @@ Result<Diagnosis> Diagnose(const Catalog& catalog, const message::Wire& wire);
 /// is of step 6, what is late of step 7. Does nothing where a step is bad already.
 void AddHealth(Diagnosis& diagnosis, const std::vector<ConnectionFlaw>& flaws);
 
-/// The last step, which a catalogue cannot know: how long the provider's process took to answer, or
-/// why it did not. Does nothing where an earlier step is bad.
+/// Whether the required side still tries to reach the provider: what is wrong may be known to who
+/// tries that, too.
+[[nodiscard]] bool IsTrying(const Diagnosis& diagnosis);
+
+/// What a catalogue cannot know: how long the provider's process took to answer, or why it did not:
+/// of the last step where the connection was made, else of that at which the processes reach each
+/// other. kTimeout: it is reached, and silent. Does nothing where a step is bad, unless IsTrying().
 void AddRoundTrip(Diagnosis& diagnosis, const Result<std::chrono::microseconds>& round_trip);
 
 /// Whether both processes are rid of a connection that was refused, or has failed: what the

@@ -142,6 +142,33 @@ TEST_F(DiagnosisTest, FindsAConnectionThatWaits) {
   ExpectBad(Examine(), 5, ErrorCode::kTimeout, "it is pending: robot did not answer");
 }
 
+TEST_F(DiagnosisTest, WhatCannotBeReachedIsOfTheFifthStepBeforeAndAfterItIsConnected) {
+  const Error refused{ErrorCode::kFailed,
+                      "process 'robot' does not answer at 127.0.1.1:9: refused"};
+  Diagnosis before = Examine();
+  AddRoundTrip(before, refused);
+  ExpectBad(before, 5, ErrorCode::kFailed, refused.message);
+  EXPECT_NE(before.steps[4].fix.find("start robot with --advertise"), std::string::npos);
+
+  Connect(ConnectionState::kPending, "robot cannot be reached");
+  Diagnosis after = Examine();
+  ASSERT_TRUE(IsTrying(after));
+  AddRoundTrip(after, refused);
+  ExpectBad(after, 5, ErrorCode::kFailed, "it is pending: robot cannot be reached");
+  EXPECT_EQ(after.steps[4].fix, before.steps[4].fix);
+}
+
+TEST_F(DiagnosisTest, WhoIsReachedByUsMayBeSilentToTheOther) {
+  Connect(ConnectionState::kPending, "robot did not answer");
+  Diagnosis diagnosis = Examine();
+  AddRoundTrip(diagnosis, 800us);
+  ExpectBad(diagnosis, 5, ErrorCode::kTimeout, "it is pending: robot did not answer");
+
+  AddRoundTrip(diagnosis, Error{ErrorCode::kTimeout, "no answer"});
+  ExpectBad(diagnosis, 5, ErrorCode::kTimeout, "it is pending: robot did not answer");
+  EXPECT_EQ(diagnosis.steps[4].fix, "look at process 'robot', which may hang");
+}
+
 TEST_F(DiagnosisTest, FindsAConnectionThatWasRefused) {
   Connect(ConnectionState::kFailed, "no");
 

@@ -46,4 +46,52 @@ TEST_F(ExitCodeTest, WhatIsSaidOfALostProcessIsNoLackOfAGcm) {
   EXPECT_EQ(Gcm({"explain", "desk/supervisor/Robot"}).exit_code, program::kUnreachable);
 }
 
+/// A process that tells an address at which it is not.
+class WrongAddressTest : public DemoFixture {
+ protected:
+  void SetUp() override {
+    DemoFixture::SetUp();
+    home.Write("far.json", R"({"version": 1, "name": "far", "processes": [{"name": "far",
+        "components": [{"name": "arm", "class": "SimulatedArm", "library": "simulated_arm"}]}]})");
+    far = std::make_unique<Program>(Program::Words{Binary("lcm"), "--name", "far", "--gcm", address,
+                                                   "--advertise", "127.0.0.1:9", "--system",
+                                                   (home.path() / "far.json").string()});
+    ASSERT_TRUE(EventuallySays({"ls", "far"}, "arm\tactive")) << far->err();
+  }
+
+  std::unique_ptr<Program> far;
+};
+
+TEST_F(WrongAddressTest, DoctorSaysThatItDoesNotAnswerThere) {
+  const Outcome doctor = Gcm({"doctor"});
+
+  EXPECT_EQ(doctor.exit_code, program::kRefused);
+  EXPECT_THAT(doctor.out, testing::ContainsRegex("BAD  process far .*process 'far' does not answer "
+                                                 "at 127.0.0.1:9: .*\n.*fix: .*--advertise"));
+  EXPECT_THAT(doctor.out, testing::ContainsRegex("ok   process robot .*, answers within "));
+}
+
+TEST_F(WrongAddressTest, ExplainSaysTheSameBeforeAndAfterItIsConnected) {
+  const Program::Words words = {"explain", "desk/teleoperation/Robot", "far/arm/Control"};
+  const Outcome before = Gcm(words);
+  Gcm({"connect", "desk/teleoperation/Robot", "far/arm/Control"});
+  const Outcome after = Gcm(words);
+
+  for (const Outcome& outcome : {before, after}) {
+    EXPECT_EQ(outcome.exit_code, program::kRefused);
+    EXPECT_THAT(outcome.out,
+                testing::ContainsRegex("  5 BAD .*127.0.0.1:9.*\n *fix: .*--advertise"));
+    EXPECT_THAT(outcome.out, HasSubstr("\n  7 -   "));
+  }
+}
+
+TEST_F(WrongAddressTest, NothingThatIsAskedOfItLooksLikeALackOfAGcm) {
+  for (const Program::Words& words : {Program::Words{"get", "far/arm/state.Joints"},
+                                      {"call", "far/arm/Control.Stop"},
+                                      {"show", "far/arm/Control.MoveTo"}}) {
+    EXPECT_NE(Gcm(words).exit_code, program::kUnreachable) << words[0];
+  }
+  EXPECT_EQ(Gcm({"get", "far/arm/state.Joints"}).exit_code, program::kRefused);
+}
+
 }  // namespace
