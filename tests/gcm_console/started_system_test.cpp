@@ -74,6 +74,23 @@ class StartedSystemTest : public SystemFixture {
   }
 };
 
+TEST_F(StartedSystemTest, ANewFileSaysWhomTheGcmHasStarted) {
+  Apply();
+  const auto other =
+      std::make_unique<Program>(Program::Words{Binary("lcm"), "--name", "spare", "--gcm", address});
+  ASSERT_TRUE(EventuallySays({"ls"}, "spare\talive")) << other->err();
+  const std::string fresh = (home.path() / "fresh.json").string();
+
+  ASSERT_EQ(Gcm({"save", fresh}).exit_code, program::kOk);
+
+  std::ifstream file(fresh);
+  const json saved = json::parse(file);
+  ASSERT_EQ(saved["processes"].size(), 3U);
+  EXPECT_EQ(saved["processes"][0]["start"]["restart"], "never") << "desk";
+  EXPECT_EQ(saved["processes"][1]["start"]["restart"], "on-failure") << "robot";
+  EXPECT_FALSE(saved["processes"][2].contains("start")) << "spare";
+}
+
 TEST_F(StartedSystemTest, AnApplyBringsAWholeSystemUpFromNothing) {
   const Outcome planned = Gcm({"plan", File()});
   EXPECT_EQ(planned.exit_code, program::kOk) << planned.err;

@@ -310,6 +310,11 @@ void GcmClient::SteerProcess(message::ProcessOrder order, DoneHandler handler) {
       kOrdersOfAProcess);
 }
 
+void GcmClient::GetChildren(std::function<void(Result<message::Children>)> handler) {
+  implementation_->link().Request<message::Children>(message::kGetChildren, None{},
+                                                     implementation_->Guarded(std::move(handler)));
+}
+
 void GcmClient::GetClasses(const std::string& process,
                            std::function<void(Result<message::Classes>)> handler) {
   implementation_->link().Request<message::Classes>(message::kGetClasses,

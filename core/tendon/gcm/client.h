@@ -3,6 +3,7 @@
 #include <tendon/gcm/catalog.h>
 #include <tendon/gcm/event_sink.h>
 #include <tendon/gcm/messages.h>
+#include <tendon/gcm/supervisor/children_messages.h>
 #include <tendon/process/program_messages.h>
 #include <tendon/process/telemetry_client.h>
 #include <tendon/security/role.h>
@@ -107,6 +108,8 @@ class GcmClient {
   /// Starts an `lcm` on the GCM's host, or ends one that it has started: may take
   /// kOrdersOfAProcess times as long as other requests.
   void SteerProcess(message::ProcessOrder order, DoneHandler handler);
+  /// The processes that the GCM has started. kDenied by a GCM that is older than the question.
+  void GetChildren(std::function<void(Result<message::Children>)> handler);
   /// Of which classes a process makes components, and which plug-ins it could load.
   void GetClasses(const std::string& process,
                   std::function<void(Result<message::Classes>)> handler);

@@ -56,8 +56,8 @@ TEST(Protocol, WhoChangesAMessageRaisesTheVersion) {
             "d5aa5869dbf7b2967e2cac9f17106c81");
   EXPECT_EQ(ToString(FingerprintOfAll<message::Mirror, message::Mirrored>()),
             "e25f1064d003da76e96f89e74cfdaa8a");
-  EXPECT_EQ(ToString(FingerprintOfAll<message::ProgramVersion>()),
-            "4e0b26e16b597182cb5135252a9dbc3c");
+  EXPECT_EQ(ToString(FingerprintOfAll<message::ProgramVersion, message::Children>()),
+            "b6e9e4ba5289b94f876d1d3c8c3675f9");
 }
 
 }  // namespace

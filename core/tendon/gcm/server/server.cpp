@@ -182,7 +182,8 @@ Server::Serve Server::ServeOf(MessageType type) {
       {message::kTellHealth, &Server::TakeHealth},
       {message::kFanOut, &Server::TellFanOut},
       {message::kProcess, &Server::SteerProcess},
-      {message::kGetProgram, &Server::TellVersion}};
+      {message::kGetProgram, &Server::TellVersion},
+      {message::kGetChildren, &Server::TellChildren}};
   const auto found = kServes.find(type);
   return found == kServes.end() ? nullptr : found->second;
 }
@@ -332,6 +333,10 @@ void Server::TellFanOut(const Request& request) {
 
 void Server::TellVersion(const Request& request) {
   request.responder->Answer(Result(OwnVersion()));
+}
+
+void Server::TellChildren(const Request& request) {
+  Locked([&] { Answer(request, Result(supervisor_->children())); });
 }
 
 void Server::TellHealth(const Request& request) {

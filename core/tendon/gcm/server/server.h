@@ -97,6 +97,7 @@ class Server final : public std::enable_shared_from_this<Server> {
   void TellHealth(const Request& request);
   void TellFanOut(const Request& request);
   void TellVersion(const Request& request);
+  void TellChildren(const Request& request);
   void Forget(const Request& request);
   void WatchLog(const Request& request);
   void SetLogLevel(const Request& request);

@@ -78,6 +78,14 @@ void Supervisor::NoteChange(const std::string& process) {
   if (child != children_.end()) child->second.is_changed = true;
 }
 
+message::Children Supervisor::children() const {
+  message::Children all;
+  for (const auto& [process, child] : children_) {
+    if (!child.is_unwanted) all.processes.push_back({process, child.restart});
+  }
+  return all;
+}
+
 Result<void> Supervisor::CheckUndo(const message::HistoryEntry& step) const {
   const std::string& process = step.life.process;
   if (auto ours = CheckKill(process); !ours) return ours;

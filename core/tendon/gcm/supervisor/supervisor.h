@@ -4,6 +4,7 @@
 #include <tendon/gcm/history.h>
 #include <tendon/gcm/server/outbox.h>
 #include <tendon/gcm/server/registry.h>
+#include <tendon/gcm/supervisor/children_messages.h>
 #include <tendon/gcm/supervisor/launcher.h>
 #include <tendon/gcm/supervisor/restart_schedule.h>
 #include <tendon/middleware/body.h>
@@ -52,6 +53,9 @@ class Supervisor {
 
   /// A component of the process is perhaps changed: started again, it is to have what it had.
   void NoteChange(const std::string& process);
+
+  /// Those that are not told to end.
+  [[nodiscard]] message::Children children() const;
 
   /// Whether the process that a step has started is still ours, and has nothing in it.
   [[nodiscard]] Result<void> CheckUndo(const message::HistoryEntry& step) const;

@@ -115,6 +115,13 @@ std::vector<std::string> RunningSystem::LeftOut() const {
   return sentences;
 }
 
+void SetStarts(const message::Children& children, SystemFile& file) {
+  for (const auto& [name, restart] : children.processes) {
+    const auto process = std::ranges::find(file.processes, name, &SystemFile::Process::name);
+    if (process != file.processes.end()) process->start = {.restart = restart};
+  }
+}
+
 std::vector<std::string> KeepFrom(const SystemFile& former, RunningSystem& saved) {
   std::vector<std::string> kept = KeepAbsent(former, saved);
   SystemFile& file = saved.file;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <tendon/gcm/catalog.h>
+#include <tendon/gcm/supervisor/children_messages.h>
 #include <tendon/gcm/system_file.h>
 
 #include <string>
@@ -25,6 +26,9 @@ enum class Gone { kLeftOut, kIncluded };
 /// the states that they are in.
 [[nodiscard]] RunningSystem SystemOf(const Catalog& catalog, const std::string& name,
                                      Gone gone = Gone::kLeftOut);
+
+/// Marks those that the GCM has started as such, so that it can start them again.
+void SetStarts(const message::Children& children, SystemFile& file);
 
 /// Keeps what a running system does not tell, and the file that it is saved to knows: comments,
 /// layout, who starts a process, and whole processes that are not there now, with their

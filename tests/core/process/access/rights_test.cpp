@@ -18,12 +18,12 @@ namespace {
 using Types = std::set<MessageType>;
 
 /// What a viewer may send.
-const Types kLooks = {message::kPing,        message::kGetSchemas, message::kSubscribe,
-                      message::kUnsubscribe, message::kRowTaken,   message::kRenew,
-                      message::kWatch,       message::kHistory,    message::kWatchLog,
-                      message::kGetClasses,  message::kListen,     message::kCloseInterface,
-                      message::kHealth,      message::kGetCounts,  message::kGetFill,
-                      message::kJoinTopic,   message::kFanOut,     message::kGetProgram};
+const Types kLooks = {
+    message::kPing,     message::kGetSchemas, message::kSubscribe,  message::kUnsubscribe,
+    message::kRowTaken, message::kRenew,      message::kWatch,      message::kHistory,
+    message::kWatchLog, message::kGetClasses, message::kListen,     message::kCloseInterface,
+    message::kHealth,   message::kGetCounts,  message::kGetFill,    message::kJoinTopic,
+    message::kFanOut,   message::kGetProgram, message::kGetChildren};
 
 /// What an operator may send besides.
 const Types kActs = {
