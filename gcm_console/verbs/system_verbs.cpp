@@ -1,6 +1,7 @@
 #include <gcm_console/report.h>
 #include <gcm_console/verb.h>
 #include <tendon/base/os/termination.h>
+#include <tendon/gcm/life/class_check.h>
 #include <tendon/gcm/system/client_executor.h>
 #include <tendon/gcm/system/comparison.h>
 #include <tendon/gcm/system/reference_file.h>
@@ -224,7 +225,14 @@ Result<Plan> PlanOf(Context& context, const std::string& file) {
   if (!wanted) return wanted.error();
   const auto client = context.Client();
   if (!client) return client.error();
-  return MakePlan((*client)->catalog(), *wanted);
+  const tendon::Catalog catalog = (*client)->catalog();
+  tendon::KnownClasses known;
+  for (const std::string& process : ProcessesToAsk(catalog, *wanted)) {
+    const auto classes = context.Ask<tendon::message::Classes>(
+        [&process](tendon::GcmClient& asked, auto handler) { asked.GetClasses(process, handler); });
+    if (classes) known[process] = *classes;  // else the process refuses what it cannot make
+  }
+  return MakeCheckedPlan(catalog, *wanted, known);
 }
 
 Result<ExitCode> PrintPlan(Context& context, const std::string& file) {

@@ -5,6 +5,7 @@
 
 #include <csignal>
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "gcm_console/demo_fixture.h"
@@ -103,16 +104,16 @@ TEST_F(SavedSystemTest, AStepThatFailsIsSaidWithWhatIsLeft) {
   const std::string file = Saved();
   json wanted = json::parse(home.Read("saved.json"));
   wanted["processes"][1]["components"].push_back(
-      {{"name", "extra"}, {"class", "SimulatedAm"}, {"library", "simulated_arm"}});
+      {{"name", "extra"}, {"class", "Conter"}, {"library", "counter"}});  // not loaded yet
   home.Write("saved.json", wanted.dump());
   ASSERT_EQ(Gcm({"disconnect", "desk/supervisor/Robot"}).exit_code, program::kOk);
 
   const Outcome stopped = Gcm({"apply", file});
   EXPECT_EQ(stopped.exit_code, program::kNotFound) << stopped.err;  // for nothing was done
-  EXPECT_THAT(stopped.out, testing::MatchesRegex(
-                               "1/3  BAD  create robot/extra .SimulatedAm of simulated_arm.: .*\n"
-                               "2/3  left connect desk/supervisor/Robot -> robot/arm/Control\n"
-                               "3/3  left start robot/extra\n"));
+  EXPECT_THAT(stopped.out,
+              testing::MatchesRegex("1/3  BAD  create robot/extra .Conter of counter.: .*\n"
+                                    "2/3  left connect desk/supervisor/Robot -> robot/arm/Control\n"
+                                    "3/3  left start robot/extra\n"));
   EXPECT_THAT(stopped.err, HasSubstr("gcm: 0 steps made, 1 failed, 2 left, 7 things untouched\n"));
 
   const Outcome gone_on = Gcm({"apply", file, "--keep-going", "--json"});
@@ -122,7 +123,7 @@ TEST_F(SavedSystemTest, AStepThatFailsIsSaidWithWhatIsLeft) {
   EXPECT_EQ(steps[1]["outcome"], "done");
   EXPECT_EQ(steps[2]["outcome"], "left");
   EXPECT_EQ(steps[2]["error"],
-            "not tried, for this has failed: create robot/extra (SimulatedAm of simulated_arm)");
+            "not tried, for this has failed: create robot/extra (Conter of counter)");
 }
 
 TEST_F(SavedSystemTest, AnApplyBringsConnectionsBackAndASecondOneDoesNothing) {
@@ -318,6 +319,36 @@ TEST_F(SavedSystemTest, ABadFileIsRefusedWithItsPlace) {
     EXPECT_THAT(Gcm({verb, InHome("future.json")}).err,
                 HasSubstr("file is version 99, this program reads 1"));
     EXPECT_EQ(Gcm({verb, InHome("none.json")}).exit_code, program::kNotFound);
+  }
+}
+
+TEST_F(SavedSystemTest, WhatAProcessCouldNotMakeIsSaidBeforeAnythingIsStoppedForIt) {
+  const std::string before = ContentHash();
+  std::ifstream saved(Saved());
+  const json good = json::parse(saved);
+  struct Mistake {
+    std::string key;
+    json value;
+    std::string sentence;
+  };
+  for (const auto& [key, value, sentence] :
+       {Mistake{"configuration", {{"nois", 0.001}}, "unknown key 'nois'"},
+        Mistake{"class", "SimulatedAm", "has no class 'SimulatedAm'; did you mean 'SimulatedArm'?"},
+        Mistake{"library", "simulated_am", "did you mean 'simulated_arm'?"}}) {
+    json bad = good;
+    json& arm = bad["processes"][1]["components"][0];
+    ASSERT_EQ(arm["name"], "arm");
+    arm[key] = value;
+    home.Write("bad.json", bad.dump());
+
+    const Outcome plan = Gcm({"plan", InHome("bad.json")});
+    EXPECT_EQ(plan.exit_code, program::kRefused) << plan.out;
+    EXPECT_EQ(plan.out, "");
+    EXPECT_THAT(plan.err, HasSubstr("robot/arm cannot be made as the file says: "));
+    EXPECT_THAT(plan.err, HasSubstr(sentence));
+    EXPECT_THAT(plan.err, HasSubstr("; it stays as it is\n"));
+    Gcm({"apply", InHome("bad.json"), "--yes", "--keep-going"});
+    EXPECT_EQ(ContentHash(), before);
   }
 }
 

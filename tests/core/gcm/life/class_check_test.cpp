@@ -1,0 +1,59 @@
+#include <gtest/gtest.h>
+#include <tendon/gcm/life/class_check.h>
+#include <tests/core/gcm/samples.h>
+
+#include <string>
+#include <vector>
+
+namespace tendon {
+namespace {
+
+/// What the process `robot` knows: one plug-in is loaded, another one is only there.
+message::Classes Known() {
+  return {.classes = {{.name = "Arm", .library = "arms", .configuration = {}, .defaults = {}}},
+          .plugins = {"arms", "tools"}};
+}
+
+std::string WhyNot(const std::string& class_name, const std::string& library) {
+  const auto checked =
+      CheckClass(Known(), "robot", {.name = "one", .class_name = class_name, .library = library});
+  return checked ? "" : checked.error().message;
+}
+
+TEST(ClassCheck, WhatIsLoadedIsKnown) {
+  EXPECT_EQ(WhyNot("Arm", "arms"), "");
+  EXPECT_EQ(WhyNot("Arm", ""), "");
+  EXPECT_EQ(WhyNot("Am", "arms"), "plug-in 'arms' has no class 'Am'; did you mean 'Arm'?");
+  EXPECT_TRUE(WhyNot("Gripper", "").starts_with("process 'robot' has no class 'Gripper'"));
+}
+
+TEST(ClassCheck, OfWhatIsNotLoadedOnlyThePlugInIsKnown) {
+  EXPECT_EQ(WhyNot("Gripper", "tools"), "");
+  EXPECT_EQ(WhyNot("Gripper", "tool"),
+            "process 'robot' has no plug-in 'tool'; did you mean 'tools'?");
+}
+
+/// The process, with nothing in it, is to have these.
+std::vector<std::string> Obstacles(const std::vector<SystemFile::Component>& components) {
+  Catalog catalog;
+  CatalogChange there{.revision = 1,
+                      .kind = CatalogChange::Kind::kProcess,
+                      .process = "robot",
+                      .processes = {test::ProcessNamed("robot", 1)}};
+  EXPECT_TRUE(catalog.Apply(there));
+  const SystemFile wanted{
+      .name = "lab", .processes = {{.name = "robot", .components = components}}, .connections = {}};
+  EXPECT_EQ(ProcessesToAsk(catalog, wanted), std::vector<std::string>{"robot"});
+  return MakeCheckedPlan(catalog, wanted, {{"robot", Known()}}).obstacles;
+}
+
+TEST(ClassCheck, APlugInThatIsLoadedOnTheWayMayHaveTheClass) {
+  const SystemFile::Component gripper{.name = "one", .class_name = "Gripper", .library = {}};
+  const SystemFile::Component wrench{.name = "two", .class_name = "Wrench", .library = "tools"};
+
+  EXPECT_EQ(Obstacles({gripper}).size(), 1U);
+  EXPECT_TRUE(Obstacles({wrench, gripper}).empty());
+}
+
+}  // namespace
+}  // namespace tendon
