@@ -123,8 +123,8 @@ class IceMiddleware final : public Middleware {
     if (!place) return place.error();
     const std::uint64_t door = NewNumber();
     try {
-      const auto adapter = communicator_->createObjectAdapterWithEndpoints(
-          "listener" + std::to_string(door), EndpointAt(*place));
+      const auto adapter = MakeListeningAdapter(*communicator_, "listener" + std::to_string(door),
+                                                EndpointAt(*place));
       const auto servant = std::make_shared<AcceptingServant>(links_, std::move(accept), door);
       adapter->add(servant, EndpointIdentity());
       adapter->activate();

@@ -123,8 +123,8 @@ Status IceLink::Ask(std::span<const std::byte> frame) {
 Status IceLink::Begin(const std::shared_ptr<Ice::ObjectPrx>& peer, const std::string& operation,
                       std::span<const std::byte> bytes, std::size_t whole,
                       const std::optional<FrameHeader>& question) {
-  const auto message =
-      std::make_shared<OutgoingMessage>(peer, shared_from_this(), bytes.size(), question);
+  const auto message = std::make_shared<OutgoingMessage>(
+      peer, shared_from_this(), OutgoingMessage::Told{bytes.size(), returned_.Get()}, question);
   if (const Status may = Enter(bytes.size(), whole); !may) return may;
   try {
     message->Send(operation, bytes);
@@ -147,9 +147,13 @@ Status IceLink::Enter(std::size_t size, std::size_t whole) {
   return Status::kQueued;
 }
 
-void IceLink::OnSent(std::size_t size) {
+void IceLink::OnSent(std::size_t size, std::uint64_t returned_before) {
   OnNotSent(size);
-  returned_.Set(0);
+  {
+    const std::scoped_lock lock(mutex_);
+    left_.Set(std::max(left_.Get(), returned_before));
+  }
+  is_sign_on_way_.Set(false);
 }
 
 void IceLink::OnNotSent(std::size_t size) {
@@ -208,21 +212,29 @@ void IceLink::CheckAdmission() {
   Fail({ErrorCode::kTimeout, peer_ + " connected and did not say who it is for 3 s"});
 }
 
-bool IceLink::DeliverAsked(std::span<const std::byte> frame, Bytes& answer) {
-  constexpr std::size_t kMostReturned = std::size_t{1} << 20U;
+/// Of no meaning to the peer. Once it has left, so has what was returned before.
+void IceLink::SendSign() {
+  if (is_sign_on_way_.Get()) return;
+  is_sign_on_way_.Set(true);
+  if (!Begin(oneway_, "ice_ping", {}, 1)) is_sign_on_way_.Set(false);
+}
+
+bool IceLink::DeliverAsked(std::span<const std::byte> frame, LeftAnswer& answer) {
+  constexpr std::size_t kMostReturned = std::size_t{4} << 20U;
+  constexpr std::size_t kManyReturned = std::size_t{1} << 20U;
   const std::scoped_lock delivery(delivery_);
   const std::size_t limit = limit_.Get();
   if (limit == 0) return true;
   if (!ReadWholeFrame(frame) || frame.size() > limit) return false;
   if (!handler_) return true;
-  const std::size_t returned = returned_.Get();
-  if (returned >= kMostReturned) {
+  const std::uint64_t on_way = returned_.Get() - left_.Get();
+  if (on_way >= kManyReturned) SendSign();
+  if (on_way >= kMostReturned) {
     handler_->OnFrame(frame);
     return true;
   }
   handler_->OnAsked(frame, answer);
-  // What is sent meanwhile may set it to 0, which goes unnoticed: rather too much is counted.
-  if (!answer.empty()) returned_.Set(returned_.Get() + answer.size());
+  if (answer.header) returned_.Set(returned_.Get() + answer.size());
   return true;
 }
 

@@ -17,7 +17,8 @@
 namespace tendon::ice {
 
 /// Of a frame, that go into one message of Ice, which whoever connects can make us hold; a larger
-/// frame is sent in parts.
+/// frame is sent in parts. An answer that goes back with its question may be kMaxReturned: whom we
+/// ask we have chosen.
 inline constexpr std::size_t kMaxMessageSize = std::size_t{256} << 10U;
 
 class Links;
@@ -47,16 +48,17 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
   bool Deliver(std::span<const std::byte> bytes, Piece piece);
   /// A whole frame that asks, and gets the answer, if there is one yet, where that may go back with
   /// the call. Ice does not tell when such a one has left, and keeps as many as there are: beyond 1
-  /// MiB, answers go by Send() and its window. Likewise.
-  bool DeliverAsked(std::span<const std::byte> frame, Bytes& answer);
+  /// MiB a sign is sent behind them, and beyond 4 MiB that have not left, answers go by Send() and
+  /// its window. Likewise.
+  bool DeliverAsked(std::span<const std::byte> frame, LeftAnswer& answer);
   /// Closes because of what the peer did, after answering it.
   void Fail(const Error& reason);
   void CloseAtOnce();
 
   // One of these for each message that was begun, of the size it had.
 
-  /// It has left, and so has what was returned before.
-  void OnSent(std::size_t size);
+  /// It has left, and so has what was returned before it was begun: bytes, of all that ever was.
+  void OnSent(std::size_t size, std::uint64_t returned_before);
   /// It has not, or its answer is missing: `question` is refused where the peer has thrown.
   void OnFailed(std::size_t size, const std::optional<FrameHeader>& question,
                 const Ice::Exception& why);
@@ -71,6 +73,7 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
                const std::optional<FrameHeader>& question = std::nullopt);
   Status Enter(std::size_t size, std::size_t whole);
   void OnNotSent(std::size_t size);
+  void SendSign();
   bool AddPart(std::span<const std::byte> bytes, std::size_t limit);
   bool StartClosing(const Error& reason);
   /// Closes the link when it was accepted too long ago without being admitted.
@@ -98,7 +101,9 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
   std::size_t unsent_ = 0;       // bytes; those of what was asked, until that is answered
 
   Published<std::size_t> limit_{kMaxStrangersFrameSize};  // of a frame; 0 once it is closed
-  Published<std::size_t> returned_;  // bytes, since something was last sent; or more
+  Published<std::uint64_t> returned_;                     // bytes, of all answers
+  Published<std::uint64_t> left_;                         // of them, as far as is known
+  Flag is_sign_on_way_;
 };
 
 /// The links of one communicator. Thread-safe.

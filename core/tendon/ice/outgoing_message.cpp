@@ -15,19 +15,19 @@ void OutgoingMessage::Send(const std::string& operation, std::span<const std::by
 }
 
 void OutgoingMessage::handleInvokeSent(bool /*at_once*/, OutgoingAsyncBase* /*self*/) const {
-  link_->OnSent(size_);
+  link_->OnSent(told_.size, told_.returned_before);
 }
 
 void OutgoingMessage::handleInvokeException(const Ice::Exception& why,
                                             OutgoingAsyncBase* /*self*/) const {
-  link_->OnFailed(size_, question_, why);
+  link_->OnFailed(told_.size, question_, why);
 }
 
 void OutgoingMessage::handleInvokeResponse(bool /*ok*/, OutgoingAsyncBase* self) const {
   const Ice::Byte* begin = nullptr;
   Ice::Int size = 0;
   if (!self->getIs()->b.empty()) self->getIs()->readEncapsulation(begin, size);
-  link_->OnAnswer(size_, std::as_bytes(std::span(begin, static_cast<std::size_t>(size))));
+  link_->OnAnswer(told_.size, std::as_bytes(std::span(begin, static_cast<std::size_t>(size))));
 }
 
 }  // namespace tendon::ice

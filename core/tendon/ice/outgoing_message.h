@@ -5,6 +5,7 @@
 #include <tendon/ice/links.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -17,10 +18,15 @@ namespace tendon::ice {
 /// it. Only by std::make_shared().
 class OutgoingMessage final : public IceInternal::OutgoingAsync {
  public:
+  /// What the link is told when the message has left.
+  struct Told {
+    std::size_t size = 0;  ///< as the link counts it
+    std::uint64_t returned_before = 0;
+  };
   /// `peer` says whether an answer is wanted, `question` which.
   OutgoingMessage(const std::shared_ptr<Ice::ObjectPrx>& peer, std::shared_ptr<IceLink> link,
-                  std::size_t size, const std::optional<FrameHeader>& question)
-      : OutgoingAsync(peer, false), link_(std::move(link)), size_(size), question_(question) {}
+                  const Told& told, const std::optional<FrameHeader>& question)
+      : OutgoingAsync(peer, false), link_(std::move(link)), told_(told), question_(question) {}
 
   /// Begins; never waits. Throws where Ice has ended, and the link is not told.
   void Send(const std::string& operation, std::span<const std::byte> bytes);
@@ -35,7 +41,7 @@ class OutgoingMessage final : public IceInternal::OutgoingAsync {
   void handleInvokeResponse(bool ok, OutgoingAsyncBase* self) const override;
 
   const std::shared_ptr<IceLink> link_;
-  const std::size_t size_;  // as the link counts it
+  const Told told_;
   const std::optional<FrameHeader> question_;
 };
 

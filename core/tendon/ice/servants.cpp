@@ -26,15 +26,20 @@ constexpr std::array kYes{std::byte{7}, std::byte{0}, std::byte{0}, std::byte{0}
   throw Ice::MarshalException("tendon", 0, what);
 }
 
-/// What goes back at once, as a parameter: nothing, or one frame. Holds until this thread asks
-/// again.
-std::span<const std::byte> Ask(IceLink& link, std::span<const std::byte> frame) {
-  thread_local Bytes answer;
-  thread_local Bytes encoded;
-  answer.clear();
+/// What goes back at once is the only parameter: nothing, or one frame.
+void Ask(IceLink& link, std::span<const std::byte> frame, IceInternal::Incoming& incoming) {
+  thread_local LeftAnswer answer;
+  answer.header.reset();
   if (!link.DeliverAsked(frame, answer)) CutOff(link, NoFrame(link.peer()).message);
-  WriteOnlyParameter(answer, encoded);
-  return encoded;
+  Ice::OutputStream& out = *incoming.startWriteParams();
+  out.writeSize(static_cast<Ice::Int>(answer.size()));
+  if (answer.header) {
+    std::array<std::byte, FrameHeader::kSize> header{};
+    WriteHeader(*answer.header, header);
+    out.writeBlob(reinterpret_cast<const Ice::Byte*>(header.data()), header.size());
+    out.writeBlob(reinterpret_cast<const Ice::Byte*>(answer.body.data()), answer.body.size());
+  }
+  incoming.endWriteParams();
 }
 
 bool IsA(std::span<const std::byte> type) {
@@ -49,15 +54,17 @@ bool EndpointServant::_iceDispatch(IceInternal::Incoming& incoming, const Ice::C
   Ice::Int size = 0;
   incoming.readParamEncaps(begin, size);
   const auto parameters = std::as_bytes(std::span(begin, static_cast<std::size_t>(size)));
-  const auto answer = Dispatch(parameters, current);
+  const auto answer = Dispatch(parameters, current, incoming);
+  if (answer.empty()) return true;  // it is written
   incoming.writeParamEncaps(reinterpret_cast<const Ice::Byte*>(answer.data()),
                             static_cast<Ice::Int>(answer.size()), true);
   return true;
 }
 
-/// Its answer, which a oneway does not get. Holds until this thread dispatches again.
+/// Its answer, which a oneway does not get; empty where that was written to `incoming`.
 std::span<const std::byte> EndpointServant::Dispatch(std::span<const std::byte> parameters,
-                                                     const Ice::Current& current) {
+                                                     const Ice::Current& current,
+                                                     IceInternal::Incoming& incoming) {
   const auto link = LinkOf(current.con);
   if (!link) {
     throw Ice::ObjectNotExistException("tendon", 0, current.id, current.facet, current.operation);
@@ -74,7 +81,10 @@ std::span<const std::byte> EndpointServant::Dispatch(std::span<const std::byte> 
   if (!parameter) CutOff(*link, "the parameters of '" + current.operation + "' are malformed");
   using Piece = IceLink::Piece;
   const bool is_two_way = current.requestId != 0;
-  if (is_ask && is_two_way) return Ask(*link, *parameter);
+  if (is_ask && is_two_way) {
+    Ask(*link, *parameter, incoming);
+    return {};
+  }
   if (current.operation == "ice_isA") return IsA(*parameter) ? kYes : kNo;
   const Piece piece = is_ask ? Piece::kWhole : is_part ? Piece::kPart : Piece::kEnd;
   if (!link->Deliver(*parameter, piece)) CutOff(*link, NoFrame(link->peer()).message);

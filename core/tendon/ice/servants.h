@@ -28,7 +28,7 @@ class EndpointServant : public Ice::Object {
 
  private:
   std::span<const std::byte> Dispatch(std::span<const std::byte> parameters,
-                                      const Ice::Current& current);
+                                      const Ice::Current& current, IceInternal::Incoming& incoming);
 
   const std::shared_ptr<Links> links_;
 };

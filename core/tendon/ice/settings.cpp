@@ -2,6 +2,7 @@
 #include <tendon/ice/links.h>
 #include <tendon/ice/settings.h>
 #include <tendon/middleware/complaints.h>
+#include <tendon/middleware/parts/part_sender.h>
 #include <tendon/process/access/audit_log.h>
 
 #include <string>
@@ -47,6 +48,13 @@ class Logger final : public Ice::Logger, public std::enable_shared_from_this<Log
   AuditLog audit_;
 };
 
+/// For a message of Ice with a frame of that size.
+std::string KibibytesFor(std::size_t frame) {
+  constexpr std::size_t kKibi = 1024;
+  constexpr std::size_t kEnvelope = 16;  // KiB, for what Ice puts around it
+  return std::to_string(frame / kKibi + kEnvelope);
+}
+
 }  // namespace
 
 std::string OnOneLine(const std::string& text) {
@@ -62,8 +70,6 @@ std::string OnOneLine(const std::string& text) {
 }
 
 Ice::InitializationData Settings() {
-  constexpr std::size_t kKibi = 1024;
-  constexpr std::size_t kEnvelope = 16;  // KiB, for what Ice puts around a frame
   Ice::InitializationData settings;
   settings.logger = std::make_shared<Logger>();
   settings.properties = Ice::createProperties();
@@ -71,7 +77,7 @@ Ice::InitializationData Settings() {
     settings.properties->setProperty(name, value);
   };
   set("Ice.Admin.Enabled", "0");
-  set("Ice.MessageSizeMax", std::to_string(kMaxMessageSize / kKibi + kEnvelope));
+  set("Ice.MessageSizeMax", KibibytesFor(kMaxReturned));
   set("Ice.RetryIntervals", "-1");
   set("Ice.Default.CollocationOptimized", "0");
   // What makes no progress for so long is lost (ms).
@@ -97,6 +103,14 @@ Ice::InitializationData Settings() {
   set("Ice.ThreadPool.Client.Size", "1");
   set("Ice.ThreadPool.Client.SizeMax", "1");
   return settings;
+}
+
+std::shared_ptr<Ice::ObjectAdapter> MakeListeningAdapter(Ice::Communicator& communicator,
+                                                         const std::string& name,
+                                                         const std::string& endpoints) {
+  communicator.getProperties()->setProperty(name + ".MessageSizeMax",
+                                            KibibytesFor(kMaxMessageSize));
+  return communicator.createObjectAdapterWithEndpoints(name, endpoints);
 }
 
 }  // namespace tendon::ice

@@ -1,10 +1,8 @@
-#include <tendon/base/log.h>
 #include <tendon/middleware/channel.h>
 #include <tendon/middleware/parts/large_in_hand.h>
 #include <tendon/middleware/parts/repeated_sign.h>
 #include <tendon/middleware/requests/asked.h>
 #include <tendon/middleware/requests/awaited_answer.h>
-#include <tendon/middleware/requests/gathered_replies.h>
 
 #include <cassert>
 #include <utility>
@@ -33,18 +31,6 @@ bool IsOnThisMachine(const Link& link) {
 Hello For(const Link& link, Hello mine) {
   if (link.certificate() != nullptr || !IsOnThisMachine(link)) mine.cookie = 0;
   return mine;
-}
-
-Error WhyNotSent(Status status, const std::string& peer, std::size_t size) {
-  switch (status.code()) {
-    case Status::kQueueFull:
-      return {ErrorCode::kFailed, peer + " does not keep up: " + std::to_string(kSendWindow) +
-                                      " bytes wait to be sent to it; try again later"};
-    case Status::kInvalid:
-      return ExceedsMaxPayload("a message", size);
-    default:
-      return {ErrorCode::kUnreachable, peer + " is not connected"};
-  }
 }
 
 }  // namespace
@@ -132,7 +118,7 @@ void Channel::OnFirst(const FrameHeader& header, std::span<const std::byte> body
   CallGuarded(link_->peer(), [&] { OnGreeting(header, body); });
 }
 
-void Channel::OnAsked(std::span<const std::byte> frame, Bytes& answer) {
+void Channel::OnAsked(std::span<const std::byte> frame, LeftAnswer& answer) {
   const Asked asked(*this, ReadWholeFrame(frame)->request, answer);
   OnFrame(frame);
 }
@@ -314,49 +300,6 @@ Status Channel::SendPiece(const FrameHeader& header, std::span<const std::byte> 
   thread_local Bytes frame;
   WriteFrame(header, body, frame);
   return ((*link_).*way)(frame);
-}
-
-/// Leaves an answer to whoever has asked; false where it must be sent.
-bool Channel::Return(std::uint64_t request, std::span<const std::byte> body) {
-  Bytes* const answer = Asked::AnswerTo(request, *this);
-  if (answer == nullptr || parts_.MustTake(kOwnLane, FrameHeader::kSize + body.size())) {
-    return false;
-  }
-  WriteFrame(HeaderOf(MessageType::kReply, request, 0, body.size()), body, *answer);
-  return true;
-}
-
-void Channel::SendReply(std::uint64_t request, std::span<const std::byte> body, Lane lane) {
-  const bool is_alone = lane == kOwnLane;
-  if (is_alone && (Return(request, body) || GatheredReplies::Keep(*this, request, body))) return;
-  SendReplyAlone(request, body, lane);
-}
-
-void Channel::SendReplyAlone(std::uint64_t request, std::span<const std::byte> body, Lane lane) {
-  const Status sent = Send(MessageType::kReply, request, 0, body, lane);
-  if (sent || sent == Status::kNotConnected) return;
-  const Error why = WhyNotSent(sent, PeerName(), body.size());
-  Log(LogLevel::kWarning, "channel", "an answer was lost: " + why.message);
-  SendRefusal(request, why);
-}
-
-/// Where the link has no room for all, some may find it.
-void Channel::SendReplies(const ReplyBatch& batch) {
-  bool is_sent = false;
-  if (batch.replies() > 1) {
-    CallGuarded("answers", [&] {
-      is_sent = Send(MessageType::kReplies, 0, 0, batch.body(), kOwnLane) == Status::kQueued;
-    });
-  }
-  std::span<const std::byte> rest = is_sent ? std::span<const std::byte>() : batch.body();
-  while (const auto one = TakeReply(rest)) {
-    CallGuarded("answer", [&] { SendReplyAlone(one->request, one->answer, kOwnLane); });
-  }
-}
-
-void Channel::SendRefusal(std::uint64_t request, const Error& error) {
-  // Where even this does not fit into the window, the peer's request times out.
-  (void)Send(MessageType::kRefusal, request, 0, EncodeBody(error));
 }
 
 Status Channel::Notify(MessageType type, std::uint32_t handle, std::span<const std::byte> body,

@@ -129,7 +129,7 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   using Way = Status (Link::*)(std::span<const std::byte> frame);
 
   void OnFrame(std::span<const std::byte> frame) override;
-  void OnAsked(std::span<const std::byte> frame, Bytes& answer) override;
+  void OnAsked(std::span<const std::byte> frame, LeftAnswer& answer) override;
   void OnClosed(const Error& reason) override;
 
   Result<void> Greet(const std::shared_ptr<Link>& link, SteadyTime deadline);
@@ -153,8 +153,11 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
               std::span<const std::byte> body, Lane lane = kCommonLane, Way way = &Link::Send);
   Status SendPiece(const FrameHeader& header, std::span<const std::byte> body,
                    Way way = &Link::Send);
-  bool Return(std::uint64_t request, std::span<const std::byte> body);
-  void SendReply(std::uint64_t request, std::span<const std::byte> body, Lane lane);
+  [[nodiscard]] bool MayReturn(std::size_t size);
+  bool Return(std::uint64_t request, std::span<const std::byte> body, Bytes* spare);
+  /// `spare`, if any, is what `body` lies in, and may be taken.
+  void SendReply(std::uint64_t request, std::span<const std::byte> body, Lane lane,
+                 Bytes* spare = nullptr);
   void SendReplyAlone(std::uint64_t request, std::span<const std::byte> body, Lane lane);
   void SendReplies(const ReplyBatch& batch);
   void SendRefusal(std::uint64_t request, const Error& error);

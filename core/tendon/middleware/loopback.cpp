@@ -162,9 +162,12 @@ class End final : public Link, public std::enable_shared_from_this<End> {
     if (!fits) return CloseFor(NoFrame(peer_name_));
     if (!handler_) return;
     if (kind != Kind::kAsked) return handler_->OnFrame(frame);
-    Bytes answer;
+    LeftAnswer answer;
     handler_->OnAsked(frame, answer);
-    if (!answer.empty()) (void)Pass(answer, Kind::kAnswer);
+    if (!answer.header) return;
+    Bytes answering;
+    WriteFrame(*answer.header, answer.body, answering);
+    (void)Pass(answering, Kind::kAnswer);
   }
 
   /// After what was posted before, the handler hears OnClosed().

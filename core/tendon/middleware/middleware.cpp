@@ -51,7 +51,9 @@ class PlainListener final : public Listener {
 
 }  // namespace
 
-void LinkHandler::OnAsked(std::span<const std::byte> frame, Bytes& /*answer*/) { OnFrame(frame); }
+void LinkHandler::OnAsked(std::span<const std::byte> frame, LeftAnswer& /*answer*/) {
+  OnFrame(frame);
+}
 
 Error NoFrame(const std::string& peer) {
   return {ErrorCode::kInvalid, peer +

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -57,6 +58,15 @@ class Link {
   [[nodiscard]] virtual const Certificate* certificate() const { return nullptr; }
 };
 
+/// A frame that goes back with the one that asked: its header apart, so that nothing has to be
+/// copied to where it is behind that.
+struct LeftAnswer {
+  std::optional<FrameHeader> header;  ///< without one there is no frame
+  Bytes body;
+
+  [[nodiscard]] std::size_t size() const { return header ? FrameHeader::kSize + body.size() : 0; }
+};
+
 /// Hears what arrives on a link, in a thread of the middleware, one call at a time, in order. Must
 /// neither block nor throw. Held by the link until OnClosed().
 class LinkHandler {
@@ -71,9 +81,9 @@ class LinkHandler {
   virtual void OnFrame(std::span<const std::byte> frame) = 0;
 
   /// The same for a frame that came by Link::Ask(), on a link that has a shorter way back: what is
-  /// left in `answer`, a whole frame or nothing, takes it, behind all that is sent during the call.
-  /// Unless overridden, OnFrame().
-  virtual void OnAsked(std::span<const std::byte> frame, Bytes& answer);
+  /// left in `answer`, in which there was no frame, takes it, behind all that is sent during the
+  /// call. Unless overridden, OnFrame().
+  virtual void OnAsked(std::span<const std::byte> frame, LeftAnswer& answer);
 
   /// Exactly once, after the last frame, whoever closed the link and however it broke.
   virtual void OnClosed(const Error& reason) = 0;

@@ -135,7 +135,7 @@ void RequiredInterfaceProxy::OnRead(std::size_t function, std::span<const std::b
     status = Status::kFailed;
   }
   AppendStatus(status, answer_);
-  responder.Reply(answer_, kOwnLane);
+  responder.ReplyWith(answer_, kOwnLane);
 }
 
 bool RequiredInterfaceProxy::CanBeSent(std::size_t function, const Bytes& answer) {
@@ -209,7 +209,7 @@ void RequiredInterfaceProxy::OnEnd(BegunCalls::Begun& begun, Status status, Byte
   if (!CanBeSent(begun.function, result)) status = Status::kFailed;
   if (!status) result.clear();
   AppendStatus(status, result);
-  begun.responder.Reply(result, kOwnLane);
+  begun.responder.ReplyWith(result, kOwnLane);
 }
 
 void RequiredInterfaceProxy::OnEventsLost(const message::EventsLost& events) {

@@ -73,8 +73,10 @@ class GeneratedEndpoint final : public Endpoint {
 class Answerer final : public LinkHandler {
  public:
   void OnFrame(std::span<const std::byte> /*frame*/) override {}
-  void OnAsked(std::span<const std::byte> frame, Bytes& answer) override {
-    if (is_prompt) answer.assign(frame.begin(), frame.end());
+  void OnAsked(std::span<const std::byte> frame, LeftAnswer& answer) override {
+    if (!is_prompt) return;
+    answer.header = ReadWholeFrame(frame);
+    answer.body.assign(frame.begin() + FrameHeader::kSize, frame.end());
   }
   void OnClosed(const Error& /*reason*/) override {}
 

@@ -3,6 +3,7 @@
 #include <tendon/ice/fan_out/broker.h>
 #include <tendon/ice/fan_out/ice_fan_out.h>
 #include <tendon/ice/fan_out/ice_topic.h>
+#include <tendon/ice/settings.h>
 #include <tendon/ice/tls.h>
 
 #include <exception>
@@ -159,8 +160,8 @@ std::shared_ptr<Ice::ObjectAdapter> IceFanOut::AdapterAt(const std::string& host
   auto& adapter = adapters_[host];
   if (!adapter) {
     const std::string transport = door_.is_certified() ? "ssl" : "tcp";
-    const auto made = communicator_->createObjectAdapterWithEndpoints(
-        "listeners-" + host, transport + " -h \"" + host + "\" -p 0");
+    const auto made = MakeListeningAdapter(*communicator_, "listeners-" + host,
+                                           transport + " -h \"" + host + "\" -p 0");
     made->activate();
     adapter = made;
   }

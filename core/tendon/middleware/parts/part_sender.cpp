@@ -82,6 +82,11 @@ void PartSender::Judge() {
   const std::size_t most = is_through ? kPartSize : part_size();
   const auto least = static_cast<double>(kLeastPartSize);
   part_size_.Set(static_cast<std::size_t>(std::clamp(fitting, least, static_cast<double>(most))));
+  if (fitting < static_cast<double>(kMaxReturned)) {
+    quick_until_.Set({});
+  } else if (is_through) {
+    quick_until_.Set(clock_.Now() + kQuickFor);
+  }
   if (is_through) probe_.reset();
 }
 

@@ -24,6 +24,11 @@ inline constexpr std::size_t kMaxPieceSize = std::size_t{256} << 10U;
 inline constexpr std::size_t kPartSize = kMaxPieceSize - FrameHeader::kSize;
 inline constexpr std::size_t kLeastPartSize = (std::size_t{16} << 10U) - FrameHeader::kSize;
 
+/// An answer that goes back with its question is sent whole where it is no larger than this, the
+/// peer speaks this version, and the line is quick.
+inline constexpr std::size_t kMaxReturned = (std::size_t{1} << 20U) + (std::size_t{64} << 10U);
+inline constexpr std::uint16_t kReturnsLargeAnswers = 8;
+
 /// Sends large frames in parts, lane by lane in turn, never more than four parts ahead of the peer,
 /// which tells how much it has taken (kPartsTaken). So whatever else is sent meanwhile waits behind
 /// that much at most, and nobody waits for the link. Thread-safe.
@@ -34,6 +39,8 @@ class PartSender {
  public:
   static constexpr std::size_t kPartsAhead = 4;
   static constexpr std::chrono::milliseconds kPartTime{250};
+  /// For so long what a probe has told is believed of what goes past the parts.
+  static constexpr std::chrono::milliseconds kQuickFor{1000};
 
   /// `clock` lives as long as this.
   explicit PartSender(const Clock& clock = SteadyClock()) : clock_(clock) {}
@@ -59,6 +66,8 @@ class PartSender {
   [[nodiscard]] std::size_t waiting() const;
   /// Bytes of the next part, unless it is the last of its frame.
   [[nodiscard]] std::size_t part_size() const { return part_size_.Get(); }
+  /// Whether the line was just found to carry kMaxReturned in the time of a part.
+  [[nodiscard]] bool is_quick() const { return clock_.Now() < quick_until_.Get(); }
 
  private:
   /// A frame behind the room for one more header: each part is sent from where it lies, its header
@@ -97,6 +106,7 @@ class PartSender {
   const Clock& clock_;
   Flag is_busy_;  // whether there are lanes_
   Published<std::size_t> part_size_{kLeastPartSize};
+  Published<SteadyTime> quick_until_;
   mutable std::mutex mutex_;
   bool is_closed_ = false;
   std::uint32_t last_number_ = 0;

@@ -1,3 +1,4 @@
+#include <tendon/middleware/middleware.h>
 #include <tendon/middleware/parts/payload_limit.h>
 
 #include <string>
@@ -22,6 +23,18 @@ Error ExceedsMaxPayload(std::string_view what, std::size_t size, std::string_vie
   sentence += " of " + InBytes(size) + " exceeds max_payload " + InBytes(kMaxPayload);
   if (!owner.empty()) sentence += " of " + std::string(owner);
   return {ErrorCode::kInvalid, sentence};
+}
+
+Error WhyNotSent(Status status, const std::string& peer, std::size_t size) {
+  switch (status.code()) {
+    case Status::kQueueFull:
+      return {ErrorCode::kFailed, peer + " does not keep up: " + std::to_string(kSendWindow) +
+                                      " bytes wait to be sent to it; try again later"};
+    case Status::kInvalid:
+      return ExceedsMaxPayload("a message", size);
+    default:
+      return {ErrorCode::kUnreachable, peer + " is not connected"};
+  }
 }
 
 }  // namespace tendon

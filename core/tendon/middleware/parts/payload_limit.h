@@ -1,8 +1,10 @@
 #pragma once
 
 #include <tendon/base/result.h>
+#include <tendon/base/status.h>
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 
 namespace tendon {
@@ -17,5 +19,8 @@ inline constexpr std::size_t kMaxBodySize = kMaxPayload + (std::size_t{64} << 10
 /// if any, is whose it is: " of robot/arm/Cloud".
 [[nodiscard]] Error ExceedsMaxPayload(std::string_view what, std::size_t size,
                                       std::string_view owner = {});
+
+/// Why a body of `size` bytes was not sent to a peer, where a link has refused it so.
+[[nodiscard]] Error WhyNotSent(Status status, const std::string& peer, std::size_t size);
 
 }  // namespace tendon

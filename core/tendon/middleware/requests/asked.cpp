@@ -9,7 +9,7 @@ thread_local const Asked* asked_here = nullptr;
 
 }  // namespace
 
-Asked::Asked(const Channel& channel, std::uint64_t request, Bytes& answer)
+Asked::Asked(const Channel& channel, std::uint64_t request, LeftAnswer& answer)
     : channel_(channel), request_(request), answer_(answer) {
   assert(asked_here == nullptr);
   asked_here = this;
@@ -17,10 +17,10 @@ Asked::Asked(const Channel& channel, std::uint64_t request, Bytes& answer)
 
 Asked::~Asked() { asked_here = nullptr; }
 
-Bytes* Asked::AnswerTo(std::uint64_t request, const Channel& channel) {
+LeftAnswer* Asked::AnswerTo(std::uint64_t request, const Channel& channel) {
   const Asked* asked = asked_here;
   const bool is_it = asked != nullptr && &asked->channel_ == &channel &&
-                     asked->request_ == request && asked->answer_.empty();
+                     asked->request_ == request && !asked->answer_.header;
   return is_it ? &asked->answer_ : nullptr;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <tendon/middleware/frame.h>
+#include <tendon/middleware/middleware.h>
 
 #include <cstdint>
 
@@ -12,18 +12,18 @@ class Channel;
 /// be left (LinkHandler::OnAsked()). One at a time in a thread.
 class Asked {
  public:
-  Asked(const Channel& channel, std::uint64_t request, Bytes& answer);
+  Asked(const Channel& channel, std::uint64_t request, LeftAnswer& answer);
   Asked(const Asked&) = delete;
   Asked& operator=(const Asked&) = delete;
   ~Asked();
 
   /// Where this thread may leave the answer to `request`; null where it must be sent.
-  [[nodiscard]] static Bytes* AnswerTo(std::uint64_t request, const Channel& channel);
+  [[nodiscard]] static LeftAnswer* AnswerTo(std::uint64_t request, const Channel& channel);
 
  private:
   const Channel& channel_;
   const std::uint64_t request_;
-  Bytes& answer_;
+  LeftAnswer& answer_;
 };
 
 }  // namespace tendon

@@ -30,6 +30,13 @@ void Responder::Reply(std::span<const std::byte> body, Lane lane) {
   channel_.reset();  // not where that has thrown: then it is refused
 }
 
+void Responder::ReplyWith(Bytes& body, Lane lane) {
+  const auto channel = channel_.lock();
+  if (!channel) return;
+  channel->SendReply(request_, body, lane, &body);
+  channel_.reset();
+}
+
 bool Responder::is_asked_here() const {
   const auto channel = channel_.lock();
   return channel && Asked::AnswerTo(request_, *channel) != nullptr;

@@ -24,6 +24,8 @@ class Responder {
 
   /// Throws std::bad_alloc where memory is short; it is not answered then.
   void Reply(std::span<const std::byte> body, Lane lane = kCommonLane);
+  /// The same, and leaves anything in `body`, so that a large one need not be copied.
+  void ReplyWith(Bytes& body, Lane lane);
   /// Whether a Reply() in kOwnLane from this thread, before it returns to the channel, takes the
   /// shorter way of Link::Ask().
   [[nodiscard]] bool is_asked_here() const;

@@ -166,6 +166,21 @@ TEST_F(PartSenderTest, PartsBecomeLargeAgainWithALineThatIsQuickAgain) {
   EXPECT_EQ(sender.part_size(), kPartSize);
 }
 
+TEST_F(PartSenderTest, ALineIsQuickForAWhileOnceItWasFoundToCarryWhatIsReturned) {
+  EXPECT_TRUE(sender.is_quick());
+
+  clock.Advance(PartSender::kQuickFor);
+
+  EXPECT_FALSE(sender.is_quick());
+}
+
+TEST_F(PartSenderTest, ALineOnWhichPartsAreLargeMayBeTooSlowForMore) {
+  TakeSlowly(std::size_t{4} << 20U, kMaxReturned / 2);
+
+  EXPECT_EQ(sender.part_size(), kPartSize);
+  EXPECT_FALSE(sender.is_quick());
+}
+
 TEST_F(PartSenderTest, CountsAFrameUntilThePeerHasTakenItsEnd) {
   ASSERT_EQ(Add(1, 2), Status::kQueued);
   EXPECT_EQ(sender.waiting(), 2 * kPartSize);

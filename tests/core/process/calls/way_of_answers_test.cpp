@@ -50,10 +50,10 @@ class WayCounter final : public tendon::Middleware {
       ++ways_->sent;
       handler_->OnFrame(frame);
     }
-    void OnAsked(std::span<const std::byte> frame, Bytes& answer) override {
+    void OnAsked(std::span<const std::byte> frame, tendon::LeftAnswer& answer) override {
       ++ways_->asked;
       handler_->OnAsked(frame, answer);
-      if (!answer.empty()) ++ways_->answered;
+      if (answer.header) ++ways_->answered;
     }
     void OnClosed(const tendon::Error& reason) override { handler_->OnClosed(reason); }
 

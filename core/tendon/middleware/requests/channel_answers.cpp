@@ -1,0 +1,64 @@
+#include <tendon/base/log.h>
+#include <tendon/middleware/channel.h>
+#include <tendon/middleware/requests/asked.h>
+#include <tendon/middleware/requests/gathered_replies.h>
+
+namespace tendon {
+
+/// What is returned is not sent in parts: it must be small, or the line quick.
+bool Channel::MayReturn(std::size_t size) {
+  if (!parts_.MustTake(kOwnLane, size)) return true;
+  return version_ >= kReturnsLargeAnswers && size <= kMaxReturned && parts_.is_quick();
+}
+
+/// Leaves an answer to whoever has asked; false where it must be sent.
+bool Channel::Return(std::uint64_t request, std::span<const std::byte> body, Bytes* spare) {
+  LeftAnswer* const answer = Asked::AnswerTo(request, *this);
+  if (answer == nullptr || !MayReturn(FrameHeader::kSize + body.size())) return false;
+  const FrameHeader header = HeaderOf(MessageType::kReply, request, 0, body.size());
+  // What the thread keeps afterwards is no larger than what it may return.
+  if (spare != nullptr && spare->capacity() <= kMaxReturned) {
+    answer->body.swap(*spare);
+  } else {
+    answer->body.assign(body.begin(), body.end());
+  }
+  answer->header = header;
+  return true;
+}
+
+void Channel::SendReply(std::uint64_t request, std::span<const std::byte> body, Lane lane,
+                        Bytes* spare) {
+  const bool is_alone = lane == kOwnLane;
+  if (is_alone && (Return(request, body, spare) || GatheredReplies::Keep(*this, request, body)))
+    return;
+  SendReplyAlone(request, body, lane);
+}
+
+void Channel::SendReplyAlone(std::uint64_t request, std::span<const std::byte> body, Lane lane) {
+  const Status sent = Send(MessageType::kReply, request, 0, body, lane);
+  if (sent || sent == Status::kNotConnected) return;
+  const Error why = WhyNotSent(sent, PeerName(), body.size());
+  Log(LogLevel::kWarning, "channel", "an answer was lost: " + why.message);
+  SendRefusal(request, why);
+}
+
+/// Where the link has no room for all, some may find it.
+void Channel::SendReplies(const ReplyBatch& batch) {
+  bool is_sent = false;
+  if (batch.replies() > 1) {
+    CallGuarded("answers", [&] {
+      is_sent = Send(MessageType::kReplies, 0, 0, batch.body(), kOwnLane) == Status::kQueued;
+    });
+  }
+  std::span<const std::byte> rest = is_sent ? std::span<const std::byte>() : batch.body();
+  while (const auto one = TakeReply(rest)) {
+    CallGuarded("answer", [&] { SendReplyAlone(one->request, one->answer, kOwnLane); });
+  }
+}
+
+void Channel::SendRefusal(std::uint64_t request, const Error& error) {
+  // Where even this does not fit into the window, the peer's request times out.
+  (void)Send(MessageType::kRefusal, request, 0, EncodeBody(error));
+}
+
+}  // namespace tendon
