@@ -170,7 +170,7 @@ void Channel::OnMessage(const FrameHeader& header, std::span<const std::byte> bo
   if (!IsInAgreedVersion(header)) return;
   switch (header.type) {
     case MessageType::kReply:
-      return requests_.OnAnswer(header.request, Bytes(body.begin(), body.end()));
+      return requests_.OnBorrowedAnswer(header.request, body);
     case MessageType::kReplies:
       return OnReplies(body);
     case MessageType::kRefusal:
@@ -200,7 +200,7 @@ void Channel::OnReplies(std::span<const std::byte> body) {
     return Fail({ErrorCode::kInvalid, peer_.name + " sent answers that are malformed"});
   }
   while (const auto one = TakeReply(body)) {
-    requests_.OnAnswer(one->request, Bytes(one->answer.begin(), one->answer.end()));
+    requests_.OnBorrowedAnswer(one->request, one->answer);
   }
 }
 
@@ -344,22 +344,22 @@ bool Channel::IsThreadOfMiddleware() noexcept { return calls_from_middleware > 0
 
 Result<Bytes> Channel::Call(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
                             std::chrono::milliseconds timeout, Lane lane) {
-  return Await(type, handle, body, timeout, lane, &Link::Send);
+  return Await(type, handle, body, timeout, lane, &Link::Send, {});
 }
 
 Result<Bytes> Channel::Ask(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
-                           std::chrono::milliseconds timeout, Lane lane) {
-  return Await(type, handle, body, timeout, lane, &Link::Ask);
+                           std::chrono::milliseconds timeout, Lane lane, Bytes spare) {
+  return Await(type, handle, body, timeout, lane, &Link::Ask, std::move(spare));
 }
 
 Result<Bytes> Channel::Await(MessageType type, std::uint32_t handle,
                              std::span<const std::byte> body, std::chrono::milliseconds timeout,
-                             Lane lane, Way way) {
+                             Lane lane, Way way, Bytes spare) {
   if (IsThreadOfMiddleware()) {
     return Error{ErrorCode::kFailed, "a call to " + PeerName() + " would wait for its own thread"};
   }
   const SteadyTime deadline = SteadyClock().Now() + timeout;
-  AwaitedAnswer answer(requests_);
+  AwaitedAnswer answer(requests_, std::move(spare));
   const Status sent = is_open() && answer.number() != 0
                           ? Send(type, answer.number(), handle, body, lane, way)
                           : Status(Status::kNotConnected);

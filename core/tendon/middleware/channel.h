@@ -90,9 +90,9 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   /// Asks and waits. Refused in a thread of the middleware, which would wait for itself.
   Result<Bytes> Call(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
                      std::chrono::milliseconds timeout, Lane lane = kCommonLane);
-  /// The same for what is answered at once.
+  /// The same for what is answered at once. The answer may have the memory of `spare`.
   Result<Bytes> Ask(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
-                    std::chrono::milliseconds timeout, Lane lane = kCommonLane);
+                    std::chrono::milliseconds timeout, Lane lane = kCommonLane, Bytes spare = {});
   template <Payload Answer, Message T>
   Result<Answer> Call(MessageType type, std::uint32_t handle, const T& value,
                       std::chrono::milliseconds timeout);
@@ -164,7 +164,7 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   Status TryStart(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
                   std::chrono::milliseconds timeout, ReplyHandler handler, Lane lane, Way way);
   Result<Bytes> Await(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
-                      std::chrono::milliseconds timeout, Lane lane, Way way);
+                      std::chrono::milliseconds timeout, Lane lane, Way way, Bytes spare);
   [[nodiscard]] std::string PeerName() const;
   [[nodiscard]] std::shared_ptr<LinkHandler> AsLinkHandler();
 

@@ -32,8 +32,8 @@ class ReadCommandProxy final : public CommandBase {
       remote_.refused_payloads->Log(name_, in.size());
       return Status::kInvalid;
     }
-    auto answer =
-        remote_.channel->Ask(message::kRead, remote_.handle, in, remote_.deadline, kOwnLane);
+    auto answer = remote_.channel->Ask(message::kRead, remote_.handle, in, remote_.deadline,
+                                       kOwnLane, std::exchange(out, {}));
     if (!answer) return ToStatus(answer.error());
     out = *std::move(answer);
     return TakeStatus(out);

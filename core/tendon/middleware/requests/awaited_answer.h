@@ -12,8 +12,9 @@ namespace tendon {
 /// allocated for each. Of one thread; not for longer than the PendingRequests.
 class AwaitedAnswer {
  public:
-  explicit AwaitedAnswer(PendingRequests& requests)
-      : requests_(requests), place_(requests.AddAwaited()) {
+  /// The answer may have the memory of `spare`.
+  explicit AwaitedAnswer(PendingRequests& requests, Bytes spare = {})
+      : requests_(requests), place_(requests.AddAwaited(std::move(spare))) {
     if (place_ != nullptr) number_ = place_->request;
   }
   AwaitedAnswer(const AwaitedAnswer&) = delete;

@@ -58,12 +58,13 @@ std::uint64_t PendingRequests::Add(std::chrono::milliseconds timeout, Handler& h
 }
 
 /// Null after FinishAll().
-PendingRequests::Place* PendingRequests::AddAwaited() {
+PendingRequests::Place* PendingRequests::AddAwaited(Bytes spare) {
   const std::scoped_lock lock(mutex_);
   if (finished_) return nullptr;
   Place& place = Take();
   place.deadline = SteadyTime::max();
   place.is_awaited = true;
+  place.spare = std::move(spare);
   return &place;
 }
 
@@ -72,6 +73,7 @@ std::optional<Result<Bytes>> PendingRequests::Leave(Place& place) {
   const std::scoped_lock lock(mutex_);
   (void)Remove(place.request);
   auto outcome = std::exchange(place.outcome, std::nullopt);
+  Bytes().swap(place.spare);
   place.has_ended.Set(false);
   Free(place);
   return outcome;
@@ -113,6 +115,23 @@ bool PendingRequests::FinishLocked(std::unique_lock<std::mutex>& lock, std::uint
 void PendingRequests::OnAnswer(std::uint64_t request, Result<Bytes> answer) {
   std::unique_lock lock(mutex_);
   if (!FinishLocked(lock, request, std::move(answer))) ++late_;
+}
+
+/// Memory that is new costs more than to fill it, where it is much.
+void PendingRequests::OnBorrowedAnswer(std::uint64_t request, std::span<const std::byte> answer) {
+  constexpr std::size_t kMuch = std::size_t{16} << 10U;
+  Bytes copy;
+  if (answer.size() >= kMuch) copy = TakeSpare(request);
+  copy.assign(answer.begin(), answer.end());
+  OnAnswer(request, Result<Bytes>(std::move(copy)));
+}
+
+Bytes PendingRequests::TakeSpare(std::uint64_t request) {
+  const std::scoped_lock lock(mutex_);
+  if (by_number_.empty()) return {};
+  Place* const place = EntryOf(request);
+  if (place == nullptr || place->request != request) return {};
+  return std::exchange(place->spare, {});
 }
 
 void PendingRequests::Expire(SteadyTime now, const std::string& peer) {

@@ -13,6 +13,7 @@
 #include <functional>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,8 @@ class PendingRequests {
 
   /// Finish() for what came from the peer; counts what came too late.
   void OnAnswer(std::uint64_t request, Result<Bytes> answer);
+  /// The same with a copy of `answer`, in the memory that who waits has to spare.
+  void OnBorrowedAnswer(std::uint64_t request, std::span<const std::byte> answer);
 
   /// Finishes the requests whose time has come: `peer` gave no answer. Who waits sees to that.
   void Expire(SteadyTime now, const std::string& peer);
@@ -56,6 +59,7 @@ class PendingRequests {
     std::chrono::milliseconds timeout{};
     Handler handler;
     bool is_awaited = false;  // instead: somebody waits for the outcome
+    Bytes spare;              // for the outcome
     std::optional<Result<Bytes>> outcome;
     Flag has_ended;
     Wakeup<> wakeup;
@@ -69,7 +73,8 @@ class PendingRequests {
 
   bool FinishLocked(std::unique_lock<std::mutex>& lock, std::uint64_t request,
                     Result<Bytes> outcome);
-  Place* AddAwaited();
+  Place* AddAwaited(Bytes spare);
+  [[nodiscard]] Bytes TakeSpare(std::uint64_t request);
   std::optional<Result<Bytes>> Leave(Place& place);
 
   mutable std::mutex mutex_;

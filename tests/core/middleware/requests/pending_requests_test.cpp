@@ -160,6 +160,21 @@ TEST(AwaitedAnswer, IsWhatTheRequestWasFinishedWith) {
   EXPECT_EQ(requests.late_answers(), 0U);
 }
 
+TEST(AwaitedAnswer, HasTheMemoryThatItsCallerHadToSpare) {
+  constexpr std::size_t kLarge = 100'000;
+  PendingRequests requests;
+  Bytes spare(kLarge);
+  const std::byte* const place = spare.data();
+  AwaitedAnswer answer(requests, std::move(spare));
+
+  requests.OnBorrowedAnswer(answer.number(), Bytes(kLarge - 1, std::byte{7}));
+
+  const auto outcome = answer.WaitUntil(SteadyClock().Now() + hours(1));
+  ASSERT_TRUE(outcome.has_value());
+  EXPECT_EQ(**outcome, Bytes(kLarge - 1, std::byte{7}));
+  EXPECT_EQ((*outcome)->data(), place);
+}
+
 TEST(AwaitedAnswer, IsLateOnceItsTimeIsOver) {
   PendingRequests requests;
   AwaitedAnswer answer(requests);
