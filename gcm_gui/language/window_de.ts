@@ -2329,6 +2329,38 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <source>It ends what the component does: hold the button for 0.4 s, or press Enter</source>
         <translation>Es beendet, was die Komponente tut: den Knopf 0,4 s lang halten oder die Eingabetaste drücken</translation>
     </message>
+    <message>
+        <source>Rename this plot</source>
+        <translation>Diesen Plot umbenennen</translation>
+    </message>
+    <message>
+        <source>Name; nothing for what it shows</source>
+        <translation>Name; leer: nach dem, was er zeigt</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>Umbenennen…</translation>
+    </message>
+    <message>
+        <source>&amp;Rename this plot…</source>
+        <translation>Diesen Plot &amp;umbenennen…</translation>
+    </message>
+    <message>
+        <source>%1 in its process</source>
+        <translation>%1 in ihrem Prozess</translation>
+    </message>
+    <message>
+        <source>%1 on the network</source>
+        <translation>%1 im Netz</translation>
+    </message>
+    <message>
+        <source>%1 in this window</source>
+        <translation>%1 in diesem Fenster</translation>
+    </message>
+    <message>
+        <source>; lost </source>
+        <translation>; verloren: </translation>
+    </message>
 </context>
 <context>
     <name>tendon::gui::Words::Words</name>

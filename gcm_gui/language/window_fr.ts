@@ -2329,6 +2329,38 @@ Possède %1 des commandes et événements requis.</translation>
         <source>It ends what the component does: hold the button for 0.4 s, or press Enter</source>
         <translation>Cela met fin à ce que fait le composant : maintenir le bouton 0,4 s ou appuyer sur Entrée</translation>
     </message>
+    <message>
+        <source>Rename this plot</source>
+        <translation>Renommer ce graphique</translation>
+    </message>
+    <message>
+        <source>Name; nothing for what it shows</source>
+        <translation>Nom ; vide : d&apos;après ce qu&apos;il montre</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>Renommer…</translation>
+    </message>
+    <message>
+        <source>&amp;Rename this plot…</source>
+        <translation>&amp;Renommer ce graphique…</translation>
+    </message>
+    <message>
+        <source>%1 in its process</source>
+        <translation>%1 dans son processus</translation>
+    </message>
+    <message>
+        <source>%1 on the network</source>
+        <translation>%1 sur le réseau</translation>
+    </message>
+    <message>
+        <source>%1 in this window</source>
+        <translation>%1 dans cette fenêtre</translation>
+    </message>
+    <message>
+        <source>; lost </source>
+        <translation>; perdues : </translation>
+    </message>
 </context>
 <context>
     <name>tendon::gui::Words::Words</name>

@@ -1,3 +1,4 @@
+#include <gcm_gui/files/file_reader.h>
 #include <gcm_gui/files/file_writer.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/layout/plot_layout.h>
@@ -8,7 +9,6 @@
 #include <gcm_gui/plot/plot_panel.h>
 #include <gcm_gui/plot/plot_view.h>
 
-#include <QFile>
 #include <QFileDialog>
 #include <QInputDialog>
 #include <QMenu>
@@ -35,7 +35,10 @@ CsvTable InSight(const PlotView& view) {
 }  // namespace
 
 PlotPanel::PlotPanel(QWidget* parent)
-    : QWidget(parent), head_(new PlotHead(this)), pages_(new QStackedWidget(this)) {
+    : QWidget(parent),
+      reader_(new FileReader(this)),
+      head_(new PlotHead(this)),
+      pages_(new QStackedWidget(this)) {
   setObjectName("plotPanel");
   setAccessibleName(Words::tr("Plots"));
   auto* column = new QVBoxLayout(this);
@@ -235,17 +238,22 @@ void PlotPanel::saveLayout(const QString& name) {
 }
 
 void PlotPanel::openLayout(const QString& name) {
-  QFile file(name);
-  if (!file.open(QIODevice::ReadOnly)) {
-    return Q_EMIT notice(name + Words::tr(" cannot be read: ") + file.errorString());
-  }
-  if (const auto reason = ShowLayout(*this, file.readAll())) {
-    Q_EMIT notice(name + Words::tr(" is no layout of plots: ") + *reason);
-  }
+  reader_->read(name, [this, name](const QByteArray& content, const QString& refusal) {
+    if (!refusal.isEmpty()) {
+      return Q_EMIT notice(name + Words::tr(" cannot be read: ") + refusal);
+    }
+    if (const auto reason = ShowLayout(*this, content)) {
+      Q_EMIT notice(name + Words::tr(" is no layout of plots: ") + *reason);
+    }
+  });
 }
 
 void PlotPanel::setCandidates(std::function<QList<CurveKey>(const QString& path)> candidates) {
   candidates_ = std::move(candidates);
+}
+
+void PlotPanel::setLosses(std::function<RowLosses(const QString& path)> losses) {
+  losses_ = std::move(losses);
 }
 
 void PlotPanel::askForRemap(const QString& path) {
@@ -315,7 +323,11 @@ void PlotPanel::updateHead() {
     }
   }
   head_->setMemory(used, memory_, is_thinned);
-  head_->setFigures(currentPlot().figures());
+  auto figures = currentPlot().figures();
+  for (SourceFigures& each : figures) {
+    if (losses_) each.losses = losses_(each.path);
+  }
+  head_->setFigures(figures);
   head_->setWindow(currentPlot().window().length());
   head_->setCursors(currentPlot().cursors().any());
   head_->setSweeping(currentPlot().window().motion() == TimeWindow::Motion::kSweep);

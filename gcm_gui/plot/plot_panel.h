@@ -2,6 +2,7 @@
 
 #include <gcm_gui/plot/csv/csv_export.h>
 #include <gcm_gui/plot/marks/mark_track.h>
+#include <gcm_gui/plot/row_losses.h>
 #include <gcm_gui/plot/series/sample_ring.h>
 #include <gcm_gui/plot/series/signal_path.h>
 
@@ -16,6 +17,7 @@ class QStackedWidget;
 
 namespace tendon::gui {
 
+class FileReader;
 class PlotHead;
 class PlotPage;
 class PlotView;
@@ -65,13 +67,16 @@ class PlotPanel : public QWidget {
   /// For a file that holds which signals are in which plot; see LayoutOf().
   void askToSaveLayout();
   void askForLayout();
-  /// Replaces the plots by those of `file`; what is wrong with it comes as a notice.
+  /// Replaces the plots by those of `file` once it is read; what is wrong with it comes as a
+  /// notice.
   void openLayout(const QString& file);
   void saveLayout(const QString& file);
   /// Shows `to` wherever `from` is shown.
   void remap(const QString& from, const CurveKey& to);
   /// What could be shown in place of a signal, the likeliest first.
   void setCandidates(std::function<QList<CurveKey>(const QString& path)> candidates);
+  /// Where rows of a signal were lost.
+  void setLosses(std::function<RowLosses(const QString& path)> losses);
   void toggleCursors();
 
   /// For the samples of all plots, in bytes.
@@ -91,6 +96,11 @@ class PlotPanel : public QWidget {
   void showPlot(int index);
   /// Whether it shares its page with the plot before it.
   [[nodiscard]] bool isBelow(int index) const;
+  /// Asks for a name of the page in front.
+  void askForName();
+  /// Of the page that the plot is on; empty: it goes by what it shows.
+  void setName(PlotView& view, const QString& name);
+  [[nodiscard]] QString name(int index) const;
 
  Q_SIGNALS:
   void subscriptionWanted(const QString& path);
@@ -124,10 +134,12 @@ class PlotPanel : public QWidget {
   [[nodiscard]] bool isPlotted(const QString& path) const;
 
   CsvExport csv_;
+  FileReader* reader_;
   MarkTrack marks_;
   PlotHead* head_;
   QStackedWidget* pages_;
   std::function<QList<CurveKey>(const QString& path)> candidates_;
+  std::function<RowLosses(const QString& path)> losses_;
   QTimer head_timer_;
   std::size_t memory_ = kDefaultMemory;
   bool paused_ = false;

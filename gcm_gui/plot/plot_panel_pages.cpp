@@ -4,6 +4,7 @@
 #include <gcm_gui/plot/plot_panel.h>
 #include <gcm_gui/plot/plot_view.h>
 
+#include <QInputDialog>
 #include <QMenu>
 #include <QStackedWidget>
 #include <QTabBar>
@@ -63,6 +64,10 @@ void PlotPanel::showTabMenu(const QPoint& position) {
   auto* menu = new QMenu(this);
   menu->setAttribute(Qt::WA_DeleteOnClose);
   const bool are_several = page(index).views().size() > 1;
+  menu->addAction(Words::tr("Rename…"), this, [this, index] {
+    showPage(index);
+    askForName();
+  });
   menu->addAction(are_several ? Words::tr("Close plots") : Words::tr("Close plot"), this,
                   [this, index] { closePage(index); });
   menu->popup(head_->tabs().mapToGlobal(position));
@@ -81,7 +86,26 @@ void PlotPanel::showPlot(int index) {
   showPage(pages_->indexOf(&page));
 }
 
-// By the column of its first curve; by its number while it is empty.
+void PlotPanel::askForName() {
+  PlotView& view = currentPlot();
+  auto* dialog = new QInputDialog(this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(Words::tr("Rename this plot"));
+  dialog->setLabelText(Words::tr("Name; nothing for what it shows"));
+  dialog->setTextValue(head_->tabs().tabText(head_->tabs().currentIndex()));
+  connect(dialog, &QInputDialog::textValueSelected, &view,
+          [this, &view](const QString& name) { setName(view, name); });
+  dialog->open();
+}
+
+void PlotPanel::setName(PlotView& view, const QString& name) {
+  pageOf(view).setName(name.simplified());
+  nameTab(view);
+}
+
+QString PlotPanel::name(int index) const { return pageOf(plot(index)).name(); }
+
+// By the name it was given; else by the column of its first curve; by its number while it is empty.
 void PlotPanel::nameTab(PlotView& view) {
   const PlotPage& page = pageOf(view);
   const int index = pages_->indexOf(&page);
@@ -97,7 +121,8 @@ void PlotPanel::nameTab(PlotView& view) {
   }
   const auto named = std::find_if(views.begin(), views.end(),
                                   [](const PlotView* each) { return !each->curves().empty(); });
-  head_->tabs().setTabText(index, name_of(named == views.end() ? view : **named));
+  const QString shown = name_of(named == views.end() ? view : **named);
+  head_->tabs().setTabText(index, page.name().isEmpty() ? shown : page.name());
 }
 
 PlotPage& PlotPanel::page(int index) const {

@@ -47,6 +47,15 @@ QString BadgeText(const std::vector<SourceFigures>& figures) {
   return text;
 }
 
+/// Where they were lost, as far as that is known; empty without a loss.
+QString PlacesText(const RowLosses& losses) {
+  QStringList places;
+  if (losses.table > 0) places << Words::tr("%1 in its process").arg(losses.table);
+  if (losses.network > 0) places << Words::tr("%1 on the network").arg(losses.network);
+  if (losses.viewer > 0) places << Words::tr("%1 in this window").arg(losses.viewer);
+  return places.isEmpty() ? QString() : Words::tr("; lost ") + places.join(QStringLiteral(", "));
+}
+
 RateBadge::RateBadge(QWidget* parent) : QToolButton(parent) {
   setObjectName("rateBadge");
   setFocusPolicy(Qt::TabFocus);
@@ -66,9 +75,10 @@ void RateBadge::setFigures(const std::vector<SourceFigures>& figures) {
   QStringList lines;
   for (const SourceFigures& each : figures) {
     lines << Words::tr("%1: %2, %3 rows lost, %4 repeated")
-                 .arg(each.source, RateText(each.rate))
-                 .arg(each.lost)
-                 .arg(each.repeated);
+                     .arg(each.source, RateText(each.rate))
+                     .arg(each.lost)
+                     .arg(each.repeated) +
+                 PlacesText(each.losses);
   }
   setToolTip(lines.join('\n'));
 }

@@ -60,6 +60,8 @@ void ColumnFeed::resolve(const std::string& field, Tap& tap) const {
 
 std::size_t ColumnFeed::OnRows(const RowBatch& batch) {
   const std::lock_guard lock(mutex_);
+  losses_.table += batch.lost_table;
+  losses_.network += batch.lost_network;
   if (!schema_ || batch.count == 0) return 0;
   const bool new_epoch = batch.epoch != epoch_;
   epoch_ = batch.epoch;
@@ -67,8 +69,17 @@ std::size_t ColumnFeed::OnRows(const RowBatch& batch) {
   for (auto& [field, tap] : taps_) left_out = std::max(left_out, feed(tap, batch, new_epoch));
   const auto row = batch.cell(batch.count - 1, 0);
   newest_row_.assign(row.begin(), row.end());
+  newest_time_ = batch.times[batch.count - 1] - batch.clock_offset.count();
+  rows_ += batch.count;
   fresh_ = true;
+  losses_.viewer += left_out;
   return left_out;
+}
+
+RowLosses ColumnFeed::losses() {
+  const std::unique_lock lock(mutex_, std::try_to_lock);
+  if (lock) told_losses_ = losses_;
+  return told_losses_;
 }
 
 std::size_t ColumnFeed::feed(Tap& tap, const RowBatch& batch, bool new_epoch) const {
@@ -131,6 +142,8 @@ std::optional<ColumnValues> ColumnFeed::takeValues() {
   ColumnValues values;
   values.channels = shapeOf(newest_row_);
   if (newest_row_.empty()) return values;
+  values.rows = rows_;
+  values.time = newest_time_;
   values.values.reserve(values.channels->size());
   for (const PlotChannel& channel : *values.channels) {
     values.values.push_back(ReadChannel(channel, newest_row_).value_or(kNone));

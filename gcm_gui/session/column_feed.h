@@ -43,6 +43,8 @@ class ColumnFeed final : public RowSink {
   [[nodiscard]] Taken take(const std::string& field);
   /// The newest row, when one has come (or the column has become known) since the last call.
   [[nodiscard]] std::optional<ColumnValues> takeValues();
+  /// Since the beginning; as they were before, while a batch is read.
+  [[nodiscard]] RowLosses losses();
 
  private:
   struct Tap {
@@ -64,6 +66,10 @@ class ColumnFeed final : public RowSink {
   std::map<std::string, Tap> taps_;
   std::optional<QString> stale_;
   std::vector<std::byte> newest_row_;
+  std::int64_t newest_time_ = 0;
+  std::uint64_t rows_ = 0;
+  RowLosses losses_;
+  RowLosses told_losses_;  // of the GUI thread
   bool fresh_ = false;
   ChannelList shape_;
 };

@@ -84,6 +84,15 @@ void LiveSignals::watch(const QObject* owner, const QSet<QString>& columns) {
   }
 }
 
+RowLosses LiveSignals::losses(const QString& signal) const {
+  const auto it = columns_.find(ColumnPathOf(signal));
+  return it == columns_.end() ? RowLosses{} : it->second.feed->losses();
+}
+
+void LiveSignals::retry(const QString& column) {
+  telemetry_.Retry(column.section('/', 0, 0).toStdString());
+}
+
 void LiveSignals::drain() {
   // What a receiver does in return may subscribe or release: walk over a copy of the names.
   QList<std::pair<QString, QString>> signals_of_columns;

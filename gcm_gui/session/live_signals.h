@@ -31,6 +31,8 @@ class LiveSignals : public SignalSource {
   void subscribe(const QString& signal) override;
   void release(const QString& signal) override;
   void watch(const QObject* owner, const QSet<QString>& columns) override;
+  [[nodiscard]] RowLosses losses(const QString& signal) const override;
+  void retry(const QString& column) override;
 
   /// How many columns are subscribed to now.
   [[nodiscard]] std::size_t columnCount() const { return columns_.size(); }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <gcm_gui/plot/row_losses.h>
 #include <gcm_gui/plot/series/sample_ring.h>
 #include <tendon/payload/plot_channel.h>
 
@@ -24,6 +25,8 @@ struct ColumnValues {
   std::vector<double> values;  ///< of each channel; NaN where the row has none. Empty before a row
   QString text;                ///< of a column without numbers, as JSON
   std::shared_ptr<const RawPicture> picture = {};  ///< of a column that holds one, else null
+  std::uint64_t rows = 0;                          ///< that have come so far, this one among them
+  std::int64_t time = 0;  ///< of this row, ns on this process' steady clock
 };
 
 /// Live data of state tables, by path. Two ways to have it: every row of one number (a signal, for
@@ -43,6 +46,12 @@ class SignalSource : public QObject {
   /// From now on `owner` sees the newest values of these columns, "robot/arm/state.Joints", and of
   /// no others. Forgotten when the owner dies.
   virtual void watch(const QObject* owner, const QSet<QString>& columns) = 0;
+
+  /// Of the column that a signal belongs to, since it is subscribed to.
+  [[nodiscard]] virtual RowLosses losses(const QString& signal) const = 0;
+
+  /// The process of this column is asked once more, at once.
+  virtual void retry(const QString& column) = 0;
 
  Q_SIGNALS:
   /// In order, none left out that arrived. The samples are valid during the call.

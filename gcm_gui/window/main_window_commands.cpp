@@ -156,6 +156,7 @@ void MainWindow::addPlotCommands() {
   add(Words::tr("&New plot"), QKeySequence(Qt::CTRL | Qt::Key_T), [this] { plots_->addPlot(); });
   add(Words::tr("Plot &below, with the same time"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_T),
       [this] { plots_->splitPlot(); });
+  add(Words::tr("&Rename this plot…"), Qt::Key_F2, [this] { plots_->askForName(); });
   add(Words::tr("Close t&his plot"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_W),
       [this] { plots_->closePlot(plots_->currentIndex()); });
   commands_->menu(Commands::Menu::kPlot).addSeparator();

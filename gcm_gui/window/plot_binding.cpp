@@ -16,6 +16,7 @@ PlotBinding::PlotBinding(PlotPanel& panel, SignalSource& source, const Catalogue
   connect(&source, &SignalSource::samplesArrived, &panel, &PlotPanel::append);
   connect(&source, &SignalSource::epochBegan, &panel, &PlotPanel::beginEpoch);
   connect(&source, &SignalSource::wentStale, this, &PlotBinding::showStale);
+  panel.setLosses([&source](const QString& path) { return source.losses(path); });
   panel.setCandidates([this](const QString& path) { return candidatesFor(path); });
 }
 

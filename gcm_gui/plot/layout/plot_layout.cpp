@@ -25,6 +25,7 @@ struct CurveLayout {
 
 struct PlotLayout {
   nanoseconds window = std::chrono::seconds(30);
+  QString name;  // of its page
   bool is_below = false;
   bool is_sweeping = false;
   bool is_logarithmic = false;
@@ -32,7 +33,7 @@ struct PlotLayout {
 };
 
 // What is as usual is left out.
-QJsonObject JsonOf(const PlotView& view, bool is_below) {
+QJsonObject JsonOf(const PlotView& view, const QString& name, bool is_below) {
   QJsonArray curves;
   for (const auto& curve : view.curves().curves()) {
     QJsonObject one{{"path", curve->path()}, {"unit", curve->unit()}};
@@ -41,6 +42,7 @@ QJsonObject JsonOf(const PlotView& view, bool is_below) {
   }
   const double seconds = static_cast<double>(view.window().length().count()) / kNanoseconds;
   QJsonObject plot{{"window", seconds}, {"curves", curves}};
+  if (!name.isEmpty() && !is_below) plot["name"] = name;
   if (is_below) plot["below"] = true;
   if (view.window().motion() == TimeWindow::Motion::kSweep) plot["sweep"] = true;
   if (view.scale() == ValueScale::kLogarithmic) plot["logarithmic"] = true;
@@ -53,6 +55,7 @@ std::optional<PlotLayout> PlotOf(const QJsonValue& json) {
   if (!json.isObject() || !json["curves"].isArray()) return std::nullopt;
   if (seconds <= 0 || seconds > kLongest) return std::nullopt;
   plot.window = nanoseconds(static_cast<std::int64_t>(seconds * kNanoseconds));
+  plot.name = json["name"].toString();
   plot.is_below = json["below"].toBool();
   plot.is_sweeping = json["sweep"].toBool();
   plot.is_logarithmic = json["logarithmic"].toBool();
@@ -69,7 +72,7 @@ std::optional<PlotLayout> PlotOf(const QJsonValue& json) {
 QByteArray LayoutOf(const PlotPanel& panel) {
   QJsonArray plots;
   for (int i = 0; i < panel.plotCount(); ++i) {
-    plots.append(JsonOf(panel.plot(i), panel.isBelow(i)));
+    plots.append(JsonOf(panel.plot(i), panel.name(i), panel.isBelow(i)));
   }
   QJsonObject layout{{"version", kVersion}, {"plots", plots}};
   if (!panel.areMarksShown()) layout["marks"] = false;
@@ -102,6 +105,7 @@ std::optional<QString> ShowLayout(PlotPanel& panel, const QByteArray& layout) {
     using Motion = TimeWindow::Motion;
     view.setMotion(plot.is_sweeping ? Motion::kSweep : Motion::kScroll);
     view.setScale(plot.is_logarithmic ? ValueScale::kLogarithmic : ValueScale::kLinear);
+    if (!plot.is_below) panel.setName(view, plot.name);
     for (const CurveLayout& curve : plot.curves) {
       panel.addSignal(curve.key.path, curve.key.unit);
       view.curve(curve.key.path)->setVisible(!curve.is_hidden);

@@ -32,6 +32,9 @@ class PlotPage : public QWidget {
   [[nodiscard]] bool holds(const PlotView& view) const;
   [[nodiscard]] PlotView& current() const { return *current_; }
   void setCurrent(PlotView& view);
+  /// As the user has named it; empty while it goes by what it shows.
+  [[nodiscard]] const QString& name() const { return name_; }
+  void setName(const QString& name) { name_ = name; }
 
   bool eventFilter(QObject* watched, QEvent* event) override;
 
@@ -49,6 +52,7 @@ class PlotPage : public QWidget {
   QSplitter* rows_;
   std::vector<PlotView*> views_;  // from above
   PlotView* current_ = nullptr;
+  QString name_;
 };
 
 }  // namespace tendon::gui

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <gcm_gui/plot/row_losses.h>
 #include <gcm_gui/plot/series/axis_range.h>
 #include <gcm_gui/plot/series/curve.h>
 
@@ -42,6 +43,8 @@ struct SourceFigures {
   double rate = 0;  ///< Hz
   std::uint64_t lost = 0;
   std::uint64_t repeated = 0;
+  QString path = {};      ///< of one of its curves
+  RowLosses losses = {};  ///< as far as they are known
 };
 
 /// The curves of one plot, in the order of their coming, and an axis for each unit among them. The

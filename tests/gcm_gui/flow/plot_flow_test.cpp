@@ -93,8 +93,8 @@ TEST_F(PlotFlow, OfAHundredSignalsAtAThousandHertzNotARowIsLost) {
   const QString system = Write("arms.json", SystemOfArms());
   const auto load = StartLcm("load", system.toStdString());
   window_->plots().openLayout(Write("arms.plots.json", LayoutOfArms()));
+  ASSERT_TRUE(Eventually([this] { return Curves().size() == 100; }));
   const std::vector<const Curve*> curves = Curves();
-  ASSERT_EQ(curves.size(), 100U);
   const std::uint64_t rows = Seconds() * 1000;
 
   const auto have_come = [&] {

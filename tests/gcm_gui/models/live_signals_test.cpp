@@ -1,4 +1,5 @@
 #include <gcm_gui/pictures/raw_picture.h>
+#include <gcm_gui/session/column_feed.h>
 #include <gcm_gui/session/live_signals.h>
 #include <gtest/gtest.h>
 #include <tendon/payload/codec.h>
@@ -181,6 +182,37 @@ TEST_F(LiveSignalsTest, AWatcherSeesTheNewestValuesOnly) {
   ASSERT_EQ(newest.values.size(), 2u);
   EXPECT_DOUBLE_EQ(newest.values[0], 119);
   EXPECT_EQ(newest.channels->at(1).path, ".position[1]");
+}
+
+TEST_F(LiveSignalsTest, WhereRowsWereLostIsKnown) {
+  live_.subscribe(first_);
+  Sink().OnSubscribed({PositionSchema()});
+  EXPECT_EQ(live_.losses(first_), RowLosses{});
+
+  RowBatch batch;  // of losses alone
+  batch.lost_table = 7;
+  batch.lost_network = 2;
+  Sink().OnRows(batch);
+  SendRows(Sink(), 1, 0, ColumnFeed::kMostWaiting + 5);
+
+  EXPECT_EQ(live_.losses(first_), (RowLosses{.table = 7, .network = 2, .viewer = 5}));
+  EXPECT_EQ(live_.losses(second_), live_.losses(first_)) << "of the same column";
+  EXPECT_EQ(live_.losses("robot/arm/state.Other"), RowLosses{});
+}
+
+TEST_F(LiveSignalsTest, AWatcherIsToldHowManyRowsHaveComeAndOfWhenTheNewestIs) {
+  QObject owner;
+  live_.watch(&owner, {"robot/arm/state.Joints"});
+  ColumnValues newest;
+  QObject::connect(&live_, &SignalSource::valuesArrived, &owner,
+                   [&](const QString&, const ColumnValues& values) { newest = values; });
+  Sink().OnSubscribed({PositionSchema()});
+  SendRows(Sink(), 1, 100, 20);
+
+  live_.drainValues();
+
+  EXPECT_EQ(newest.rows, 20U);
+  EXPECT_EQ(newest.time, 119'000'000);
 }
 
 TEST_F(LiveSignalsTest, ASubscriptionEndsAWhileAfterTheLastUserHasGone) {

@@ -34,6 +34,7 @@ TEST_F(PlotLayoutTest, ALayoutShownElsewhereIsTheSame) {
   panel_.addPlot();
   panel_.setWindow(5s);
   panel_.addSignal("desk/host_monitor/state.Cpu.load", "");
+  panel_.setName(panel_.currentPlot(), "load of the desk");
 
   PlotPanel other;
   other.addSignal("gone/with/the.last", "");
@@ -41,6 +42,7 @@ TEST_F(PlotLayoutTest, ALayoutShownElsewhereIsTheSame) {
   EXPECT_EQ(ShowLayout(other, LayoutOf(panel_)), std::nullopt);
 
   EXPECT_EQ(LayoutOf(other), LayoutOf(panel_));
+  EXPECT_EQ(other.name(1), "load of the desk");
   EXPECT_EQ(wanted.count(), 3);
   EXPECT_FALSE(other.paths().contains("gone/with/the.last"));
 }
@@ -85,11 +87,11 @@ TEST_F(PlotLayoutTest, IsKeptInAFileAndAFileThatIsNoneIsTold) {
   EXPECT_EQ(saved[0][0].toString(), file + " saved");
   PlotPanel other;
   other.openLayout(file);
-  EXPECT_EQ(other.paths(), QStringList{kOld});
+  EXPECT_TRUE(QTest::qWaitFor([&] { return other.paths() == QStringList{kOld}; }, 20'000));
 
   QSignalSpy notice(&other, &PlotPanel::notice);
   other.openLayout(folder.filePath("none"));
-  ASSERT_EQ(notice.count(), 1);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return notice.count() == 1; }, 20'000));
   EXPECT_THAT(notice[0][0].toString().toStdString(), testing::HasSubstr("cannot be read"));
 }
 

@@ -14,6 +14,15 @@ TEST(RateBadge, AddsUpTheLossesOfAllSources) {
             "20–1000 Hz · 603 lost · 2 repeated");
 }
 
+TEST(RateBadge, NamesWhereRowsWereLost) {
+  EXPECT_EQ(PlacesText({}), "");
+  EXPECT_EQ(PlacesText({.table = 600, .network = 3, .viewer = 0}),
+            "; lost 600 in its process, 3 on the network");
+  RateBadge badge;
+  badge.setFigures({{.source = "a", .rate = 1000, .lost = 2, .losses = {.viewer = 2}}});
+  EXPECT_TRUE(badge.toolTip().endsWith("; lost 2 in this window")) << badge.toolTip().toStdString();
+}
+
 TEST(RateBadge, SaysHowManySourcesAreSilent) {
   EXPECT_EQ(BadgeText({{.source = "a", .rate = 1000}, {.source = "b"}}),
             "1000 Hz · 0 lost · 1 silent");

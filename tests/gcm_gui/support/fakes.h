@@ -87,6 +87,8 @@ class ScriptedSignals final : public SignalSource {
     if (--subscribed[signal] == 0) subscribed.remove(signal);
   }
   void watch(const QObject* owner, const QSet<QString>& columns) override;
+  void retry(const QString& column) override { retried.append(column); }
+  [[nodiscard]] RowLosses losses(const QString& /*signal*/) const override { return lost; }
 
   /// All that is watched by anyone.
   [[nodiscard]] QSet<QString> watched() const;
@@ -96,6 +98,8 @@ class ScriptedSignals final : public SignalSource {
   void sendPicture(const QString& column, const RawPicture& picture);
 
   QMap<QString, int> subscribed;
+  QStringList retried;
+  RowLosses lost;  ///< of every signal
 
  private:
   QMap<const QObject*, QSet<QString>> watched_;

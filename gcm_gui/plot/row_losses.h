@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cstdint>
+
+namespace tendon::gui {
+
+/// Where rows of one source were lost since its subscription.
+struct RowLosses {
+  std::uint64_t table = 0;    ///< in its process: overwritten before they were gathered
+  std::uint64_t network = 0;  ///< refused by the link, or written while there was none
+  std::uint64_t viewer = 0;   ///< in this window
+
+  bool operator==(const RowLosses&) const = default;
+};
+
+}  // namespace tendon::gui

@@ -1,0 +1,75 @@
+#include <gcm_gui/files/file_reader.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+#include <optional>
+
+namespace tendon::gui {
+namespace {
+
+constexpr int kReaderPatience = 20'000;  // ms
+
+struct Read {
+  QByteArray content;
+  QString refusal;
+};
+
+class FileReaderTest : public ::testing::Test {
+ protected:
+  FileReader::Done Keep() {
+    return [this](const QByteArray& content, const QString& refusal) {
+      read_ = {content, refusal};
+    };
+  }
+
+  const QTemporaryDir folder_;
+  std::optional<Read> read_;
+};
+
+TEST_F(FileReaderTest, WhatIsInAFileComesLater) {
+  const QString name = folder_.filePath("plots.json");
+  QFile file(name);
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly) && file.write("{}") == 2);
+  file.close();
+  FileReader reader;
+
+  reader.read(name, Keep());
+  EXPECT_FALSE(read_);
+
+  ASSERT_TRUE(QTest::qWaitFor([this] { return read_.has_value(); }, kReaderPatience));
+  EXPECT_EQ(read_->content, "{}");
+  EXPECT_TRUE(read_->refusal.isEmpty());
+}
+
+TEST_F(FileReaderTest, WhyItCannotBeReadIsSaid) {
+  FileReader reader;
+
+  reader.read(folder_.filePath("none"), Keep());
+
+  ASSERT_TRUE(QTest::qWaitFor([this] { return read_.has_value(); }, kReaderPatience));
+  EXPECT_TRUE(read_->content.isEmpty());
+  EXPECT_FALSE(read_->refusal.isEmpty());
+}
+
+/// A pipe that nobody writes to is the slowest of disks.
+TEST_F(FileReaderTest, NobodyWaitsForAFileThatDoesNotAnswer) {
+  const QString pipe = folder_.filePath("pipe");
+  ASSERT_EQ(::mkfifo(pipe.toLocal8Bit().constData(), 0600), 0);
+  FileReader reader;
+
+  reader.read(pipe, Keep());
+
+  EXPECT_FALSE(read_);
+  QFile writer(pipe);
+  ASSERT_TRUE(writer.open(QIODevice::WriteOnly | QIODevice::Unbuffered));
+  writer.write("late");
+  writer.close();
+  ASSERT_TRUE(QTest::qWaitFor([this] { return read_.has_value(); }, kReaderPatience));
+  EXPECT_EQ(read_->content, "late");
+}
+
+}  // namespace
+}  // namespace tendon::gui
