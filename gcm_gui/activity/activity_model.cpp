@@ -232,7 +232,8 @@ void ActivityModel::markUndone(Id undo, const Action& step) {
     } else if (IsStep(action) && DidTheSame(action, step)) {
       action.undone = true;
       changed(static_cast<int>(entry - entries_.rbegin()));
-      return changedUndo();
+      changedUndo();
+      return Q_EMIT undone(Action(action));
     }
   }
 }

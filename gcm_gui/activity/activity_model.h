@@ -63,6 +63,8 @@ class ActivityModel : public QAbstractTableModel {
 
  Q_SIGNALS:
   void finished(const tendon::gui::Action& action);
+  /// One of them was taken back.
+  void undone(const tendon::gui::Action& action);
 
  private:
   struct Entry {

@@ -2346,6 +2346,26 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Diesen Plot &amp;umbenennen…</translation>
     </message>
     <message>
+        <source>Keys of &amp;this part</source>
+        <translation>Tasten dieses &amp;Teils</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Nothing was undone that could be done again</source>
+        <translation>Nichts wurde rückgängig gemacht, das wiederholt werden könnte</translation>
+    </message>
+    <message>
+        <source>Components are started and stopped by F6 to F9 alone</source>
+        <translation>Komponenten werden nur mit F6 bis F9 gestartet und angehalten</translation>
+    </message>
+    <message>
         <source>%1 in its process</source>
         <translation>%1 in ihrem Prozess</translation>
     </message>
@@ -2360,6 +2380,26 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
     <message>
         <source>; lost </source>
         <translation>; verloren: </translation>
+    </message>
+    <message>
+        <source>Connect to another machine</source>
+        <translation>Mit einem anderen Rechner verbinden</translation>
+    </message>
+    <message>
+        <source>Connect to another machine…</source>
+        <translation>Mit einem anderen Rechner verbinden…</translation>
+    </message>
+    <message>
+        <source>Connect to another &amp;machine…</source>
+        <translation>Mit einem anderen &amp;Rechner verbinden…</translation>
+    </message>
+    <message>
+        <source>Address of its GCM, as robot1 or robot1:10705</source>
+        <translation>Adresse seines GCM, etwa robot1 oder robot1:10705</translation>
+    </message>
+    <message>
+        <source>Another window could not be started</source>
+        <translation>Ein anderes Fenster ließ sich nicht starten</translation>
     </message>
 </context>
 <context>

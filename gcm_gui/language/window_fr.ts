@@ -2346,6 +2346,26 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>&amp;Renommer ce graphique…</translation>
     </message>
     <message>
+        <source>Keys of &amp;this part</source>
+        <translation>&amp;Touches de cette partie</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Rétablir</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rétablir</translation>
+    </message>
+    <message>
+        <source>Nothing was undone that could be done again</source>
+        <translation>Rien n&apos;a été annulé qui puisse être refait</translation>
+    </message>
+    <message>
+        <source>Components are started and stopped by F6 to F9 alone</source>
+        <translation>Les composants ne sont démarrés et arrêtés que par F6 à F9</translation>
+    </message>
+    <message>
         <source>%1 in its process</source>
         <translation>%1 dans son processus</translation>
     </message>
@@ -2360,6 +2380,26 @@ Possède %1 des commandes et événements requis.</translation>
     <message>
         <source>; lost </source>
         <translation>; perdues : </translation>
+    </message>
+    <message>
+        <source>Connect to another machine</source>
+        <translation>Se connecter à une autre machine</translation>
+    </message>
+    <message>
+        <source>Connect to another machine…</source>
+        <translation>Se connecter à une autre machine…</translation>
+    </message>
+    <message>
+        <source>Connect to another &amp;machine…</source>
+        <translation>Se connecter à une autre &amp;machine…</translation>
+    </message>
+    <message>
+        <source>Address of its GCM, as robot1 or robot1:10705</source>
+        <translation>Adresse de son GCM, comme robot1 ou robot1:10705</translation>
+    </message>
+    <message>
+        <source>Another window could not be started</source>
+        <translation>Une autre fenêtre n&apos;a pas pu être lancée</translation>
     </message>
 </context>
 <context>

@@ -60,6 +60,10 @@ EmptyState::EmptyState(const GcmLink& link, bool offers_demo, QWidget* parent)
   column->addWidget(demo_);
   column->addWidget(terminal_);
   column->addLayout(line);
+  auto* other = new QPushButton(Words::tr("Connect to another machine…"));
+  other->setObjectName(QStringLiteral("otherMachine"));
+  connect(other, &QPushButton::clicked, this, &EmptyState::otherRequested);
+  column->addWidget(other, 0, Qt::AlignLeft);
   auto* middle = new QHBoxLayout(this);
   middle->addStretch(1);
   middle->addWidget(body, 100, Qt::AlignVCenter);

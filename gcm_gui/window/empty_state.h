@@ -9,8 +9,9 @@ class QLineEdit;
 
 namespace tendon::gui {
 
-/// What the middle of the window shows while no component is known: what that means, a button that
-/// starts the demo where that can be done, and the line for a terminal that changes it.
+/// What the middle of the window shows while no component is known: what that means, buttons
+/// that start the demo, where that can be done, and go to another machine, and the line for a
+/// terminal that changes it.
 class EmptyState : public QWidget {
   Q_OBJECT
 
@@ -20,6 +21,8 @@ class EmptyState : public QWidget {
 
  Q_SIGNALS:
   void demoRequested();
+  /// Another GCM is to be shown.
+  void otherRequested();
 
  private:
   [[nodiscard]] QWidget* buildDemo();

@@ -31,6 +31,7 @@
 #include <gcm_gui/window/commands/command_palette.h>
 #include <gcm_gui/window/commands/commands.h>
 #include <gcm_gui/window/empty_state.h>
+#include <gcm_gui/window/file/other_gcm.h>
 #include <gcm_gui/window/file/system_files.h>
 #include <gcm_gui/window/graph/graph_commands.h>
 #include <gcm_gui/window/help/keys_card.h>
@@ -191,6 +192,8 @@ QWidget* MainWindow::buildGraphPage() {
   graph_commands_ = new GraphCommands(parts_, *graph_, *this);
   graph_page_ = new QStackedWidget;
   auto* empty = new EmptyState(parts_.link, !parts_.demo.isEmpty());
+  other_ = new OtherGcm(*this);
+  connect(empty, &EmptyState::otherRequested, other_, &OtherGcm::ask);
   connect(empty, &EmptyState::demoRequested, this, [this] { files_->startDemo(); });
   graph_page_->addWidget(empty);
   graph_page_->addWidget(graph_);

@@ -1,4 +1,5 @@
 #include <gcm_gui/activity/activity_strip.h>
+#include <gcm_gui/activity/redo.h>
 #include <gcm_gui/graph/graph_view.h>
 #include <gcm_gui/graph/search/graph_search.h>
 #include <gcm_gui/language/words.h>
@@ -14,6 +15,7 @@
 #include <gcm_gui/window/bar/top_bar.h>
 #include <gcm_gui/window/commands/command_palette.h>
 #include <gcm_gui/window/commands/commands.h>
+#include <gcm_gui/window/file/other_gcm.h>
 #include <gcm_gui/window/file/read_only.h>
 #include <gcm_gui/window/file/system_files.h>
 #include <gcm_gui/window/graph/graph_commands.h>
@@ -79,6 +81,9 @@ void MainWindow::addCommands() {
 
 void MainWindow::addSystemCommands() {
   files_->addCommands(*commands_);
+  redo_ = new Redo(parts_.activity, parts_.actions, this);
+  connect(redo_, &Redo::notice, notice_, &NoticeLine::tell);
+  connect(other_, &OtherGcm::notice, notice_, &NoticeLine::tell);
   const auto add = [this](const QString& text, const QKeySequence& key, auto what) {
     commands_->add(Commands::Menu::kSystem, text, key, what);
   };
@@ -91,6 +96,7 @@ void MainWindow::addSystemCommands() {
   add(Words::tr("&Undo"), QKeySequence::Undo, [this] {
     if (!graph_commands_->undoMove()) parts_.actions.undo();
   });
+  add(Words::tr("&Redo"), QKeySequence(Qt::CTRL | Qt::Key_Y), [this] { redo_->again(); });
   commands_->menu(Commands::Menu::kSystem).addSeparator();
   add(Words::tr("&Filter the catalogue"), QKeySequence::Find, [this] {
     // Where the focus is, there is what is looked for.
@@ -105,6 +111,7 @@ void MainWindow::addSystemCommands() {
     strip_->showConsole();
   });
   commands_->menu(Commands::Menu::kSystem).addSeparator();
+  add(Words::tr("Connect to another &machine…"), {}, [this] { other_->ask(); });
   add(Words::tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), [this] { close(); });
 }
 
@@ -133,7 +140,7 @@ void MainWindow::forbidChanges() {
   for (const QString& name :
        {Words::tr("Connect"), Words::tr("Disconnect"), Words::tr("Call the command"),
         Words::tr("Start"), Words::tr("Suspend"), Words::tr("Stop"), Words::tr("Restart"),
-        Words::tr("Undo")}) {
+        Words::tr("Undo"), Words::tr("Redo")}) {
     auto* action = menu.findChild<QAction*>(name);
     action->setEnabled(false);
     action->setToolTip(parts_.read_only);
@@ -182,7 +189,10 @@ void MainWindow::addHelpCommands() {
     return commands_->add(Commands::Menu::kHelp, text, {}, what);
   };
   add(Words::tr("&Tour of the window"), [this] { tour_->start(); });
-  add(Words::tr("&Keys"), [this] { keys_->toggle(); }).setShortcuts({Qt::Key_F1, Qt::Key_Question});
+  add(Words::tr("&Keys"), [this] { keys_->toggle(); }).setShortcut(Qt::Key_F1);
+  add(Words::tr("Keys of &this part"), [this] {
+    keys_->toggleOf(focusWidget());
+  }).setShortcut(Qt::Key_Question);
   commands_->menu(Commands::Menu::kHelp).addSeparator();
   add(Words::tr("&About gcm-gui"), [this] { ShowAbout(*this); });
 }

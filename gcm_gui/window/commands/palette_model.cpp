@@ -15,6 +15,28 @@ bool HasAll(const QString& folded, const QStringList& words) {
                      [&](const QString& word) { return folded.contains(word); });
 }
 
+constexpr qsizetype kWidest = 3;  // so many times as long as the word letters may lie apart
+
+/// Whether the letters of `word` come in their order, not far from each other.
+bool IsScattered(const QString& folded, const QString& word) {
+  for (qsizetype first = folded.indexOf(word[0]); first >= 0;
+       first = folded.indexOf(word[0], first + 1)) {
+    qsizetype at = first;
+    for (qsizetype i = 1; i < word.size() && at >= 0; ++i) at = folded.indexOf(word[i], at + 1);
+    if (at < 0) return false;
+    if (at - first < kWidest * word.size()) return true;
+  }
+  return false;
+}
+
+/// Letters are left out of at least one word.
+bool NearlyHasAll(const QString& folded, const QStringList& words) {
+  const auto is_near = [&](const QString& word) {
+    return folded.contains(word) || IsScattered(folded, word);
+  };
+  return !HasAll(folded, words) && std::all_of(words.begin(), words.end(), is_near);
+}
+
 struct Found {
   const CatalogueItem* item;
   int rank;  // best first
@@ -30,9 +52,12 @@ int RankOf(const CatalogueItem& item, const QStringList& words) {
   return name.startsWith(words.last()) ? 1 : 2;
 }
 
-void Collect(const CatalogueItem& item, const QStringList& words, std::vector<Found>& found) {
-  if (HasAll(item.folded, words)) found.push_back({&item, RankOf(item, words)});
-  for (const auto& child : item.children) Collect(*child, words, found);
+using Fits = bool (*)(const QString& folded, const QStringList& words);
+
+void Collect(const CatalogueItem& item, const QStringList& words, Fits fits,
+             std::vector<Found>& found) {
+  if (fits(item.folded, words)) found.push_back({&item, RankOf(item, words)});
+  for (const auto& child : item.children) Collect(*child, words, fits, found);
 }
 
 }  // namespace
@@ -44,23 +69,27 @@ PaletteModel::PaletteModel(QList<QAction*> actions, const CatalogueModel& catalo
 void PaletteModel::find(const QString& words) {
   const QStringList wanted = words.toLower().split(' ', Qt::SkipEmptyParts);
   std::vector<PaletteRow> rows;
-  addActions(wanted, rows);
-  if (!wanted.isEmpty()) addThings(wanted, rows);
+  for (const Fits fits : {&HasAll, &NearlyHasAll}) {
+    addActions(wanted, fits, rows);
+    if (!wanted.isEmpty()) addThings(wanted, fits, rows);
+  }
   showRows(std::move(rows));
 }
 
-void PaletteModel::addActions(const QStringList& words, std::vector<PaletteRow>& rows) const {
+void PaletteModel::addActions(const QStringList& words, Fits fits,
+                              std::vector<PaletteRow>& rows) const {
   for (QAction* action : actions_) {
-    if (!action->isEnabled() || !HasAll(PlainText(*action).toLower(), words)) continue;
+    if (!action->isEnabled() || !fits(PlainText(*action).toLower(), words)) continue;
     rows.push_back(
         {action, PlainText(*action), action->shortcut().toString(QKeySequence::NativeText)});
   }
 }
 
-void PaletteModel::addThings(const QStringList& words, std::vector<PaletteRow>& rows) const {
+void PaletteModel::addThings(const QStringList& words, Fits fits,
+                             std::vector<PaletteRow>& rows) const {
   std::vector<Found> found;
   for (int row = 0; row < catalogue_.rowCount({}); ++row) {
-    Collect(*catalogue_.item(catalogue_.index(row, 0, {})), words, found);
+    Collect(*catalogue_.item(catalogue_.index(row, 0, {})), words, fits, found);
   }
   const auto shown =
       found.begin() + static_cast<std::ptrdiff_t>(std::min(found.size(), kMostThings));

@@ -19,8 +19,9 @@ struct PaletteRow {
   bool operator==(const PaletteRow&) const = default;
 };
 
-/// What fits some typed words: commands first, then the things whose name fits best. Without words
-/// all commands.
+/// What fits some typed words: commands first, then the things whose name fits best; after them
+/// what has the letters of the words in their order, with few others between. Without words all
+/// commands.
 class PaletteModel : public RowListModel<PaletteRow> {
   Q_OBJECT
 
@@ -29,14 +30,16 @@ class PaletteModel : public RowListModel<PaletteRow> {
 
   PaletteModel(QList<QAction*> actions, const CatalogueModel& catalogue, QObject* parent = nullptr);
 
-  /// Every word must be somewhere in it, whatever its case. Finds things as they are now.
+  /// Whatever the case. Finds things as they are now.
   void find(const QString& words);
 
   [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
 
  private:
-  void addActions(const QStringList& words, std::vector<PaletteRow>& rows) const;
-  void addThings(const QStringList& words, std::vector<PaletteRow>& rows) const;
+  using Fits = bool (*)(const QString& folded, const QStringList& words);
+
+  void addActions(const QStringList& words, Fits fits, std::vector<PaletteRow>& rows) const;
+  void addThings(const QStringList& words, Fits fits, std::vector<PaletteRow>& rows) const;
 
   QList<QAction*> actions_;
   const CatalogueModel& catalogue_;

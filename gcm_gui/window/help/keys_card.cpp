@@ -11,6 +11,8 @@
 #include <QMenu>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -25,6 +27,7 @@ struct Key {
 struct Group {
   QString title;
   std::vector<Key> keys;
+  const char* part = nullptr;  // the name of the widget it is of; null: of all
 };
 
 QString KeysOf(const QAction& action) {
@@ -49,24 +52,51 @@ std::vector<Group> OfViews() {
           {Words::tr("In the graph"),
            {{Words::tr("Arrows"), Words::tr("Select the next component")},
             {"+  −  0", Words::tr("Closer, farther, all of it")},
-            {Words::tr("1 … 9, Enter"), Words::tr("While connecting: pick that one, the best")}}},
+            {Words::tr("1 … 9, Enter"), Words::tr("While connecting: pick that one, the best")}},
+           "graph"},
           {Words::tr("In a plot"),
            {{"+  −", Words::tr("Zoom in time; with Ctrl in values")},
             {Words::tr("Left, Right"), Words::tr("Move in time")},
             {Words::tr("Alt+Left"), Words::tr("Back to what was shown before")},
             {Words::tr("End"), Words::tr("Follow the data again")},
-            {Words::tr("A, B, Delete"), Words::tr("Place the cursors, remove them")}}},
+            {Words::tr("A, B, Delete"), Words::tr("Place the cursors, remove them")}},
+           "plotPanel"},
           {Words::tr("In a plot's legend"),
            {{Words::tr("Space"), Words::tr("Hide the curve, show it")},
             {Words::tr("Delete"), Words::tr("Remove it")},
-            {"R", Words::tr("Another signal in its place")}}},
+            {"R", Words::tr("Another signal in its place")}},
+           "legend"},
           {Words::tr("In a form"),
            {{Words::tr("Ctrl+Enter"),
-             Words::tr("Call the command; a second time where it sets something in motion")}}},
+             Words::tr("Call the command; a second time where it sets something in motion")}},
+           "call"},
           {Words::tr("In the console"),
            {{Words::tr("Tab"), Words::tr("Completes")},
             {Words::tr("Ctrl+R"), Words::tr("Searches what was typed")},
-            {Words::tr("Ctrl+C, Ctrl+L"), Words::tr("Interrupts; clears")}}}};
+            {Words::tr("Ctrl+C, Ctrl+L"), Words::tr("Interrupts; clears")}},
+           "consolePage"}};
+}
+
+/// How many steps above `widget` the part is that the group is of; nothing where it is not.
+std::optional<int> StepsTo(const Group& group, const QWidget* widget) {
+  if (group.part == nullptr) return std::nullopt;
+  for (int steps = 0; widget != nullptr; widget = widget->parentWidget(), ++steps) {
+    if (widget->objectName() == QLatin1String(group.part)) return steps;
+  }
+  return std::nullopt;
+}
+
+/// Of the smallest part that the widget is in.
+std::optional<Group> OfPart(const QWidget* widget) {
+  std::optional<Group> nearest;
+  int fewest = std::numeric_limits<int>::max();
+  for (Group& group : OfViews()) {
+    const auto steps = StepsTo(group, widget);
+    if (!steps || *steps >= fewest) continue;
+    fewest = *steps;
+    nearest = std::move(group);
+  }
+  return nearest;
 }
 
 QWidget* MakeGroup(const Group& group) {
@@ -119,13 +149,28 @@ void KeysCard::toggle() {
   open();
 }
 
-void KeysCard::fill() {
+void KeysCard::toggleOf(const QWidget* focused) {
+  const auto group = OfPart(focused);
+  if (!group || !isHidden()) return toggle();
+  clear();
+  left_->addWidget(MakeGroup(*group));
+  right_->addWidget(MakeGroup(OfViews().front()));
+  left_->addStretch();
+  right_->addStretch();
+  open();
+}
+
+void KeysCard::clear() {
   for (QBoxLayout* column : {left_, right_}) {
     while (QLayoutItem* item = column->takeAt(0)) {
       delete item->widget();
       delete item;
     }
   }
+}
+
+void KeysCard::fill() {
+  clear();
   for (const QMenu* menu : commands_.menus()) left_->addWidget(MakeGroup(OfMenu(*menu)));
   for (const Group& group : OfViews()) right_->addWidget(MakeGroup(group));
   left_->addStretch();

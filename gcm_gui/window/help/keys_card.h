@@ -9,7 +9,7 @@ namespace tendon::gui {
 class Commands;
 
 /// All keys on one card (F1): those of the menus, as they are now, and those that mean something
-/// where the focus is.
+/// where the focus is; or these alone (?).
 class KeysCard : public OverlayCard {
   Q_OBJECT
 
@@ -19,8 +19,11 @@ class KeysCard : public OverlayCard {
 
   /// Opens it; closes it where it is open.
   void toggle();
+  /// The same with the keys of the part alone that has the focus, where it has some of its own.
+  void toggleOf(const QWidget* focused);
 
  private:
+  void clear();
   void fill();
 
   const Commands& commands_;

@@ -16,6 +16,7 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QContextMenuEvent>
+#include <QInputDialog>
 #include <QLineEdit>
 #include <QMenu>
 #include <QScrollBar>
@@ -94,6 +95,48 @@ TEST_F(AccessibleTest, TheWindowAsItComes) {
   window_.selection().select("robot/arm");
 
   ExpectNames("window");
+}
+
+TEST_F(AccessibleTest, EveryPageBehindATab) {
+  window_.selection().select("robot/arm");
+  int pages = 0;
+  for (auto* bar : window_.findChildren<QTabBar*>()) {
+    const int before = bar->currentIndex();
+    for (int tab = 0; tab < bar->count(); ++tab, ++pages) {
+      bar->setCurrentIndex(tab);
+      QCoreApplication::processEvents();
+      ExpectNames(qPrintable(bar->tabText(tab)));
+    }
+    bar->setCurrentIndex(before);
+  }
+  EXPECT_GE(pages, 13);
+}
+
+TEST_F(AccessibleTest, EveryCardThatAsksOrTells) {
+  const auto expect_names = [this](const char* card, const QString& selected, Qt::Key key) {
+    window_.selection().select(selected);
+    QTest::keyClick(&window_, key);
+    EXPECT_TRUE(Named(card).isVisible());
+    ExpectNames(card);
+    QTest::keyClick(window_.focusWidget(), Qt::Key_Escape);
+  };
+  expect_names("steerCard", "robot/arm", Qt::Key_F8);
+  expect_names("whyCard", "robot/controller/Arm", Qt::Key_W);
+  expect_names("keysCard", "robot/arm", Qt::Key_F1);
+  expect_names("candidatePanel", "desk/teleoperation/Robot", Qt::Key_C);
+}
+
+TEST_F(AccessibleTest, ADialogThatAsksForAName) {
+  QTest::keyClick(&window_, Qt::Key_F2);
+  auto* dialog = window_.findChild<QInputDialog*>();
+  ASSERT_NE(dialog, nullptr);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return dialog->isVisible(); }, kPatience));
+  ExpectNames("name");
+
+  dialog->setTextValue("joints");
+  QTest::keyClick(dialog, Qt::Key_Return);
+  EXPECT_EQ(window_.plots().name(0), "joints");
+  EXPECT_EQ(window_.findChild<QTabBar*>("plotTabs")->tabText(0), "joints");
 }
 
 TEST_F(AccessibleTest, ACommandToBeCalled) {

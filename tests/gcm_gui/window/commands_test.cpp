@@ -8,6 +8,7 @@
 #include <gcm_gui/window/commands/command_palette.h>
 #include <gtest/gtest.h>
 
+#include <QAbstractItemModelTester>
 #include <QApplication>
 #include <QLineEdit>
 #include <QMenu>
@@ -101,6 +102,27 @@ TEST_F(CommandsTest, ThePaletteGoesToAThingByItsName) {
   EXPECT_EQ(window_.selection().current(), "robot/force_sensor/Wrench.GetWrench");
   EXPECT_TRUE(
       window_.catalogue().tree().visibleRows().contains("robot/force_sensor/Wrench.GetWrench"));
+}
+
+TEST_F(CommandsTest, WhatThePaletteFindsIsAProperModel) {
+  PaletteModel model(window_.actions(), window_.catalogueModel());
+  const QAbstractItemModelTester tester(&model);
+
+  for (const char* words : {"", "pause", "arm", "robot arm", "nothing of the kind", ""}) {
+    model.find(QString::fromLatin1(words));
+  }
+
+  EXPECT_GE(model.rowCount(), 12);
+}
+
+TEST_F(CommandsTest, ThePaletteForgivesLettersThatAreLeftOut) {
+  OpenPalette();
+  QTest::keyClicks(&field(), "psvw");
+  EXPECT_EQ(firstRow(), "Pause view");
+
+  field().clear();
+  QTest::keyClicks(&field(), "frcsnsr");
+  EXPECT_EQ(firstRow(), "robot/force_sensor");
 }
 
 TEST_F(CommandsTest, ANameItselfComesBeforeWhatIsBelowIt) {

@@ -1,3 +1,4 @@
+#include <gcm_gui/graph/graph_view.h>
 #include <gcm_gui/theme/theme.h>
 #include <gcm_gui/views/catalogue_panel.h>
 #include <gcm_gui/views/catalogue_tree.h>
@@ -65,6 +66,26 @@ TEST_F(HelpTest, F1ShowsAllKeysAndTakesThemAway) {
   QTest::keyClick(window_.focusWidget(), Qt::Key_Escape);
   EXPECT_FALSE(keys().isVisible());
   EXPECT_TRUE(window_.catalogue().tree().hasFocus());
+}
+
+TEST_F(HelpTest, AQuestionMarkTellsTheKeysOfThePartThatHasTheFocus) {
+  const auto titles = [this] {
+    QStringList found;
+    for (const auto* label : keys().findChildren<QLabel*>()) found.append(label->text());
+    return found;
+  };
+  window_.graph().setFocus();
+  QTest::keyClick(&window_.graph(), Qt::Key_Question);
+
+  EXPECT_TRUE(keys().isVisible());
+  EXPECT_TRUE(titles().contains("In the graph"));
+  EXPECT_TRUE(titles().contains("Everywhere"));
+  EXPECT_FALSE(titles().contains("In a plot"));
+  QTest::keyClick(window_.focusWidget(), Qt::Key_Question);
+  EXPECT_FALSE(keys().isVisible());
+
+  QTest::keyClick(window_.focusWidget(), Qt::Key_F1);
+  EXPECT_TRUE(titles().contains("In a plot"));
 }
 
 TEST_F(HelpTest, AQuestionMarkIsTypedWhereTextIs) {

@@ -1,0 +1,47 @@
+#include <gcm_gui/activity/redo.h>
+#include <gcm_gui/language/words.h>
+
+#include <utility>
+
+namespace tendon::gui {
+namespace {
+
+bool ChangesConnections(const Action& action) {
+  return action.verb == Action::Verb::kConnect || action.verb == Action::Verb::kDisconnect ||
+         action.verb == Action::Verb::kReplace;
+}
+
+}  // namespace
+
+Redo::Redo(ActivityModel& activity, SystemActions& actions, QObject* parent)
+    : QObject(parent), actions_(actions) {
+  connect(&activity, &ActivityModel::undone, this,
+          [this](const Action& action) { undone_.push_back(action); });
+  connect(&activity, &ActivityModel::finished, this, &Redo::hearDone);
+}
+
+void Redo::hearDone(const Action& action) {
+  if (!ChangesConnections(action) && action.verb != Action::Verb::kSteer) return;
+  if (!std::exchange(is_under_way_, false)) undone_.clear();
+}
+
+void Redo::again() {
+  if (is_under_way_) return;
+  if (undone_.empty())
+    return Q_EMIT notice(Words::tr("Nothing was undone that could be done again"));
+  if (!ChangesConnections(undone_.back())) {
+    return Q_EMIT notice(Words::tr("Components are started and stopped by F6 to F9 alone"));
+  }
+  const Action action = std::move(undone_.back());
+  undone_.pop_back();
+  is_under_way_ = true;
+  if (action.verb == Action::Verb::kConnect) {
+    actions_.connectInterfaces(action.required, action.provided);
+  } else if (action.verb == Action::Verb::kReplace) {
+    actions_.replaceConnection(action.required, action.provided);
+  } else {
+    actions_.disconnectInterface(action.required);
+  }
+}
+
+}  // namespace tendon::gui

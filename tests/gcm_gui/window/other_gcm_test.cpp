@@ -1,0 +1,66 @@
+#include <gcm_gui/window/file/other_gcm.h>
+#include <gtest/gtest.h>
+
+#include <QInputDialog>
+#include <QSignalSpy>
+#include <QTest>
+#include <optional>
+
+namespace tendon::gui {
+namespace {
+
+TEST(ArgumentsFor, KeepsAllButWhereTheGcmIs) {
+  EXPECT_EQ(ArgumentsFor({"--gcm", "a:1", "--theme", "dark"}, "b"),
+            (QStringList{"--theme", "dark", "--gcm", "b"}));
+  EXPECT_EQ(ArgumentsFor({"--listen=a:1", "--read-only"}, "b"),
+            (QStringList{"--read-only", "--gcm", "b"}));
+  EXPECT_EQ(ArgumentsFor({}, "b"), (QStringList{"--gcm", "b"}));
+}
+
+class OtherGcmTest : public ::testing::Test {
+ protected:
+  OtherGcmTest() { window_.show(); }
+
+  void Choose(const QString& address) {
+    other_.ask();
+    auto* dialog = window_.findChild<QInputDialog*>("otherGcm");
+    ASSERT_NE(dialog, nullptr);
+    dialog->setTextValue(address);
+    QTest::keyClick(dialog, Qt::Key_Return);
+  }
+
+  QWidget window_;
+  bool starts_ = true;
+  std::optional<QStringList> launched_;
+  OtherGcm& other_ = *new OtherGcm(window_, [this](const QStringList& arguments) {
+    launched_ = arguments;
+    return starts_;
+  });
+};
+
+TEST_F(OtherGcmTest, AnotherWindowComesInPlaceOfThisOne) {
+  Choose(" robot1 ");
+
+  ASSERT_TRUE(launched_);
+  EXPECT_EQ(launched_->mid(launched_->size() - 2), (QStringList{"--gcm", "robot1"}));
+  EXPECT_FALSE(window_.isVisible());
+}
+
+TEST_F(OtherGcmTest, WhereNoneComesThisOneStaysAndSaysSo) {
+  QSignalSpy notice(&other_, &OtherGcm::notice);
+  starts_ = false;
+  Choose("robot1");
+
+  EXPECT_EQ(notice.count(), 1);
+  EXPECT_TRUE(window_.isVisible());
+}
+
+TEST_F(OtherGcmTest, NoAddressIsNone) {
+  Choose("  ");
+
+  EXPECT_FALSE(launched_);
+  EXPECT_TRUE(window_.isVisible());
+}
+
+}  // namespace
+}  // namespace tendon::gui
