@@ -2382,6 +2382,26 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>; verloren: </translation>
     </message>
     <message>
+        <source>Imported; to be saved as </source>
+        <translation>Importiert; zu sichern als </translation>
+    </message>
+    <message>
+        <source>Import a file of cisst</source>
+        <translation>Eine Datei von cisst importieren</translation>
+    </message>
+    <message>
+        <source>&amp;Import a file of cisst…</source>
+        <translation>Eine Datei von cisst &amp;importieren…</translation>
+    </message>
+    <message>
+        <source>Files of a cisst component manager (*.json)</source>
+        <translation>Dateien eines cisst-Komponentenmanagers (*.json)</translation>
+    </message>
+    <message>
+        <source>The process that has the components</source>
+        <translation>Der Prozess, der die Komponenten hat</translation>
+    </message>
+    <message>
         <source>Connect to another machine</source>
         <translation>Mit einem anderen Rechner verbinden</translation>
     </message>

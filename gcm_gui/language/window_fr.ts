@@ -2382,6 +2382,26 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>; perdues : </translation>
     </message>
     <message>
+        <source>Imported; to be saved as </source>
+        <translation>Importé ; à enregistrer sous </translation>
+    </message>
+    <message>
+        <source>Import a file of cisst</source>
+        <translation>Importer un fichier de cisst</translation>
+    </message>
+    <message>
+        <source>&amp;Import a file of cisst…</source>
+        <translation>&amp;Importer un fichier de cisst…</translation>
+    </message>
+    <message>
+        <source>Files of a cisst component manager (*.json)</source>
+        <translation>Fichiers d&apos;un gestionnaire de composants cisst (*.json)</translation>
+    </message>
+    <message>
+        <source>The process that has the components</source>
+        <translation>Le processus qui a les composants</translation>
+    </message>
+    <message>
         <source>Connect to another machine</source>
         <translation>Se connecter à une autre machine</translation>
     </message>

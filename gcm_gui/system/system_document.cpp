@@ -2,9 +2,11 @@
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/system/system_document.h>
 #include <gcm_gui/system/system_parts.h>
+#include <tendon/gcm/system/reference_file.h>
 #include <tendon/gcm/system/running_system.h>
 #include <tendon/gcm/system/system_index.h>
 
+#include <QFile>
 #include <QFileInfo>
 #include <chrono>
 #include <utility>
@@ -38,6 +40,16 @@ Result<SystemFile> SystemToSave(const std::string& path, RunningSystem running,
   }
   if (layout) running.file.layout = LayoutFor(running.file, *layout);
   return std::move(running.file);
+}
+
+Result<ImportedSystem> Import(const QString& path, const std::string& process) {
+  QFile file(path);
+  if (!file.open(QIODevice::ReadOnly)) {
+    return Error{ErrorCode::kNotFound, path.toStdString() +
+                                           Words::tr(" cannot be read: ").toStdString() +
+                                           file.errorString().toStdString()};
+  }
+  return ParseComponentManagerFile(file.readAll().toStdString(), path.toStdString(), process);
 }
 
 QString FileName(const QString& path) { return QFileInfo(path).fileName(); }
@@ -115,6 +127,23 @@ void SystemDocument::open(const QString& path) {
   read(path, [this, path](const Result<SystemFile>& read) {
     if (!read) return Q_EMIT told(ToQString(read.error().message));
     take(path, *read, [this] { Q_EMIT opened(); });
+  });
+}
+
+void SystemDocument::importFrom(const QString& path, const QString& process) {
+  thread_.start([this, courier = courier_, path, process = process.toStdString()] {
+    const auto imported = Import(path, process);
+    courier->post([this, path, imported] {
+      if (!imported) return Q_EMIT told(ToQString(imported.error().message));
+      const QFileInfo from(path);
+      const QString to = from.path() + '/' + from.completeBaseName() + QStringLiteral(".gcm.json");
+      take(to, imported->file, [this, to, left_out = imported->left_out] {
+        Q_EMIT opened();
+        const QString came = Words::tr("Imported; to be saved as ") + FileName(to);
+        Q_EMIT told(left_out.empty() ? came
+                                     : came + QStringLiteral("; ") + ToQString(left_out.front()));
+      });
+    });
   });
 }
 

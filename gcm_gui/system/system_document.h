@@ -43,6 +43,9 @@ class SystemDocument : public QObject {
   /// of what the file says about it.
   void setLayout(std::map<std::string, SystemFile::Position> layout);
   void open(const QString& path);
+  /// The same with a file of the cisst component manager; what names no process goes to `process`.
+  /// It is to be saved beside that file, as a system file.
+  void importFrom(const QString& path, const QString& process);
   /// Reads a system file that is not this window's.
   void read(const QString& path, std::function<void(const Result<SystemFile>&)> done);
   /// Writes down what runs; what the file knows besides is kept in it.

@@ -8,6 +8,8 @@
 
 #include <QAction>
 #include <QFileDialog>
+#include <QFileInfo>
+#include <QInputDialog>
 #include <QMenu>
 
 namespace tendon::gui {
@@ -44,6 +46,7 @@ void SystemFiles::addCommands(Commands& commands) {
   };
   QMenu& menu = commands.menu(Commands::Menu::kSystem);
   add(Words::tr("&Open a system file…"), QKeySequence::Open, [this] { open(); });
+  add(Words::tr("&Import a file of cisst…"), {}, [this] { importFile(); });
   add(Words::tr("Sa&ve what runs"), QKeySequence::Save, [this] { save(); });
   add(Words::tr("Save what runs &as…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S),
       [this] { saveAs(); });
@@ -121,6 +124,34 @@ void SystemFiles::open() {
   QFileDialog* dialog = makeDialog(Words::tr("Open a system file"));
   dialog->setFileMode(QFileDialog::ExistingFile);
   connect(dialog, &QFileDialog::fileSelected, &document_, &SystemDocument::open);
+  dialog->open();
+}
+
+void SystemFiles::importFile() {
+  auto* dialog = new QFileDialog(&window_, Words::tr("Import a file of cisst"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setNameFilter(Words::tr("Files of a cisst component manager (*.json)"));
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  connect(dialog, &QFileDialog::fileSelected, this, &SystemFiles::askForProcess);
+  dialog->open();
+}
+
+/// Such a file is of one process, whose name it does not know.
+void SystemFiles::askForProcess(const QString& file) {
+  QStringList names;
+  for (const auto& [name, entry] : document_.catalogue().processes()) {
+    names.append(ToQString(name));
+  }
+  auto* dialog = new QInputDialog(&window_);
+  dialog->setObjectName(QStringLiteral("importProcess"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(Words::tr("Import a file of cisst"));
+  dialog->setLabelText(Words::tr("The process that has the components"));
+  dialog->setComboBoxItems(names);
+  dialog->setComboBoxEditable(true);
+  dialog->setTextValue(names.isEmpty() ? QFileInfo(file).baseName() : names.front());
+  connect(dialog, &QInputDialog::textValueSelected, this,
+          [this, file](const QString& process) { document_.importFrom(file, process); });
   dialog->open();
 }
 

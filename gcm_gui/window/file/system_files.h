@@ -41,6 +41,8 @@ class SystemFiles : public QObject {
   void save();
   void saveAs();
   void open();
+  void importFile();
+  void askForProcess(const QString& file);
   void restoreAll();
   void previewBringUp();
   void carryOutDemo(SystemFile demo);

@@ -10,7 +10,9 @@
 #include <tendon/process/process.h>
 
 #include <QAction>
+#include <QFile>
 #include <QFileDialog>
+#include <QInputDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
@@ -115,6 +117,33 @@ class SystemFlowTest : public ::testing::Test {
   std::unique_ptr<Session> session_;
   std::unique_ptr<MainWindow> window_;
 };
+
+TEST_F(SystemFlowTest, AFileOfCisstIsImportedAndComparedWithWhatRuns) {
+  ASSERT_TRUE(EverythingIsThere());
+  const QString cisst = folder_.filePath("lab.json");
+  QFile file(cisst);
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write(R"({"connections": [{"required": {"component": "plant", "interface": "Arm"},
+                                  "provided": {"component": "MTML", "interface": "Arm"}}]})");
+  file.close();
+  QAction* importing = window_->findChild<QAction*>("Import a file of cisst");
+  ASSERT_NE(importing, nullptr);
+  importing->trigger();
+  auto* files = window_->findChild<QFileDialog*>();
+  ASSERT_NE(files, nullptr);
+  files->findChild<QLineEdit*>("fileNameEdit")->setText(cisst);
+  QTest::keyClick(files->findChild<QLineEdit*>("fileNameEdit"), Qt::Key_Return);
+  ASSERT_TRUE(
+      Eventually([&] { return window_->findChild<QInputDialog*>("importProcess") != nullptr; }));
+  auto* process = window_->findChild<QInputDialog*>("importProcess");
+  process->setTextValue("robot");
+  QTest::keyClick(process, Qt::Key_Return);
+
+  ASSERT_TRUE(Eventually([&] { return Document().isOpen(); }));
+  EXPECT_EQ(Document().path(), folder_.filePath("lab.gcm.json"));
+  EXPECT_NE(Document().file().FindComponent("robot", "MTML"), nullptr);
+  EXPECT_FALSE(QFile::exists(Document().path())) << "it is to be saved by the user";
+}
 
 TEST_F(SystemFlowTest, WhatWasSavedIsRestoredAndThatTakenBack) {
   ASSERT_TRUE(EverythingIsThere());
