@@ -46,8 +46,9 @@ void CycleFigures::hearValues(const QString& column, const ColumnValues& values)
     last_second_.reset();
     if (ValueOf(values, ".cycles").value_or(0) == 0) return;
     const auto value = [&](std::string_view field) { return ValueOf(values, field).value_or(0); };
-    last_second_ = {value(".period.mean"), value(".lateness.p50"), value(".lateness.p99"),
-                    value(".lateness.max"), value(".compute.mean")};
+    last_second_ = {value(".period.mean"),  value(".lateness.p50"), value(".lateness.p99"),
+                    value(".lateness.max"), value(".compute.mean"), value(".period.max"),
+                    value(".compute.max")};
   }
 }
 

@@ -22,6 +22,8 @@ class CycleFigures : public QObject {
     double later = 0;    ///< 99 %
     double latest = 0;   ///< all of them
     double compute = 0;  ///< mean
+    double longest = 0;  ///< of all periods
+    double most_computed = 0;
   };
 
   explicit CycleFigures(SignalSource& source, QObject* parent = nullptr);

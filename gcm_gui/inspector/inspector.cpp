@@ -2,11 +2,12 @@
 #include <gcm_gui/call/careful.h>
 #include <gcm_gui/inspector/event_list.h>
 #include <gcm_gui/inspector/inspector.h>
+#include <gcm_gui/inspector/thread_facts.h>
+#include <gcm_gui/inspector/values_page.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/row_roles.h>
 #include <gcm_gui/models/state_of.h>
 #include <gcm_gui/models/text.h>
-#include <gcm_gui/pictures/picture_shelf.h>
 #include <gcm_gui/steer/steer_row.h>
 #include <gcm_gui/theme/head_row.h>
 #include <gcm_gui/theme/metrics.h>
@@ -23,7 +24,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
-#include <QRegularExpression>
+#include <QScrollArea>
 #include <QStackedWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -47,38 +48,6 @@ QString ProcessWord(ProcessState state) {
   return state == ProcessState::kSuspect ? Words::tr("no answer") : ToQString(ToString(state));
 }
 
-/// Of a round one: "1 ms", not "1.000 ms".
-QString ShortDuration(double seconds) {
-  static const QRegularExpression zeros(QStringLiteral("\\.?0+(?= )"));
-  const QString text = DurationText(seconds);
-  return text.contains('.') ? QString(text).remove(zeros) : text;
-}
-
-/// How well a task keeps a wanted period, in s.
-QList<Fact> TimingFacts(double period, const CycleFigures& figures) {
-  const auto& last = figures.lastSecond();
-  const QString none = QStringLiteral("–");
-  const QString percent = last ? QString::number(100 * last->compute / period, 'f', 1) : none;
-  return {
-      {Words::tr("Period"),
-       ShortDuration(period) +
-           (last ? Words::tr(" · now ") + DurationText(last->period) : QString()),
-       Words::tr("How often it is to run, and how often it did in the last second")},
-      {Words::tr("Starts late by"),
-       last ? Words::tr("%1 · max %2").arg(DurationText(last->late), DurationText(last->latest))
-            : none,
-       last ? Words::tr("In the last second half of the cycles began no later than %1 after "
-                        "they were due, 99 of 100 no later than %2, all no later than %3")
-                  .arg(DurationText(last->late), DurationText(last->later),
-                       DurationText(last->latest))
-            : QString()},
-      {Words::tr("Skipped cycles"), figures.skipped() ? QString::number(*figures.skipped()) : none,
-       Words::tr("Since its start, because a cycle before took too long")},
-      {Words::tr("Busy"),
-       last ? QStringLiteral("%1 % · %2").arg(percent, DurationText(last->compute)) : none,
-       Words::tr("How much of its period it computes, mean of the last second")}};
-}
-
 }  // namespace
 
 Inspector::Inspector(const CatalogueStore& store, Selection& selection, SignalSource& source,
@@ -87,13 +56,12 @@ Inspector::Inspector(const CatalogueStore& store, Selection& selection, SignalSo
     : QWidget(parent),
       store_(store),
       selection_(selection),
-      source_(source),
       actions_(actions),
       figures_(source),
       health_(reports, store),
       call_(new CallPanel(calls)),
       events_(new EventList(reports)),
-      pictures_(new PictureShelf) {
+      values_(new ValuesPage(selection, source)) {
   setObjectName(QStringLiteral("inspector"));
   setAccessibleName(Words::tr("Inspector"));
   setAutoFillBackground(true);
@@ -114,8 +82,7 @@ Inspector::Inspector(const CatalogueStore& store, Selection& selection, SignalSo
 
   connect(&store, &CatalogueStore::changed, this, &Inspector::refresh);
   connect(&selection, &Selection::changed, this, &Inspector::refresh);
-  connect(&source, &SignalSource::valuesArrived, &values_, &ValuesModel::showValues);
-  connect(&source, &SignalSource::valuesArrived, pictures_, &PictureShelf::showValues);
+  connect(values_, &ValuesPage::plotRequested, this, &Inspector::plotRequested);
   connect(&figures_timer_, &QTimer::timeout, this, &Inspector::showFigures);
   connect(call_, &CallPanel::favouriteRequested, this, &Inspector::favouriteRequested);
   connect(&health_, &HealthFigures::changed, this, &Inspector::showHealth);
@@ -173,8 +140,9 @@ QWidget* Inspector::buildComponentPage() {
   });
   tabs_ = new TabPanel(QStringLiteral("inspectorTabs"));
   interfaces_page_ = tabs_->addPage(buildInterfaces(), Words::tr("Interfaces"));
-  values_page_ = tabs_->addPage(buildValues(), Words::tr("Values"));
+  values_page_ = tabs_->addPage(values_, Words::tr("Values"));
   tabs_->addPage(events_, Words::tr("Events"));
+  tabs_->addPage(buildThread(), Words::tr("Thread"));
   tabs_->addPage(buildConfiguration(), Words::tr("Config"));
   connect(tabs_, &TabPanel::currentChanged, this, &Inspector::watchValues);
   column->addWidget(component_facts_);
@@ -207,30 +175,20 @@ QWidget* Inspector::buildInterfaces() {
   return page;
 }
 
-QWidget* Inspector::buildValues() {
-  RowView* list = MakeRowList(values_, QStringLiteral("inspector.values"), Words::tr("Values"),
-                              Words::tr("This component has no state table."));
-  list->setColumnHidden(ValuesModel::kValue, true);
-  list->rows().setValueColumn(ValuesModel::kValue);
-  list->setSelectionMode(QAbstractItemView::ExtendedSelection);
-  connect(&values_, &QAbstractItemModel::dataChanged, list->viewport(),
-          [list] { list->viewport()->update(); });
-  connect(list, &QTreeView::doubleClicked, this, [this](const QModelIndex& index) {
-    Q_EMIT plotRequested(index.data(kPathRole).toString(), values_.unit(index.row()));
-  });
-  connect(list->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this, list] {
-    QStringList paths;
-    for (const QModelIndex& index : list->selectionModel()->selectedRows()) {
-      paths.append(index.data(kPathRole).toString());
-    }
-    if (!paths.isEmpty()) selection_.setPaths(paths);
-  });
-  auto* page = new QWidget;
-  auto* column = new QVBoxLayout(page);
+QWidget* Inspector::buildThread() {
+  thread_facts_ = new FactGrid;
+  thread_facts_->setObjectName(QStringLiteral("inspector.thread"));
+  auto* page = new QScrollArea;
+  page->setFrameShape(QFrame::NoFrame);
+  page->setWidgetResizable(true);
+  page->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  page->setAccessibleName(Words::tr("Thread"));
+  auto* around = new QWidget;
+  auto* column = new QVBoxLayout(around);
   column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
-  column->addWidget(list, 1);
-  column->addWidget(pictures_);
+  column->addWidget(thread_facts_);
+  column->addStretch();
+  page->setWidget(around);
   return page;
 }
 
@@ -366,11 +324,11 @@ void Inspector::showComponent(const ProcessEntry& entry, const ComponentDescript
   shown_component_ = path;
   steer_->show(store_.catalogue(), entry.process.name, component.name);
   interfaces_.show(store_.catalogue(), entry.process.name, component.name);
-  values_.show(path, &component, gone);
-  pictures_->setColumns(values_.columns());
+  values_->showComponent(path, component, gone);
   configuration_.show(component);
   events_->show(path);
-  figures_.show(HasCycle(component) && !gone ? path : QString());
+  const bool runs = component.state == ComponentState::kActive && !gone;
+  figures_.show(HasCycle(component) && runs ? path : QString());
   health_.show(entry.process.name, component.name);
   pages_->setCurrentIndex(kComponentPage);
   showCall(entry, component);
@@ -416,6 +374,7 @@ void Inspector::showFigures() {
                       process[1].value + '\n' + process[2].name + ' ' + process[2].value});
   }
   component_facts_->show(facts);
+  thread_facts_->show(ThreadFacts(*component, figures_));
 }
 
 void Inspector::showHealth() {
@@ -425,7 +384,7 @@ void Inspector::showHealth() {
 
 void Inspector::watchValues() {
   const bool wanted = pages_->currentIndex() == kComponentPage && tabs_->current() == values_page_;
-  source_.watch(&values_, wanted ? values_.columns() : QSet<QString>());
+  values_->setWanted(wanted);
 }
 
 void Inspector::setOutdated(bool outdated) { state_->setStale(outdated); }

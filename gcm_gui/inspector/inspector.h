@@ -4,7 +4,6 @@
 #include <gcm_gui/inspector/cycle_figures.h>
 #include <gcm_gui/inspector/health_figures.h>
 #include <gcm_gui/inspector/interfaces_model.h>
-#include <gcm_gui/inspector/values_model.h>
 #include <gcm_gui/models/selection.h>
 #include <gcm_gui/session/catalogue_store.h>
 #include <gcm_gui/session/command_calls.h>
@@ -23,11 +22,11 @@ namespace tendon::gui {
 class CallPanel;
 class EventList;
 class FactGrid;
-class PictureShelf;
 class RowView;
 class StateLabel;
 class SteerRow;
 class TabPanel;
+class ValuesPage;
 
 /// The right column: all about the component that is selected, or that what is selected belongs to;
 /// or about a process. Follows the selection and the catalogue.
@@ -61,7 +60,7 @@ class Inspector : public QWidget {
   QWidget* buildComponentPage();
   QWidget* buildProcessPage();
   QWidget* buildInterfaces();
-  QWidget* buildValues();
+  QWidget* buildThread();
   RowView* buildConfiguration();
   void showHealth();
   void showProcessFacts();
@@ -79,10 +78,8 @@ class Inspector : public QWidget {
 
   const CatalogueStore& store_;
   Selection& selection_;
-  SignalSource& source_;
   SystemActions& actions_;
   InterfacesModel interfaces_;
-  ValuesModel values_;
   ConfigurationModel configuration_;
   CycleFigures figures_;
   HealthFigures health_;
@@ -92,6 +89,7 @@ class Inspector : public QWidget {
   StateLabel* state_;
   QLabel* process_;
   FactGrid* component_facts_;
+  FactGrid* thread_facts_ = nullptr;
   SteerRow* steer_;
   FactGrid* process_facts_;
   QPushButton* forget_;
@@ -99,7 +97,7 @@ class Inspector : public QWidget {
   RowView* interface_list_;
   CallPanel* call_;
   EventList* events_;
-  PictureShelf* pictures_;
+  ValuesPage* values_;
   TabPanel* tabs_;
   QStackedWidget* pages_;
   int interfaces_page_ = 0;

@@ -1,16 +1,20 @@
 #include <gcm_gui/inspector/values_model.h>
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/row_roles.h>
 #include <gcm_gui/models/table_columns.h>
 #include <gcm_gui/models/text.h>
+#include <gcm_gui/plot/rate_badge.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace tendon::gui {
 
 int ValuesModel::Block::rows() const {
-  if (values.channels == nullptr) return 0;  // not known yet
-  return values.channels->empty() ? 1 : static_cast<int>(values.channels->size());
+  if (is_out) return 0;
+  const bool has_numbers = isKnown() && !values.channels->empty();
+  return has_numbers ? static_cast<int>(values.channels->size()) : 1;
 }
 
 int ValuesModel::rowCount(const QModelIndex& parent) const {
@@ -40,33 +44,120 @@ QString ValuesModel::unit(int row) const {
 
 QVariant ValuesModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
-  const auto [block, channel] = placeOf(index.row());
-  const bool known = block->values.channels && !block->values.channels->empty();
-  const QString field = known ? ToQString((*block->values.channels)[channel].path) : QString();
-  Quantity value{known ? QStringLiteral("…") : block->values.text, unit(index.row())};
-  if (known && channel < block->values.values.size()) {
-    value = QuantityOf((*block->values.channels)[channel], block->values.values[channel]);
-  }
+  const Place place = placeOf(index.row());
+  const auto& [block, channel] = place;
+  const bool has_numbers = block->isKnown() && !block->values.channels->empty();
+  const QString field =
+      has_numbers ? ToQString((*block->values.channels)[channel].path) : QString();
   switch (role) {
     case Qt::DisplayRole:
-      return index.column() == kName ? block->name + field : value.number;
+      return index.column() == kName ? block->name + field : valueOf(place, role);
     case kPathRole:
-    case Qt::ToolTipRole:
       return block->column + field;
+    case Qt::ToolTipRole:
+      return isSilent(*block) ? Words::tr(
+                                    "%1 has not answered for %2 s: a click, or Enter, asks it "
+                                    "again")
+                                    .arg(block->column.section('/', 0, 0))
+                                    .arg(kPatience.count())
+                              : block->column + field;
     case kFaceRole:
       return static_cast<int>(Face::kMono);
-    case kUnitRole:
-      return value.unit;
+    case kDetailRole:
+      return index.column() == kName ? detailOf(*block, channel) : QString();
     case kTrendRole:
       if (channel >= block->trends.size()) return {};
       return QVariant::fromValue(block->trends[channel]);
     case kStaleRole:
-      return stale_;
+      return stale_ || isOld(*block);
+    case kFreshRole:
+      return index.column() == kValue ? valueOf(place, role) : QVariant();
     case Qt::AccessibleTextRole:
-      return QStringLiteral("%1%2 %3 %4").arg(block->name, field, value.number, value.unit);
+      return QStringLiteral("%1%2 %3 %4")
+          .arg(block->name, field, valueOf(place, Qt::DisplayRole).toString(),
+               valueOf(place, kUnitRole).toString());
+    default:
+      return valueOf(place, role);
+  }
+}
+
+QVariant ValuesModel::valueOf(const Place& place, int role) const {
+  const auto& [block, channel] = place;
+  const bool silent = isSilent(*block);
+  switch (role) {
+    case Qt::DisplayRole:
+      if (silent) return Words::tr("no answer in %1 s · ask again").arg(kPatience.count());
+      break;
+    case kUnitRole:
+      break;
+    case kAccentRole:
+    case kProseRole:
+      return silent;
+    case kFreshRole:
+      return channel < block->changed.size() && clock_.Now() - block->changed[channel] < kFresh;
     default:
       return {};
   }
+  const bool has_numbers = block->isKnown() && !block->values.channels->empty();
+  Quantity value{block->isKnown() && !has_numbers ? block->values.text : QStringLiteral("…"), {}};
+  if (has_numbers) {
+    const PlotChannel& shape = (*block->values.channels)[channel];
+    value.unit = ToQString(shape.unit);
+    if (channel < block->values.values.size()) {
+      value = QuantityOf(shape, block->values.values[channel]);
+    }
+  }
+  return role == kUnitRole ? value.unit : value.number;
+}
+
+bool ValuesModel::isSilent(const Block& block) const {
+  return !block.isKnown() && !stale_ && block.awaited != SteadyTime::max() &&
+         clock_.Now() - block.awaited >= kPatience;
+}
+
+/// Later than the rate lets expect.
+bool ValuesModel::isOld(const Block& block) const {
+  constexpr double kMostPeriods = 5;
+  constexpr double kLeast = 2;  // s
+  if (block.rate <= 0) return false;
+  const std::chrono::duration<double> age = clock_.Now() - block.arrived;
+  return age.count() > std::max(kLeast, kMostPeriods / block.rate);
+}
+
+QString ValuesModel::detailOf(const Block& block, std::size_t channel) const {
+  if (channel > 0 || block.rate <= 0) return {};
+  if (!isOld(block)) return RateText(block.rate);
+  return Words::tr("%1 old").arg(AgeText((clock_.Now() - block.arrived).count()));
+}
+
+void ValuesModel::await() {
+  for (Block& block : blocks_) {
+    if (!block.isKnown() && block.awaited == SteadyTime::max()) block.awaited = clock_.Now();
+  }
+}
+
+QString ValuesModel::askAgain(int row) {
+  const Place place = placeOf(row);
+  if (place.block == nullptr || !isSilent(*place.block)) return {};
+  for (Block& block : blocks_) {
+    if (block.column == place.block->column) block.awaited = clock_.Now();
+  }
+  Q_EMIT dataChanged(index(row, 0), index(row, kColumnCount - 1));
+  return place.block->column;
+}
+
+void ValuesModel::tick() {
+  const SteadyTime before = std::exchange(ticked_, clock_.Now());
+  const auto has_passed = [&](SteadyTime end) { return end > before && end <= ticked_; };
+  const bool any = std::any_of(blocks_.begin(), blocks_.end(), [&](const Block& block) {
+    if (!block.isKnown()) {
+      return block.awaited != SteadyTime::max() && has_passed(block.awaited + kPatience);
+    }
+    return isOld(block) ||
+           std::any_of(block.changed.begin(), block.changed.end(),
+                       [&](SteadyTime changed) { return has_passed(changed + kFresh); });
+  });
+  if (any) Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, kColumnCount - 1));
 }
 
 void ValuesModel::show(const QString& path, const ComponentDescription* component, bool stale) {
@@ -77,7 +168,7 @@ void ValuesModel::show(const QString& path, const ComponentDescription* componen
       const QString prefix = table.name == "state" ? QString() : ToQString(table.name) + '.';
       for (const auto* column : ColumnsOf(table)) {
         const QString name = ToQString(column->name);
-        fresh.push_back({interface + '.' + name, prefix + name, {}});
+        fresh.push_back({.column = interface + '.' + name, .name = prefix + name});
       }
     }
   }
@@ -98,6 +189,29 @@ QSet<QString> ValuesModel::columns() const {
   return columns;
 }
 
+/// Of values that come for the first time none has changed.
+void ValuesModel::noteChanges(Block& block, const ColumnValues& values) const {
+  const auto& before = block.values.values;
+  block.changed.resize(values.values.size());
+  for (std::size_t channel = 0; channel < std::min(before.size(), values.values.size());
+       ++channel) {
+    const double now = values.values[channel];
+    const bool both_none = std::isnan(before[channel]) && std::isnan(now);
+    if (before[channel] != now && !both_none) block.changed[channel] = clock_.Now();
+  }
+}
+
+void ValuesModel::measureRate(Block& block) {
+  constexpr double kLeastTime = 1;  // s
+  const ColumnValues& values = block.values;
+  const double passed = 1e-9 * static_cast<double>(values.time - block.time_before);
+  const bool begins = block.time_before == 0 || values.rows < block.rows_before || passed < 0;
+  if (!begins && passed < kLeastTime) return;
+  block.rate = begins ? 0 : static_cast<double>(values.rows - block.rows_before) / passed;
+  block.rows_before = values.rows;
+  block.time_before = values.time;
+}
+
 void ValuesModel::addToTrends(Block& block) {
   block.trends.resize(block.values.values.size());
   for (std::size_t channel = 0; channel < block.trends.size(); ++channel) {
@@ -108,15 +222,13 @@ void ValuesModel::addToTrends(Block& block) {
 }
 
 void ValuesModel::replaceRows(Block& block, int first, const ColumnValues& values) {
-  if (block.rows() > 0) {
-    beginRemoveRows({}, first, first + block.rows() - 1);
-    block.values = {};
-    block.trends.clear();
-    endRemoveRows();
-  }
   Block changed = block;
   changed.values = values;
   changed.trends.clear();
+  changed.changed.clear();
+  beginRemoveRows({}, first, first + block.rows() - 1);
+  block.is_out = true;
+  endRemoveRows();
   beginInsertRows({}, first, first + changed.rows() - 1);
   block = std::move(changed);
   endInsertRows();
@@ -130,10 +242,13 @@ void ValuesModel::showValues(const QString& column, const ColumnValues& values) 
       continue;
     }
     if (block.values.channels == values.channels) {
+      noteChanges(block, values);
       block.values = values;
     } else {
       replaceRows(block, first, values);
     }
+    block.arrived = clock_.Now();
+    measureRate(block);
     addToTrends(block);
     const int last = first + block.rows() - 1;
     Q_EMIT dataChanged(index(first, 0), index(last, kColumnCount - 1));

@@ -1,18 +1,21 @@
 #pragma once
 
 #include <gcm_gui/session/signal_source.h>
+#include <tendon/base/clock.h>
 #include <tendon/manager/description.h>
 
 #include <QAbstractTableModel>
 #include <QList>
 #include <QSet>
 #include <QString>
+#include <chrono>
 #include <vector>
 
 namespace tendon::gui {
 
 /// Every number in the state tables of one component, with its newest value, its unit and how it
-/// went in the last seconds.
+/// went in the last seconds; the first of a column also with the rate of its rows, or how old they
+/// are. A column that does not answer says so in its own row.
 class ValuesModel : public QAbstractTableModel {
   Q_OBJECT
 
@@ -21,8 +24,13 @@ class ValuesModel : public QAbstractTableModel {
 
   /// Values a trend has; they come 10 times a second.
   static constexpr qsizetype kTrend = 100;
+  /// So long a value counts as having just changed.
+  static constexpr std::chrono::milliseconds kFresh{500};
+  /// After so long without an answer that is said.
+  static constexpr std::chrono::seconds kPatience{1};
 
-  using QAbstractTableModel::QAbstractTableModel;
+  explicit ValuesModel(QObject* parent = nullptr, const Clock& clock = SteadyClock())
+      : QAbstractTableModel(parent), clock_(clock) {}
 
   [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
   [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
@@ -35,6 +43,13 @@ class ValuesModel : public QAbstractTableModel {
   /// Of a row; empty for none.
   [[nodiscard]] QString unit(int row) const;
 
+  /// From now on answers are awaited; of what has none yet.
+  void await();
+  /// The column of a row that has not answered in time, which is awaited anew; else empty.
+  [[nodiscard]] QString askAgain(int row);
+  /// What has grown old since the last time, a few times a second.
+  void tick();
+
  public Q_SLOTS:
   void showValues(const QString& column, const tendon::gui::ColumnValues& values);
 
@@ -42,8 +57,16 @@ class ValuesModel : public QAbstractTableModel {
   struct Block {  // the rows of one column
     QString column;
     QString name;
-    ColumnValues values;
+    ColumnValues values = {};
     std::vector<QList<double>> trends = {};  // of each channel
+    std::vector<SteadyTime> changed = {};    // likewise
+    SteadyTime awaited = SteadyTime::max();  // since then, while nothing has come
+    SteadyTime arrived = {};                 // its newest row
+    std::uint64_t rows_before = 0;           // at the beginning of what the rate is of
+    std::int64_t time_before = 0;            // likewise
+    double rate = 0;                         // Hz; 0 while it is not known
+    bool is_out = false;                     // while its rows are replaced
+    [[nodiscard]] bool isKnown() const { return values.channels != nullptr; }
     [[nodiscard]] int rows() const;
     bool operator==(const Block& other) const { return column == other.column; }
   };
@@ -53,9 +76,17 @@ class ValuesModel : public QAbstractTableModel {
   };
   [[nodiscard]] Place placeOf(int row) const;
   static void addToTrends(Block& block);
+  void noteChanges(Block& block, const ColumnValues& values) const;
+  static void measureRate(Block& block);
+  [[nodiscard]] bool isSilent(const Block& block) const;
+  [[nodiscard]] bool isOld(const Block& block) const;
+  [[nodiscard]] QString detailOf(const Block& block, std::size_t channel) const;
+  [[nodiscard]] QVariant valueOf(const Place& place, int role) const;
   void replaceRows(Block& block, int first, const ColumnValues& values);
 
+  const Clock& clock_;
   std::vector<Block> blocks_;
+  SteadyTime ticked_{};
   bool stale_ = false;
 };
 

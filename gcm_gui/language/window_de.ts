@@ -1310,8 +1310,8 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Filter: arm type:read state:active</translation>
     </message>
     <message>
-        <source>Words must all be in the path; also -word, type:, state:, proc:  (Ctrl+F)</source>
-        <translation>Alle Wörter müssen im Pfad stehen; auch -Wort, type:, state:, proc:  (Strg+F)</translation>
+        <source>Words must all be in the path; also -word, type:, state:, proc:, host:, /regex/  (Ctrl+F)</source>
+        <translation>Alle Wörter müssen im Pfad stehen; auch -Wort, type:, state:, proc:, host:, /regex/  (Strg+F)</translation>
     </message>
     <message>
         <source>Nothing here yet.</source>
@@ -2330,6 +2330,86 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Es beendet, was die Komponente tut: den Knopf 0,4 s lang halten oder die Eingabetaste drücken</translation>
     </message>
     <message>
+        <source>%1 has not answered for %2 s: a click, or Enter, asks it again</source>
+        <translation>%1 hat seit %2 s nicht geantwortet: ein Klick oder die Eingabetaste fragt noch einmal</translation>
+    </message>
+    <message>
+        <source>no answer in %1 s · ask again</source>
+        <translation>keine Antwort in %1 s · erneut fragen</translation>
+    </message>
+    <message>
+        <source>%1 old</source>
+        <translation>%1 alt</translation>
+    </message>
+    <message>
+        <source>that of %1</source>
+        <translation>der von %1</translation>
+    </message>
+    <message>
+        <source>none of its own</source>
+        <translation>kein eigener</translation>
+    </message>
+    <message>
+        <source>its own</source>
+        <translation>ein eigener</translation>
+    </message>
+    <message>
+        <source>normal</source>
+        <translation>normal</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>alle</translation>
+    </message>
+    <message>
+        <source>Wanted period</source>
+        <translation>Soll-Periode</translation>
+    </message>
+    <message>
+        <source>Longest period</source>
+        <translation>Längste Periode</translation>
+    </message>
+    <message>
+        <source>Mean of the last second</source>
+        <translation>Mittel der letzten Sekunde</translation>
+    </message>
+    <message>
+        <source>Half of the cycles of the last second; 99 of 100; all of them</source>
+        <translation>Die Hälfte der Zyklen der letzten Sekunde; 99 von 100; alle</translation>
+    </message>
+    <message>
+        <source>99 of 100 by</source>
+        <translation>99 von 100 um</translation>
+    </message>
+    <message>
+        <source>At most by</source>
+        <translation>Höchstens um</translation>
+    </message>
+    <message>
+        <source>Computes for</source>
+        <translation>Rechnet für</translation>
+    </message>
+    <message>
+        <source>At most for</source>
+        <translation>Höchstens für</translation>
+    </message>
+    <message>
+        <source>Thread</source>
+        <translation>Thread</translation>
+    </message>
+    <message>
+        <source>Scheduling</source>
+        <translation>Scheduling</translation>
+    </message>
+    <message>
+        <source>Processors</source>
+        <translation>Prozessoren</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
         <source>Rename this plot</source>
         <translation>Diesen Plot umbenennen</translation>
     </message>
@@ -2420,6 +2500,14 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
     <message>
         <source>Another window could not be started</source>
         <translation>Ein anderes Fenster ließ sich nicht starten</translation>
+    </message>
+    <message>
+        <source>Processes that have been gone for half a minute: shows or hides them</source>
+        <translation>Prozesse, die seit einer halben Minute fort sind: zeigt oder verbirgt sie</translation>
+    </message>
+    <message>
+        <source>gone (%1)</source>
+        <translation>fort (%1)</translation>
     </message>
 </context>
 <context>

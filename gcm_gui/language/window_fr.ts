@@ -1310,8 +1310,8 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Filtre : arm type:read state:active</translation>
     </message>
     <message>
-        <source>Words must all be in the path; also -word, type:, state:, proc:  (Ctrl+F)</source>
-        <translation>Tous les mots doivent être dans le chemin ; aussi -mot, type:, state:, proc:  (Ctrl+F)</translation>
+        <source>Words must all be in the path; also -word, type:, state:, proc:, host:, /regex/  (Ctrl+F)</source>
+        <translation>Tous les mots doivent être dans le chemin ; aussi -mot, type:, state:, proc:, host:, /regex/  (Ctrl+F)</translation>
     </message>
     <message>
         <source>Nothing here yet.</source>
@@ -2330,6 +2330,86 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Cela met fin à ce que fait le composant : maintenir le bouton 0,4 s ou appuyer sur Entrée</translation>
     </message>
     <message>
+        <source>%1 has not answered for %2 s: a click, or Enter, asks it again</source>
+        <translation>%1 n&apos;a pas répondu depuis %2 s : un clic ou Entrée redemande</translation>
+    </message>
+    <message>
+        <source>no answer in %1 s · ask again</source>
+        <translation>pas de réponse en %1 s · redemander</translation>
+    </message>
+    <message>
+        <source>%1 old</source>
+        <translation>vieux de %1</translation>
+    </message>
+    <message>
+        <source>that of %1</source>
+        <translation>celui de %1</translation>
+    </message>
+    <message>
+        <source>none of its own</source>
+        <translation>aucun à lui</translation>
+    </message>
+    <message>
+        <source>its own</source>
+        <translation>le sien</translation>
+    </message>
+    <message>
+        <source>normal</source>
+        <translation>normale</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>tous</translation>
+    </message>
+    <message>
+        <source>Wanted period</source>
+        <translation>Période voulue</translation>
+    </message>
+    <message>
+        <source>Longest period</source>
+        <translation>Période la plus longue</translation>
+    </message>
+    <message>
+        <source>Mean of the last second</source>
+        <translation>Moyenne de la dernière seconde</translation>
+    </message>
+    <message>
+        <source>Half of the cycles of the last second; 99 of 100; all of them</source>
+        <translation>La moitié des cycles de la dernière seconde ; 99 sur 100 ; tous</translation>
+    </message>
+    <message>
+        <source>99 of 100 by</source>
+        <translation>99 sur 100 de</translation>
+    </message>
+    <message>
+        <source>At most by</source>
+        <translation>Au plus de</translation>
+    </message>
+    <message>
+        <source>Computes for</source>
+        <translation>Calcule pendant</translation>
+    </message>
+    <message>
+        <source>At most for</source>
+        <translation>Au plus pendant</translation>
+    </message>
+    <message>
+        <source>Thread</source>
+        <translation>Thread</translation>
+    </message>
+    <message>
+        <source>Scheduling</source>
+        <translation>Ordonnancement</translation>
+    </message>
+    <message>
+        <source>Processors</source>
+        <translation>Processeurs</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Avertissement</translation>
+    </message>
+    <message>
         <source>Rename this plot</source>
         <translation>Renommer ce graphique</translation>
     </message>
@@ -2420,6 +2500,14 @@ Possède %1 des commandes et événements requis.</translation>
     <message>
         <source>Another window could not be started</source>
         <translation>Une autre fenêtre n&apos;a pas pu être lancée</translation>
+    </message>
+    <message>
+        <source>Processes that have been gone for half a minute: shows or hides them</source>
+        <translation>Processus absents depuis une demi-minute : les montre ou les cache</translation>
+    </message>
+    <message>
+        <source>gone (%1)</source>
+        <translation>absents (%1)</translation>
     </message>
 </context>
 <context>

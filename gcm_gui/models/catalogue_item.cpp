@@ -195,6 +195,7 @@ std::unique_ptr<CatalogueItem> BuildProcess(const ConnectionIndex& connections,
   item->mark = MarkOf(process.state);
   item->state = ToQString(ToString(process.state));
   item->gone = IsGone(process.state);
+  item->host = ToQString(process.host).toLower();
   item->since = process.since;
   item->detail = ToQString(process.reason);
   item->value =

@@ -12,6 +12,8 @@
 namespace tendon::gui {
 namespace {
 
+constexpr std::int64_t kFresh = 10'000'000'000;  // ns
+
 bool IsSame(const CatalogueItem& a, const CatalogueItem& b) {
   return a.kind == b.kind && a.path == b.path;
 }
@@ -19,8 +21,8 @@ bool IsSame(const CatalogueItem& a, const CatalogueItem& b) {
 /// Takes over what `fresh` says of the row itself; false when nothing differs.
 bool TakeOver(CatalogueItem& item, const CatalogueItem& fresh) {
   const auto all = [](auto& i) {
-    return std::tie(i.name, i.detail, i.value, i.unit, i.mark, i.state, i.gone, i.since, i.type,
-                    i.channel);
+    return std::tie(i.name, i.detail, i.value, i.unit, i.mark, i.state, i.gone, i.host, i.since,
+                    i.type, i.channel);
   };
   if (all(item) == all(fresh)) return false;
   all(item) = all(fresh);
@@ -122,7 +124,9 @@ QVariant CatalogueModel::nameData(const CatalogueItem& item, int role) const {
     case kFaceRole:
       return static_cast<int>(FaceOf(item.kind));
     case kStruckRole:
-      return item.kind == ItemKind::kProcess && item.gone;
+      return item.kind <= ItemKind::kComponent && item.gone;
+    case kFreshRole:
+      return fresh_.contains(item.path);
     default:
       return {};
   }
@@ -349,6 +353,7 @@ void CatalogueModel::insertChild(CatalogueItem& parent, int row,
   enter(*child);
   parent.children.insert(parent.children.begin() + row, std::move(child));
   Renumber(parent, static_cast<std::size_t>(row));
+  markFresh(*parent.children[static_cast<std::size_t>(row)]);
   endInsertRows();
 }
 
@@ -403,8 +408,26 @@ void CatalogueModel::emitValuesChanged(CatalogueItem& item) {
   }
 }
 
+/// Only what comes when all the others have been there for a while.
+void CatalogueModel::markFresh(const CatalogueItem& item) {
+  if (begun_ == 0) begun_ = now_;
+  if (now_ < begun_ + kFresh || item.kind >= ItemKind::kColumn) return;
+  fresh_.insert(item.path, now_ + kFresh);
+}
+
+void CatalogueModel::dropFresh() {
+  const QHash<QString, std::int64_t> all = fresh_;
+  for (auto it = all.begin(); it != all.end(); ++it) {
+    if (now_ < it.value()) continue;
+    fresh_.remove(it.key());
+    const QModelIndex name = indexOf(it.key());
+    if (name.isValid()) Q_EMIT dataChanged(name, name, {kFreshRole});
+  }
+}
+
 void CatalogueModel::setNow(qint64 now) {
   now_ = now;
+  dropFresh();
   for (const auto& process : root_->children) {
     if (!process->gone) continue;
     const QModelIndex value = indexFor(*process, kValue);

@@ -18,8 +18,8 @@
 namespace tendon::gui {
 
 /// The catalogue as a tree: process, component, interface, member, and below the columns of state
-/// tables their values. What stays the same in an update stays where it is, also over a restart of
-/// its process. GUI thread.
+/// tables their values. What comes later than the first of it is marked for ten seconds. What stays
+/// the same in an update stays where it is, also over a restart of its process. GUI thread.
 class CatalogueModel : public QAbstractItemModel {
   Q_OBJECT
 
@@ -73,6 +73,8 @@ class CatalogueModel : public QAbstractItemModel {
   void enter(CatalogueItem& item);
   void forget(CatalogueItem& item);
   void emitValuesChanged(CatalogueItem& item);
+  void markFresh(const CatalogueItem& item);
+  void dropFresh();
 
   [[nodiscard]] QModelIndex indexFor(const CatalogueItem& item, int column = kName) const;
   [[nodiscard]] const CatalogueItem& itemFor(const QModelIndex& index) const;
@@ -87,7 +89,9 @@ class CatalogueModel : public QAbstractItemModel {
   std::unique_ptr<CatalogueItem> root_;
   QHash<QString, CatalogueItem*> by_path_;
   QHash<QString, ColumnValues> values_;  // of columns
+  QHash<QString, std::int64_t> fresh_;   // of rows that are new, by path: until when
   std::int64_t now_ = 0;
+  std::int64_t begun_ = 0;  // when the first rows came
   bool outdated_ = false;
 };
 

@@ -5,17 +5,21 @@
 #include <gcm_gui/theme/theme.h>
 #include <gcm_gui/views/catalogue_panel.h>
 #include <gcm_gui/views/catalogue_tree.h>
+#include <gcm_gui/views/link.h>
 
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <chrono>
 
 namespace tendon::gui {
 namespace {
 
 constexpr std::chrono::milliseconds kCountPause{200};
+constexpr std::int64_t kUntilFolded = 30'000'000'000;  // ns
 
 }  // namespace
 
@@ -23,9 +27,11 @@ CataloguePanel::CataloguePanel(CatalogueFilter& filter, Selection& selection, Si
                                QWidget* parent)
     : QWidget(parent),
       filter_(filter),
+      selection_(selection),
       count_(new QLabel),
       field_(new QLineEdit),
-      tree_(new CatalogueTree(filter, selection, source)) {
+      tree_(new CatalogueTree(filter, selection, source)),
+      gone_(MakeLink({}, QStringLiteral("catalogue.gone"))) {
   setObjectName(QStringLiteral("cataloguePanel"));
   setAutoFillBackground(true);
   SetRole(*count_, QStringLiteral("dim"));
@@ -37,7 +43,7 @@ CataloguePanel::CataloguePanel(CatalogueFilter& filter, Selection& selection, Si
   field_->setPlaceholderText(Words::tr("Filter: arm type:read state:active"));
   field_->setToolTip(
       Words::tr("Words must all be in the path; also -word, type:, state:, "
-                "proc:  (Ctrl+F)"));
+                "proc:, host:, /regex/  (Ctrl+F)"));
   field_->setClearButtonEnabled(true);
   field_->installEventFilter(this);
   auto* around_field = new QVBoxLayout;
@@ -50,13 +56,26 @@ CataloguePanel::CataloguePanel(CatalogueFilter& filter, Selection& selection, Si
   column->addWidget(head);
   column->addLayout(around_field);
   column->addWidget(tree_, 1);
+  gone_->setCheckable(true);
+  gone_->setFocusPolicy(Qt::StrongFocus);
+  gone_->setToolTip(
+      Words::tr("Processes that have been gone for half a minute: shows or hides them"));
+  gone_->setVisible(false);
+  column->addWidget(gone_, 0, Qt::AlignLeft);
 
   count_soon_.setSingleShot(true);
   count_soon_.setInterval(kCountPause);
   connect(&count_soon_, &QTimer::timeout, this, &CataloguePanel::showCount);
   connect(field_, &QLineEdit::textChanged, &filter_, &CatalogueFilter::setText);
   connect(&filter_, &CatalogueFilter::filterApplied, this, &CataloguePanel::showCount);
+  connect(&filter_, &CatalogueFilter::filterApplied, this, &CataloguePanel::foldGone);
+  connect(&selection, &Selection::changed, this, &CataloguePanel::foldGone);
+  connect(gone_, &QToolButton::toggled, this, &CataloguePanel::foldGone);
   const auto count_soon = [this] { count_soon_.start(); };
+  connect(&filter_, &QAbstractItemModel::dataChanged, this,
+          [this](const QModelIndex&, const QModelIndex&, const QList<int>& roles) {
+            if (roles.isEmpty()) foldGone();  // one may be back
+          });
   connect(&filter_, &QAbstractItemModel::rowsInserted, this, count_soon);
   connect(&filter_, &QAbstractItemModel::rowsRemoved, this, count_soon);
   tree_->setEmptyText(Words::tr("Nothing here yet."));
@@ -71,6 +90,33 @@ void CataloguePanel::showCount() {
   count_->setText(filter_.active() ? Words::tr("%1 found").arg(count) : items);
   tree_->setEmptyText(filter_.active() ? Words::tr("No row fits the filter.")
                                        : Words::tr("Nothing here yet."));
+}
+
+void CataloguePanel::setNow(qint64 now) {
+  now_ = now;
+  foldGone();
+}
+
+/// What is selected stays in sight.
+bool CataloguePanel::isFolded(const QModelIndex& process) const {
+  const CatalogueItem* item = filter_.item(process);
+  if (!item->gone || now_ - item->since < kUntilFolded) return false;
+  const QStringList paths = selection_.paths();
+  return std::none_of(paths.begin(), paths.end(),
+                      [&](const QString& path) { return path.section('/', 0, 0) == item->path; });
+}
+
+void CataloguePanel::foldGone() {
+  int folded = 0;
+  for (int row = 0; row < filter_.rowCount({}); ++row) {
+    const bool is_folded = !filter_.active() && isFolded(filter_.index(row, 0, {}));
+    if (is_folded) ++folded;
+    const bool is_hidden = is_folded && !gone_->isChecked();
+    if (tree_->isRowHidden(row, {}) != is_hidden) tree_->setRowHidden(row, {}, is_hidden);
+  }
+  gone_->setVisible(folded > 0);
+  gone_->setText((gone_->isChecked() ? QStringLiteral("▾ ") : QStringLiteral("▸ ")) +
+                 Words::tr("gone (%1)").arg(folded));
 }
 
 void CataloguePanel::focusFilter() {

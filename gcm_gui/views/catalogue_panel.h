@@ -3,17 +3,21 @@
 #include <gcm_gui/models/filter/catalogue_filter.h>
 #include <gcm_gui/models/selection.h>
 
+#include <QModelIndex>
 #include <QTimer>
 #include <QWidget>
+#include <cstdint>
 
 class QLabel;
 class QLineEdit;
+class QToolButton;
 
 namespace tendon::gui {
 
 class CatalogueTree;
 
-/// The left column: the catalogue, and a field that narrows it.
+/// The left column: the catalogue, and a field that narrows it. Processes that have been gone for
+/// half a minute are folded under a button; a filter finds them all the same.
 class CataloguePanel : public QWidget {
   Q_OBJECT
 
@@ -26,17 +30,24 @@ class CataloguePanel : public QWidget {
 
  public Q_SLOTS:
   void focusFilter();
+  /// The time, ns since 1970.
+  void setNow(qint64 now);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void showCount();
+  void foldGone();
+  [[nodiscard]] bool isFolded(const QModelIndex& process) const;
 
   CatalogueFilter& filter_;
+  const Selection& selection_;
   QLabel* count_;
   QLineEdit* field_;
   CatalogueTree* tree_;
+  QToolButton* gone_;
+  std::int64_t now_ = 0;
   QTimer count_soon_;
 };
 

@@ -41,6 +41,13 @@ void PaintDetail(QPainter& painter, const QRect& rect, const QString& text) {
   PaintText(painter, rect, text, mono, Token::kDim, Qt::AlignLeft);
 }
 
+/// Behind words of this width at the right of `room`.
+void PaintTint(QPainter& painter, const QRect& room, int width) {
+  const int left = std::max(room.left(), room.right() - width - 4);
+  painter.fillRect(QRect(QPoint(left, room.top() + 3), QPoint(room.right() + 3, room.bottom() - 3)),
+                   Theme::instance().color(Token::kAccent, 0.18));
+}
+
 QFont FontOf(const QModelIndex& index) {
   const Theme& theme = Theme::instance();
   switch (static_cast<Face>(index.data(kFaceRole).toInt())) {
@@ -111,8 +118,11 @@ QRect RowDelegate::paintValue(QPainter& painter, QRect rect, const QModelIndex& 
   const Token token = accent                                     ? Token::kAccent
                       : stale || index.data(kQuietRole).toBool() ? Token::kDim
                                                                  : Token::kText;
-  used += PaintText(painter, room.adjusted(0, 0, -used, 0), text,
-                    prose ? theme.text() : theme.mono(), token, Qt::AlignRight);
+  const QFont& font = prose ? theme.text() : theme.mono();
+  if (index.data(kFreshRole).toBool()) {
+    PaintTint(painter, room.adjusted(0, 0, -used, 0), QFontMetrics(font).horizontalAdvance(text));
+  }
+  used += PaintText(painter, room.adjusted(0, 0, -used, 0), text, font, token, Qt::AlignRight);
   const QVariant mark = index.data(kMarkRole);
   if (mark.isValid()) {
     const QRect place(rect.right() - used - kGlyphWidth - 2, rect.top(), kGlyphWidth,
@@ -174,6 +184,7 @@ QRect RowDelegate::paintName(QPainter& painter, QRect rect, const QModelIndex& i
 
   QFont font = FontOf(index);
   font.setStrikeOut(index.data(kStruckRole).toBool());
+  if (index.data(kFreshRole).toBool()) font.setBold(true);
   // Of a path the end says most.
   const bool path = static_cast<Face>(index.data(kFaceRole).toInt()) == Face::kMono;
   const int used =

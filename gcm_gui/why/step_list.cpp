@@ -27,7 +27,7 @@ constexpr std::size_t kSignatureStep = 4;
 constexpr int kMostRows = 9;  // of the two sides, before they scroll
 constexpr int kMarkWidth = 16;
 constexpr int kNumberWidth = 14;
-constexpr int kLinkHeight = 18;  // lower than other links: it stands in a line of text
+constexpr int kLinkHeight = 20;  // lower than other links: it stands in a line of text
 constexpr int kVerdictWidth = 200;
 
 struct VerdictLook {

@@ -420,6 +420,7 @@ void MainWindow::showPerspective(Panels::Perspective perspective) {
 void MainWindow::tick() {
   const qint64 now = WallClock();
   catalogue_model_.setNow(now);
+  catalogue_->setNow(now);
   scene_->setNow(now);
   top_bar_->setNow(now);
   lost_->setNow(now);

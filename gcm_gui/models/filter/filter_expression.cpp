@@ -33,29 +33,53 @@ bool IsInProcess(const CatalogueItem& item, const QString& pattern) {
   return MatchesGlob(pattern.toStdString(), process.toStdString());
 }
 
+bool IsOnHost(const CatalogueItem& item, const QString& pattern) {
+  const CatalogueItem* it = &item;
+  while (it->parent != nullptr && it->kind != ItemKind::kProcess) it = it->parent;
+  if (it->host.startsWith(pattern)) return true;
+  return MatchesGlob(pattern.toStdString(), it->host.toStdString());
+}
+
+bool IsExpression(const QString& word) {
+  return word.size() > 2 && word.startsWith('/') && word.endsWith('/');
+}
+
 }  // namespace
 
 FilterExpression::FilterExpression(const QString& text) {
-  for (QString word : text.toLower().split(' ', Qt::SkipEmptyParts)) {
-    Term term;
-    if (word.startsWith('-')) {
-      term.negated = true;
-      word.remove(0, 1);
-    }
-    constexpr std::pair<const char*, Kind> kKinds[] = {
-        {"type:", Kind::kType}, {"state:", Kind::kState}, {"proc:", Kind::kProcess}};
-    for (const auto& [prefix, kind] : kKinds) {
-      if (!word.startsWith(QLatin1String(prefix))) continue;
-      term.kind = kind;
-      word.remove(0, QLatin1String(prefix).size());
-    }
-    if (term.kind != Kind::kWord && word.startsWith('!')) {
-      term.negated = !term.negated;
-      word.remove(0, 1);
-    }
-    term.text = word;
-    if (!word.isEmpty()) terms_.push_back(term);
+  for (QString word : text.split(' ', Qt::SkipEmptyParts)) {
+    const bool turned = word.startsWith('-');
+    if (turned) word.remove(0, 1);
+    Term term = Read(word);
+    term.negated = term.negated != turned;
+    if (!term.text.isEmpty()) terms_.push_back(std::move(term));
   }
+}
+
+FilterExpression::Term FilterExpression::Read(QString word) {
+  Term term;
+  if (IsExpression(word)) {
+    term.text = word.mid(1, word.size() - 2);
+    term.expression = QRegularExpression(term.text, QRegularExpression::CaseInsensitiveOption);
+    if (term.expression.isValid()) term.kind = Kind::kExpression;
+    return term;
+  }
+  word = word.toLower();
+  constexpr std::pair<const char*, Kind> kKinds[] = {{"type:", Kind::kType},
+                                                     {"state:", Kind::kState},
+                                                     {"proc:", Kind::kProcess},
+                                                     {"host:", Kind::kHost}};
+  for (const auto& [prefix, kind] : kKinds) {
+    if (!word.startsWith(QLatin1String(prefix))) continue;
+    term.kind = kind;
+    word.remove(0, QLatin1String(prefix).size());
+  }
+  if (term.kind != Kind::kWord && word.startsWith('!')) {
+    term.negated = true;
+    word.remove(0, 1);
+  }
+  term.text = word;
+  return term;
 }
 
 bool FilterExpression::Holds(const Term& term, const CatalogueItem& item) {
@@ -68,6 +92,10 @@ bool FilterExpression::Holds(const Term& term, const CatalogueItem& item) {
       return IsInState(item, term.text);
     case Kind::kProcess:
       return IsInProcess(item, term.text);
+    case Kind::kHost:
+      return IsOnHost(item, term.text);
+    case Kind::kExpression:
+      return term.expression.match(item.path).hasMatch();
   }
   return false;
 }

@@ -37,7 +37,13 @@ TEST_F(InspectorFlow, ValuesHaveTrendsAndEventsAndParametersTheirTabs) {
     return values.model()->rowCount() > 0 &&
            values.model()->index(0, 0).data(kTrendRole).value<QList<double>>().size() > 20;
   }));
+  EXPECT_TRUE(Eventually(
+      [&] { return values.model()->index(0, 0).data(kDetailRole).toString().endsWith("Hz"); }));
   KeepPictures(*window_, "flow-values");
+
+  ClickTab("inspectorTabs.tabs", "Thread");
+  EXPECT_TRUE(Find<QWidget>("inspector.thread").isVisible());
+  KeepPictures(*window_, "flow-thread");
 
   ClickTab("inspectorTabs.tabs", "Events");
   auto& events = Find<QTreeView>("inspector.events");

@@ -1,7 +1,11 @@
 #include <gcm_gui/activity/activity_model.h>
+#include <gcm_gui/inspector/inspector.h>
 #include <gcm_gui/models/selection.h>
 #include <gcm_gui/steer/steer_card.h>
 #include <gcm_gui/window/bar/notice_line.h>
+
+#include <QLabel>
+#include <algorithm>
 
 #include "flow/flow_fixture.h"
 #include "support/pictures.h"
@@ -23,6 +27,13 @@ class SteerFlowTest : public FlowFixture {
     ASSERT_TRUE(card->isVisible());
     QTest::keyClick(card, Qt::Key_Return);
   }
+  /// Among the facts of the inspector.
+  [[nodiscard]] bool HasText(const QString& text) const {
+    const auto labels = window_->inspector().findChildren<QLabel*>();
+    return std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) {
+      return label->isVisible() && label->text().contains(text);
+    });
+  }
   bool IsOver() {
     return Eventually([&] { return activity().action(0).outcome != Action::Outcome::kRunning; });
   }
@@ -36,6 +47,7 @@ TEST_F(SteerFlowTest, AComponentIsStoppedThatTakenBackAndSuspended) {
   EXPECT_EQ(activity().command(0), "gcm stop robot/arm");
   EXPECT_TRUE(activity().canUndo(0));
   KeepPictures(*window_, "flow-steer-stopped");
+  EXPECT_FALSE(HasText(QStringLiteral(" · now "))) << "it has no period now";
 
   QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
   ASSERT_TRUE(Eventually([&] { return activity().rowCount() == 2; }));

@@ -77,6 +77,28 @@ TEST_F(CatalogueFilterTest, ProcTakesAGlobOrABeginning) {
   EXPECT_FALSE(Shows("desk"));
 }
 
+TEST_F(CatalogueFilterTest, HostLooksAtWhereTheProcessRuns) {
+  filter_.applyText("host:local");
+  EXPECT_TRUE(Shows("robot/arm"));
+  filter_.applyText("host:!local");
+  EXPECT_FALSE(Shows("robot/arm"));
+  filter_.applyText("host:*where");
+  EXPECT_FALSE(Shows("robot/arm"));
+}
+
+TEST_F(CatalogueFilterTest, BetweenSlashesIsARegularExpression) {
+  filter_.applyText("/ARM\\/.*get\\w+s$/");
+  EXPECT_TRUE(Shows("robot/arm/Drives.GetJoints"));
+  EXPECT_FALSE(Shows("robot/arm/Drives.Stop"));
+
+  filter_.applyText("arm -/\\.get/");
+  EXPECT_TRUE(Shows("robot/arm/Drives.Stop"));
+  EXPECT_FALSE(Shows("robot/arm/Drives.GetJoints"));
+
+  filter_.applyText("/(arm/");  // is not finished
+  EXPECT_FALSE(Shows("robot"));
+}
+
 TEST_F(CatalogueFilterTest, CountsTheRowsThatAreMeant) {
   EXPECT_EQ(filter_.matchCount(), model_.itemCount());
 

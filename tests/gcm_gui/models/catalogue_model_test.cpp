@@ -79,8 +79,29 @@ TEST_F(CatalogueModelTest, ALostProcessIsStruckThroughAndSaysSinceWhen) {
 
   EXPECT_EQ(Value("vision"), "lost 12 s");
   EXPECT_TRUE(model_.indexOf("vision").data(kStruckRole).toBool());
+  EXPECT_TRUE(model_.indexOf("vision/camera").data(kStruckRole).toBool());
   EXPECT_TRUE(model_.indexOf("vision/camera/Video").data(kStaleRole).toBool());
   EXPECT_FALSE(model_.indexOf("robot/arm").data(kStaleRole).toBool());
+}
+
+TEST_F(CatalogueModelTest, WhatComesLaterIsMarkedForTenSeconds) {
+  SystemBuilder system = LookSystem(0);
+  model_.setNow(100 * kSecond);
+  Show(system);
+  EXPECT_FALSE(model_.indexOf("robot/arm").data(kFreshRole).toBool()) << "all has just come";
+
+  model_.setNow(120 * kSecond);
+  ComponentDescription other = *system.catalog().FindComponent("robot", "arm");
+  other.name = "left_arm";
+  system.Component("robot", other);
+  Show(system);
+  EXPECT_TRUE(model_.indexOf("robot/left_arm").data(kFreshRole).toBool());
+  EXPECT_FALSE(model_.indexOf("robot/arm").data(kFreshRole).toBool());
+
+  model_.setNow(129 * kSecond);
+  EXPECT_TRUE(model_.indexOf("robot/left_arm").data(kFreshRole).toBool());
+  model_.setNow(130 * kSecond);
+  EXPECT_FALSE(model_.indexOf("robot/left_arm").data(kFreshRole).toBool());
 }
 
 TEST_F(CatalogueModelTest, AValueOpensItsColumnIntoFieldsAndElements) {

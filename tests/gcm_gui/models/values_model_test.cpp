@@ -1,10 +1,15 @@
 #include <gcm_gui/inspector/cycle_figures.h>
 #include <gcm_gui/inspector/interfaces_model.h>
+#include <gcm_gui/inspector/thread_facts.h>
 #include <gcm_gui/inspector/values_model.h>
 #include <gcm_gui/models/row_roles.h>
 #include <gtest/gtest.h>
 
 #include <QAbstractItemModelTester>
+#include <QSignalSpy>
+#include <chrono>
+#include <memory>
+#include <vector>
 
 #include "support/fakes.h"
 #include "support/sample_system.h"
@@ -19,17 +24,136 @@ TEST(ValuesModel, ShowsEveryNumberOfTheComponentOnceItHasCome) {
   QObject::connect(&source, &SignalSource::valuesArrived, &model, &ValuesModel::showValues);
   const Catalog catalogue = LookSystem(0).catalog();
   model.show("robot/arm", catalogue.FindComponent("robot", "arm"), false);
-  EXPECT_EQ(model.rowCount(), 0);
+  EXPECT_EQ(model.rowCount(), 3);
+  EXPECT_EQ(model.index(0, 0).data(), "Joints");
+  EXPECT_EQ(model.index(0, 1).data(), "…");
   EXPECT_EQ(model.columns(), (QSet<QString>{"robot/arm/state.Joints", "robot/arm/state.Cycle",
                                             "robot/arm/state.CycleSummary"}));
 
   source.send("robot/arm/state.Joints", JointSchema(3), {0.5, 0, 0, 1, 0, 0});
 
-  EXPECT_EQ(model.rowCount(), 6);
+  EXPECT_EQ(model.rowCount(), 8);
   EXPECT_EQ(model.index(0, 0).data(), "Joints.position[0]");
   EXPECT_EQ(model.index(0, 1).data(), "0.5000");
   EXPECT_EQ(model.index(3, 1).data(kUnitRole), "rad/s");
   EXPECT_EQ(model.index(3, 0).data(kPathRole), "robot/arm/state.Joints.velocity[0]");
+  EXPECT_EQ(model.index(6, 0).data(), "Cycle");
+}
+
+/// The values of the arm, by a clock that the test turns.
+class ValuesInTime : public ::testing::Test {
+ protected:
+  ValuesInTime() {
+    model_.show("robot/arm", catalogue_.FindComponent("robot", "arm"), false);
+    model_.await();
+  }
+
+  void Pass(std::chrono::nanoseconds time) {
+    clock_.Advance(time);
+    time_ += time.count();
+    model_.tick();
+  }
+  /// So many rows have come so far, the newest now.
+  void Send(std::uint64_t rows, const std::vector<double>& values) {
+    model_.showValues(kJoints, {.channels = shape_,
+                                .values = values,
+                                .text = {},
+                                .picture = {},
+                                .rows = rows,
+                                .time = time_});
+  }
+  [[nodiscard]] QVariant Value(int row, int role = Qt::DisplayRole) const {
+    return model_.index(row, ValuesModel::kValue).data(role);
+  }
+  [[nodiscard]] QString Detail() const { return model_.index(0, 0).data(kDetailRole).toString(); }
+
+  const QString kJoints = "robot/arm/state.Joints";
+  const ChannelList shape_ =
+      std::make_shared<const std::vector<PlotChannel>>(Channels(JointSchema(1)));
+  const Catalog catalogue_ = LookSystem(0).catalog();
+  ManualClock clock_;
+  std::int64_t time_ = 1'000'000'000;
+  ValuesModel model_{nullptr, clock_};
+  QAbstractItemModelTester tester_{&model_, QAbstractItemModelTester::FailureReportingMode::Fatal};
+};
+
+TEST_F(ValuesInTime, WhatHasChangedIsFreshForHalfASecond) {
+  Send(1, {0.5, 0});
+  EXPECT_FALSE(Value(0, kFreshRole).toBool()) << "it has only just come";
+
+  Send(2, {0.6, 0});
+  EXPECT_TRUE(Value(0, kFreshRole).toBool());
+  EXPECT_FALSE(Value(1, kFreshRole).toBool());
+
+  QSignalSpy changed(&model_, &QAbstractItemModel::dataChanged);
+  Pass(ValuesModel::kFresh);
+  EXPECT_FALSE(Value(0, kFreshRole).toBool());
+  EXPECT_EQ(changed.count(), 1) << "it is drawn anew";
+}
+
+TEST_F(ValuesInTime, AColumnTellsItsRateAndThenHowOldItIs) {
+  Send(1, {0, 0});
+  EXPECT_EQ(Detail(), "");
+  Pass(std::chrono::seconds(1));
+  Send(1001, {0, 0});
+  EXPECT_EQ(Detail(), "1000 Hz");
+  EXPECT_FALSE(Value(0, kStaleRole).toBool());
+
+  Pass(std::chrono::seconds(12));
+  EXPECT_EQ(Detail(), "12 s old");
+  EXPECT_TRUE(Value(0, kStaleRole).toBool());
+
+  Send(1002, {0, 0});
+  EXPECT_FALSE(Value(0, kStaleRole).toBool());
+}
+
+TEST_F(ValuesInTime, WhoDoesNotAnswerSaysSoInItsOwnRowAndIsAskedAgain) {
+  EXPECT_EQ(Value(0).toString(), "…");
+  EXPECT_EQ(model_.askAgain(0), "");
+  Pass(ValuesModel::kPatience);
+  EXPECT_EQ(Value(0).toString(), "no answer in 1 s · ask again");
+  EXPECT_TRUE(Value(0, kAccentRole).toBool());
+
+  EXPECT_EQ(model_.askAgain(0), kJoints);
+  EXPECT_EQ(Value(0).toString(), "…");
+  EXPECT_EQ(Value(1).toString(), "no answer in 1 s · ask again") << "another column";
+
+  Send(1, {0.5, 0});
+  EXPECT_EQ(Value(0).toString(), "0.5000");
+  EXPECT_EQ(model_.askAgain(0), "");
+}
+
+TEST_F(ValuesInTime, NobodyIsAccusedWhoIsKnownToBeGone) {
+  model_.show("robot/arm", catalogue_.FindComponent("robot", "arm"), true);
+  Pass(ValuesModel::kPatience);
+
+  EXPECT_EQ(Value(0).toString(), "…");
+}
+
+TEST(ThreadFacts, TellWhoseThreadItIsAndHowItsCyclesWent) {
+  ScriptedSignals source;
+  CycleFigures figures(source);
+  figures.show("robot/arm");
+  SendSummary(source, "robot/arm", {878, 1.139e-3, 35e-6, 3e-3, 52e-3, 42e-6});
+  ComponentDescription arm;
+  arm.period = 1e-3;
+  arm.thread = {{.policy = SchedulingPolicy::kFifo, .priority = 80, .cpus = {2, 3}}};
+  const auto value = [&](const QString& name) {
+    for (const Fact& fact : ThreadFacts(arm, figures)) {
+      if (fact.name == name) return fact.value;
+    }
+    return QString();
+  };
+
+  EXPECT_EQ(value("Thread"), "its own");
+  EXPECT_EQ(value("Scheduling"), "FIFO 80");
+  EXPECT_EQ(value("Processors"), "2, 3");
+  EXPECT_EQ(value("Wanted period"), "1 ms · 1 kHz");
+  EXPECT_EQ(value("Starts late by"), "35.0 µs");
+  EXPECT_EQ(value("At most by"), "52.00 ms");
+  arm.leader = "controller";
+  EXPECT_EQ(value("Thread"), "that of controller");
+  EXPECT_EQ(value("Scheduling"), "");
 }
 
 TEST(InterfacesModel, ShowsMembersWithTypesAndWhatEachInterfaceIsConnectedTo) {

@@ -4,8 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <QTest>
+#include <QToolButton>
+#include <cstdint>
 
+#include "support/fakes.h"
 #include "support/large_system.h"
+#include "support/sample_system.h"
 #include "window/window_fixture.h"
 
 namespace tendon::gui {
@@ -85,6 +89,63 @@ TEST_F(CatalogueTreeTest, WhatAFilterOfFewOpensByItselfIsClosedWithoutIt) {
   filter().applyText({});
   EXPECT_TRUE(isOpen(first_));
   EXPECT_FALSE(isOpen(second_));
+}
+
+/// A catalogue of its own, in which `vision` is lost, by a clock that the test turns.
+class GoneTest : public ::testing::Test {
+ protected:
+  GoneTest() {
+    Touched all;
+    for (const auto& [name, entry] : catalogue_.processes()) all.insert({name, {}});
+    model_.update(catalogue_, all);
+    panel_.resize(300, 600);
+    panel_.show();
+  }
+
+  [[nodiscard]] QToolButton& fold() const {
+    return *panel_.findChild<QToolButton*>("catalogue.gone");
+  }
+  [[nodiscard]] bool IsSeen(const QString& path) const {
+    return panel_.tree().visibleRows().contains(path);
+  }
+  void Pass(int seconds) { panel_.setNow(kLostSince + seconds * std::int64_t{1'000'000'000}); }
+
+  static constexpr std::int64_t kLostSince = 1'000'000'000'000;
+  const Catalog catalogue_ = LookSystem(kLostSince).catalog();
+  CatalogueModel model_;
+  CatalogueFilter filter_{model_};
+  Selection selection_;
+  ScriptedSignals source_;
+  CataloguePanel panel_{filter_, selection_, source_};
+};
+
+TEST_F(GoneTest, WhoHasBeenGoneForHalfAMinuteIsFoldedUnderAButton) {
+  Pass(29);
+  EXPECT_TRUE(IsSeen("vision"));
+  EXPECT_FALSE(fold().isVisible());
+
+  Pass(30);
+  EXPECT_FALSE(IsSeen("vision"));
+  EXPECT_EQ(fold().text(), "▸ gone (1)");
+  EXPECT_TRUE(IsSeen("robot"));
+
+  QTest::mouseClick(&fold(), Qt::LeftButton);
+  EXPECT_TRUE(IsSeen("vision"));
+  EXPECT_EQ(fold().text(), "▾ gone (1)");
+}
+
+TEST_F(GoneTest, AFilterAndASelectionShowItAllTheSame) {
+  Pass(60);
+  ASSERT_FALSE(IsSeen("vision"));
+
+  selection_.select("vision/camera");
+  EXPECT_TRUE(IsSeen("vision"));
+  selection_.select("robot/arm");
+  EXPECT_FALSE(IsSeen("vision"));
+
+  filter_.applyText("vision");
+  EXPECT_TRUE(IsSeen("vision"));
+  EXPECT_FALSE(fold().isVisible());
 }
 
 }  // namespace

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <gcm_gui/inspector/values_model.h>
+#include <gcm_gui/models/selection.h>
+#include <gcm_gui/session/signal_source.h>
+
+#include <QModelIndex>
+#include <QString>
+#include <QTimer>
+#include <QWidget>
+
+namespace tendon::gui {
+
+class PictureShelf;
+class RowView;
+
+/// The values of one component, live while they are wanted, and below them the pictures that it
+/// keeps.
+class ValuesPage : public QWidget {
+  Q_OBJECT
+
+ public:
+  ValuesPage(Selection& selection, SignalSource& source, QWidget* parent = nullptr);
+
+  /// `path` of the component, which is gone where `stale`.
+  void showComponent(const QString& path, const ComponentDescription& component, bool stale);
+  /// Whether anybody can see them.
+  void setWanted(bool wanted);
+
+ Q_SIGNALS:
+  void plotRequested(const QString& path, const QString& unit);
+
+ private:
+  void askAgain(const QModelIndex& index);
+  void publishSelection();
+
+  Selection& selection_;
+  SignalSource& source_;
+  ValuesModel values_;
+  QTimer tick_;
+  RowView* list_;
+  PictureShelf* pictures_;
+};
+
+}  // namespace tendon::gui
