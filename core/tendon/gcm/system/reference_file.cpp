@@ -3,7 +3,9 @@
 #include <tendon/gcm/system/reference_file.h>
 #include <tendon/gcm/system/system_index.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -14,6 +16,47 @@ namespace {
 
 using file::FileObject;
 using file::Refuse;
+
+/// Behind the string that begins at `begin`.
+std::size_t EndOfString(std::string_view text, std::size_t begin) {
+  std::size_t at = begin + 1;
+  while (at < text.size() && text[at] != '"') at += text[at] == '\\' ? 2 : 1;
+  return at + 1;
+}
+
+/// Behind the comment that begins at `begin`; `begin` itself where none does that also ends.
+std::size_t EndOfComment(std::string_view text, std::size_t begin) {
+  const std::string_view sign = text.substr(begin, 2);
+  if (sign == "//") return std::min(text.find('\n', begin), text.size());
+  const std::size_t end = sign == "/*" ? text.find("*/", begin + 2) : text.npos;
+  return end == text.npos ? begin : end + 2;
+}
+
+/// The text with blanks instead of its comments, which no other format has: what is left stays in
+/// its line and column.
+std::string WithoutComments(std::string_view text) {
+  std::string plain(text);
+  std::size_t at = plain.find_first_of("\"/");
+  while (at < plain.size()) {
+    const bool is_string = plain[at] == '"';
+    const std::size_t end = is_string ? EndOfString(plain, at) : EndOfComment(plain, at);
+    for (std::size_t i = at; !is_string && i < end; ++i) {
+      if (plain[i] != '\n') plain[i] = ' ';
+    }
+    at = plain.find_first_of("\"/", std::max(end, at + 1));
+  }
+  return plain;
+}
+
+/// Those of `object` that are not `known`.
+std::vector<std::string> OtherKeys(const Json& object, const std::vector<std::string>& known) {
+  std::vector<std::string> others;
+  if (!object.is_object()) return others;
+  for (const auto& [key, value] : object.items()) {
+    if (std::ranges::find(known, key) == known.end()) others.push_back(key);
+  }
+  return others;
+}
 
 class ReferenceReader {
  public:
@@ -27,7 +70,9 @@ class ReferenceReader {
     if (inner == nullptr) {
       ReadManager(FileObject(json, "", {"components", "connections"}));
     } else {
-      const FileObject outer(json, "", {"component-manager"});
+      for (const std::string& key : OtherKeys(json, {"component-manager"})) {
+        LeaveOut(Printable(key, 64), "it stands beside the component manager, not in it");
+      }
       ReadManager(FileObject(*inner, "component-manager", {"components", "connections"}));
     }
     return std::move(imported_);
@@ -61,8 +106,7 @@ class ReferenceReader {
   SystemFile::Component ReadComponent(const Json& json, const std::string& place) {
     const FileObject object(
         json, place, {"shared-library", "class-name", "constructor-arg", "configure-parameter"});
-    const FileObject argument(object.Get("constructor-arg"), object.Place("constructor-arg"),
-                              {"Name", "Period", "IsHardRealTime", "NewThread", "StateTableSize"});
+    const FileObject argument = ReadArgument(object.Get("constructor-arg"), object);
     SystemFile::Component component;
     component.name = argument.Name("Name", "component");
     component.class_name = file::ReadClassName(object, "class-name");
@@ -78,6 +122,20 @@ class ReferenceReader {
     }
     if (object.Find("configure-parameter") != nullptr) ReadParameter(object, component);
     return component;
+  }
+
+  /// It may have keys that only the class itself knows.
+  FileObject ReadArgument(const Json& json, const FileObject& object) {
+    std::vector<std::string> keys = {"Name", "Period", "IsHardRealTime", "NewThread",
+                                     "StateTableSize"};
+    const std::string place = object.Place("constructor-arg");
+    for (const std::string& key : OtherKeys(json, keys)) {
+      const std::string near = DidYouMean(key, keys);
+      LeaveOut(place + "." + Printable(key, 64),
+               "the class itself reads it; write what it says into \"configuration\"" + near);
+    }
+    std::ranges::move(OtherKeys(json, keys), std::back_inserter(keys));
+    return {json, place, keys};
   }
 
   /// A JSON object is the configuration; else it names a file that the class itself would read.
@@ -140,8 +198,9 @@ Result<ImportedSystem> ParseComponentManagerFile(std::string_view text, const st
   if (text.size() > SystemFile::kMaxSize) {
     return Error{ErrorCode::kInvalid, source + ": is larger than 16 MB"};
   }
-  return file::ReadText<ImportedSystem>(
-      text, source, [&](const Json& json) { return ReferenceReader(source, process).Read(json); });
+  return file::ReadText<ImportedSystem>(WithoutComments(text), source, [&](const Json& json) {
+    return ReferenceReader(source, process).Read(json);
+  });
 }
 
 }  // namespace tendon

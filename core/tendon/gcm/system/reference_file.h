@@ -15,9 +15,9 @@ struct ImportedSystem {
 };
 
 /// Reads what a cisst component manager (1.1) reads: "components" and "connections", alone or
-/// within "component-manager". All that names no process goes to `process`. A component that is
-/// connected but not made by the file is one that its program makes. Errors as of
-/// ParseSystemFile().
+/// within "component-manager", as in a file for the console of a dVRK; comments are passed over.
+/// All that names no process goes to `process`. A component that is connected but not made by the
+/// file is one that its program makes. Errors as of ParseSystemFile().
 Result<ImportedSystem> ParseComponentManagerFile(std::string_view text, const std::string& source,
                                                  const std::string& process);
 

@@ -82,6 +82,57 @@ TEST(ComponentManagerFile, AnEndMayNameItsProcess) {
   EXPECT_NE(imported->file.FindComponent("arms", "MTML"), nullptr);
 }
 
+TEST(ComponentManagerFile, MayHaveComments) {
+  const std::string commented = "/* a robot\n * of two \"arms\" */\n" +
+                                Streamer("\"connections\"", "// who uses whom\n\"connections\"") +
+                                "\n// the end";
+
+  const auto imported = ParseComponentManagerFile(commented, "a.json", "robot");
+
+  ASSERT_TRUE(imported) << imported.error().message;
+  EXPECT_EQ(imported->file, ParseComponentManagerFile(kStreamer, "a.json", "robot")->file);
+  const auto quoted = ParseComponentManagerFile(
+      Streamer("streamerMTML.json", R"(/*a\"//b*/ http://c)"), "a.json", "robot");
+  ASSERT_TRUE(quoted) << quoted.error().message;
+  EXPECT_EQ(quoted->file.processes[0].components[0].comment,
+            "configure-parameter: /*a\"//b*/ http://c");
+}
+
+TEST(ComponentManagerFile, AMistakeBehindACommentIsWhereItStands) {
+  EXPECT_EQ(ImportError("/* one\ntwo */ {\"component\": []}"),
+            "a.json: line 2, column 9: unknown key 'component'; did you mean 'components'?");
+  EXPECT_EQ(ImportError("{/**/\"component\": []}"),
+            "a.json: line 1, column 6: unknown key 'component'; did you mean 'components'?");
+  EXPECT_THAT(ImportError("{/* \"components\": []}"), HasSubstr("a.json: line 1, column 2: "));
+  EXPECT_THAT(ImportError("{/}"), HasSubstr("a.json: line 1, column 2: "));
+}
+
+TEST(ComponentManagerFile, WhatStandsBesideTheComponentManagerIsLeftOut) {
+  const auto imported = ParseComponentManagerFile(
+      R"({"io": {"port": "udp"}, "console-inputs": {}, "component-manager": )" + kStreamer + "}",
+      "console.json", "robot");
+
+  ASSERT_TRUE(imported) << imported.error().message;
+  EXPECT_NE(imported->file.FindComponent("robot", "streamerMTML"), nullptr);
+  ASSERT_EQ(imported->left_out.size(), 4U);
+  EXPECT_THAT(imported->left_out[0], HasSubstr("console-inputs is left out"));
+  EXPECT_THAT(imported->left_out[1], HasSubstr("io is left out"));
+}
+
+TEST(ComponentManagerFile, WhatOnlyTheClassKnowsIsLeftOut) {
+  const auto imported = ParseComponentManagerFile(
+      Streamer("\"Period\": 0.01", R"("Period": 0.01, "Arg": "/dev/tty", "Nane": 1)"), "a.json",
+      "robot");
+
+  ASSERT_TRUE(imported) << imported.error().message;
+  EXPECT_EQ(imported->file.FindComponent("robot", "streamerMTML")->period, 0.01);
+  ASSERT_EQ(imported->left_out.size(), 4U);
+  EXPECT_EQ(imported->left_out[0],
+            "components[0].constructor-arg.Arg is left out: the class itself reads it; write what "
+            "it says into \"configuration\"");
+  EXPECT_THAT(imported->left_out[1], HasSubstr("did you mean 'Name'?"));
+}
+
 TEST(ComponentManagerFile, ErrorsNameLineColumnAndPath) {
   EXPECT_EQ(ImportError(Streamer("\"class-name\"", "\"class-nam\"")),
             "a.json: line 4, column 6: components[0]: unknown key 'class-nam'; did you mean "
