@@ -27,6 +27,13 @@ Error NotFound(const std::string& what, const std::string& full, const std::stri
   return {ErrorCode::kNotFound, "no " + what + " '" + full + "'" + Hint(name, candidates)};
 }
 
+/// A user stands where a provider is needed.
+Error RequiredInstead(const InterfaceName& name, const std::vector<std::string>& provided) {
+  return {ErrorCode::kNotFound, ToString(name) +
+                                    " is a required interface; a provided one is needed" +
+                                    Hint(name.interface, provided)};
+}
+
 template <typename Map>
 std::vector<std::string> KeysOf(const Map& map) {
   std::vector<std::string> keys;
@@ -35,7 +42,7 @@ std::vector<std::string> KeysOf(const Map& map) {
 }
 
 template <typename List>
-std::vector<std::string> NamesOf(const List& elements) {
+std::vector<std::string> NamesIn(const List& elements) {
   std::vector<std::string> names;
   for (const auto& element : elements) names.push_back(element.name);
   return names;
@@ -110,11 +117,9 @@ Result<const ProvidedDescription*> LookUpProvided(const Catalog& catalog,
   const ComponentDescription& owner = **component;
   if (const auto* provided = FindNamed(owner.provided, name.interface)) return provided;
   if (FindNamed(owner.required, name.interface) != nullptr) {
-    return Error{ErrorCode::kNotFound, ToString(name) +
-                                           " is a required interface; a provided one is needed" +
-                                           Hint(name.interface, NamesOf(owner.provided))};
+    return RequiredInstead(name, NamesIn(owner.provided));
   }
-  return NotFound("provided interface", ToString(name), name.interface, NamesOf(owner.provided));
+  return NotFound("provided interface", ToString(name), name.interface, NamesIn(owner.provided));
 }
 
 Result<const RequiredDescription*> LookUpRequired(const Catalog& catalog,
@@ -127,9 +132,9 @@ Result<const RequiredDescription*> LookUpRequired(const Catalog& catalog,
   if (FindNamed(owner.provided, name.interface) != nullptr) {
     return Error{ErrorCode::kNotFound, ToString(name) +
                                            " is a provided interface; a required one is needed" +
-                                           Hint(name.interface, NamesOf(owner.required))};
+                                           Hint(name.interface, NamesIn(owner.required))};
   }
-  return NotFound("required interface", ToString(name), name.interface, NamesOf(owner.required));
+  return NotFound("required interface", ToString(name), name.interface, NamesIn(owner.required));
 }
 
 Result<MemberDescription> LookUpCommand(const Catalog& catalog, const Path& path) {
@@ -138,14 +143,19 @@ Result<MemberDescription> LookUpCommand(const Catalog& catalog, const Path& path
   const ComponentDescription& owner = **component;
   if (FindNamed(owner.provided, path.interface) == nullptr &&
       FindNamed(owner.tables, path.interface) == nullptr) {
-    std::vector<std::string> names = NamesOf(owner.provided);
-    for (const TableDescription& table : owner.tables) names.push_back(table.name);
+    std::vector<std::string> names = NamesIn(owner.provided);
+    for (const TableDescription& table : owner.tables) {
+      if (FindNamed(owner.provided, table.name) == nullptr) names.push_back(table.name);
+    }
+    if (FindNamed(owner.required, path.interface) != nullptr) {
+      return RequiredInstead(path.interface_name(), names);
+    }
     return NotFound("provided interface", ToString(path.interface_name()), path.interface, names);
   }
   const auto commands = CommandsOf(owner, path.interface);
   if (const auto* command = FindNamed(commands, path.member)) return *command;
   return NotFound("command", ToString(path.interface_name()) + "." + path.member, path.member,
-                  NamesOf(commands));
+                  NamesIn(commands));
 }
 
 bool TakesArgument(const Signature& signature) {

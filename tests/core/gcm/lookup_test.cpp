@@ -203,5 +203,20 @@ TEST_F(Lookup, FindsCommandsAndColumns) {
             "no command 'robot/arm/state.Joint'; did you mean 'Joints'?");
 }
 
+TEST_F(Lookup, ACommandOfARequiredInterfaceIsSaidToBeOfTheWrongSide) {
+  EXPECT_EQ(CommandError("desk/teleoperation/Robot.Stop"),
+            "desk/teleoperation/Robot is a required interface; a provided one is needed; there is "
+            "none");
+}
+
+TEST_F(Lookup, AnInterfaceThatIsATableTooIsListedOnce) {
+  ComponentDescription arm = test::Arm();
+  arm.provided.push_back({.name = "state"});
+  Apply({.kind = Kind::kComponent, .process = "robot", .components = {arm}});
+
+  EXPECT_EQ(CommandError("robot/arm/Gripper.Stop"),
+            "no provided interface 'robot/arm/Gripper'; there is 'Control', 'state'");
+}
+
 }  // namespace
 }  // namespace tendon
