@@ -39,6 +39,14 @@ program::ExitCode ExitCodeOf(const std::vector<Outcome>& outcomes) {
   return is_whole ? program::ExitCodeOf(first->result.error().code) : program::kPartial;
 }
 
+tendon::Result<void> CheckRole(const Context& context) {
+  if (!context.settings().read_only) return {};
+  return tendon::Error{tendon::ErrorCode::kDenied,
+                       "gcm " + context.verb() +
+                           " is for an operator, and --read-only asks as a viewer: ask again "
+                           "without it"};
+}
+
 bool Confirm(const Context& context, const std::string& question) {
   using tendon::os::Stream;
   using tendon::os::TerminalColumns;

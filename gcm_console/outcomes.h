@@ -29,6 +29,10 @@ void PrintOutcomes(const Context& context, const Doing& doing,
 /// Of the first failure; kPartial where some went well.
 [[nodiscard]] program::ExitCode ExitCodeOf(const std::vector<Outcome>& outcomes);
 
+/// Whether who asks for a dry run could give the order as well: kDenied with --read-only, as the
+/// GCM would say.
+[[nodiscard]] tendon::Result<void> CheckRole(const Context& context);
+
 /// "QUESTION? [y/N]" to a person who sits at a terminal; true where nobody does.
 [[nodiscard]] bool Confirm(const Context& context, const std::string& question);
 

@@ -1,4 +1,5 @@
 #include <gcm_console/call/argument_words.h>
+#include <gcm_console/outcomes.h>
 #include <gcm_console/report.h>
 #include <gcm_console/verb.h>
 #include <tendon/gcm/lookup.h>
@@ -43,6 +44,7 @@ Result<std::string> ArgumentFor(Context& context, const CallWords& words) {
 
 /// Whether the process would be sent the call: all that is known before.
 Result<void> CheckCall(Context& context, const std::string& text, const std::string& argument) {
+  if (auto allowed = CheckRole(context); !allowed) return allowed;
   const auto path = tendon::ParsePath(text);
   if (!path) return path.error();
   const auto client = context.Client();

@@ -53,7 +53,12 @@ class Collector {
     if (text.starts_with(word_)) found_.candidates.push_back({text + " ", help});
   }
   void OfferOptions(const Page& page) {
-    for (const auto& option : page.options) Offer(option.names.back(), option.help);
+    for (const auto& option : page.options) {
+      for (const std::string& name : option.names) {
+        const bool is_long = name.starts_with("--");
+        if (is_long || option.names.size() == 1) Offer(name, option.help);
+      }
+    }
   }
   void OfferParts(const Page& page) {
     for (const Page& part : page.parts) Offer(part.last_word(), part.summary);

@@ -144,10 +144,13 @@ std::uint64_t Remark(const EventInbox::Content& content, std::ostream& err) {
         << ": they came faster than they were read\n";
     all += lost;
   }
+  return all;
+}
+
+void Complain(const EventInbox::Content& content, std::ostream& err) {
   for (const Error& complaint : content.complaints) {
     err << "gcm: " << Plain(complaint.message) << '\n';
   }
-  return all;
 }
 
 Result<ExitCode> PrintEvents(Context& context, const EventsOptions& options) {
@@ -182,7 +185,11 @@ Result<ExitCode> PrintEvents(Context& context, const EventsOptions& options) {
     }
     context.out().flush();
     lost += Remark(content, context.err());
-    if (options.ends_with_link && !content.complaints.empty()) broken = content.complaints.front();
+    if (options.ends_with_link && !content.complaints.empty()) {
+      broken = content.complaints.front();  // which is said in the end
+    } else {
+      Complain(content, context.err());
+    }
   }
   context.err() << "gcm: " << writer.printed() << " events, " << lost << " lost\n";
   if (broken) return *broken;

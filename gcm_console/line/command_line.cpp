@@ -1,3 +1,4 @@
+#include <gcm_console/catalogue/glob.h>
 #include <gcm_console/line/command_line.h>
 #include <gcm_console/report.h>
 #include <program/command_line.h>
@@ -6,6 +7,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <sstream>
 #include <utility>
 
@@ -70,6 +72,55 @@ std::string UnknownVerb(const std::vector<std::string>& words, const CLI::App& a
     command += " " + words[i];
   }
   return "";
+}
+
+/// "--gcm needs a value", for the first option that has '=' and nothing behind it, as of a variable
+/// that is not set: the library would take the next word for it. Nothing where there is none.
+std::string EmptyValue(const std::vector<std::string>& words, const CLI::App& app) {
+  const CLI::App* part = &app;
+  for (const std::string& word : words) {
+    if (word == "--") break;  // what follows are no options
+    if (word.starts_with("--") && word.ends_with('=')) {
+      const std::string name = word.substr(0, word.size() - 1);
+      const CLI::Option* option = OptionOf(part, name);
+      if (option != nullptr && option->get_expected_min() > 0) return name + " needs a value";
+    }
+    const auto named =
+        part->get_subcommands([&](const CLI::App* verb) { return verb->get_name() == word; });
+    if (!named.empty()) part = named[0];
+  }
+  return "";
+}
+
+/// "--long is given 2 times", for a flag that is so; the library counts only options with a value.
+std::string RepeatedFlag(const CLI::App& app) {
+  for (const CLI::Option* option : app.get_options()) {
+    const bool is_flag = option->get_items_expected_max() == 0;
+    if (is_flag && option->count() > 1) {
+      return option->get_name() + " is given " + std::to_string(option->count()) + " times";
+    }
+  }
+  for (const CLI::App* part : app.get_subcommands()) {
+    if (std::string repeated = RepeatedFlag(*part); !repeated.empty()) return repeated;
+  }
+  return "";
+}
+
+/// A glob for a verb that takes one name, of which that is not obvious: it would be told that '*'
+/// is no letter of a name.
+Result<void> CheckGlobs(const CLI::App& app) {
+  static const std::set<std::string> kTakeOne = {"call",    "candidates", "classes", "create",
+                                                 "explain", "hz",         "load"};
+  for (const CLI::App* verb : app.get_subcommands()) {
+    if (!kTakeOne.contains(verb->get_name())) continue;
+    for (const CLI::Option* option : verb->get_options()) {
+      if (!IsPath(KindOf(*option))) continue;
+      for (const std::string& path : option->results()) {
+        if (IsGlob(path)) return TakesOneName("gcm " + verb->get_name(), path);
+      }
+    }
+  }
+  return {};
 }
 
 const std::map<std::string, ColorChoice>& Colors() {
@@ -147,6 +198,10 @@ Result<void> CommandLine::Parse(const std::vector<std::string>& words) {
   if (const std::string unknown = UnknownVerb(words, app_); !unknown.empty()) {
     return Error{ErrorCode::kInvalid, unknown};
   }
+  const auto mistaken = [this](const std::string& mistake) {
+    return Error{ErrorCode::kInvalid, mistake + "; " + HelpCommand(app_) + " --help tells more"};
+  };
+  if (const std::string empty = EmptyValue(words, app_); !empty.empty()) return mistaken(empty);
   try {
     std::vector<std::string> whole(words.rbegin(), words.rend());
     std::ranges::transform(whole, whole.begin(), KeptWhole);
@@ -156,6 +211,8 @@ Result<void> CommandLine::Parse(const std::vector<std::string>& words) {
   } catch (const CLI::ParseError& mistake) {
     return Error{ErrorCode::kInvalid, program::SentenceOf(mistake, app_, HelpCommand(app_))};
   }
+  if (const std::string flag = RepeatedFlag(app_); !flag.empty()) return mistaken(flag);
+  if (auto good = CheckGlobs(app_); !good) return good;
   settings_.gcm = program::GcmAddress(settings_.gcm);
   settings_.timeout = std::chrono::milliseconds(timeout_ms_);
   settings_.color = Colors().at(color_);

@@ -1,3 +1,4 @@
+#include <gcm_console/outcomes.h>
 #include <gcm_console/parameters/parameter_source.h>
 #include <gcm_console/report.h>
 #include <gcm_console/verb.h>
@@ -82,7 +83,7 @@ Result<void> Configure(Context& context, const LifeOrder& order, const SetWords&
     const bool is_stop_next = why.message.find("stop it first") != std::string::npos;
     return Error{why.code, why.message + (is_stop_next ? ": gcm stop " + words.component : "")};
   }
-  if (words.dry_run) return {};
+  if (words.dry_run) return CheckRole(context);
   return context.Ask<void>(
       [&](tendon::GcmClient& asked, auto handler) { asked.Steer(order, handler); },
       tendon::GcmClient::kOrdersOfALife);

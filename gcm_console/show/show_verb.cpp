@@ -1,3 +1,4 @@
+#include <gcm_console/catalogue/glob.h>
 #include <gcm_console/catalogue/payload_text.h>
 #include <gcm_console/catalogue/things.h>
 #include <gcm_console/catalogue_json.h>
@@ -182,7 +183,50 @@ void PrintPayloads(Context& context, const Place& place, const std::string& path
   if (place.noun == "command") PrintCall(context, place, path);
 }
 
+void PrintPlace(Context& context, const Catalog& catalog, const Place& place,
+                const std::string& path) {
+  Table facts = Facts(context, catalog, place);
+  const bool is_component =
+      place.component != nullptr && place.provided == nullptr && place.required == nullptr;
+  if (is_component && place.component->state == tendon::ComponentState::kActive) {
+    if (const auto client = context.Client()) AddTask(**client, place, facts);
+  }
+  if (is_component) {
+    const auto fill = AskFill(context, place);
+    if (fill) facts.Add({"mailbox", WaitingText(fill->waiting, fill->capacity)});
+  }
+  if (place.required != nullptr) AddCounts(context, place, facts);
+  context.Print(facts);
+  context.out() << '\n';
+  context.Print(ListingOf(catalog, place));
+  if (place.member != nullptr) PrintPayloads(context, place, path);
+}
+
+/// Each under its path.
+Result<ExitCode> ShowAll(Context& context, const std::string& glob) {
+  const auto client = context.Client();
+  if (!client) return client.error();
+  const Catalog catalog = (*client)->catalog();
+  const auto things = ThingsThatFit(catalog, glob);
+  if (!things) return things.error();
+  auto all = nlohmann::ordered_json::array();
+  for (const Thing& thing : *things) {
+    const auto place = FindPlace(catalog, thing.path);
+    if (!place) continue;
+    if (context.settings().json) {
+      all.push_back({{"path", thing.path}});
+      all.back().update(JsonOf(context, catalog, *place));
+      continue;
+    }
+    context.out() << (&thing == &things->front() ? "" : "\n") << Plain(thing.path) << ":\n";
+    PrintPlace(context, catalog, *place, thing.path);
+  }
+  if (context.settings().json) context.PrintJson({{"things", std::move(all)}});
+  return program::kOk;
+}
+
 Result<ExitCode> Show(Context& context, const std::string& path) {
+  if (IsGlob(path)) return ShowAll(context, path);
   const auto client = context.Client();
   if (!client) return client.error();
   const Catalog catalog = (*client)->catalog();
@@ -190,23 +234,9 @@ Result<ExitCode> Show(Context& context, const std::string& path) {
   if (!place) return place.error();
   if (context.settings().json) {
     context.PrintJson(JsonOf(context, catalog, *place));
-    return program::kOk;
+  } else {
+    PrintPlace(context, catalog, *place, path);
   }
-  Table facts = Facts(context, catalog, *place);
-  const bool is_component =
-      place->component != nullptr && place->provided == nullptr && place->required == nullptr;
-  if (is_component && place->component->state == tendon::ComponentState::kActive) {
-    AddTask(**client, *place, facts);
-  }
-  if (is_component) {
-    const auto fill = AskFill(context, *place);
-    if (fill) facts.Add({"mailbox", WaitingText(fill->waiting, fill->capacity)});
-  }
-  if (place->required != nullptr) AddCounts(context, *place, facts);
-  context.Print(facts);
-  context.out() << '\n';
-  context.Print(ListingOf(catalog, *place));
-  if (place->member != nullptr) PrintPayloads(context, *place, path);
   return program::kOk;
 }
 
@@ -217,7 +247,9 @@ std::vector<Verb> ShowVerbs() {
       {"show", "tell all about one process, component, interface or member",
        [](CLI::App& app) -> Verb::Run {
          auto path = std::make_shared<std::string>();
-         Names(app.add_option("path", *path, "what to show"), WordKind::kPath)->required();
+         Names(app.add_option("path", *path, "what to show; with *: all that it names"),
+               WordKind::kPath)
+             ->required();
          return [path](Context& context) { return Show(context, *path); };
        }},
   };

@@ -1,5 +1,8 @@
+#include <gcm_console/outcomes.h>
+#include <gcm_console/parameters/parameter_source.h>
 #include <gcm_console/report.h>
 #include <gcm_console/verb.h>
+#include <tendon/gcm/life/class_check.h>
 #include <tendon/gcm/life/life_plan.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/system_file.h>
@@ -67,13 +70,35 @@ Result<std::string> ConfigurationOf(const Arguments& arguments) {
   return text;
 }
 
+Result<Classes> AskForClasses(Context& context, const std::string& process) {
+  return context.Ask<Classes>([&](tendon::GcmClient& asked, auto handler) {
+    asked.GetClasses(process, std::move(handler));
+  });
+}
+
+/// Whether the order would be carried out, as far as can be known before.
+Result<void> Check(Context& context, tendon::GcmClient& client, const LifeOrder& order) {
+  if (auto allowed = CheckRole(context); !allowed) return allowed;
+  if (auto checked = CheckLife(client.catalog(), order); !checked) return checked;
+  if (order.verb == LifeVerb::kConfigure) {
+    const auto component = FindConfigured(client, context.settings().timeout,
+                                          {.process = order.process, .component = order.component});
+    return component ? tendon::CheckConfiguration(component->of, order.configuration)
+                     : component.error();
+  }
+  const auto known = AskForClasses(context, order.process);
+  if (!known) return known.error();
+  return order.verb == LifeVerb::kLoad ? tendon::CheckPlugIn(*known, order.library)
+                                       : tendon::CheckCreation(*known, order);
+}
+
 /// Carries the order out, or says what would be; `object` and `done` are for people.
 Result<ExitCode> Carry(Context& context, const LifeOrder& order, const std::string& object,
                        const std::string& done, bool is_dry) {
   const auto client = context.Client();
   if (!client) return client.error();
   const Result<void> outcome =
-      is_dry ? CheckLife((*client)->catalog(), order)
+      is_dry ? Check(context, **client, order)
              : context.Ask<void>(
                    [&](tendon::GcmClient& asked, auto handler) { asked.Steer(order, handler); },
                    tendon::GcmClient::kOrdersOfALife);
@@ -191,9 +216,7 @@ Result<ExitCode> List(Context& context, const Arguments& arguments) {
   if (!client) return client.error();
   const auto process = ProcessOf((*client)->catalog(), arguments.process);
   if (!process) return process.error();
-  auto all = context.Ask<Classes>([&](tendon::GcmClient& asked, auto handler) {
-    asked.GetClasses(*process, std::move(handler));
-  });
+  auto all = AskForClasses(context, *process);
   if (!all) return all.error();
   const bool is_one = !arguments.class_name.empty();
   if (is_one) {

@@ -1,4 +1,7 @@
+#include <gcm_console/catalogue/glob.h>
 #include <gcm_console/catalogue/telemetry_column.h>
+#include <gcm_console/outcomes.h>
+#include <gcm_console/place.h>
 #include <gcm_console/report.h>
 #include <gcm_console/row_printer.h>
 #include <gcm_console/verb.h>
@@ -25,7 +28,8 @@ namespace {
 using nlohmann::ordered_json;
 using namespace std::chrono_literals;
 
-Result<ExitCode> Get(Context& context, const std::string& text) {
+/// One value, and nothing but it.
+Result<ExitCode> GetOne(Context& context, const std::string& text) {
   const auto path = tendon::ParsePath(text);
   if (!path) return path.error();
   const auto client = context.Client();
@@ -50,6 +54,50 @@ Result<ExitCode> Get(Context& context, const std::string& text) {
     context.out() << *value << '\n';
   }
   return program::kOk;
+}
+
+/// The read commands that a glob names, and the columns, also with a part of each.
+Result<std::vector<std::string>> ReadableThatFit(const tendon::Catalog& catalog,
+                                                 const std::string& glob) {
+  std::vector<std::string> paths;
+  const auto things = ThingsThatFit(catalog, glob);
+  for (const Thing& one : things ? *things : std::vector<Thing>()) {
+    if (one.noun != "command") continue;
+    const auto place = FindPlace(catalog, one.path);
+    const bool is_read = place && place->member->signature.kind == tendon::CommandKind::kRead;
+    if (is_read) paths.push_back(one.path);
+  }
+  const auto columns = ColumnsThatFit(catalog, {glob});
+  if (columns) paths.insert(paths.end(), columns->paths.begin(), columns->paths.end());
+  if (!paths.empty()) return paths;
+  if (!things) return columns.error();
+  return Error{ErrorCode::kNotFound,
+               "nothing that '" + glob + "' names can be read; gcm find '" + glob + "' lists it"};
+}
+
+/// A line for each. What cannot be read is said, and the others are read all the same.
+Result<ExitCode> GetAll(Context& context, const std::string& glob) {
+  const auto client = context.Client();
+  if (!client) return client.error();
+  const auto paths = ReadableThatFit((*client)->catalog(), glob);
+  if (!paths) return paths.error();
+  std::vector<Outcome> outcomes;
+  ordered_json values = ordered_json::array();
+  for (const std::string& path : *paths) {
+    const auto value = context.Ask<std::string>(
+        [&](tendon::GcmClient& asked, auto handler) { asked.Call(path, "", handler); });
+    outcomes.push_back({path, value ? Result<void>() : value.error()});
+    if (!value) {
+      context.streams().err << "gcm: " << Plain(path) << ": " << Plain(value.error().message)
+                            << '\n';
+    } else if (context.settings().json) {
+      values.push_back({{"path", path}, {"value", tendon::JsonOrText(*value)}});
+    } else {
+      context.out() << Plain(path) << '\t' << *value << '\n';
+    }
+  }
+  if (context.settings().json) context.PrintJson({{"values", std::move(values)}});
+  return ExitCodeOf(outcomes);
 }
 
 struct WatchOptions {
@@ -271,10 +319,12 @@ std::vector<Verb> DataVerbs() {
          auto path = std::make_shared<std::string>();
          Names(app.add_option("path", *path,
                               "a read command or column, such as "
-                              "robot/arm/state.Joints.position[0]"),
+                              "robot/arm/state.Joints.position[0]; with *: all that it names"),
                WordKind::kReadable)
              ->required();
-         return [path](Context& context) { return Get(context, *path); };
+         return [path](Context& context) {
+           return IsGlob(*path) ? GetAll(context, *path) : GetOne(context, *path);
+         };
        }},
       {"watch",
        "print every row of columns of state tables: ns, tick, values",

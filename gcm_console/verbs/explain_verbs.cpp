@@ -1,5 +1,6 @@
 #include <gcm_console/report.h>
 #include <gcm_console/verb.h>
+#include <gcm_console/wire/disputed_types.h>
 #include <tendon/gcm/diagnosis.h>
 #include <tendon/gcm/text/leftover_text.h>
 
@@ -39,18 +40,12 @@ ordered_json ToJson(const Candidate& candidate) {
           {"connected", candidate.is_connected},        {"mismatches", std::move(mismatches)}};
 }
 
-/// So that what does not fit says in what: best effort.
-void LearnTypes(Context& context) {
-  static_cast<void>(context.Ask<void>(
-      [](tendon::GcmClient& client, auto handler) { client.LearnDisputedTypes(handler); }));
-}
-
 Result<ExitCode> Candidates(Context& context, const std::string& text) {
   const auto required = tendon::ParseInterfaceName(text);
   if (!required) return required.error();
   const auto client = context.Client();
   if (!client) return client.error();
-  LearnTypes(context);
+  LearnDisputedTypes(context);
   const auto candidates = RankCandidates((*client)->catalog(), *required);
   if (!candidates) return candidates.error();
   if (context.settings().json) {
@@ -174,7 +169,7 @@ Result<ExitCode> Explain(Context& context, const Ends& ends) {
   if (!required) return required.error();
   const auto client = context.Client();
   if (!client) return client.error();
-  LearnTypes(context);
+  LearnDisputedTypes(context);
   const Catalog catalog = (*client)->catalog();
   const auto provided = ends.provided.empty() ? LikelyProvider(catalog, *required)
                                               : tendon::ParseInterfaceName(ends.provided);

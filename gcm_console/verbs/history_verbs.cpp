@@ -1,3 +1,4 @@
+#include <gcm_console/outcomes.h>
 #include <gcm_console/report.h>
 #include <gcm_console/verb.h>
 #include <program/command_line.h>
@@ -63,18 +64,17 @@ Result<HistoryEntry> AskForUndo(Context& context, std::uint64_t step) {
       tendon::GcmClient::kOrdersOfAnUndo);
 }
 
-/// One step, before which others may be passed over. An error that passing over does not mend is
-/// that of the undo.
+/// One step, before which one that cannot be undone may be passed over. An error that passing over
+/// does not mend is that of the undo.
 Result<HistoryEntry> UndoOne(Context& context, const UndoWords& words, Undone& undone) {
-  while (true) {
-    auto step = AskForUndo(context, words.step);
-    if (step || !words.skip || step.error().code != tendon::ErrorCode::kFailed) return step;
-    auto passed = context.Ask<HistoryEntry>([&words](tendon::GcmClient& client, auto handler) {
-      client.PassOver(handler, words.step);
-    });
-    if (!passed) return step;
-    undone.passed_over.push_back(*std::move(passed));
-  }
+  auto step = AskForUndo(context, words.step);
+  const bool may_pass = words.skip && undone.passed_over.empty();
+  if (step || !may_pass || step.error().code != tendon::ErrorCode::kFailed) return step;
+  auto passed = context.Ask<HistoryEntry>(
+      [&words](tendon::GcmClient& client, auto handler) { client.PassOver(handler, words.step); });
+  if (!passed) return step;
+  undone.passed_over.push_back(*std::move(passed));
+  return AskForUndo(context, words.step);
 }
 
 void Print(Context& context, const Undone& undone, bool is_dry) {
@@ -89,8 +89,9 @@ void Print(Context& context, const Undone& undone, bool is_dry) {
     return;
   }
   for (const auto& step : undone.passed_over) {
-    context.err() << "gcm: passed over, and left as it is: " << Plain(tendon::WholeText(step))
-                  << '\n';
+    context.err() << (is_dry ? "gcm: would be passed over, and left as it is: "
+                             : "gcm: passed over, and left as it is: ")
+                  << Plain(tendon::WholeText(step)) << '\n';
   }
   for (const auto& step : undone.steps) {
     const std::string now =
@@ -100,34 +101,54 @@ void Print(Context& context, const Undone& undone, bool is_dry) {
   }
 }
 
+/// With what it has, so that the step is waited for and not passed over.
+bool MayComeBack(const tendon::Catalog& catalog, const HistoryEntry& step) {
+  const auto* owner = catalog.FindProcess(tendon::ProcessOf(step));
+  return owner != nullptr && owner->process.state == tendon::ProcessState::kLost &&
+         owner->process.instance == step.instance;
+}
+
 Result<tendon::message::History> AskForHistory(Context& context) {
   return context.Ask<tendon::message::History>(
       [](tendon::GcmClient& client, auto handler) { client.GetHistory(handler); });
 }
 
-/// Only the newest is checked: how things are when it is undone, which the others build on, nobody
-/// knows yet.
+/// Whether an undo would take back the newest of the steps, or pass it over where it may. How
+/// things are when the others are undone, which build on it, nobody knows yet.
+Result<void> CheckNewest(const tendon::Catalog& catalog, const tendon::message::History& history,
+                         const UndoWords& words, Undone& undone) {
+  const Error nothing{ErrorCode::kFailed, "there is nothing to undo"};
+  if (undone.steps.empty()) return nothing;
+  const HistoryEntry newest = undone.steps.front();
+  if (words.step != 0 && newest.id != words.step) {
+    return Error{ErrorCode::kFailed, "step " + std::to_string(words.step) +
+                                         " is not the newest any more, but " +
+                                         tendon::WholeText(newest) + "; see: gcm history"};
+  }
+  auto checked = CheckUndoOf(catalog, history, newest);
+  if (checked || !words.skip || MayComeBack(catalog, newest)) return checked;
+  undone.passed_over.push_back(newest);
+  undone.steps.erase(undone.steps.begin());
+  return undone.steps.empty() ? nothing : CheckUndoOf(catalog, history, undone.steps.front());
+}
+
 Result<ExitCode> SayWhatWouldBeUndone(Context& context, const UndoWords& words) {
+  if (auto allowed = CheckRole(context); !allowed) return allowed.error();
   const auto history = AskForHistory(context);
   if (!history) return history.error();
   const auto client = context.Client();
   if (!client) return client.error();
   Undone undone;
   for (auto step = history->entries.rbegin(); step != history->entries.rend(); ++step) {
-    if (undone.steps.size() == static_cast<std::size_t>(words.count)) break;
     if (!step->undone && !step->passed_over) undone.steps.push_back(*step);
   }
-  if (undone.steps.empty()) return Error{ErrorCode::kFailed, "there is nothing to undo"};
-  const HistoryEntry& newest = undone.steps.front();
-  if (words.step != 0 && newest.id != words.step) {
-    return Error{ErrorCode::kFailed, "step " + std::to_string(words.step) +
-                                         " is not the newest any more, but " +
-                                         tendon::WholeText(newest) + "; see: gcm history"};
-  }
-  const auto checked = CheckUndoOf((*client)->catalog(), *history, newest);
-  if (!checked) return checked.error();
+  const auto checked = CheckNewest((*client)->catalog(), *history, words, undone);
+  if (!checked && undone.passed_over.empty()) return checked.error();
+  const auto count = checked ? static_cast<std::size_t>(words.count) : 0;
+  if (undone.steps.size() > count) undone.steps.resize(count);
   Print(context, undone, words.dry_run);
-  return program::kOk;
+  if (checked) return program::kOk;
+  return checked.error();
 }
 
 Result<ExitCode> Undo(Context& context, const UndoWords& words) {
@@ -187,12 +208,10 @@ std::vector<Verb> HistoryVerbs() {
                         "only this one, where it still is the newest; gcm history has the numbers")
              ->check(&program::CheckCount)
              ->excludes(count);
-         auto* const skip =
-             app.add_flag("--skip", words->skip,
-                          "pass over those that cannot be undone as things are, for good");
+         app.add_flag("--skip", words->skip,
+                      "pass over the newest for good where it cannot be undone as things are");
          app.add_flag("--dry-run", words->dry_run,
-                      "say what would be undone, and whether the first can be; do nothing")
-             ->excludes(skip);
+                      "say what would be undone, and whether the first can be; do nothing");
          return [words](Context& context) { return Undo(context, *words); };
        }},
       {"history", "list the changes of the system, with who made them and when",

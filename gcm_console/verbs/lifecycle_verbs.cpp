@@ -1,3 +1,4 @@
+#include <gcm_console/catalogue/glob.h>
 #include <gcm_console/outcomes.h>
 #include <gcm_console/report.h>
 #include <gcm_console/verb.h>
@@ -8,6 +9,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <ostream>
 #include <string_view>
 
@@ -54,8 +56,6 @@ struct Targets {
   }
 };
 
-bool IsGlob(const std::string& pattern) { return pattern.find('*') != pattern.npos; }
-
 LifeOrder OrderOf(LifeVerb verb, const Path& path) {
   return {.verb = verb, .process = path.process, .component = path.component};
 }
@@ -101,6 +101,7 @@ bool IsConfirmed(const Context& context, std::string_view infinitive, std::strin
 Result<ExitCode> Steer(Context& context, const Wording& wording, const Arguments& arguments) {
   const auto client = context.Client();
   if (!client) return client.error();
+  if (auto allowed = CheckRole(context); arguments.dry_run && !allowed) return allowed.error();
   const Catalog catalog = (*client)->catalog();
   const auto targets = FindTargets(catalog, wording.verb, arguments);
   if (!targets) return targets.error();
@@ -131,19 +132,24 @@ Verb SteeringVerb(std::string name, std::string summary, Wording wording) {
           }};
 }
 
+using Ours = std::optional<tendon::message::Children>;
+
 /// Of a verb for whole processes.
 struct ProcessWording {
   std::string_view infinitive;
   std::string_view done;
-  /// Of a dry run.
-  Result<void> (*check)(const Catalog& catalog, const std::string& process);
+  /// Of a dry run; `ours` are those that the GCM has started, where it tells.
+  Result<void> (*check)(const Catalog& catalog, const Ours& ours, const std::string& process);
   Result<void> (*carry)(Context& context, const std::string& process);
 };
 
-/// Whether there is somebody to be ended; whose it is the GCM says.
-Result<void> CheckKill(const Catalog& catalog, const std::string& process) {
+Result<void> CheckKill(const Catalog& catalog, const Ours& ours, const std::string& process) {
   const auto entry = LookUpProcess(catalog, process);
-  return entry ? RequirePresent((*entry)->process) : Result<void>(entry.error());
+  if (!entry) return entry.error();
+  const bool is_ours =
+      !ours || std::ranges::count(ours->processes, process, &tendon::message::Child::process) > 0;
+  if (is_ours) return RequirePresent((*entry)->process);
+  return Error{ErrorCode::kFailed, "process '" + process + "' was not started by this GCM"};
 }
 
 Result<void> Kill(Context& context, const std::string& process) {
@@ -153,7 +159,7 @@ Result<void> Kill(Context& context, const std::string& process) {
                            tendon::GcmClient::kOrdersOfAProcess);
 }
 
-Result<void> CheckForget(const Catalog& catalog, const std::string& process) {
+Result<void> CheckForget(const Catalog& catalog, const Ours& /*ours*/, const std::string& process) {
   const auto entry = LookUpProcess(catalog, process);
   if (!entry) return entry.error();
   if ((*entry)->process.state == tendon::ProcessState::kStarting) {
@@ -184,7 +190,7 @@ Result<Targets> FindProcesses(const Catalog& catalog, const ProcessWording& word
     for (const auto& [name, entry] : catalog.processes()) {
       if (!tendon::MatchesGlob(pattern, name)) continue;
       is_found = true;
-      targets.Add({.process = name}, true, wording.check(catalog, name).ok());
+      targets.Add({.process = name}, true, wording.check(catalog, {}, name).ok());
     }
     if (is_found) continue;
     return Error{ErrorCode::kNotFound,
@@ -193,10 +199,17 @@ Result<Targets> FindProcesses(const Catalog& catalog, const ProcessWording& word
   return targets;
 }
 
+Ours AskForOurs(Context& context) {
+  auto children = context.Ask<tendon::message::Children>(
+      [](tendon::GcmClient& client, auto handler) { client.GetChildren(handler); });
+  return children ? Ours(*std::move(children)) : Ours();
+}
+
 Result<ExitCode> Carry(Context& context, const ProcessWording& wording,
                        const Arguments& arguments) {
   const auto client = context.Client();
   if (!client) return client.error();
+  if (auto allowed = CheckRole(context); arguments.dry_run && !allowed) return allowed.error();
   const Catalog catalog = (*client)->catalog();
   const auto targets = FindProcesses(catalog, wording, arguments);
   if (!targets) return targets.error();
@@ -204,9 +217,10 @@ Result<ExitCode> Carry(Context& context, const ProcessWording& wording,
   if (!IsConfirmed(context, wording.infinitive, "processes", *targets, arguments)) {
     return Declined();
   }
+  const Ours ours = arguments.dry_run ? AskForOurs(context) : Ours();
   std::vector<Outcome> outcomes;
   for (const Path& path : targets->paths) {
-    outcomes.push_back({path.process, arguments.dry_run ? wording.check(catalog, path.process)
+    outcomes.push_back({path.process, arguments.dry_run ? wording.check(catalog, ours, path.process)
                                                         : wording.carry(context, path.process)});
   }
   PrintOutcomes(context, {wording.infinitive, wording.done, arguments.dry_run}, outcomes);

@@ -1,3 +1,5 @@
+#include <gcm_console/catalogue/glob.h>
+#include <gcm_console/outcomes.h>
 #include <gcm_console/report.h>
 #include <gcm_console/verb.h>
 #include <tendon/base/os/termination.h>
@@ -147,6 +149,7 @@ struct LevelOrder {
 
 /// Whether the process is there to be told.
 Result<void> CheckOrder(Context& context, const LevelOrder& order) {
+  if (auto allowed = CheckRole(context); !allowed) return allowed;
   const auto client = context.Client();
   if (!client) return client.error();
   const tendon::Catalog catalog = (*client)->catalog();
@@ -154,13 +157,35 @@ Result<void> CheckOrder(Context& context, const LevelOrder& order) {
   return entry ? RequirePresent((*entry)->process) : Result<void>(entry.error());
 }
 
+Result<void> Carry(Context& context, const LevelOrder& order) {
+  if (order.dry_run) return CheckOrder(context, order);
+  return context.Ask<void>([&](tendon::GcmClient& client, auto handler) {
+    client.SetLogLevel(order.process, LevelOf(order.level), handler);
+  });
+}
+
+/// Of those processes that a glob names and that are there.
+Result<ExitCode> SetLevels(Context& context, const LevelOrder& order) {
+  const auto client = context.Client();
+  if (!client) return client.error();
+  const tendon::Catalog catalog = (*client)->catalog();
+  std::vector<Outcome> outcomes;
+  for (const auto& [name, entry] : catalog.processes()) {
+    if (!tendon::MatchesGlob(order.process, name) || !IsPresent(entry.process)) continue;
+    outcomes.push_back({name, Carry(context, {name, order.level, order.dry_run})});
+  }
+  if (outcomes.empty()) {
+    return Error{ErrorCode::kNotFound,
+                 "no process that is there fits '" + order.process + "'; gcm ls lists them"};
+  }
+  PrintOutcomes(context, {"log-level", "told to log " + order.level + " and above", order.dry_run},
+                outcomes);
+  return ExitCodeOf(outcomes);
+}
+
 Result<ExitCode> SetLevel(Context& context, const LevelOrder& order) {
-  const auto set = order.dry_run
-                       ? CheckOrder(context, order)
-                       : context.Ask<void>([&](tendon::GcmClient& client, auto handler) {
-                           client.SetLogLevel(order.process, LevelOf(order.level), handler);
-                         });
-  if (!set) return set.error();
+  if (IsGlob(order.process)) return SetLevels(context, order);
+  if (auto set = Carry(context, order); !set) return set.error();
   if (context.settings().json) {
     context.PrintJson(
         {{"process", order.process}, {"level", order.level}, {"dry_run", order.dry_run}});
@@ -190,7 +215,8 @@ std::vector<Verb> LogVerbs() {
       {"log-level", "set from which level on a process logs, until it ends",
        [](CLI::App& app) -> Verb::Run {
          auto order = std::make_shared<LevelOrder>();
-         Names(app.add_option("process", order->process, "which process"), WordKind::kProcess)
+         Names(app.add_option("process", order->process, "which process, or a glob as r*"),
+               WordKind::kProcess)
              ->required();
          app.add_option("level", order->level, "debug, info, warning or error")
              ->required()

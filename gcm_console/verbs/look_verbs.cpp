@@ -1,3 +1,4 @@
+#include <gcm_console/catalogue/glob.h>
 #include <gcm_console/catalogue/things.h>
 #include <gcm_console/catalogue_json.h>
 #include <gcm_console/place.h>
@@ -43,19 +44,29 @@ void AddHealth(Context& context, const Catalog& catalog, std::vector<Thing>& thi
   }
 }
 
-/// What is to be listed by path instead of by name: everything below a path, or what is right in
-/// it, of some kinds only.
-Result<ExitCode> ListThings(Context& context, const Catalog& catalog, const ListOptions& options) {
+/// Everything below a path, or what is right in it; what a glob names, or that and all in it.
+Result<std::vector<Thing>> ThingsOf(const Catalog& catalog, const ListOptions& options) {
   const bool is_deep = options.is_recursive || !options.types.empty();
+  if (IsGlob(options.path)) {
+    return is_deep ? ThingsThatFitOrAreInside(catalog, options.path)
+                   : ThingsThatFit(catalog, options.path);
+  }
   const int deepest = DepthOf(options.path) + 1;
   auto things = ThingsIn(catalog, options.path);
+  std::erase_if(things, [&](const Thing& one) { return !is_deep && DepthOf(one.path) > deepest; });
+  return things;
+}
+
+/// What is to be listed by path instead of by name, perhaps of some kinds only.
+Result<ExitCode> ListThings(Context& context, const Catalog& catalog, const ListOptions& options) {
+  auto found = ThingsOf(catalog, options);
+  if (!found) return found.error();
+  auto& things = *found;
   std::erase_if(things, [&](const Thing& thing) {
     const auto noun = std::find_if(std::begin(kNouns), std::end(kNouns),
                                    [&](const Noun& one) { return one.name == thing.noun; });
-    const bool is_wanted =
-        options.types.empty() ||
-        std::find(options.types.begin(), options.types.end(), noun->code) != options.types.end();
-    return !is_wanted || (!is_deep && DepthOf(thing.path) > deepest);
+    return !options.types.empty() &&
+           std::find(options.types.begin(), options.types.end(), noun->code) == options.types.end();
   });
   if (options.is_long) AddHealth(context, catalog, things);
   PrintThings(context, things);
@@ -97,13 +108,15 @@ void PrintTree(const Catalog& catalog, std::ostream& out) {
 Result<ExitCode> List(Context& context, const ListOptions& options) {
   ListOptions wanted = options;
   if (wanted.path.empty()) wanted.path = context.settings().at;
-  if (!wanted.is_recursive && !wanted.is_long && wanted.types.empty()) {
+  const bool is_glob = IsGlob(wanted.path);
+  if (!wanted.is_recursive && !wanted.is_long && wanted.types.empty() && !is_glob) {
     return List(context, wanted.path);
   }
   const auto client = context.Client();
   if (!client) return client.error();
   const Catalog catalog = (*client)->catalog();
-  const auto place = wanted.path.empty() ? Result<Place>(Place{}) : FindPlace(catalog, wanted.path);
+  const bool is_place = !wanted.path.empty() && !is_glob;
+  const auto place = is_place ? FindPlace(catalog, wanted.path) : Result<Place>(Place{});
   if (!place) return place.error();
   return ListThings(context, catalog, wanted);
 }
@@ -119,7 +132,8 @@ Result<ExitCode> Tree(Context& context) {
 Verb::Run PrepareList(CLI::App& app) {
   auto options = std::make_shared<ListOptions>();
   Names(app.add_option("path", options->path,
-                       "process/component/interface.member, or the beginning of it"),
+                       "process/component/interface.member, or the beginning of it; or a glob, of "
+                       "which all that it names is listed"),
         WordKind::kPath);
   app.add_flag("-R,--recursive", options->is_recursive, "and what is in that, by path");
   app.add_flag("-l,--long", options->is_long, "by path, with type, state and who is connected");
@@ -139,7 +153,7 @@ std::vector<Verb> LookVerbs() {
       {"ls",
        "list processes, or what is in one thing",
        &PrepareList,
-       {"gcm ls robot/arm", "gcm ls -R -l", "gcm ls robot --type cmd,event"}},
+       {"gcm ls robot/arm", "gcm ls 'robot/*'", "gcm ls -R -l", "gcm ls robot --type cmd,event"}},
       {"tree", "show the whole catalogue", [](CLI::App&) -> Verb::Run { return &Tree; }},
   };
 }

@@ -1,5 +1,6 @@
 #include <gcm_console/report.h>
 #include <gcm_console/verb.h>
+#include <gcm_console/wire/disputed_types.h>
 #include <tendon/base/os/termination.h>
 #include <tendon/gcm/life/class_check.h>
 #include <tendon/gcm/system/client_executor.h>
@@ -225,6 +226,7 @@ Result<Plan> PlanOf(Context& context, const std::string& file) {
   if (!wanted) return wanted.error();
   const auto client = context.Client();
   if (!client) return client.error();
+  LearnDisputedTypes(context);
   const tendon::Catalog catalog = (*client)->catalog();
   tendon::KnownClasses known;
   for (const std::string& process : ProcessesToAsk(catalog, *wanted)) {
@@ -239,7 +241,7 @@ Result<ExitCode> PrintPlan(Context& context, const std::string& file) {
   const auto plan = PlanOf(context, file);
   if (!plan) return plan.error();
   Print(*plan, context);
-  return plan->obstacles.empty() ? program::kOk : program::kRefused;
+  return plan->obstacles.empty() ? program::kOk : program::ExitCodeOf(plan->refusal);
 }
 
 struct ApplyWords {
@@ -252,7 +254,7 @@ struct ApplyWords {
 /// Whether the plan may be made as it is.
 Result<void> CheckApply(const Plan& plan, const ApplyWords& words) {
   if (!plan.obstacles.empty() && !words.keep_going) {
-    return Error{ErrorCode::kFailed,
+    return Error{plan.refusal,
                  "nothing was done, for the file cannot be had as a whole; to do what can be done: "
                  "gcm apply " +
                      words.file + " --keep-going" + (words.yes ? " --yes" : "")};

@@ -1,6 +1,8 @@
+#include <gcm_console/catalogue/glob.h>
 #include <gcm_console/outcomes.h>
 #include <gcm_console/report.h>
 #include <gcm_console/verb.h>
+#include <gcm_console/wire/disputed_types.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/wiring/matching.h>
 
@@ -122,6 +124,7 @@ Result<ExitCode> ConnectMatching(Context& context, const Ends& ends) {
   }
   const auto client = context.Client();
   if (!client) return client.error();
+  if (ends.dry_run) LearnDisputedTypes(context);
   const Catalog catalog = (*client)->catalog();
   const auto matches = MatchInterfaces(catalog, {ends.required, ends.provided});
   if (!matches) return matches.error();
@@ -148,7 +151,11 @@ Result<ExitCode> ConnectMatching(Context& context, const Ends& ends) {
 }
 
 Result<ExitCode> Connect(Context& context, const Ends& ends) {
+  if (auto allowed = CheckRole(context); ends.dry_run && !allowed) return allowed.error();
   if (ends.match) return ConnectMatching(context, ends);
+  for (const std::string& end : {ends.required, ends.provided}) {
+    if (IsGlob(end)) return TakesOneName("gcm connect without --match", end);
+  }
   const auto required = tendon::ParseInterfaceName(ends.required);
   if (!required) return required.error();
   const auto provided = tendon::ParseInterfaceName(ends.provided);
@@ -159,6 +166,7 @@ Result<ExitCode> Connect(Context& context, const Ends& ends) {
     return good.error();
   }
   if (ends.dry_run) {
+    LearnDisputedTypes(context);
     auto checked = CheckConnect((*client)->catalog(), *required, *provided, ends.replace);
     if (!checked) return checked.error();
     return Print(context, {"connect", "connected", true}, {{WireText(*required, *provided), {}}});
@@ -180,10 +188,48 @@ Result<ExitCode> Connect(Context& context, const Ends& ends) {
     context.out() << WireText(made->required, made->provided) << "  " << state
                   << (is_said ? "" : ": " + Plain(made->reason)) << '\n';
   }
-  return is_unknown ? WarnOfUnknown(context, provider.error(), ends) : program::kOk;
+  if (is_unknown) return WarnOfUnknown(context, provider.error(), ends);
+  return made->state == tendon::ConnectionState::kActive ? program::kOk : program::kRefused;
+}
+
+Result<void> CarryEnd(Context& context, const InterfaceName& required) {
+  return context.Ask<void>(
+      [&](tendon::GcmClient& asked, auto handler) { asked.Disconnect(required, handler); });
+}
+
+/// All connections of what a glob names.
+Result<ExitCode> DisconnectAll(Context& context, const Ends& ends) {
+  const auto client = context.Client();
+  if (!client) return client.error();
+  const Catalog catalog = (*client)->catalog();
+  std::vector<tendon::ConnectionDescription> found;
+  std::string question;
+  for (const auto& one : catalog.connections()) {
+    if (!tendon::MatchesGlob(ends.required, ToString(one.required))) continue;
+    found.push_back(one);
+    question += " " + ToString(one.required);
+  }
+  if (found.empty()) {
+    return Error{ErrorCode::kNotFound, "nothing that '" + ends.required +
+                                           "' names is connected; gcm ls -R -l --type req lists "
+                                           "what is"};
+  }
+  question = "disconnect " + std::to_string(found.size()) + " interfaces:" + question;
+  const bool asks = found.size() > 1 && !ends.yes && !ends.dry_run;
+  if (asks && !Confirm(context, question)) return Declined();
+  std::vector<Outcome> outcomes;
+  for (const auto& one : found) {
+    const auto plan = PlanDisconnect(catalog, one.required);
+    Result<void> result = plan ? Result<void>() : plan.error();
+    if (plan && !ends.dry_run) result = CarryEnd(context, one.required);
+    outcomes.push_back({WireText(one.required, one.provided), std::move(result)});
+  }
+  return Print(context, {"disconnect", "disconnected", ends.dry_run}, outcomes);
 }
 
 Result<ExitCode> Disconnect(Context& context, const Ends& ends) {
+  if (auto allowed = CheckRole(context); ends.dry_run && !allowed) return allowed.error();
+  if (IsGlob(ends.required)) return DisconnectAll(context, ends);
   const auto client = context.Client();
   if (!client) return client.error();
   const auto required = LookUpConnected((*client)->catalog(), ends.required);
@@ -194,9 +240,7 @@ Result<ExitCode> Disconnect(Context& context, const Ends& ends) {
     return Print(context, {"disconnect", "disconnected", true},
                  {{WireText(plan->required, plan->provided), {}}});
   }
-  const auto done = context.Ask<void>(
-      [&](tendon::GcmClient& asked, auto handler) { asked.Disconnect(*required, handler); });
-  if (!done) return done.error();
+  if (auto done = CarryEnd(context, *required); !done) return done.error();
   if (context.settings().json) {
     context.PrintJson({{"required", ToString(*required)}});
   } else {
@@ -235,10 +279,11 @@ std::vector<Verb> WireVerbs() {
          auto ends = std::make_shared<Ends>();
          Names(app.add_option("required", ends->required,
                               "process/component/interface, or the number of its connection: 3, "
-                              "or process/3"),
+                              "or process/3; or a glob as desk/*/Robot"),
                WordKind::kRequired)
              ->required();
          app.add_flag("--dry-run", ends->dry_run, "say what would be done, and do nothing");
+         app.add_flag("--yes", ends->yes, "do not ask before a glob ends several");
          return [ends](Context& context) { return Disconnect(context, *ends); };
        }},
   };

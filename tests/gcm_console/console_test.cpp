@@ -122,7 +122,7 @@ TEST_F(ConsoleTest, AConnectToAProcessThatIsNotThereWaitsForIt) {
 
   const Outcome connected = Gcm({"connect", "desk/teleoperation/Robot", "robot/arm/Control"});
 
-  EXPECT_EQ(connected.exit_code, program::kOk);
+  EXPECT_EQ(connected.exit_code, program::kRefused);
   EXPECT_EQ(connected.err, "");
   EXPECT_THAT(connected.out,
               testing::StartsWith("desk/teleoperation/Robot -> robot/arm/Control  pending: "));

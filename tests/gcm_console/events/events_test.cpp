@@ -252,6 +252,10 @@ TEST_F(EventsTest, NoReconnectTellsThatTheGcmIsGoneByItsExitCode) {
   gcm->Signal(SIGKILL);
 
   EXPECT_EQ(events->Wait(), program::kUnreachable) << events->err();
+  const auto lines = LinesOf(events->err());
+  const auto tells = [](const std::string& line) { return line.starts_with("gcm: no GCM at "); };
+  EXPECT_EQ(std::count_if(lines.begin(), lines.end(), tells), 1) << events->err();
+  EXPECT_TRUE(tells(lines.back())) << events->err();
 }
 
 TEST_F(EventsTest, AComponentThatComesLaterIsHeard) {

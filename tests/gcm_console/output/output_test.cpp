@@ -153,6 +153,10 @@ TEST_F(OutputTest, WhatIsConnectedOnTrialOrByAGlobFitsItsSchema) {
   ExpectFits({"connect", "desk/teleoperation/Robot", "robot/arm/Control", "--dry-run"});
   ExpectFits({"connect", "--match", "desk/**", "robot/**", "--dry-run"});
   ExpectFits({"connect", "--match", "desk/**", "robot/**"});
+  ExpectFits({"disconnect", "desk/*/Robot", "--dry-run"});
+  ExpectFits({"get", "robot/*/state.Joints"});
+  ExpectFits({"show", "robot/*"});
+  ExpectFits({"log-level", "r*", "info", "--dry-run"});
   ExpectFits({"disconnect", "desk/teleoperation/Robot", "--dry-run"});
 }
 

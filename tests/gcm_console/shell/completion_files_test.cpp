@@ -3,6 +3,7 @@
 #include <program/exit_code.h>
 
 #include <cstdlib>
+#include <sstream>
 
 #include "gcm_console/system_fixture.h"
 
@@ -66,6 +67,19 @@ TEST_F(CompletionFiles, FishCompletesAWord) {
 
   EXPECT_THAT(completed("gcm wat"), testing::StartsWith("watch\t"));
   EXPECT_THAT(completed("gcm watch --c"), HasSubstr("--count\t"));
+}
+
+TEST_F(CompletionFiles, EveryLongNameOfAnOptionIsOffered) {
+  const auto names = [&](const Program::Words& words) {
+    std::string all;
+    std::istringstream lines(Typed(words).out);
+    for (std::string line; std::getline(lines, line);) all += line.substr(0, line.find('\t')) + ' ';
+    return all;
+  };
+
+  EXPECT_EQ(names({"complete", "ls", "--js"}), "--json --jsonl ");
+  EXPECT_EQ(names({"complete", "ls", "--lo"}), "--long ");
+  EXPECT_THAT(names({"complete", "undo", "--"}), HasSubstr("--json --jsonl "));
 }
 
 TEST_F(CompletionFiles, AShellThatIsNoneIsRefused) {

@@ -82,9 +82,9 @@ TEST_F(LiveCompletionTest, WhatWasHeardOnceIsKnownWithoutTheProcess) {
   ASSERT_TRUE(Says("load coun\t--dry-run", "hall counter\twould be loaded")) << shell->seen();
 
   hall->Signal(SIGSTOP);
-  shell->Type("load coun\t--dry-run\r");
+  shell->Type("load coun\t");
 
-  EXPECT_TRUE(shell->Shows("hall counter\twould be loaded")) << shell->seen();
+  EXPECT_TRUE(shell->Shows("ter")) << shell->seen();
   hall->Signal(SIGCONT);
 }
 

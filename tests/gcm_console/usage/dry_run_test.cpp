@@ -74,11 +74,69 @@ TEST_F(DryRunTest, ACallIsCheckedUpToItsArgument) {
   EXPECT_EQ(json::parse(Gcm({"call", move, goal, "--dry-run", "--json"}).out)["dry_run"], true);
 }
 
+TEST_F(DryRunTest, AProcessOfSomebodyElseWouldNotBeEnded) {
+  for (const Program::Words& words :
+       {Program::Words{"kill", "robot"}, {"kill", "robot", "--dry-run"}}) {
+    ExpectRefusal(words, program::kRefused, "process 'robot' was not started by this GCM");
+  }
+}
+
 TEST_F(DryRunTest, ALevelOfTheLogIsNotSet) {
   EXPECT_EQ(Gcm({"log-level", "robot", "debug", "--dry-run"}).out,
             "robot  would log debug and above\n");
   ExpectRefusal({"log-level", "robt", "debug", "--dry-run"}, program::kNotFound,
                 "did you mean 'robot'?");
+}
+
+TEST_F(DryRunTest, WhatAProcessCouldNotMakeIsRefused) {
+  ExpectRefusal({"load", "nope", "--in", "robot", "--dry-run"}, program::kNotFound,
+                "no plug-in 'nope'");
+  EXPECT_EQ(Gcm({"load", "counter", "--in", "robot", "--dry-run"}).exit_code, program::kOk);
+  ExpectRefusal({"create", "SimulatedAm", "robot/new", "--dry-run"}, program::kNotFound,
+                "did you mean 'SimulatedArm'?");
+  ExpectRefusal({"create", "Counter", "robot/new", "--library", "couter", "--dry-run"},
+                program::kNotFound, "no plug-in 'couter'; did you mean 'counter'?");
+  ExpectRefusal({"create", "Countr", "robot/new", "--library", "simulated_arm", "--dry-run"},
+                program::kNotFound, "has no class 'Countr' in simulated_arm");
+  EXPECT_EQ(Gcm({"create", "Counter", "robot/new", "--library", "counter", "--dry-run"}).out,
+            "robot/new\twould be created\n");
+}
+
+TEST_F(DryRunTest, AConfigurationIsCheckedByItsClass) {
+  const std::string bad = R"({"nois": 1})";
+  const std::string good = R"({"noise": 0.001})";
+
+  ExpectRefusal({"create", "SimulatedArm", "robot/new", "--arg", bad, "--dry-run"}, program::kUsage,
+                "did you mean 'noise'?");
+  ExpectRefusal({"create", "SimulatedArm", "robot/new", "--arg", "{", "--dry-run"}, program::kUsage,
+                "its configuration is no JSON");
+  ExpectRefusal({"create", "SimulatedArm", "robot/new", "--arg", "[]", "--dry-run"},
+                program::kUsage, "must be a JSON object");
+  EXPECT_EQ(Gcm({"create", "SimulatedArm", "robot/new", "--arg", good, "--dry-run"}).exit_code,
+            program::kOk);
+  ASSERT_EQ(Gcm({"stop", "robot/arm"}).exit_code, program::kOk);
+  ExpectRefusal({"configure", "robot/arm", "--arg", bad, "--dry-run"}, program::kUsage,
+                "did you mean 'noise'?");
+  EXPECT_EQ(Gcm({"configure", "robot/arm", "--arg", good, "--dry-run"}).out,
+            "robot/arm\twould be configured\n");
+}
+
+TEST_F(DryRunTest, AViewerIsDeniedAsByTheOrderItself) {
+  const std::vector<Program::Words> orders = {
+      {"stop", "robot/arm"},
+      {"forget", "robot"},
+      {"load", "counter", "--in", "robot"},
+      {"create", "Counter", "robot/new", "--library", "counter"},
+      {"connect", "desk/teleoperation/Robot", "robot/arm/Control"},
+      {"disconnect", "desk/supervisor/Robot"},
+      {"log-level", "robot", "debug"},
+      {"call", "robot/arm/Control.Stop"},
+      {"undo"}};
+  for (Program::Words words : orders) {
+    words.insert(words.begin(), "--read-only");
+    words.push_back("--dry-run");
+    ExpectRefusal(words, program::kDenied, "gcm " + words[1] + " is for an operator");
+  }
 }
 
 TEST_F(DryRunTest, NoFileIsWritten) {

@@ -32,6 +32,14 @@ TEST_F(WireVerbsTest, ADryRunSaysWhatWouldBeAndDoesNothing) {
   EXPECT_THAT(Gcm({"ls", "desk/supervisor"}).out, HasSubstr("-> robot/arm/Control\n"));
 }
 
+TEST_F(WireVerbsTest, ADryRunSaysInWhatTheEndsDiffer) {
+  // The types are not waited for long: on a machine that stands still they may come too late.
+  EXPECT_TRUE(EventuallyTrue([&] {
+    const Outcome dry = Gcm({"connect", kTeleoperation, "desk/old_arm/Control", "--dry-run"});
+    return dry.err.find(" needed, ") != std::string::npos;
+  }));
+}
+
 TEST_F(WireVerbsTest, AMatchConnectsWhatIsFreeWithWhatFits) {
   const Outcome dry = Gcm({"connect", "--match", "desk/**", "robot/**", "--dry-run"});
   EXPECT_EQ(dry.out, "desk/teleoperation/Robot -> robot/arm/Control\twould be connected\n");

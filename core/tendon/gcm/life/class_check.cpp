@@ -1,11 +1,14 @@
 #include <tendon/base/name.h>
+#include <tendon/base/printable.h>
 #include <tendon/gcm/life/class_check.h>
-#include <tendon/gcm/life/parameters.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/system/running_system.h>
 #include <tendon/gcm/system/system_index.h>
+#include <tendon/payload/json.h>
+#include <tendon/payload/json/strict_json.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 namespace tendon {
@@ -39,7 +42,12 @@ SystemFile::Process Feasible(const SystemFile::Process& process, const SystemInd
     const auto* now = running.FindComponent(process.name, component.name);
     const bool is_unknown = component.library.empty() && LoadsMore(known, process);
     const bool is_free = IsMadeAs(now, component) || component.class_name.empty() || is_unknown;
-    const auto checked = is_free ? Result<void>() : CheckClass(known, process.name, component);
+    const auto checked = is_free ? Result<void>()
+                                 : CheckCreation(known, {.process = process.name,
+                                                         .component = component.name,
+                                                         .class_name = component.class_name,
+                                                         .library = component.library,
+                                                         .configuration = component.configuration});
     if (checked) {
       feasible.components.push_back(component);
       continue;
@@ -53,31 +61,65 @@ SystemFile::Process Feasible(const SystemFile::Process& process, const SystemInd
 
 }  // namespace
 
-Result<void> CheckClass(const message::Classes& known, const std::string& process,
-                        const SystemFile::Component& component) {
-  const std::string& library = component.library;
-  const auto is_of_library = [&library](const ClassDescription& one) {
-    return library.empty() || one.library == library;
-  };
-  const bool is_loaded = IsLoaded(known, library);
+Result<void> CheckPlugIn(const message::Classes& known, const std::string& library) {
+  if (auto checked = CheckName("plug-in", library); !checked) return checked;
   const bool is_there = std::ranges::find(known.plugins, library) != known.plugins.end();
-  if (!library.empty() && !is_loaded && !is_there) {
-    return Error{ErrorCode::kNotFound, "process '" + process + "' has no plug-in '" + library +
-                                           "'" + DidYouMean(library, known.plugins)};
+  if (is_there || IsLoaded(known, library)) return {};
+  return Error{ErrorCode::kNotFound,
+               "no plug-in '" + library + "'" + DidYouMean(library, known.plugins)};
+}
+
+Result<void> CheckCreation(const message::Classes& known, const message::LifeOrder& order) {
+  if (!order.library.empty()) {
+    if (auto checked = CheckPlugIn(known, order.library); !checked) return checked;
+    if (!IsLoaded(known, order.library)) return {};
   }
   std::vector<std::string> names;
+  std::vector<const ClassDescription*> found;
   for (const ClassDescription& one : known.classes) {
-    if (!is_of_library(one)) continue;
+    if (!order.library.empty() && one.library != order.library) continue;
     names.push_back(one.name);
-    if (one.name != component.class_name) continue;
-    return component.configuration.empty() ? Result<void>()
-                                           : CheckConfiguration(one, component.configuration);
+    if (one.name == order.class_name) found.push_back(&one);
   }
-  if (!is_loaded && !library.empty()) return {};
-  return Error{ErrorCode::kNotFound,
-               (library.empty() ? "process '" + process + "'" : "plug-in '" + library + "'") +
-                   " has no class '" + component.class_name + "'" +
-                   DidYouMean(component.class_name, names)};
+  if (found.empty()) {
+    const std::string where = order.library.empty() ? " that is loaded" : " in " + order.library;
+    const std::string next =
+        order.library.empty() ? "; load the plug-in that has it, or name it with --library" : "";
+    return Error{ErrorCode::kNotFound, "process '" + order.process + "' has no class '" +
+                                           order.class_name + "'" + where +
+                                           DidYouMean(order.class_name, names) + next};
+  }
+  if (found.size() > 1) {
+    return Error{ErrorCode::kInvalid, "the libraries '" + found[0]->library + "' and '" +
+                                          found[1]->library + "' both have a class '" +
+                                          order.class_name + "'; name the one you mean"};
+  }
+  return CheckConfiguration(*found.front(), order.configuration);
+}
+
+Result<void> CheckConfiguration(const ClassDescription& of, const std::string& configuration) {
+  if (configuration.empty()) return {};
+  const std::string what = "class '" + of.name + "': ";
+  const auto schema = Schema::Parse(of.configuration);
+  if (!schema) return Error{schema.error().code, what + schema.error().message};
+  if (schema->is_none()) {
+    return Error{ErrorCode::kInvalid,
+                 what + "it takes no configuration, got " + Printable(configuration, 64)};
+  }
+  const auto given = ParseStrictJson(configuration);
+  if (!given) {
+    return Error{ErrorCode::kInvalid,
+                 what + "its configuration is no JSON: " + given.error().message};
+  }
+  if (!given->is_object()) {
+    return Error{ErrorCode::kInvalid, what + "its configuration must be a JSON object, got " +
+                                          Printable(configuration, 64)};
+  }
+  auto whole = ParseStrictJson(of.defaults);
+  if (!whole) return Error{ErrorCode::kInvalid, what + whole.error().message};
+  whole->merge_patch(*given);
+  const auto body = FromJson(*schema, whole->dump());
+  return body ? Result<void>() : Error{body.error().code, what + body.error().message};
 }
 
 std::vector<std::string> ProcessesToAsk(const Catalog& catalog, const SystemFile& wanted) {
@@ -104,6 +146,7 @@ Plan MakeCheckedPlan(const Catalog& catalog, const SystemFile& wanted, const Kno
     process = Feasible(process, now, classes->second, obstacles);
   }
   Plan plan = MakePlan(catalog, feasible);
+  if (!obstacles.empty()) plan.refusal = ErrorCode::kFailed;
   plan.obstacles.insert(plan.obstacles.begin(), obstacles.begin(), obstacles.end());
   return plan;
 }

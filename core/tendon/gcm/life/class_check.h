@@ -11,11 +11,18 @@
 
 namespace tendon {
 
-/// What a process would refuse to make of a component, as far as its classes and plug-ins tell
-/// beforehand: a plug-in that is not there, a class that a loaded plug-in lacks, a configuration
-/// that is not of its class. Of a plug-in that is not loaded yet nothing more is known.
-Result<void> CheckClass(const message::Classes& known, const std::string& process,
-                        const SystemFile::Component& component);
+// What a process would say of a class, told from the classes and plug-ins that it has: for who
+// wants to know before anything is done.
+
+/// Whether the process could load the plug-in. kNotFound names what is near.
+Result<void> CheckPlugIn(const message::Classes& known, const std::string& library);
+
+/// Whether it has the class that the order to create names, and the class the configuration. Of a
+/// plug-in that is not loaded yet nobody knows the classes: all is right there.
+Result<void> CheckCreation(const message::Classes& known, const message::LifeOrder& order);
+
+/// Whether the class could be told that, JSON or empty. kInvalid says what is wrong.
+Result<void> CheckConfiguration(const ClassDescription& of, const std::string& configuration);
 
 /// By process.
 using KnownClasses = std::map<std::string, message::Classes>;
@@ -25,8 +32,8 @@ using KnownClasses = std::map<std::string, message::Classes>;
 [[nodiscard]] std::vector<std::string> ProcessesToAsk(const Catalog& catalog,
                                                       const SystemFile& wanted);
 
-/// As MakePlan(); but what CheckClass() refuses stays as it is, and is an obstacle: a mistake in a
-/// file is seen before anything is stopped for it.
+/// As MakePlan(); but what CheckCreation() refuses stays as it is, and is an obstacle: a mistake in
+/// a file is seen before anything is stopped for it.
 [[nodiscard]] Plan MakeCheckedPlan(const Catalog& catalog, const SystemFile& wanted,
                                    const KnownClasses& known);
 

@@ -167,13 +167,6 @@ void AddLeaves(const std::string& name, const Schema::Field& field, const Ordere
 
 }  // namespace
 
-Result<void> CheckConfiguration(const ClassDescription& of, const std::string& told) {
-  const auto whole = WholeOf(of, told);
-  if (!whole) return whole.error();
-  const auto body = FromJson(whole->schema, whole->value.dump());
-  return body ? Result<void>() : body.error();
-}
-
 Result<std::vector<Parameter>> ParametersOf(const ClassDescription& of, const std::string& told) {
   const auto whole = WholeOf(of, told);
   if (!whole) return whole.error();

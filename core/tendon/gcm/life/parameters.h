@@ -25,10 +25,6 @@ struct ChangedParameter {
   std::string configuration;  ///< what the component is to be told then, JSON
 };
 
-/// Whether a component of that class can be told this, which may leave out what keeps its default.
-/// kInvalid names what does not fit; kNotFound where the class takes none.
-Result<void> CheckConfiguration(const ClassDescription& of, const std::string& told);
-
 /// All parameters of a component of that class, in the order of the type. `told` is the
 /// configuration it was given, which may leave out what keeps its default.
 Result<std::vector<Parameter>> ParametersOf(const ClassDescription& of, const std::string& told);

@@ -82,6 +82,7 @@ class Planner {
     for (auto* part : {&disconnects_, &removals_, &births_, &makings_, &connects_}) {
       plan_.steps.insert(plan_.steps.end(), part->begin(), part->end());
     }
+    Judge();
     AddStarts();
     return std::move(plan_);
   }
@@ -323,12 +324,20 @@ class Planner {
       const auto checked = PlanConnect(catalog_, wire, Occupied::kReplaced);
       if (!checked) {
         plan_.obstacles.push_back(checked.error().message);
+        refusals_.push_back(checked.error().code);
         return Lack(wire, checked.error().message);
       }
     }
     const bool replaces = now != nullptr && !is_same;
     connects_.push_back(StepOf(replaces ? Kind::kReplace : Kind::kConnect, wire));
     connects_.back().takes_away = replaces;
+  }
+
+  /// Of all obstacles so far, if they are of one kind.
+  void Judge() {
+    if (refusals_.empty() || refusals_.size() < plan_.obstacles.size()) return;
+    const ErrorCode first = refusals_.front();
+    if (std::ranges::count(refusals_, first) == std::ssize(refusals_)) plan_.refusal = first;
   }
 
   /// A component of which the file wants a connection that cannot be made.
@@ -389,6 +398,7 @@ class Planner {
   std::set<ComponentPath> made_;                // or made anew
   std::set<ComponentPath> missing_;             // of their own programs
   std::map<ComponentPath, std::string> lacks_;  // why not to start it
+  std::vector<ErrorCode> refusals_;             // of connections
 };
 
 }  // namespace

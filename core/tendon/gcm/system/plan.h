@@ -1,5 +1,6 @@
 #pragma once
 
+#include <tendon/base/result.h>
 #include <tendon/gcm/catalog.h>
 #include <tendon/gcm/system_file.h>
 #include <tendon/payload/fingerprint.h>
@@ -59,6 +60,9 @@ struct Plan {
   std::vector<PlanStep> steps;
   std::vector<std::string> obstacles;  ///< a sentence for each thing that no step can bring about
   std::size_t untouched = 0;           ///< things that are as they should be
+  /// Of the obstacles: kIncompatible where all are ends that do not fit, kNotFound where all are
+  /// ends that are not there, or what follows from those.
+  ErrorCode refusal = ErrorCode::kFailed;
 
   /// Whether one of the steps does.
   [[nodiscard]] bool TakesAway() const;

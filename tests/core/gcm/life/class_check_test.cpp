@@ -15,22 +15,22 @@ message::Classes Known() {
 }
 
 std::string WhyNot(const std::string& class_name, const std::string& library) {
-  const auto checked =
-      CheckClass(Known(), "robot", {.name = "one", .class_name = class_name, .library = library});
+  const auto checked = CheckCreation(
+      Known(),
+      {.process = "robot", .component = "one", .class_name = class_name, .library = library});
   return checked ? "" : checked.error().message;
 }
 
 TEST(ClassCheck, WhatIsLoadedIsKnown) {
   EXPECT_EQ(WhyNot("Arm", "arms"), "");
   EXPECT_EQ(WhyNot("Arm", ""), "");
-  EXPECT_EQ(WhyNot("Am", "arms"), "plug-in 'arms' has no class 'Am'; did you mean 'Arm'?");
+  EXPECT_EQ(WhyNot("Am", "arms"), "process 'robot' has no class 'Am' in arms; did you mean 'Arm'?");
   EXPECT_TRUE(WhyNot("Gripper", "").starts_with("process 'robot' has no class 'Gripper'"));
 }
 
 TEST(ClassCheck, OfWhatIsNotLoadedOnlyThePlugInIsKnown) {
   EXPECT_EQ(WhyNot("Gripper", "tools"), "");
-  EXPECT_EQ(WhyNot("Gripper", "tool"),
-            "process 'robot' has no plug-in 'tool'; did you mean 'tools'?");
+  EXPECT_EQ(WhyNot("Gripper", "tool"), "no plug-in 'tool'; did you mean 'tools'?");
 }
 
 /// The process, with nothing in it, is to have these.

@@ -411,6 +411,7 @@ TEST(Plan, SaysWhatNoStepCanBringAbout) {
   EXPECT_THAT(plan.obstacles[2],
               HasSubstr("robot/absent is not there, and only its own program can make it"));
   EXPECT_THAT(plan.obstacles[3], HasSubstr("missing write command 'MoveTo'"));
+  EXPECT_EQ(plan.refusal, ErrorCode::kFailed);  // it is not the ends alone
 }
 
 }  // namespace

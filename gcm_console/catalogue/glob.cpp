@@ -1,0 +1,51 @@
+#include <gcm_console/catalogue/glob.h>
+#include <tendon/base/path.h>
+
+#include <set>
+#include <utility>
+
+namespace console {
+namespace {
+
+using tendon::Error;
+using tendon::ErrorCode;
+using tendon::Result;
+
+/// Whether a path is one of these, or leads into one of them.
+bool IsIn(const std::set<std::string>& paths, std::string path) {
+  while (!paths.contains(path)) {
+    const std::size_t end = path.find_last_of("/.");
+    if (end == path.npos) return false;
+    path.resize(end);
+  }
+  return true;
+}
+
+}  // namespace
+
+bool IsGlob(const std::string& path) { return path.find('*') != path.npos; }
+
+Result<std::vector<Thing>> ThingsThatFit(const tendon::Catalog& catalog, const std::string& glob) {
+  auto things = ThingsIn(catalog);
+  std::erase_if(things, [&](const Thing& one) { return !tendon::MatchesGlob(glob, one.path); });
+  if (!things.empty()) return things;
+  return Error{ErrorCode::kNotFound, "nothing fits '" + glob + "'; gcm ls -R lists what there is"};
+}
+
+Result<std::vector<Thing>> ThingsThatFitOrAreInside(const tendon::Catalog& catalog,
+                                                    const std::string& glob) {
+  const auto fitting = ThingsThatFit(catalog, glob);
+  if (!fitting) return fitting;
+  std::set<std::string> paths;
+  for (const Thing& one : *fitting) paths.insert(one.path);
+  auto things = ThingsIn(catalog);
+  std::erase_if(things, [&](const Thing& one) { return !IsIn(paths, one.path); });
+  return things;
+}
+
+Error TakesOneName(const std::string& command, const std::string& glob) {
+  return {ErrorCode::kInvalid, "'" + glob + "' may name several things, and " + command +
+                                   " takes one name; list them with: gcm find '" + glob + "'"};
+}
+
+}  // namespace console
