@@ -408,10 +408,11 @@ void CatalogueModel::emitValuesChanged(CatalogueItem& item) {
   }
 }
 
-/// Only what comes when all the others have been there for a while.
+/// Only what comes when all the others have been there for a while: a GCM that is back tells all
+/// of it anew.
 void CatalogueModel::markFresh(const CatalogueItem& item) {
   if (begun_ == 0) begun_ = now_;
-  if (now_ < begun_ + kFresh || item.kind >= ItemKind::kColumn) return;
+  if (outdated_ || now_ < begun_ + kFresh || item.kind >= ItemKind::kColumn) return;
   fresh_.insert(item.path, now_ + kFresh);
 }
 
@@ -438,6 +439,7 @@ void CatalogueModel::setNow(qint64 now) {
 void CatalogueModel::setOutdated(bool outdated) {
   if (outdated == outdated_) return;
   outdated_ = outdated;
+  if (!outdated) begun_ = now_;
   // Views draw all they show anew, whichever rows are named.
   if (root_->children.empty()) return;
   Q_EMIT dataChanged(indexFor(*root_->children.front()), indexFor(*root_->children.back(), kValue));

@@ -104,6 +104,24 @@ TEST_F(CatalogueModelTest, WhatComesLaterIsMarkedForTenSeconds) {
   EXPECT_FALSE(model_.indexOf("robot/left_arm").data(kFreshRole).toBool());
 }
 
+TEST_F(CatalogueModelTest, WhatAGcmThatIsBackTellsAnewIsNotMarked) {
+  SystemBuilder system = LookSystem(0);
+  model_.setNow(100 * kSecond);
+  Show(system);
+
+  model_.setNow(200 * kSecond);
+  model_.setOutdated(true);
+  store_.replace({});
+  store_.replace(LookSystem(0).catalog());
+  EXPECT_FALSE(model_.indexOf("robot/arm").data(kFreshRole).toBool()) << "it tells what it knows";
+
+  store_.replace({});
+  model_.setOutdated(false);
+  model_.setNow(205 * kSecond);
+  store_.replace(LookSystem(0).catalog());
+  EXPECT_FALSE(model_.indexOf("robot/arm").data(kFreshRole).toBool()) << "all join it again";
+}
+
 TEST_F(CatalogueModelTest, AValueOpensItsColumnIntoFieldsAndElements) {
   SystemBuilder system = LookSystem(0);
   Show(system);
