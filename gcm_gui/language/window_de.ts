@@ -2509,12 +2509,20 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <source>gone (%1)</source>
         <translation>fort (%1)</translation>
     </message>
+    <message>
+        <source>%1 is shown in another window; this one hosts a GCM, and stays open</source>
+        <translation>%1 zeigt ein anderes Fenster; dieses betreibt einen GCM und bleibt offen</translation>
+    </message>
 </context>
 <context>
     <name>tendon::gui::Words::Words</name>
     <message>
         <source>%1 curves</source>
         <translation>%1 Kurven</translation>
+    </message>
+    <message>
+        <source>%1 is shown in another window; this one hosts a GCM, and stays open</source>
+        <translation>%1 zeigt ein anderes Fenster; dieses betreibt einen GCM und bleibt offen</translation>
     </message>
 </context>
 </TS>

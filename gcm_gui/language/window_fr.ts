@@ -2509,12 +2509,20 @@ Possède %1 des commandes et événements requis.</translation>
         <source>gone (%1)</source>
         <translation>absents (%1)</translation>
     </message>
+    <message>
+        <source>%1 is shown in another window; this one hosts a GCM, and stays open</source>
+        <translation>%1 est montré dans une autre fenêtre ; celle-ci héberge un GCM et reste ouverte</translation>
+    </message>
 </context>
 <context>
     <name>tendon::gui::Words::Words</name>
     <message>
         <source>%1 curves</source>
         <translation>%1 courbes</translation>
+    </message>
+    <message>
+        <source>%1 is shown in another window; this one hosts a GCM, and stays open</source>
+        <translation>%1 est montré dans une autre fenêtre ; celle-ci héberge un GCM et reste ouverte</translation>
     </message>
 </context>
 </TS>

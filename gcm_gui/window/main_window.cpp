@@ -192,7 +192,7 @@ QWidget* MainWindow::buildGraphPage() {
   graph_commands_ = new GraphCommands(parts_, *graph_, *this);
   graph_page_ = new QStackedWidget;
   auto* empty = new EmptyState(parts_.link, !parts_.demo.isEmpty());
-  other_ = new OtherGcm(*this);
+  other_ = new OtherGcm(*this, parts_.link);
   connect(empty, &EmptyState::otherRequested, other_, &OtherGcm::ask);
   connect(empty, &EmptyState::demoRequested, this, [this] { files_->startDemo(); });
   graph_page_->addWidget(empty);

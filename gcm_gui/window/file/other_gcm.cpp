@@ -1,4 +1,5 @@
 #include <gcm_gui/language/words.h>
+#include <gcm_gui/session/gcm_link.h>
 #include <gcm_gui/window/file/other_gcm.h>
 
 #include <QCoreApplication>
@@ -10,20 +11,23 @@
 namespace tendon::gui {
 
 QStringList ArgumentsFor(const QStringList& mine, const QString& address) {
-  const QStringList places{QStringLiteral("--gcm"), QStringLiteral("--listen")};
+  const QStringList own{QStringLiteral("--gcm"), QStringLiteral("--listen"),
+                        QStringLiteral("--describe-ui")};
+  const QStringList without_value{QStringLiteral("--read-only"), QStringLiteral("--no-tour"),
+                                  QStringLiteral("--insecure")};
   QStringList arguments;
-  for (qsizetype i = 0; i < mine.size(); ++i) {
-    if (places.contains(mine[i])) {
-      ++i;  // its value
-    } else if (!places.contains(mine[i].section('=', 0, 0))) {
-      arguments.append(mine[i]);
-    }
+  for (qsizetype i = 0; i < mine.size() && mine[i] != QStringLiteral("--"); ++i) {
+    if (!mine[i].startsWith(QStringLiteral("--"))) continue;  // the system file
+    const bool is_kept = !own.contains(mine[i].section('=', 0, 0));
+    if (is_kept) arguments.append(mine[i]);
+    if (mine[i].contains('=') || without_value.contains(mine[i])) continue;
+    if (++i < mine.size() && is_kept) arguments.append(mine[i]);
   }
   return arguments << QStringLiteral("--gcm") << address;
 }
 
-OtherGcm::OtherGcm(QWidget& window, Launch launch)
-    : QObject(&window), window_(window), launch_(std::move(launch)) {}
+OtherGcm::OtherGcm(QWidget& window, const GcmLink& link, Launch launch)
+    : QObject(&window), window_(window), link_(link), launch_(std::move(launch)) {}
 
 bool OtherGcm::startProgram(const QStringList& arguments) {
   return QProcess::startDetached(QCoreApplication::applicationFilePath(), arguments);
@@ -43,11 +47,15 @@ void OtherGcm::goTo(const QString& address) {
   const QString wanted = address.trimmed();
   if (wanted.isEmpty()) return;
   const QStringList mine = QCoreApplication::arguments().mid(1);
-  if (launch_(ArgumentsFor(mine, wanted))) {
-    window_.close();
-  } else {
-    Q_EMIT notice(Words::tr("Another window could not be started"));
+  if (!launch_(ArgumentsFor(mine, wanted))) {
+    return Q_EMIT notice(Words::tr("Another window could not be started"));
   }
+  if (!link_.isHosted()) {
+    window_.close();
+    return;
+  }
+  Q_EMIT notice(
+      Words::tr("%1 is shown in another window; this one hosts a GCM, and stays open").arg(wanted));
 }
 
 }  // namespace tendon::gui

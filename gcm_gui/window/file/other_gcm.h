@@ -9,7 +9,10 @@ class QWidget;
 
 namespace tendon::gui {
 
-/// Goes over to a GCM at another address: with a window of its own, in place of this one.
+class GcmLink;
+
+/// Goes over to a GCM at another address: with a window of its own, in place of this one. A window
+/// that hosts its GCM stays, for others may use that.
 class OtherGcm : public QObject {
   Q_OBJECT
 
@@ -17,7 +20,7 @@ class OtherGcm : public QObject {
   /// Starts this program with these arguments; false where it does not.
   using Launch = std::function<bool(const QStringList& arguments)>;
 
-  explicit OtherGcm(QWidget& window, Launch launch = &OtherGcm::startProgram);
+  OtherGcm(QWidget& window, const GcmLink& link, Launch launch = &OtherGcm::startProgram);
 
   /// Asks for the address.
   void ask();
@@ -31,10 +34,12 @@ class OtherGcm : public QObject {
   void goTo(const QString& address);
 
   QWidget& window_;
+  const GcmLink& link_;
   Launch launch_;
 };
 
-/// Those of a program that is to show the GCM at `address` as this one shows its own.
+/// Those of a program that is to show the GCM at `address` as this one shows its own; without the
+/// system file that this one was to bring up there.
 [[nodiscard]] QStringList ArgumentsFor(const QStringList& mine, const QString& address);
 
 }  // namespace tendon::gui

@@ -1,3 +1,4 @@
+#include <gcm_gui/session/gcm_link.h>
 #include <gcm_gui/window/file/other_gcm.h>
 #include <gtest/gtest.h>
 
@@ -17,6 +18,15 @@ TEST(ArgumentsFor, KeepsAllButWhereTheGcmIs) {
   EXPECT_EQ(ArgumentsFor({}, "b"), (QStringList{"--gcm", "b"}));
 }
 
+TEST(ArgumentsFor, LeavesOutTheSystemFileAndWhereThisWindowIsDescribed) {
+  EXPECT_EQ(ArgumentsFor({"lab.json", "--describe-ui", "ui.txt", "--layout", "plots.json"}, "b"),
+            (QStringList{"--layout", "plots.json", "--gcm", "b"}));
+  EXPECT_EQ(ArgumentsFor({"--insecure", "--no-tour", "lab.json", "--describe-ui=ui.txt"}, "b"),
+            (QStringList{"--insecure", "--no-tour", "--gcm", "b"}));
+  EXPECT_EQ(ArgumentsFor({"--theme=dark", "--", "lab.json"}, "b"),
+            (QStringList{"--theme=dark", "--gcm", "b"}));
+}
+
 class OtherGcmTest : public ::testing::Test {
  protected:
   OtherGcmTest() { window_.show(); }
@@ -30,9 +40,10 @@ class OtherGcmTest : public ::testing::Test {
   }
 
   QWidget window_;
+  GcmLink link_;
   bool starts_ = true;
   std::optional<QStringList> launched_;
-  OtherGcm& other_ = *new OtherGcm(window_, [this](const QStringList& arguments) {
+  OtherGcm& other_ = *new OtherGcm(window_, link_, [this](const QStringList& arguments) {
     launched_ = arguments;
     return starts_;
   });
@@ -44,6 +55,17 @@ TEST_F(OtherGcmTest, AnotherWindowComesInPlaceOfThisOne) {
   ASSERT_TRUE(launched_);
   EXPECT_EQ(launched_->mid(launched_->size() - 2), (QStringList{"--gcm", "robot1"}));
   EXPECT_FALSE(window_.isVisible());
+}
+
+TEST_F(OtherGcmTest, AWindowThatHostsTheGcmStaysAndSaysSo) {
+  QSignalSpy notice(&other_, &OtherGcm::notice);
+  link_.setAddress("127.0.0.1:10705", true);
+  Choose("robot1");
+
+  EXPECT_TRUE(launched_);
+  EXPECT_TRUE(window_.isVisible());
+  ASSERT_EQ(notice.count(), 1);
+  EXPECT_TRUE(notice[0][0].toString().startsWith("robot1 is shown in another window"));
 }
 
 TEST_F(OtherGcmTest, WhereNoneComesThisOneStaysAndSaysSo) {
