@@ -69,16 +69,18 @@ CataloguePanel::CataloguePanel(CatalogueFilter& filter, Selection& selection, Si
   connect(field_, &QLineEdit::textChanged, &filter_, &CatalogueFilter::setText);
   connect(&filter_, &CatalogueFilter::filterApplied, this, &CataloguePanel::showCount);
   connect(&filter_, &CatalogueFilter::filterApplied, this, &CataloguePanel::foldGone);
-  connect(&selection, &Selection::changed, this, &CataloguePanel::foldGone);
+  connect(&selection, &Selection::changed, this, &CataloguePanel::showSelected);
   connect(gone_, &QToolButton::toggled, this, &CataloguePanel::foldGone);
-  const auto count_soon = [this] { count_soon_.start(); };
+  const auto hear_rows = [this](const QModelIndex& below) {
+    count_soon_.start();
+    if (!below.isValid()) foldGone();
+  };
   connect(&filter_, &QAbstractItemModel::dataChanged, this,
-          [this](const QModelIndex&, const QModelIndex&, const QList<int>& roles) {
-            if (roles.isEmpty()) foldGone();  // one may be back
+          [this](const QModelIndex& first, const QModelIndex&, const QList<int>& roles) {
+            if (roles.isEmpty() && !first.parent().isValid()) foldGone();  // one may be back
           });
-  connect(&filter_, &QAbstractItemModel::rowsInserted, this, count_soon);
-  connect(&filter_, &QAbstractItemModel::rowsRemoved, this, count_soon);
-  tree_->setEmptyText(Words::tr("Nothing here yet."));
+  connect(&filter_, &QAbstractItemModel::rowsInserted, this, hear_rows);
+  connect(&filter_, &QAbstractItemModel::rowsRemoved, this, hear_rows);
   showCount();
 }
 
@@ -114,6 +116,26 @@ void CataloguePanel::foldGone() {
     const bool is_hidden = is_folded && !gone_->isChecked();
     if (tree_->isRowHidden(row, {}) != is_hidden) tree_->setRowHidden(row, {}, is_hidden);
   }
+  tellFolded(folded);
+}
+
+/// What was selected before stays until the clock folds it: nothing moves under the hand.
+void CataloguePanel::showSelected() {
+  int hidden = 0;
+  bool is_shown = false;
+  for (int row = 0; row < filter_.rowCount({}); ++row) {
+    if (!tree_->isRowHidden(row, {})) continue;
+    const bool is_folded = isFolded(filter_.index(row, 0, {}));
+    if (is_folded) ++hidden;
+    if (!is_folded) tree_->setRowHidden(row, {}, false);
+    is_shown = is_shown || !is_folded;
+  }
+  if (!is_shown) return;
+  tellFolded(hidden);
+  tree_->scrollTo(tree_->currentIndex());
+}
+
+void CataloguePanel::tellFolded(int folded) {
   gone_->setVisible(folded > 0);
   gone_->setText((gone_->isChecked() ? QStringLiteral("▾ ") : QStringLiteral("▸ ")) +
                  Words::tr("gone (%1)").arg(folded));

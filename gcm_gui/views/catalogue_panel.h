@@ -39,6 +39,8 @@ class CataloguePanel : public QWidget {
  private:
   void showCount();
   void foldGone();
+  void showSelected();
+  void tellFolded(int folded);
   [[nodiscard]] bool isFolded(const QModelIndex& process) const;
 
   CatalogueFilter& filter_;

@@ -3,6 +3,7 @@
 #include <gcm_gui/views/catalogue_tree.h>
 #include <gcm_gui/views/row_delegate.h>
 
+#include <QContextMenuEvent>
 #include <QHeaderView>
 #include <QScopedValueRollback>
 #include <chrono>
@@ -101,6 +102,15 @@ void CatalogueTree::applyFilter() {
   showSelection();
   if (!filter_.active()) scrollTo(currentIndex());
   settle_.start();
+}
+
+/// None on the empty ground, where the hand points at nothing of what it would steer.
+void CatalogueTree::contextMenuEvent(QContextMenuEvent* event) {
+  const bool is_by_key = event->reason() == QContextMenuEvent::Keyboard;
+  if (!is_by_key && !indexAt(event->pos()).isValid()) return;
+  const QRect current = visualRect(currentIndex());
+  Q_EMIT menuRequested(is_by_key ? viewport()->mapToGlobal(current.bottomLeft())
+                                 : event->globalPos());
 }
 
 void CatalogueTree::activateRow(const QModelIndex& index) {

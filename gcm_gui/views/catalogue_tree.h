@@ -34,8 +34,11 @@ class CatalogueTree : public RowView {
  Q_SIGNALS:
   void plotRequested(const QString& path);
   void connectRequested(const QString& path);
+  /// Of what is selected, at a place on the screen.
+  void menuRequested(const QPoint& place);
 
  protected:
+  void contextMenuEvent(QContextMenuEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   void showEvent(QShowEvent* event) override;
   void hideEvent(QHideEvent* event) override;

@@ -123,12 +123,8 @@ void MainWindow::addSteerCommands() {
                    {Words::tr("Connect"), Words::tr("Disconnect"),
                     Words::tr("Why is it connected, or not?"), Words::tr("Call the command")});
   graph_commands_->setComponentMenu(steer_->menu(), selection_);
-  CatalogueTree& tree = catalogue_->tree();
-  tree.setContextMenuPolicy(Qt::CustomContextMenu);
-  connect(&tree, &QWidget::customContextMenuRequested, steer_, [this, &tree](const QPoint& place) {
-    if (!selection_.current().isEmpty()) {
-      steer_->menu().popup(tree.viewport()->mapToGlobal(place));
-    }
+  connect(&catalogue_->tree(), &CatalogueTree::menuRequested, steer_, [this](const QPoint& place) {
+    if (!selection_.current().isEmpty()) steer_->menu().popup(place);
   });
 }
 

@@ -124,6 +124,25 @@ TEST_F(SteerTest, TheButtonOfTheCardIsHeld) {
   EXPECT_TRUE(IsAsked({"restart robot/arm"}));
 }
 
+TEST_F(SteerTest, TheMenuOfTheCatalogueIsOfARowAloneOrOfItsKey) {
+  CatalogueTree& tree = window_.catalogue().tree();
+  window_.selection().select("robot/arm");
+  window_.catalogue().filterField().setText("robot/arm type:component");
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] {
+        return !tree.indexAt(tree.viewport()->rect().bottomLeft() + QPoint(20, -4)).isValid();
+      },
+      kPatience));
+
+  EXPECT_EQ(MenuAt(*tree.viewport(), tree.viewport()->rect().bottomLeft() + QPoint(20, -4)),
+            nullptr);
+  QContextMenuEvent key(QContextMenuEvent::Keyboard, {}, {});
+  QApplication::sendEvent(&tree, &key);
+  auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+  ASSERT_NE(menu, nullptr);
+  menu->close();
+}
+
 TEST_F(SteerTest, ARowAndACardOfTheGraphHaveTheirMenu) {
   CatalogueTree& tree = window_.catalogue().tree();
   tree.reveal("robot/arm");

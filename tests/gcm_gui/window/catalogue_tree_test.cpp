@@ -140,11 +140,24 @@ TEST_F(GoneTest, AFilterAndASelectionShowItAllTheSame) {
 
   selection_.select("vision/camera");
   EXPECT_TRUE(IsSeen("vision"));
+  EXPECT_TRUE(panel_.tree().visibleRows().contains("vision/camera")) << "it is scrolled to";
+  EXPECT_FALSE(fold().isVisible());
   selection_.select("robot/arm");
+  EXPECT_TRUE(IsSeen("vision")) << "nothing moves under the hand";
+  Pass(61);
   EXPECT_FALSE(IsSeen("vision"));
 
   filter_.applyText("vision");
   EXPECT_TRUE(IsSeen("vision"));
+  EXPECT_FALSE(fold().isVisible());
+}
+
+TEST_F(GoneTest, TheButtonGoesWithTheLastOfThem) {
+  Pass(60);
+  ASSERT_TRUE(fold().isVisible());
+
+  model_.update({}, {{"vision", {}}});
+
   EXPECT_FALSE(fold().isVisible());
 }
 
