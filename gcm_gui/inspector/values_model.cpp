@@ -42,6 +42,11 @@ QString ValuesModel::unit(int row) const {
   return ToQString((*block->values.channels)[channel].unit);
 }
 
+bool ValuesModel::isNumber(int row) const {
+  const Block* block = placeOf(row).block;
+  return block != nullptr && block->isKnown() && !block->values.channels->empty();
+}
+
 QVariant ValuesModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
   const Place place = placeOf(index.row());
@@ -55,12 +60,7 @@ QVariant ValuesModel::data(const QModelIndex& index, int role) const {
     case kPathRole:
       return block->column + field;
     case Qt::ToolTipRole:
-      return isSilent(*block) ? Words::tr(
-                                    "%1 has not answered for %2 s: a click, or Enter, asks it "
-                                    "again")
-                                    .arg(block->column.section('/', 0, 0))
-                                    .arg(kPatience.count())
-                              : block->column + field;
+      return isSilent(*block) ? silenceOf(*block) : block->column + field;
     case kFaceRole:
       return static_cast<int>(Face::kMono);
     case kDetailRole:
@@ -73,12 +73,27 @@ QVariant ValuesModel::data(const QModelIndex& index, int role) const {
     case kFreshRole:
       return index.column() == kValue ? valueOf(place, role) : QVariant();
     case Qt::AccessibleTextRole:
-      return QStringLiteral("%1%2 %3 %4")
-          .arg(block->name, field, valueOf(place, Qt::DisplayRole).toString(),
-               valueOf(place, kUnitRole).toString());
+      return spokenOf(place, field);
     default:
       return valueOf(place, role);
   }
+}
+
+QString ValuesModel::silenceOf(const Block& block) const {
+  if (!block.refusal.isEmpty()) return block.refusal;
+  return Words::tr("%1 has not answered for %2 s: a click, or Enter, asks it again")
+      .arg(block.column.section('/', 0, 0))
+      .arg(kPatience.count());
+}
+
+/// Also how often it comes, or how old it is.
+QString ValuesModel::spokenOf(const Place& place, const QString& field) const {
+  const QString detail = detailOf(*place.block, place.channel);
+  const QString value =
+      QStringLiteral("%1%2 %3 %4")
+          .arg(place.block->name, field, valueOf(place, Qt::DisplayRole).toString(),
+               valueOf(place, kUnitRole).toString());
+  return detail.isEmpty() ? value : value + QStringLiteral(", ") + detail;
 }
 
 QVariant ValuesModel::valueOf(const Place& place, int role) const {
@@ -86,6 +101,9 @@ QVariant ValuesModel::valueOf(const Place& place, int role) const {
   const bool silent = isSilent(*block);
   switch (role) {
     case Qt::DisplayRole:
+      if (silent && !block->refusal.isEmpty()) {
+        return Words::tr("%1 · ask again").arg(block->refusal);
+      }
       if (silent) return Words::tr("no answer in %1 s · ask again").arg(kPatience.count());
       break;
     case kUnitRole:
@@ -111,8 +129,8 @@ QVariant ValuesModel::valueOf(const Place& place, int role) const {
 }
 
 bool ValuesModel::isSilent(const Block& block) const {
-  return !block.isKnown() && !stale_ && block.awaited != SteadyTime::max() &&
-         clock_.Now() - block.awaited >= kPatience;
+  if (block.isKnown() || stale_ || block.awaited == SteadyTime::max()) return false;
+  return !block.refusal.isEmpty() || clock_.Now() - block.awaited >= kPatience;
 }
 
 /// Later than the rate lets expect.
@@ -136,11 +154,17 @@ void ValuesModel::await() {
   }
 }
 
+void ValuesModel::awaitNothing() {
+  for (Block& block : blocks_) block.awaited = SteadyTime::max();
+}
+
 QString ValuesModel::askAgain(int row) {
   const Place place = placeOf(row);
   if (place.block == nullptr || !isSilent(*place.block)) return {};
   for (Block& block : blocks_) {
-    if (block.column == place.block->column) block.awaited = clock_.Now();
+    if (block.column != place.block->column) continue;
+    block.awaited = clock_.Now();
+    block.refusal.clear();
   }
   Q_EMIT dataChanged(index(row, 0), index(row, kColumnCount - 1));
   return place.block->column;
@@ -179,6 +203,10 @@ void ValuesModel::show(const QString& path, const ComponentDescription* componen
     endResetModel();
   } else if (stale != stale_) {
     stale_ = stale;
+    for (Block& block : blocks_) {  // whoever is back has all the time again
+      if (block.awaited != SteadyTime::max()) block.awaited = clock_.Now();
+      block.refusal.clear();
+    }
     if (rowCount() > 0) Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, kColumnCount - 1));
   }
 }
@@ -234,6 +262,17 @@ void ValuesModel::replaceRows(Block& block, int first, const ColumnValues& value
   endInsertRows();
 }
 
+void ValuesModel::showRefusal(const QString& column, const QString& reason) {
+  int row = 0;
+  for (Block& block : blocks_) {
+    if (block.column == column && block.refusal != reason) {
+      block.refusal = reason;
+      Q_EMIT dataChanged(index(row, 0), index(row, kColumnCount - 1));
+    }
+    row += block.rows();
+  }
+}
+
 void ValuesModel::showValues(const QString& column, const ColumnValues& values) {
   int first = 0;
   for (Block& block : blocks_) {
@@ -247,6 +286,7 @@ void ValuesModel::showValues(const QString& column, const ColumnValues& values) 
     } else {
       replaceRows(block, first, values);
     }
+    block.refusal.clear();
     block.arrived = clock_.Now();
     measureRate(block);
     addToTrends(block);

@@ -43,8 +43,13 @@ class ValuesModel : public QAbstractTableModel {
   /// Of a row; empty for none.
   [[nodiscard]] QString unit(int row) const;
 
+  /// Whether a row has a number, which can be plotted.
+  [[nodiscard]] bool isNumber(int row) const;
+
   /// From now on answers are awaited; of what has none yet.
   void await();
+  /// Until await(), which begins anew, none are.
+  void awaitNothing();
   /// The column of a row that has not answered in time, which is awaited anew; else empty.
   [[nodiscard]] QString askAgain(int row);
   /// What has grown old since the last time, a few times a second.
@@ -52,6 +57,7 @@ class ValuesModel : public QAbstractTableModel {
 
  public Q_SLOTS:
   void showValues(const QString& column, const tendon::gui::ColumnValues& values);
+  void showRefusal(const QString& column, const QString& reason);
 
  private:
   struct Block {  // the rows of one column
@@ -61,6 +67,7 @@ class ValuesModel : public QAbstractTableModel {
     std::vector<QList<double>> trends = {};  // of each channel
     std::vector<SteadyTime> changed = {};    // likewise
     SteadyTime awaited = SteadyTime::max();  // since then, while nothing has come
+    QString refusal = {};                    // why nothing has come, where that is known
     SteadyTime arrived = {};                 // its newest row
     std::uint64_t rows_before = 0;           // at the beginning of what the rate is of
     std::int64_t time_before = 0;            // likewise
@@ -81,6 +88,9 @@ class ValuesModel : public QAbstractTableModel {
   [[nodiscard]] bool isSilent(const Block& block) const;
   [[nodiscard]] bool isOld(const Block& block) const;
   [[nodiscard]] QString detailOf(const Block& block, std::size_t channel) const;
+  /// Why a silent one says so.
+  [[nodiscard]] QString silenceOf(const Block& block) const;
+  [[nodiscard]] QString spokenOf(const Place& place, const QString& field) const;
   [[nodiscard]] QVariant valueOf(const Place& place, int role) const;
   void replaceRows(Block& block, int first, const ColumnValues& values);
 

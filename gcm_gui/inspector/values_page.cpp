@@ -23,12 +23,14 @@ ValuesPage::ValuesPage(Selection& selection, SignalSource& source, QWidget* pare
   list_->rows().setValueColumn(ValuesModel::kValue);
   list_->setSelectionMode(QAbstractItemView::ExtendedSelection);
   connect(&source, &SignalSource::valuesArrived, &values_, &ValuesModel::showValues);
+  connect(&source, &SignalSource::valuesRefused, &values_, &ValuesModel::showRefusal);
   connect(&source, &SignalSource::valuesArrived, pictures_, &PictureShelf::showValues);
   connect(&values_, &QAbstractItemModel::dataChanged, list_->viewport(),
           [list = list_] { list->viewport()->update(); });
   connect(list_, &QTreeView::clicked, this, &ValuesPage::askAgain);
   connect(list_, &QTreeView::activated, this, &ValuesPage::askAgain);
   connect(list_, &QTreeView::doubleClicked, this, [this](const QModelIndex& index) {
+    if (!values_.isNumber(index.row())) return;  // its click asks again
     Q_EMIT plotRequested(index.data(kPathRole).toString(), values_.unit(index.row()));
   });
   connect(list_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
@@ -49,7 +51,10 @@ void ValuesPage::showComponent(const QString& path, const ComponentDescription& 
 
 void ValuesPage::setWanted(bool wanted) {
   source_.watch(&values_, wanted ? values_.columns() : QSet<QString>());
-  if (!wanted) return tick_.stop();
+  if (!wanted) {
+    values_.awaitNothing();
+    return tick_.stop();
+  }
   values_.await();
   if (!tick_.isActive()) tick_.start(kTick);
 }

@@ -2513,6 +2513,10 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <source>%1 is shown in another window; this one hosts a GCM, and stays open</source>
         <translation>%1 zeigt ein anderes Fenster; dieses betreibt einen GCM und bleibt offen</translation>
     </message>
+    <message>
+        <source>%1 · ask again</source>
+        <translation>%1 · erneut fragen</translation>
+    </message>
 </context>
 <context>
     <name>tendon::gui::Words::Words</name>
@@ -2523,6 +2527,10 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
     <message>
         <source>%1 is shown in another window; this one hosts a GCM, and stays open</source>
         <translation>%1 zeigt ein anderes Fenster; dieses betreibt einen GCM und bleibt offen</translation>
+    </message>
+    <message>
+        <source>%1 · ask again</source>
+        <translation>%1 · erneut fragen</translation>
     </message>
 </context>
 </TS>

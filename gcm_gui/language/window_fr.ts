@@ -2513,6 +2513,10 @@ Possède %1 des commandes et événements requis.</translation>
         <source>%1 is shown in another window; this one hosts a GCM, and stays open</source>
         <translation>%1 est montré dans une autre fenêtre ; celle-ci héberge un GCM et reste ouverte</translation>
     </message>
+    <message>
+        <source>%1 · ask again</source>
+        <translation>%1 · redemander</translation>
+    </message>
 </context>
 <context>
     <name>tendon::gui::Words::Words</name>
@@ -2523,6 +2527,10 @@ Possède %1 des commandes et événements requis.</translation>
     <message>
         <source>%1 is shown in another window; this one hosts a GCM, and stays open</source>
         <translation>%1 est montré dans une autre fenêtre ; celle-ci héberge un GCM et reste ouverte</translation>
+    </message>
+    <message>
+        <source>%1 · ask again</source>
+        <translation>%1 · redemander</translation>
     </message>
 </context>
 </TS>

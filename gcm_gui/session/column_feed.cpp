@@ -76,6 +76,11 @@ std::size_t ColumnFeed::OnRows(const RowBatch& batch) {
   return left_out;
 }
 
+QString ColumnFeed::refusal() {
+  const std::unique_lock lock(mutex_, std::try_to_lock);
+  return lock && stale_ ? *stale_ : QString();
+}
+
 RowLosses ColumnFeed::losses() {
   const std::unique_lock lock(mutex_, std::try_to_lock);
   if (lock) told_losses_ = losses_;

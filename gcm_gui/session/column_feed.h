@@ -43,6 +43,8 @@ class ColumnFeed final : public RowSink {
   [[nodiscard]] Taken take(const std::string& field);
   /// The newest row, when one has come (or the column has become known) since the last call.
   [[nodiscard]] std::optional<ColumnValues> takeValues();
+  /// Why no rows come, where that is known, else empty; empty too while a batch is read.
+  [[nodiscard]] QString refusal();
   /// Since the beginning; as they were before, while a batch is read.
   [[nodiscard]] RowLosses losses();
 

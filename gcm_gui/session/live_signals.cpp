@@ -116,11 +116,15 @@ void LiveSignals::drainSignal(Column& column, const QString& signal) {
 
 void LiveSignals::drainValues() {
   QList<std::pair<QString, ColumnValues>> arrived;
+  QList<std::pair<QString, QString>> refused;
   for (auto& [path, column] : columns_) {
     if (column.watchers.isEmpty()) continue;
     if (auto values = column.feed->takeValues()) arrived.append({path, std::move(*values)});
+    const QString refusal = column.feed->refusal();
+    if (!refusal.isEmpty()) refused.append({path, refusal});
   }
   for (const auto& [path, values] : arrived) Q_EMIT valuesArrived(path, values);
+  for (const auto& [path, reason] : refused) Q_EMIT valuesRefused(path, reason);
 }
 
 void LiveSignals::dropUnused() {

@@ -62,6 +62,8 @@ class SignalSource : public QObject {
   void wentStale(const QString& signal, const QString& reason);
 
   void valuesArrived(const QString& column, const tendon::gui::ColumnValues& values);
+  /// No values come for now, and why; again and again.
+  void valuesRefused(const QString& column, const QString& reason);
 };
 
 }  // namespace tendon::gui

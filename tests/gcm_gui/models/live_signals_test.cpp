@@ -95,6 +95,25 @@ TEST_F(LiveSignalsTest, NumbersOfOneColumnShareOneSubscription) {
   EXPECT_EQ(table.columns, std::vector<std::string>{"Joints"});
 }
 
+TEST_F(LiveSignalsTest, WhoWatchesIsToldWhyNothingComesUntilItDoes) {
+  QSignalSpy refused(&live_, &SignalSource::valuesRefused);
+  QObject owner;
+  live_.watch(&owner, {"robot/arm/state.Joints"});
+  Sink().OnStale({ErrorCode::kUnreachable, "its connection broke"});
+  live_.drainValues();
+  EXPECT_EQ(refused.count(), 0) << "its process is gone, which is shown of it";
+
+  Sink().OnStale({ErrorCode::kNotFound, "it has no such column"});
+  live_.drainValues();
+  ASSERT_EQ(refused.count(), 1);
+  EXPECT_EQ(refused[0][0], "robot/arm/state.Joints");
+  EXPECT_EQ(refused[0][1], "it has no such column");
+
+  Sink().OnSubscribed({PositionSchema()});
+  live_.drainValues();
+  EXPECT_EQ(refused.count(), 1);
+}
+
 TEST_F(LiveSignalsTest, EveryRowArrivesInOrderWithItsTickAndTime) {
   live_.subscribe(first_);
   Sink().OnSubscribed({PositionSchema()});

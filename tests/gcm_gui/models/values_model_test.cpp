@@ -123,6 +123,48 @@ TEST_F(ValuesInTime, WhoDoesNotAnswerSaysSoInItsOwnRowAndIsAskedAgain) {
   EXPECT_EQ(model_.askAgain(0), "");
 }
 
+TEST_F(ValuesInTime, WhoRefusesSaysWhyAndIsAskedAgain) {
+  model_.showRefusal(kJoints, "it has no such column");
+  EXPECT_EQ(Value(0).toString(), "it has no such column · ask again");
+  EXPECT_EQ(model_.index(0, 0).data(Qt::ToolTipRole), "it has no such column");
+  EXPECT_FALSE(model_.isNumber(0));
+
+  EXPECT_EQ(model_.askAgain(0), kJoints);
+  EXPECT_EQ(Value(0).toString(), "…");
+
+  model_.showRefusal(kJoints, "it has no such column");
+  Send(1, {0.5, 0});
+  EXPECT_EQ(Value(0).toString(), "0.5000");
+  EXPECT_TRUE(model_.isNumber(0));
+}
+
+TEST_F(ValuesInTime, WhatNobodySeesIsNotAwaited) {
+  model_.awaitNothing();
+  Pass(ValuesModel::kPatience);
+  model_.await();
+  EXPECT_EQ(Value(0).toString(), "…");
+
+  Pass(ValuesModel::kPatience);
+  EXPECT_EQ(Value(0).toString(), "no answer in 1 s · ask again");
+}
+
+TEST_F(ValuesInTime, WhoIsBackHasAllTheTimeAgain) {
+  model_.show("robot/arm", catalogue_.FindComponent("robot", "arm"), true);
+  Pass(10 * ValuesModel::kPatience);
+
+  model_.show("robot/arm", catalogue_.FindComponent("robot", "arm"), false);
+
+  EXPECT_EQ(Value(0).toString(), "…");
+}
+
+TEST_F(ValuesInTime, WhoListensHearsTheRateToo) {
+  Send(1, {0, 0});
+  Pass(std::chrono::seconds(1));
+  Send(1001, {0, 0});
+
+  EXPECT_TRUE(Value(0, Qt::AccessibleTextRole).toString().endsWith(", 1000 Hz"));
+}
+
 TEST_F(ValuesInTime, NobodyIsAccusedWhoIsKnownToBeGone) {
   model_.show("robot/arm", catalogue_.FindComponent("robot", "arm"), true);
   Pass(ValuesModel::kPatience);
