@@ -30,7 +30,8 @@ void Redo::again() {
   if (undone_.empty())
     return Q_EMIT notice(Words::tr("Nothing was undone that could be done again"));
   if (!ChangesConnections(undone_.back())) {
-    return Q_EMIT notice(Words::tr("Components are started and stopped by F6 to F9 alone"));
+    return Q_EMIT notice(
+        Words::tr("Starting and stopping is not done again: order it anew, as by F6 to F9"));
   }
   const Action action = std::move(undone_.back());
   undone_.pop_back();

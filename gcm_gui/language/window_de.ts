@@ -2310,8 +2310,8 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>%1 ist in %2 neu gestartet</translation>
     </message>
     <message>
-        <source>%1: %2 done in %3 · Ctrl+Z undoes</source>
-        <translation>%1: %2 in %3 erledigt · Strg+Z macht es rückgängig</translation>
+        <source>%1: %2 done in %3 · Ctrl+Z twice undoes</source>
+        <translation>%1: %2 in %3 erledigt · zweimal Strg+Z macht es rückgängig</translation>
     </message>
     <message>
         <source>Why is it connected, or not?</source>
@@ -2442,8 +2442,8 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Nichts wurde rückgängig gemacht, das wiederholt werden könnte</translation>
     </message>
     <message>
-        <source>Components are started and stopped by F6 to F9 alone</source>
-        <translation>Komponenten werden nur mit F6 bis F9 gestartet und angehalten</translation>
+        <source>Starting and stopping is not done again: order it anew, as by F6 to F9</source>
+        <translation>Starten und Beenden wird nicht wiederholt: neu anordnen, etwa mit F6 bis F9</translation>
     </message>
     <message>
         <source>%1 in its process</source>

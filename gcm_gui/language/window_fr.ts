@@ -2310,8 +2310,8 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>%1 a redémarré en %2</translation>
     </message>
     <message>
-        <source>%1: %2 done in %3 · Ctrl+Z undoes</source>
-        <translation>%1 : %2 fait en %3 · Ctrl+Z annule</translation>
+        <source>%1: %2 done in %3 · Ctrl+Z twice undoes</source>
+        <translation>%1 : %2 fait en %3 · Ctrl+Z deux fois annule</translation>
     </message>
     <message>
         <source>Why is it connected, or not?</source>
@@ -2442,8 +2442,8 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Rien n&apos;a été annulé qui puisse être refait</translation>
     </message>
     <message>
-        <source>Components are started and stopped by F6 to F9 alone</source>
-        <translation>Les composants ne sont démarrés et arrêtés que par F6 à F9</translation>
+        <source>Starting and stopping is not done again: order it anew, as by F6 to F9</source>
+        <translation>Démarrer et arrêter ne se rétablit pas : donnez l’ordre à nouveau, par exemple avec F6 à F9</translation>
     </message>
     <message>
         <source>%1 in its process</source>

@@ -12,8 +12,8 @@ namespace tendon::gui {
 
 class HoldButton;
 
-/// Asks once more before components are started or stopped: the button is held, or Enter pressed a
-/// second time.
+/// Asks once more before components are started or stopped: the button is held, or Enter
+/// pressed.
 class SteerCard : public OverlayCard {
   Q_OBJECT
 

@@ -1,5 +1,6 @@
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
+#include <gcm_gui/steer/steer_words.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
 #include <gcm_gui/window/bar/notice_line.h>
@@ -56,8 +57,8 @@ void NoticeLine::hear(const Action& finished) {
       return tell(
           finished.life == LifeVerb::kRestart
               ? Words::tr("%1 has been restarted in %2").arg(ToQString(finished.component), time)
-              : Words::tr("%1: %2 done in %3 · Ctrl+Z undoes")
-                    .arg(ToQString(finished.component), ToQString(ToString(finished.life)), time));
+              : Words::tr("%1: %2 done in %3 · Ctrl+Z twice undoes")
+                    .arg(ToQString(finished.component), WordOf(finished.life), time));
     case Action::Verb::kCall:
       return tell(Words::tr("Called in %1").arg(time));
     case Action::Verb::kLogLevel:
