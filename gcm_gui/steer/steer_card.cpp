@@ -69,7 +69,11 @@ void SteerCard::enter() {
 
 /// A key that is still held from what has opened the card is no second one.
 void SteerCard::keyPressEvent(QKeyEvent* event) {
-  if (!event->isAutoRepeat()) OverlayCard::keyPressEvent(event);
+  if (event->isAutoRepeat()) return;
+  const bool is_enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+  // A button that is to be held cannot be clicked.
+  if (is_enter && window()->focusWidget() == button_) return enter();
+  OverlayCard::keyPressEvent(event);
 }
 
 }  // namespace tendon::gui

@@ -143,6 +143,18 @@ TEST_F(SteerTest, TheMenuOfTheCatalogueIsOfARowAloneOrOfItsKey) {
   menu->close();
 }
 
+TEST_F(SteerTest, EnterOnTheButtonOfTheCardDoesWhatEnterDoesElsewhereOnIt) {
+  window_.selection().select("robot/arm");
+  QTest::keyClick(&window_, Qt::Key_F8);
+  Button("steer.confirm").setFocus();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return Button("steer.confirm").hasFocus(); }, kPatience));
+
+  QTest::keyClick(&Button("steer.confirm"), Qt::Key_Return);
+
+  EXPECT_TRUE(IsAsked({"stop robot/arm"}));
+  EXPECT_FALSE(Notice().startsWith("Nothing was done")) << Notice().toStdString();
+}
+
 TEST_F(SteerTest, ARowAndACardOfTheGraphHaveTheirMenu) {
   CatalogueTree& tree = window_.catalogue().tree();
   tree.reveal("robot/arm");
