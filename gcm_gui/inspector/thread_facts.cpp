@@ -56,10 +56,10 @@ QList<Fact> CycleFacts(double period, const CycleFigures& figures) {
       {Words::tr("Longest period"), time(&Second::longest)},
       {Words::tr("Starts late by"), time(&Second::late),
        Words::tr("Half of the cycles of the last second; 99 of 100; all of them")},
-      {Words::tr("99 of 100 by"), time(&Second::later)},
-      {Words::tr("At most by"), time(&Second::latest)},
+      {Words::tr("99 of 100 start within"), time(&Second::later)},
+      {Words::tr("Latest start"), time(&Second::latest)},
       {Words::tr("Computes for"), time(&Second::compute), Words::tr("Mean of the last second")},
-      {Words::tr("At most for"), time(&Second::most_computed)},
+      {Words::tr("Longest computation"), time(&Second::most_computed)},
       {Words::tr("Skipped cycles"), figures.skipped() ? QString::number(*figures.skipped()) : kNone,
        Words::tr("Since its start, because a cycle before took too long")}};
 }

@@ -2378,20 +2378,20 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Die Hälfte der Zyklen der letzten Sekunde; 99 von 100; alle</translation>
     </message>
     <message>
-        <source>99 of 100 by</source>
-        <translation>99 von 100 um</translation>
+        <source>99 of 100 start within</source>
+        <translation>99 von 100 beginnen binnen</translation>
     </message>
     <message>
-        <source>At most by</source>
-        <translation>Höchstens um</translation>
+        <source>Latest start</source>
+        <translation>Spätester Beginn</translation>
     </message>
     <message>
         <source>Computes for</source>
         <translation>Rechnet für</translation>
     </message>
     <message>
-        <source>At most for</source>
-        <translation>Höchstens für</translation>
+        <source>Longest computation</source>
+        <translation>Längste Rechnung</translation>
     </message>
     <message>
         <source>Thread</source>
@@ -2517,6 +2517,38 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <source>%1 · ask again</source>
         <translation>%1 · erneut fragen</translation>
     </message>
+    <message>
+        <source>Start the component</source>
+        <translation>Die Komponente starten</translation>
+    </message>
+    <message>
+        <source>Start %1 components</source>
+        <translation>%1 Komponenten starten</translation>
+    </message>
+    <message>
+        <source>Suspend the component</source>
+        <translation>Die Komponente anhalten</translation>
+    </message>
+    <message>
+        <source>Suspend %1 components</source>
+        <translation>%1 Komponenten anhalten</translation>
+    </message>
+    <message>
+        <source>Stop the component</source>
+        <translation>Die Komponente beenden</translation>
+    </message>
+    <message>
+        <source>Stop %1 components</source>
+        <translation>%1 Komponenten beenden</translation>
+    </message>
+    <message>
+        <source>Restart the component</source>
+        <translation>Die Komponente neu starten</translation>
+    </message>
+    <message>
+        <source>Restart %1 components</source>
+        <translation>%1 Komponenten neu starten</translation>
+    </message>
 </context>
 <context>
     <name>tendon::gui::Words::Words</name>
@@ -2531,6 +2563,38 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
     <message>
         <source>%1 · ask again</source>
         <translation>%1 · erneut fragen</translation>
+    </message>
+    <message>
+        <source>Start the component</source>
+        <translation>Die Komponente starten</translation>
+    </message>
+    <message>
+        <source>Start %1 components</source>
+        <translation>%1 Komponenten starten</translation>
+    </message>
+    <message>
+        <source>Suspend the component</source>
+        <translation>Die Komponente anhalten</translation>
+    </message>
+    <message>
+        <source>Suspend %1 components</source>
+        <translation>%1 Komponenten anhalten</translation>
+    </message>
+    <message>
+        <source>Stop the component</source>
+        <translation>Die Komponente beenden</translation>
+    </message>
+    <message>
+        <source>Stop %1 components</source>
+        <translation>%1 Komponenten beenden</translation>
+    </message>
+    <message>
+        <source>Restart the component</source>
+        <translation>Die Komponente neu starten</translation>
+    </message>
+    <message>
+        <source>Restart %1 components</source>
+        <translation>%1 Komponenten neu starten</translation>
     </message>
 </context>
 </TS>

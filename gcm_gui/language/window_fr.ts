@@ -2378,20 +2378,20 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>La moitié des cycles de la dernière seconde ; 99 sur 100 ; tous</translation>
     </message>
     <message>
-        <source>99 of 100 by</source>
-        <translation>99 sur 100 de</translation>
+        <source>99 of 100 start within</source>
+        <translation>99 sur 100 partent en</translation>
     </message>
     <message>
-        <source>At most by</source>
-        <translation>Au plus de</translation>
+        <source>Latest start</source>
+        <translation>Départ le plus tardif</translation>
     </message>
     <message>
         <source>Computes for</source>
         <translation>Calcule pendant</translation>
     </message>
     <message>
-        <source>At most for</source>
-        <translation>Au plus pendant</translation>
+        <source>Longest computation</source>
+        <translation>Calcul le plus long</translation>
     </message>
     <message>
         <source>Thread</source>
@@ -2517,6 +2517,38 @@ Possède %1 des commandes et événements requis.</translation>
         <source>%1 · ask again</source>
         <translation>%1 · redemander</translation>
     </message>
+    <message>
+        <source>Start the component</source>
+        <translation>Démarrer le composant</translation>
+    </message>
+    <message>
+        <source>Start %1 components</source>
+        <translation>Démarrer %1 composants</translation>
+    </message>
+    <message>
+        <source>Suspend the component</source>
+        <translation>Suspendre le composant</translation>
+    </message>
+    <message>
+        <source>Suspend %1 components</source>
+        <translation>Suspendre %1 composants</translation>
+    </message>
+    <message>
+        <source>Stop the component</source>
+        <translation>Arrêter le composant</translation>
+    </message>
+    <message>
+        <source>Stop %1 components</source>
+        <translation>Arrêter %1 composants</translation>
+    </message>
+    <message>
+        <source>Restart the component</source>
+        <translation>Redémarrer le composant</translation>
+    </message>
+    <message>
+        <source>Restart %1 components</source>
+        <translation>Redémarrer %1 composants</translation>
+    </message>
 </context>
 <context>
     <name>tendon::gui::Words::Words</name>
@@ -2531,6 +2563,38 @@ Possède %1 des commandes et événements requis.</translation>
     <message>
         <source>%1 · ask again</source>
         <translation>%1 · redemander</translation>
+    </message>
+    <message>
+        <source>Start the component</source>
+        <translation>Démarrer le composant</translation>
+    </message>
+    <message>
+        <source>Start %1 components</source>
+        <translation>Démarrer %1 composants</translation>
+    </message>
+    <message>
+        <source>Suspend the component</source>
+        <translation>Suspendre le composant</translation>
+    </message>
+    <message>
+        <source>Suspend %1 components</source>
+        <translation>Suspendre %1 composants</translation>
+    </message>
+    <message>
+        <source>Stop the component</source>
+        <translation>Arrêter le composant</translation>
+    </message>
+    <message>
+        <source>Stop %1 components</source>
+        <translation>Arrêter %1 composants</translation>
+    </message>
+    <message>
+        <source>Restart the component</source>
+        <translation>Redémarrer le composant</translation>
+    </message>
+    <message>
+        <source>Restart %1 components</source>
+        <translation>Redémarrer %1 composants</translation>
     </message>
 </context>
 </TS>

@@ -53,7 +53,7 @@ void SteerCard::ask(LifeVerb verb, const std::vector<Path>& components) {
   components_ = components;
   QStringList names;
   for (const Path& component : components) names.append(ToQString(ToString(component)));
-  head().setTitle(WordOf(verb));
+  head().setTitle(TitleOf(verb, components.size()));
   setAccessibleName(WordOf(verb) + ' ' + names.join(' '));
   names_->setText(names.join('\n'));
   advice_->setText(CardAdviceOf(verb));

@@ -39,6 +39,25 @@ QString HoldWordOf(LifeVerb verb) {
   }
 }
 
+QString TitleOf(LifeVerb verb, std::size_t components) {
+  const bool is_one = components == 1;
+  const auto title = [&](const QString& one, const QString& several) {
+    return is_one ? one : several.arg(components);
+  };
+  switch (verb) {
+    case LifeVerb::kStart:
+      return title(Words::tr("Start the component"), Words::tr("Start %1 components"));
+    case LifeVerb::kSuspend:
+      return title(Words::tr("Suspend the component"), Words::tr("Suspend %1 components"));
+    case LifeVerb::kStop:
+      return title(Words::tr("Stop the component"), Words::tr("Stop %1 components"));
+    case LifeVerb::kRestart:
+      return title(Words::tr("Restart the component"), Words::tr("Restart %1 components"));
+    default:
+      return WordOf(verb);
+  }
+}
+
 QString ButtonAdviceOf(LifeVerb verb) {
   return EndsSomething(verb)
              ? Words::tr("It ends what the component does: hold the button for 0.4 s")

@@ -15,6 +15,8 @@ inline constexpr std::array kSteerVerbs{LifeVerb::kStart, LifeVerb::kSuspend, Li
 [[nodiscard]] QString WordOf(LifeVerb verb);
 /// "Hold to start".
 [[nodiscard]] QString HoldWordOf(LifeVerb verb);
+/// "Stop the component", "Stop 2 components".
+[[nodiscard]] QString TitleOf(LifeVerb verb, std::size_t components);
 /// What may come of it, and so how it is asked for: "It can set something in motion: hold …".
 [[nodiscard]] QString ButtonAdviceOf(LifeVerb verb);
 [[nodiscard]] QString CardAdviceOf(LifeVerb verb);

@@ -63,6 +63,7 @@ EmptyState::EmptyState(const GcmLink& link, bool offers_demo, QWidget* parent)
   auto* other = new QPushButton(Words::tr("Connect to another machine…"));
   other->setObjectName(QStringLiteral("otherMachine"));
   connect(other, &QPushButton::clicked, this, &EmptyState::otherRequested);
+  column->addSpacing(2 * kGrid);
   column->addWidget(other, 0, Qt::AlignLeft);
   auto* middle = new QHBoxLayout(this);
   middle->addStretch(1);

@@ -192,7 +192,7 @@ TEST(ThreadFacts, TellWhoseThreadItIsAndHowItsCyclesWent) {
   EXPECT_EQ(value("Processors"), "2, 3");
   EXPECT_EQ(value("Wanted period"), "1 ms · 1 kHz");
   EXPECT_EQ(value("Starts late by"), "35.0 µs");
-  EXPECT_EQ(value("At most by"), "52.00 ms");
+  EXPECT_EQ(value("Latest start"), "52.00 ms");
   arm.leader = "controller";
   EXPECT_EQ(value("Thread"), "that of controller");
   EXPECT_EQ(value("Scheduling"), "");
