@@ -111,6 +111,7 @@ void PlotPanel::add(PlotView& view, const CurveKey& key) {
   if (view.curve(key.path) != nullptr) return;
   const bool wanted = !isPlotted(key.path);
   view.addCurve(key);
+  if (losses_) view.curve(key.path)->setLossesBefore(losses_(key.path));
   shareMemory();
   nameTab(view);
   updateHead();
@@ -325,7 +326,7 @@ void PlotPanel::updateHead() {
   head_->setMemory(used, memory_, is_thinned);
   auto figures = currentPlot().figures();
   for (SourceFigures& each : figures) {
-    if (losses_) each.losses = losses_(each.path);
+    if (losses_) each.losses = losses_(each.path).since(each.losses_before);
   }
   head_->setFigures(figures);
   head_->setWindow(currentPlot().window().length());

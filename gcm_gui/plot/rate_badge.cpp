@@ -78,7 +78,7 @@ void RateBadge::setFigures(const std::vector<SourceFigures>& figures) {
                      .arg(each.source, RateText(each.rate))
                      .arg(each.lost)
                      .arg(each.repeated) +
-                 PlacesText(each.losses);
+                 (each.lost > 0 ? PlacesText(each.losses) : QString());
   }
   setToolTip(lines.join('\n'));
 }

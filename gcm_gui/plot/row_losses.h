@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 namespace tendon::gui {
@@ -10,6 +11,13 @@ struct RowLosses {
   std::uint64_t network = 0;  ///< refused by the link, or written while there was none
   std::uint64_t viewer = 0;   ///< in this window
 
+  /// What has come since `before`.
+  [[nodiscard]] RowLosses since(const RowLosses& before) const {
+    const auto rest = [](std::uint64_t now, std::uint64_t then) {
+      return now - std::min(now, then);
+    };
+    return {rest(table, before.table), rest(network, before.network), rest(viewer, before.viewer)};
+  }
   bool operator==(const RowLosses&) const = default;
 };
 

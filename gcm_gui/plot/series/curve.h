@@ -1,6 +1,7 @@
 #pragma once
 
 #include <gcm_gui/plot/history/coarse_history.h>
+#include <gcm_gui/plot/row_losses.h>
 #include <gcm_gui/plot/series/envelope.h>
 #include <gcm_gui/plot/series/sample_ring.h>
 #include <gcm_gui/plot/series/signal_path.h>
@@ -45,6 +46,10 @@ class Curve {
   [[nodiscard]] bool isStale() const { return !stale_reason_.isEmpty(); }
   [[nodiscard]] const QString& staleReason() const { return stale_reason_; }
 
+  /// What its source had lost before it began.
+  void setLossesBefore(const RowLosses& losses) { losses_before_ = losses; }
+  [[nodiscard]] const RowLosses& lossesBefore() const { return losses_before_; }
+
   void setVisible(bool visible) { visible_ = visible; }
   [[nodiscard]] bool isVisible() const { return visible_; }
 
@@ -71,6 +76,7 @@ class Curve {
   int color_index_;
   bool visible_ = true;
   QString stale_reason_;
+  RowLosses losses_before_;
   SampleRing samples_;
   CoarseHistory history_;
   mutable std::array<Drawn, 2> drawn_;  // of each pass

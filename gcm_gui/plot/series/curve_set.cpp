@@ -186,10 +186,13 @@ std::vector<SourceFigures> CurveSet::figures(std::int64_t now_ns) const {
     const QString source = SourceOf(curve->path());
     auto each = std::find_if(figures.begin(), figures.end(),
                              [&](const SourceFigures& there) { return there.source == source; });
-    if (each == figures.end())
-      each = figures.insert(each, SourceFigures{.source = source, .path = curve->path()});
+    if (each == figures.end()) each = figures.insert(each, SourceFigures{.source = source});
     each->rate = std::max(each->rate, PresentRate(*curve, now_ns));
-    each->lost = std::max(each->lost, curve->samples().lost());
+    if (each->path.isEmpty() || curve->samples().lost() > each->lost) {
+      each->path = curve->path();
+      each->lost = curve->samples().lost();
+      each->losses_before = curve->lossesBefore();
+    }
     each->repeated = std::max(each->repeated, curve->samples().repeated());
   }
   return figures;

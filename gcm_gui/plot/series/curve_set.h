@@ -43,8 +43,9 @@ struct SourceFigures {
   double rate = 0;  ///< Hz
   std::uint64_t lost = 0;
   std::uint64_t repeated = 0;
-  QString path = {};      ///< of one of its curves
-  RowLosses losses = {};  ///< as far as they are known
+  QString path = {};             ///< of the curve that has lost most
+  RowLosses losses_before = {};  ///< of its source, when that curve began
+  RowLosses losses = {};         ///< since then, as far as they are known
 };
 
 /// The curves of one plot, in the order of their coming, and an axis for each unit among them. The

@@ -150,6 +150,20 @@ TEST_F(PlotPanelTest, TheBadgeShowsRateAndLoss) {
   EXPECT_TRUE(QTest::qWaitFor(shows_both, 20'000));
 }
 
+TEST_F(PlotPanelTest, WhatWasLostBeforeACurveBeganIsNotItsLoss) {
+  RowLosses losses{.table = 600};
+  panel_.setLosses([&](const QString&) { return losses; });
+  panel_.addSignal(kX, "rad");
+  panel_.append(kX, Rows(0, 100));
+
+  losses.table += 3;
+  panel_.append(kX, Rows(103, 200));
+
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] { return child<RateBadge>("rateBadge").toolTip().endsWith("; lost 3 in its process"); },
+      20'000));
+}
+
 TEST_F(PlotPanelTest, ARestartIsAGapAndNoLoss) {
   panel_.addSignal(kX, "rad");
   panel_.append(kX, Rows(1000, 2000));

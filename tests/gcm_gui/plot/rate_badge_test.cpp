@@ -23,6 +23,12 @@ TEST(RateBadge, NamesWhereRowsWereLost) {
   EXPECT_TRUE(badge.toolTip().endsWith("; lost 2 in this window")) << badge.toolTip().toStdString();
 }
 
+TEST(RateBadge, NamesNoPlaceWhereNothingWasLost) {
+  RateBadge badge;
+  badge.setFigures({{.source = "a", .rate = 1000, .losses = {.table = 600}}});
+  EXPECT_TRUE(badge.toolTip().endsWith("0 rows lost, 0 repeated")) << badge.toolTip().toStdString();
+}
+
 TEST(RateBadge, SaysHowManySourcesAreSilent) {
   EXPECT_EQ(BadgeText({{.source = "a", .rate = 1000}, {.source = "b"}}),
             "1000 Hz · 0 lost · 1 silent");
