@@ -92,7 +92,7 @@ void PlotPanel::askForName() {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setWindowTitle(Words::tr("Rename this plot"));
   dialog->setLabelText(Words::tr("Name; nothing for what it shows"));
-  dialog->setTextValue(head_->tabs().tabText(head_->tabs().currentIndex()));
+  dialog->setTextValue(pageOf(view).name());
   connect(dialog, &QInputDialog::textValueSelected, &view,
           [this, &view](const QString& name) { setName(view, name); });
   dialog->open();

@@ -4,6 +4,7 @@
 #include <gcm_gui/plot/rate_badge.h>
 #include <gmock/gmock.h>
 
+#include <QInputDialog>
 #include <QMenu>
 #include <QSignalSpy>
 #include <QTabBar>
@@ -162,6 +163,21 @@ TEST_F(PlotPanelTest, WhatWasLostBeforeACurveBeganIsNotItsLoss) {
   EXPECT_TRUE(QTest::qWaitFor(
       [&] { return child<RateBadge>("rateBadge").toolTip().endsWith("; lost 3 in its process"); },
       20'000));
+}
+
+TEST_F(PlotPanelTest, ARenameBeginsWithTheNameThatWasGiven) {
+  panel_.addSignal(kX, "rad");
+  const auto asked = [&] {
+    panel_.askForName();
+    auto* dialog = panel_.findChild<QInputDialog*>();
+    const QString begins_with = dialog->textValue();
+    delete dialog;
+    return begins_with;
+  };
+
+  EXPECT_EQ(asked(), "") << "its title is not a name";
+  panel_.setName(panel_.currentPlot(), "left arm");
+  EXPECT_EQ(asked(), "left arm");
 }
 
 TEST_F(PlotPanelTest, ARestartIsAGapAndNoLoss) {
