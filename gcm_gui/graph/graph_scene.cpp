@@ -117,10 +117,13 @@ void GraphScene::showCatalogue(const Catalog& catalogue, const Touched& touched)
   if (layout_->isAtWork()) showItems(false);  // what has a place already
 }
 
-/// What is under way by hand is where the hand is.
+/// What is under way by hand is where the hand is, and a large system goes there in one step: to
+/// draw it on its way would take longer than the way.
 void GraphScene::showArrangement(bool moved) {
   if (moved) {
-    carried_.empty() ? glide_->goTo(layout_->arrangement()) : glide_->putAt(layout_->arrangement());
+    const Arrangement& to = layout_->arrangement();
+    const bool is_large = static_cast<std::size_t>(to.nodes.size()) > LayoutWorker::kMostAtOnce;
+    carried_.empty() && !is_large ? glide_->goTo(to) : glide_->putAt(to);
   }
   showItems(moved);
 }

@@ -99,6 +99,25 @@ TEST_F(GlideTest, ResettingTheLayoutIsSeenOnItsWayAndTakenBack) {
   EXPECT_TRUE(IsEventuallyAt(by_hand));
 }
 
+TEST(Glide, ALargeSystemGoesInOneStep) {
+  QCoreApplication::instance()->setProperty(Glide::kStill, false);
+  CatalogueStore store;
+  store.replace(LargeSystem(4, 50).catalog());
+  Selection selection;
+  RecordingActions actions;
+  ConnectMode mode{store, actions};
+  GraphScene scene(store, selection, mode);
+  ASSERT_TRUE(
+      QTest::qWaitFor([&] { return !scene.isArranging() && !store.isTelling(); }, kWorkerPatience));
+  const auto& [path, component] = *scene.components().begin();
+  const QPointF there = component->pos() + QPointF(5000, 5000);
+
+  scene.places().move({{path, there}});
+
+  EXPECT_EQ(component->pos(), there);
+  QCoreApplication::instance()->setProperty(Glide::kStill, true);
+}
+
 TEST_F(GlideTest, WhatTheHandCarriesIsWhereTheHandIs) {
   const QPointF there = place() + QPointF(100, 300);
 
