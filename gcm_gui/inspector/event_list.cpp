@@ -34,6 +34,9 @@ EventList::EventList(SystemReports& reports, QWidget* parent)
   connect(&reports, &SystemReports::eventsLost, &events_, &EventsModel::hearLost);
   connect(&rate_timer_, &QTimer::timeout, this, &EventList::showRate);
   rate_timer_.setInterval(kRatePeriod);
+  connect(&events_, &QAbstractItemModel::rowsInserted, this, &EventList::showRate);
+  connect(&events_, &QAbstractItemModel::rowsRemoved, this, &EventList::showRate);
+  connect(&events_, &QAbstractItemModel::modelReset, this, &EventList::showRate);
 }
 
 void EventList::show(const QString& component) {

@@ -1,8 +1,12 @@
 #include <gcm_gui/events/events_model.h>
+#include <gcm_gui/inspector/event_list.h>
 #include <gcm_gui/models/row_roles.h>
 #include <gtest/gtest.h>
 
 #include <QAbstractItemModelTester>
+#include <QLabel>
+
+#include "support/fakes.h"
 
 namespace tendon::gui {
 namespace {
@@ -68,6 +72,17 @@ TEST_F(EventsModelTest, TheRateIsThatOfTheLastTwoSeconds) {
 
   EXPECT_DOUBLE_EQ(model_.rate(6 * kEventSecond), 1.0);
   EXPECT_DOUBLE_EQ(model_.rate(9 * kEventSecond), 0.0);
+}
+
+TEST(EventList, ItsHeadCountsAnEventAsSoonAsItIsShown) {
+  ScriptedReports reports;
+  EventList list(reports);
+  list.show("a/b");
+  const QLabel& head = *list.findChild<QLabel*>("inspector.eventRate");
+
+  Q_EMIT reports.eventsArrived({{1, "a/b/C.One", ""}});
+
+  EXPECT_TRUE(head.text().startsWith("1 event")) << head.text().toStdString();
 }
 
 }  // namespace
