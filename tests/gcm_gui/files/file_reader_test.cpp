@@ -1,6 +1,8 @@
+#include <fcntl.h>
 #include <gcm_gui/files/file_reader.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -63,10 +65,15 @@ TEST_F(FileReaderTest, NobodyWaitsForAFileThatDoesNotAnswer) {
   reader.read(pipe, Keep());
 
   EXPECT_FALSE(read_);
-  QFile writer(pipe);
-  ASSERT_TRUE(writer.open(QIODevice::WriteOnly | QIODevice::Unbuffered));
-  writer.write("late");
-  writer.close();
+  int end = -1;  // nobody can write before there is a reader
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] {
+        end = ::open(pipe.toLocal8Bit().constData(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
+        return end >= 0;
+      },
+      kReaderPatience));
+  EXPECT_EQ(::write(end, "late", 4), 4);
+  ::close(end);
   ASSERT_TRUE(QTest::qWaitFor([this] { return read_.has_value(); }, kReaderPatience));
   EXPECT_EQ(read_->content, "late");
 }

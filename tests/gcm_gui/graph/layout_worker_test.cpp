@@ -63,11 +63,20 @@ TEST(LayoutWorker, OfWhatComesMeanwhileTheNewestIsPlaced) {
 }
 
 TEST(LayoutWorker, OneThatIsGoneIsToldNothing) {
+  int told = 0;
+  const auto count = [&] { ++told; };
   auto worker = std::make_unique<LayoutWorker>();
+  QObject::connect(worker.get(), &LayoutWorker::arranged, qApp, count, Qt::DirectConnection);
   worker->arrange(LargePicture(), {});
+  ASSERT_TRUE(worker->isAtWork());
 
   worker.reset();
-  QCoreApplication::processEvents();
+
+  LayoutWorker later;  // takes as long as what the first was to do
+  QSignalSpy arranged(&later, &LayoutWorker::arranged);
+  later.arrange(LargePicture(), {});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return arranged.count() == 1; }, kWorkerPatience));
+  EXPECT_EQ(told, 0);
 }
 
 /// Where the graph moves as it does for people.
