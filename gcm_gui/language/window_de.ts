@@ -2462,8 +2462,8 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>; verloren: </translation>
     </message>
     <message>
-        <source>Imported; to be saved as </source>
-        <translation>Importiert; zu sichern als </translation>
+        <source>Imported to </source>
+        <translation>Importiert nach </translation>
     </message>
     <message>
         <source>Import a file of cisst</source>
@@ -2508,6 +2508,10 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
     <message>
         <source>gone (%1)</source>
         <translation>fort (%1)</translation>
+    </message>
+    <message>
+        <source>%1 is there already: open it, or remove it before the import</source>
+        <translation>%1 gibt es schon: öffnen, oder vor dem Import entfernen</translation>
     </message>
     <message>
         <source>%1 is shown in another window; this one hosts a GCM, and stays open</source>
@@ -2555,6 +2559,10 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
     <message>
         <source>%1 curves</source>
         <translation>%1 Kurven</translation>
+    </message>
+    <message>
+        <source>%1 is there already: open it, or remove it before the import</source>
+        <translation>%1 gibt es schon: öffnen, oder vor dem Import entfernen</translation>
     </message>
     <message>
         <source>%1 is shown in another window; this one hosts a GCM, and stays open</source>

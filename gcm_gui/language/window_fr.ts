@@ -2462,8 +2462,8 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>; perdues : </translation>
     </message>
     <message>
-        <source>Imported; to be saved as </source>
-        <translation>Importé ; à enregistrer sous </translation>
+        <source>Imported to </source>
+        <translation>Importé dans </translation>
     </message>
     <message>
         <source>Import a file of cisst</source>
@@ -2508,6 +2508,10 @@ Possède %1 des commandes et événements requis.</translation>
     <message>
         <source>gone (%1)</source>
         <translation>absents (%1)</translation>
+    </message>
+    <message>
+        <source>%1 is there already: open it, or remove it before the import</source>
+        <translation>%1 existe déjà : ouvrez-le, ou supprimez-le avant l’importation</translation>
     </message>
     <message>
         <source>%1 is shown in another window; this one hosts a GCM, and stays open</source>
@@ -2555,6 +2559,10 @@ Possède %1 des commandes et événements requis.</translation>
     <message>
         <source>%1 curves</source>
         <translation>%1 courbes</translation>
+    </message>
+    <message>
+        <source>%1 is there already: open it, or remove it before the import</source>
+        <translation>%1 existe déjà : ouvrez-le, ou supprimez-le avant l’importation</translation>
     </message>
     <message>
         <source>%1 is shown in another window; this one hosts a GCM, and stays open</source>

@@ -8,8 +8,10 @@
 
 #include <QFile>
 #include <QFileInfo>
+#include <algorithm>
 #include <chrono>
 #include <utility>
+#include <vector>
 
 namespace tendon::gui {
 namespace {
@@ -28,12 +30,39 @@ Layout LayoutFor(const SystemFile& file, Layout layout) {
   return layout;
 }
 
+/// What the file has of the processes that are there, and does not run yet, with its connections.
+void KeepMissing(const SystemFile& former, RunningSystem& running) {
+  const SystemIndex now(running.file);
+  std::vector<SystemFile::Connection> connections;
+  for (const auto& connection : former.connections) {
+    const std::string& process = connection.required.process;
+    if (now.FindProcess(process) == nullptr) continue;
+    if (now.FindConnection(connection.required) == nullptr) connections.push_back(connection);
+  }
+  std::vector<std::pair<std::string, SystemFile::Component>> components;
+  for (const auto& process : former.processes) {
+    if (now.FindProcess(process.name) == nullptr) continue;
+    for (const auto& component : process.components) {
+      const bool runs = now.FindComponent(process.name, component.name) != nullptr;
+      if (!runs) components.emplace_back(process.name, component);
+    }
+  }
+  for (const auto& [process, component] : components) {
+    std::ranges::find(running.file.processes, process, &SystemFile::Process::name)
+        ->components.push_back(component);
+  }
+  running.loose.insert(running.loose.end(), connections.begin(), connections.end());
+}
+
+enum class Missing { kLeftOut, kKept };
+
 /// What is to be written, or why it is not.
 Result<SystemFile> SystemToSave(const std::string& path, RunningSystem running,
-                                const std::optional<Layout>& layout) {
+                                const std::optional<Layout>& layout, Missing missing) {
   const auto former = ReadSystemFile(path);
   if (former) {
     running.file.name = former->name;
+    if (missing == Missing::kKept) KeepMissing(*former, running);
     (void)KeepFrom(*former, running);
   } else if (former.error().code != ErrorCode::kNotFound) {
     return former.error();
@@ -53,6 +82,26 @@ Result<ImportedSystem> Import(const QString& path, const std::string& process) {
 }
 
 QString FileName(const QString& path) { return QFileInfo(path).fileName(); }
+
+std::string SystemName(const QString& path) {
+  return FileName(path).section('.', 0, 0).toStdString();
+}
+
+/// What is there is never overwritten, for nothing of it would be left.
+Result<ImportedSystem> ImportTo(const QString& to, const QString& from,
+                                const std::string& process) {
+  auto imported = Import(from, process);
+  if (!imported) return imported;
+  if (QFileInfo::exists(to)) {
+    return Error{ErrorCode::kExists,
+                 Words::tr("%1 is there already: open it, or remove it before the import")
+                     .arg(FileName(to))
+                     .toStdString()};
+  }
+  imported->file.name = SystemName(to);
+  const auto written = WriteSystemFile(to.toStdString(), imported->file);
+  return written ? imported : Result<ImportedSystem>(written.error());
+}
 
 }  // namespace
 
@@ -126,20 +175,22 @@ void SystemDocument::setLayout(Layout layout) { layout_ = std::move(layout); }
 void SystemDocument::open(const QString& path) {
   read(path, [this, path](const Result<SystemFile>& read) {
     if (!read) return Q_EMIT told(ToQString(read.error().message));
+    imported_.clear();
     take(path, *read, [this] { Q_EMIT opened(); });
   });
 }
 
 void SystemDocument::importFrom(const QString& path, const QString& process) {
-  thread_.start([this, courier = courier_, path, process = process.toStdString()] {
-    const auto imported = Import(path, process);
-    courier->post([this, path, imported] {
+  const QFileInfo from(path);
+  const QString to = from.path() + '/' + from.completeBaseName() + QStringLiteral(".gcm.json");
+  thread_.start([this, courier = courier_, path, to, process = process.toStdString()] {
+    const auto imported = ImportTo(to, path, process);
+    courier->post([this, to, imported] {
       if (!imported) return Q_EMIT told(ToQString(imported.error().message));
-      const QFileInfo from(path);
-      const QString to = from.path() + '/' + from.completeBaseName() + QStringLiteral(".gcm.json");
+      imported_ = to;
       take(to, imported->file, [this, to, left_out = imported->left_out] {
         Q_EMIT opened();
-        const QString came = Words::tr("Imported; to be saved as ") + FileName(to);
+        const QString came = Words::tr("Imported to ") + FileName(to);
         Q_EMIT told(left_out.empty() ? came
                                      : came + QStringLiteral("; ") + ToQString(left_out.front()));
       });
@@ -156,11 +207,11 @@ void SystemDocument::read(const QString& path,
 }
 
 void SystemDocument::save(const QString& path) {
-  const std::string name = FileName(path).section('.', 0, 0).toStdString();
-  thread_.start([this, courier = courier_, path, running = SystemOf(store_.catalogue(), name),
-                 layout = layout_] {
+  const Missing missing = path == imported_ ? Missing::kKept : Missing::kLeftOut;
+  thread_.start([this, courier = courier_, path, missing, layout = layout_,
+                 running = SystemOf(store_.catalogue(), SystemName(path))] {
     const std::string file = path.toStdString();
-    const auto system = SystemToSave(file, running, layout);
+    const auto system = SystemToSave(file, running, layout, missing);
     const auto written = system ? WriteSystemFile(file, *system) : Result<void>(system.error());
     const QString left_out = running.loose.empty() ? QString() : ToQString(running.LeftOut()[0]);
     courier->post([this, path, system, written, left_out] {

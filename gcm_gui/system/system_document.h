@@ -44,11 +44,12 @@ class SystemDocument : public QObject {
   void setLayout(std::map<std::string, SystemFile::Position> layout);
   void open(const QString& path);
   /// The same with a file of the cisst component manager; what names no process goes to `process`.
-  /// It is to be saved beside that file, as a system file.
+  /// It is written beside that file, as a system file; where there is one already, nothing is done.
   void importFrom(const QString& path, const QString& process);
   /// Reads a system file that is not this window's.
   void read(const QString& path, std::function<void(const Result<SystemFile>&)> done);
-  /// Writes down what runs; what the file knows besides is kept in it.
+  /// Writes down what runs; what the file knows besides is kept in it. So is, in a file that was
+  /// imported, what does not run yet.
   void save(const QString& path);
   /// One thing of the file becomes as it runs; `what` is that of a SystemDifference.
   void update(const std::string& what);
@@ -70,6 +71,7 @@ class SystemDocument : public QObject {
 
   const CatalogueStore& store_;
   QString path_;
+  QString imported_;  // the path where it was imported and not opened since
   SystemFile file_;
   SystemComparison comparison_;
   std::int64_t modified_ = 0;  // ns since 1970; 0 while it is as the file says

@@ -17,6 +17,7 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 #include <functional>
@@ -118,7 +119,7 @@ class SystemFlowTest : public ::testing::Test {
   std::unique_ptr<MainWindow> window_;
 };
 
-TEST_F(SystemFlowTest, AFileOfCisstIsImportedAndComparedWithWhatRuns) {
+TEST_F(SystemFlowTest, AFileOfCisstIsImportedAndSavedWithWhatRuns) {
   ASSERT_TRUE(EverythingIsThere());
   const QString cisst = folder_.filePath("lab.json");
   QFile file(cisst);
@@ -142,7 +143,36 @@ TEST_F(SystemFlowTest, AFileOfCisstIsImportedAndComparedWithWhatRuns) {
   ASSERT_TRUE(Eventually([&] { return Document().isOpen(); }));
   EXPECT_EQ(Document().path(), folder_.filePath("lab.gcm.json"));
   EXPECT_NE(Document().file().FindComponent("robot", "MTML"), nullptr);
-  EXPECT_FALSE(QFile::exists(Document().path())) << "it is to be saved by the user";
+  const std::string made = Document().path().toStdString();
+  EXPECT_NE(ReadSystemFile(made)->FindComponent("robot", "MTML"), nullptr);
+
+  QSignalSpy told(&Document(), &SystemDocument::told);
+  window_->findChild<QAction*>("Save what runs")->trigger();
+  ASSERT_TRUE(Eventually([&] { return told.count() == 1; }));
+  const auto saved = ReadSystemFile(made);
+  EXPECT_NE(saved->FindComponent("robot", "MTML"), nullptr) << "it does not run yet";
+  EXPECT_NE(saved->FindComponent("desk", "operator"), nullptr);
+  EXPECT_EQ(saved->connections.size(), 1U);
+}
+
+TEST_F(SystemFlowTest, AnImportTouchesNoFileThatIsThere) {
+  const auto write = [&](const QString& name, const QByteArray& text) {
+    QFile file(folder_.filePath(name));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly) && file.write(text) == text.size());
+  };
+  write("lab.json", R"({"components": []})");
+  write("lab.gcm.json", "mine");
+  QSignalSpy told(&Document(), &SystemDocument::told);
+
+  Document().importFrom(folder_.filePath("lab.json"), "robot");
+
+  ASSERT_TRUE(Eventually([&] { return told.count() == 1; }));
+  EXPECT_TRUE(told[0][0].toString().startsWith("lab.gcm.json is there already"))
+      << told[0][0].toString().toStdString();
+  EXPECT_FALSE(Document().isOpen());
+  QFile kept(folder_.filePath("lab.gcm.json"));
+  ASSERT_TRUE(kept.open(QIODevice::ReadOnly));
+  EXPECT_EQ(kept.readAll(), "mine");
 }
 
 TEST_F(SystemFlowTest, WhatWasSavedIsRestoredAndThatTakenBack) {
