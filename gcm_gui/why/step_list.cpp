@@ -25,7 +25,7 @@ namespace {
 
 constexpr std::size_t kSignatureStep = 4;
 constexpr int kMostRows = 9;  // of the two sides, before they scroll
-constexpr int kMarkWidth = 16;
+constexpr int kStepMarkWidth = 16;
 constexpr int kNumberWidth = 14;
 constexpr int kLinkHeight = 20;  // lower than other links: it stands in a line of text
 constexpr int kVerdictWidth = 200;
@@ -92,7 +92,7 @@ void StepList::show(const Diagnosis& diagnosis) {
   grid_->setContentsMargins(0, 0, 0, 0);
   grid_->setHorizontalSpacing(kGrid);
   grid_->setVerticalSpacing(kGrid + 2);
-  grid_->setColumnMinimumWidth(0, kMarkWidth);
+  grid_->setColumnMinimumWidth(0, kStepMarkWidth);
   grid_->setColumnMinimumWidth(1, kNumberWidth);
   grid_->setColumnStretch(2, 1);
   int number = 0;
