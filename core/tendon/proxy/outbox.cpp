@@ -187,8 +187,8 @@ class LatestCommandProxy final : public CommandBase, private Mailbox::Entry {
         outbox_(outbox),
         handle_(handle),
         refused_(refused),
-        mailbox_(mailbox),
-        queued_(outbox, command, handle, refused, mailbox) {}
+        queued_(outbox, command, handle, refused, mailbox),
+        newest_(mailbox) {}
 
   Status ExecuteEncoded(std::span<const std::byte> in, std::vector<std::byte>& /*out*/) override {
     const Status posted = Post(in);
@@ -207,22 +207,9 @@ class LatestCommandProxy final : public CommandBase, private Mailbox::Entry {
       outbox_.RefusePayload(handle_, in.size());
       return Status::kInvalid;
     }
-    if (!mailbox_.is_open()) return mailbox_.refusal();
-    const Lease<>::Hold writing(writing_);
-    if (!writing) {  // the call that writes right now is the newer one
-      mailbox_.CountReplaced();
-      return Status::kQueued;
-    }
-    return Host::Contain(nullptr, [&]() -> Status {  // memory may be short
+    return newest_.Post(*this, [&]() -> const Bytes& {  // memory may be short
       written_.assign(in.begin(), in.end());
-      if (newest_.Write(written_)) {
-        mailbox_.CountReplaced();
-      } else {
-        std::byte* const token = mailbox_.ClaimReserved();
-        assert(token != nullptr);
-        mailbox_.Publish(token, *this);
-      }
-      return Status::kQueued;
+      return written_;
     });
   }
 
@@ -234,11 +221,9 @@ class LatestCommandProxy final : public CommandBase, private Mailbox::Entry {
   Outbox& outbox_;
   const std::uint32_t handle_;
   SharedCounter<>& refused_;  // of the offer
-  Mailbox& mailbox_;
   QueuedCommandProxy queued_;
-  Lease<> writing_;
-  Bytes written_;  // of who has that
-  Snapshot<Bytes> newest_;
+  Bytes written_;  // of whoever posts
+  LatestValue<Bytes> newest_;
 };
 
 }  // namespace

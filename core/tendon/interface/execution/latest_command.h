@@ -1,10 +1,8 @@
 #pragma once
 
+#include <tendon/interface/execution/latest_value.h>
 #include <tendon/interface/execution/queued_command.h>
-#include <tendon/lockfree/lease.h>
-#include <tendon/lockfree/snapshot.h>
 
-#include <cassert>
 #include <chrono>
 
 namespace tendon {
@@ -16,7 +14,7 @@ template <Payload In, typename Handler>
 class LatestCommand final : public Command<In, None>, private Mailbox::Entry {
  public:
   LatestCommand(const Handler& handler, Mailbox& mailbox)
-      : handler_(handler), mailbox_(mailbox), queued_(handler, &mailbox) {}
+      : handler_(handler), queued_(handler, &mailbox), newest_(mailbox) {}
 
   static constexpr Mailbox::SlotShape Shape() {
     Mailbox::SlotShape shape = QueuedCommand<In, None, Handler>::Shape();
@@ -25,22 +23,7 @@ class LatestCommand final : public Command<In, None>, private Mailbox::Entry {
   }
 
   Status Execute(const In& in, None& /*out*/) override {
-    if (!mailbox_.is_open()) return mailbox_.refusal();
-    const Lease<>::Hold writing(writing_);
-    if (!writing) {  // the call that writes right now is the newer one
-      mailbox_.CountReplaced();
-      return Status::kQueued;
-    }
-    return Host::Contain(nullptr, [&]() -> Status {  // a copy may throw; then nothing has happened
-      if (newest_.Write(in)) {
-        mailbox_.CountReplaced();
-      } else {
-        std::byte* const token = mailbox_.ClaimReserved();
-        assert(token != nullptr);
-        mailbox_.Publish(token, *this);
-      }
-      return Status::kQueued;
-    });
+    return newest_.Post(*this, [&in]() -> const In& { return in; });  // a copy may throw
   }
 
   Status Wait(const In& in, None& out, std::chrono::nanoseconds timeout) override {
@@ -60,10 +43,8 @@ class LatestCommand final : public Command<In, None>, private Mailbox::Entry {
   void DropSlot(std::size_t /*slot*/) noexcept override { newest_.Take(); }
 
   Handler handler_;
-  Mailbox& mailbox_;
   QueuedCommand<In, None, Handler> queued_;
-  Lease<> writing_;
-  Snapshot<In> newest_;
+  LatestValue<In> newest_;
 };
 
 }  // namespace tendon
