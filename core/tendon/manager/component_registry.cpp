@@ -52,7 +52,8 @@ std::vector<std::string> ComponentRegistry::class_names() const {
 Result<std::string> ComponentRegistry::MergeConfiguration(const std::string& defaults,
                                                           const std::string& json) {
   if (json.empty()) return defaults;
-  auto merged = Json::parse(defaults);
+  auto merged = ParseStrictJson(defaults);
+  if (!merged) return merged.error();
   const auto given = ParseStrictJson(json);
   if (!given) {
     return Error{ErrorCode::kInvalid, "its configuration is no JSON: " + given.error().message};
@@ -61,8 +62,8 @@ Result<std::string> ComponentRegistry::MergeConfiguration(const std::string& def
     return Error{ErrorCode::kInvalid,
                  "its configuration must be a JSON object, got " + Printable(json, 64)};
   }
-  merged.merge_patch(*given);
-  return merged.dump();
+  merged->merge_patch(*given);
+  return merged->dump();
 }
 
 }  // namespace tendon

@@ -54,6 +54,11 @@ class ComponentRegistry {
   [[nodiscard]] std::vector<ComponentClass> classes() const;
   [[nodiscard]] std::vector<std::string> class_names() const;
 
+  /// What a component is told: the defaults, JSON, replaced by what `json` says, a JSON object or
+  /// empty; nested objects are merged. kInvalid says what is wrong with either.
+  static Result<std::string> MergeConfiguration(const std::string& defaults,
+                                                const std::string& json);
+
  private:
   struct Entry {
     ComponentClass description;
@@ -80,9 +85,6 @@ class ComponentRegistry {
       return std::unique_ptr<Component>(std::make_unique<T>(name));
     }
   }
-  /// The defaults, replaced by what `json` says; nested objects are merged.
-  static Result<std::string> MergeConfiguration(const std::string& defaults,
-                                                const std::string& json);
 
   std::map<std::string, Entry> entries_;
 };

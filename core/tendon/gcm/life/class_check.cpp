@@ -4,11 +4,10 @@
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/system/running_system.h>
 #include <tendon/gcm/system/system_index.h>
+#include <tendon/manager/component_registry.h>
 #include <tendon/payload/json.h>
-#include <tendon/payload/json/strict_json.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 namespace tendon {
@@ -106,19 +105,8 @@ Result<void> CheckConfiguration(const ClassDescription& of, const std::string& c
     return Error{ErrorCode::kInvalid,
                  what + "it takes no configuration, got " + Printable(configuration, 64)};
   }
-  const auto given = ParseStrictJson(configuration);
-  if (!given) {
-    return Error{ErrorCode::kInvalid,
-                 what + "its configuration is no JSON: " + given.error().message};
-  }
-  if (!given->is_object()) {
-    return Error{ErrorCode::kInvalid, what + "its configuration must be a JSON object, got " +
-                                          Printable(configuration, 64)};
-  }
-  auto whole = ParseStrictJson(of.defaults);
-  if (!whole) return Error{ErrorCode::kInvalid, what + whole.error().message};
-  whole->merge_patch(*given);
-  const auto body = FromJson(*schema, whole->dump());
+  const auto merged = ComponentRegistry::MergeConfiguration(of.defaults, configuration);
+  const auto body = merged ? FromJson(*schema, *merged) : merged.error();
   return body ? Result<void>() : Error{body.error().code, what + body.error().message};
 }
 
