@@ -4,6 +4,7 @@
 #include <gcm_gui/steer/steer_card.h>
 #include <gcm_gui/theme/head_row.h>
 #include <gcm_gui/theme/metrics.h>
+#include <gcm_gui/theme/text_line.h>
 #include <gcm_gui/theme/theme.h>
 
 #include <QKeyEvent>
@@ -12,23 +13,11 @@
 #include <QVBoxLayout>
 
 namespace tendon::gui {
-namespace {
-
-QLabel* MakeSteerLine(const QString& name, const QString& role) {
-  auto* label = new QLabel;
-  label->setObjectName(name);
-  label->setTextFormat(Qt::PlainText);
-  label->setWordWrap(true);
-  SetRole(*label, role);
-  return label;
-}
-
-}  // namespace
 
 SteerCard::SteerCard(QWidget& place)
     : OverlayCard(place, new QWidget),
-      names_(MakeSteerLine(QStringLiteral("steer.names"), QStringLiteral("mono"))),
-      advice_(MakeSteerLine(QStringLiteral("steer.advice"), QStringLiteral("dim"))),
+      names_(MakeTextLine(QStringLiteral("steer.names"), QStringLiteral("mono"))),
+      advice_(MakeTextLine(QStringLiteral("steer.advice"), QStringLiteral("dim"))),
       button_(new HoldButton({})) {
   setObjectName(QStringLiteral("steerCard"));
   setAccessibleName(Words::tr("Start or stop"));

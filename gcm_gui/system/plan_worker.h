@@ -4,6 +4,7 @@
 #include <gcm_gui/session/courier.h>
 #include <gcm_gui/system/plan_runner.h>
 #include <tendon/gcm/client.h>
+#include <tendon/lockfree/flag.h>
 
 #include <QObject>
 #include <chrono>
@@ -25,12 +26,10 @@ class PlanWorker final : public QObject, public PlanRunner {
   void stop() override;
 
  private:
-  struct Order;
-
   std::shared_ptr<GcmClient> client_;
   const std::chrono::milliseconds timeout_;
   std::shared_ptr<Courier> courier_;
-  std::shared_ptr<Order> order_;  // the newest
+  std::shared_ptr<Flag> is_stopped_;  // of the newest plan: it is left after the step that is made
   Background thread_{"a step of a plan"};
 };
 

@@ -2,6 +2,7 @@
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/theme/head_row.h>
 #include <gcm_gui/theme/metrics.h>
+#include <gcm_gui/theme/text_line.h>
 #include <gcm_gui/theme/theme.h>
 #include <gcm_gui/why/step_list.h>
 #include <gcm_gui/why/why_card.h>
@@ -16,15 +17,6 @@
 namespace tendon::gui {
 namespace {
 
-QLabel* MakeLine(const QString& name, const QString& role) {
-  auto* label = new QLabel;
-  label->setObjectName(name);
-  label->setTextFormat(Qt::PlainText);
-  label->setWordWrap(true);
-  SetRole(*label, role);
-  return label;
-}
-
 QString ShortName(const InterfaceName& name) {
   return ToQString(name.component + '/' + name.interface);
 }
@@ -34,10 +26,10 @@ QString ShortName(const InterfaceName& name) {
 WhyCard::WhyCard(QWidget& place)
     : OverlayCard(place, new QWidget),
       title_(new QLabel),
-      verdict_(MakeLine(QStringLiteral("why.verdict"), QStringLiteral("strong"))),
-      history_(MakeLine(QStringLiteral("why.history"), QStringLiteral("dim"))),
+      verdict_(MakeTextLine(QStringLiteral("why.verdict"), QStringLiteral("strong"))),
+      history_(MakeTextLine(QStringLiteral("why.history"), QStringLiteral("dim"))),
       steps_(new StepList(signatures_)),
-      leftovers_(MakeLine(QStringLiteral("why.leftovers"), {})),
+      leftovers_(MakeTextLine(QStringLiteral("why.leftovers"), {})),
       retry_(new QPushButton(Words::tr("Retry"))),
       copy_(new QPushButton(Words::tr("Copy report"))) {
   setObjectName(QStringLiteral("whyCard"));
