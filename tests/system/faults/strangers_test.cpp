@@ -268,6 +268,9 @@ TEST_P(Strangers, OutOfDescriptorsTheOldAreKeptAndNewOnesWait) {
 
 /// Row 30.
 TEST_P(Strangers, OutOfMemoryTheOldAreKeptAndALargeMessageIsRefused) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "row 30: a sanitizer ends the process instead of throwing";
+#endif
   ASSERT_NO_FATAL_FAILURE(StartSystem());
   const auto middleware = NewMiddleware();
   const tendon::Hello hello{.instance = 1, .name = "giant", .cookie = *tendon::LoopbackCookie()};
