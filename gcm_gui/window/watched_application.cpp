@@ -11,9 +11,13 @@ bool WatchedApplication::notify(QObject* receiver, QEvent* event) {
   if (depth_ > 0) return QApplication::notify(receiver, event);
   // Both may be gone afterwards.
   const char* receiver_class = receiver->metaObject()->className();
+  const QObject* owner = receiver->parent();
+  const char* owner_class = owner == nullptr ? "" : owner->metaObject()->className();
   const QEvent::Type type = event->type();
   const auto name = [&] {
-    return QStringLiteral("%1 %2").arg(QLatin1String(receiver_class)).arg(type);
+    return QStringLiteral("%1/%2 %3")
+        .arg(QLatin1String(owner_class), QLatin1String(receiver_class))
+        .arg(type);
   };
   ++depth_;
   painting_waits_ = 0;

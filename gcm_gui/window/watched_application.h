@@ -19,11 +19,11 @@ class WatchedApplication : public QApplication {
   bool notify(QObject* receiver, QEvent* event) override;
 
   [[nodiscard]] std::chrono::nanoseconds longestHandler() const { return longest_; }
-  /// What it was: the receiver's class and the event's type.
+  /// What it was: the classes of the receiver's parent and of the receiver, and the event's type.
   [[nodiscard]] const QString& longestName() const { return longest_name_; }
   /// How often handlers have given up the processor to wait for something.
   [[nodiscard]] std::int64_t waits() const { return waits_; }
-  /// Each that has waited, by its name and how often: "QTimer 1 · 2 times".
+  /// Each that has waited, by its name and how often: "GraphView/QTimer 1 · 2 times".
   [[nodiscard]] const QStringList& waiters() const { return waiters_; }
   /// From now on anew.
   void forgetHandlers();

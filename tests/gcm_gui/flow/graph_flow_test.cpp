@@ -6,6 +6,7 @@
 #include <gcm_gui/window/watched_application.h>
 
 #include <QSet>
+#include <QTimer>
 #include <chrono>
 #include <csignal>
 #include <iostream>
@@ -20,7 +21,7 @@ namespace {
 
 const QString kArmEdge = QStringLiteral("desk/supervisor/Robot");
 constexpr std::chrono::milliseconds kLongestHandler{50};  // of processor time
-constexpr int kRounds = 2;
+constexpr int kRounds = 3;
 
 class GraphFlowTest : public FlowFixture {
  protected:
@@ -44,9 +45,9 @@ class GraphFlowTest : public FlowFixture {
     handlers_.forgetHandlers();
     since_ = std::chrono::steady_clock::now();
   }
-  /// No handler has taken long since then, nor waited for anybody in this phase of both rounds:
-  /// once it can have met a lock by chance.
-  void ExpectNoHandlerStalled(const std::string& phase) {
+  /// No handler has taken long since then, nor waited for anybody in this phase of every round:
+  /// now and then one meets a lock by chance.
+  void ExpectNoHandlerStalled(int round, const std::string& phase) {
     const auto milliseconds = [](auto duration) {
       return std::chrono::duration<double, std::milli>(duration).count();
     };
@@ -59,16 +60,17 @@ class GraphFlowTest : public FlowFixture {
     for (const QString& waiter : handlers_.waiters()) {
       waited.insert(waiter.section(QStringLiteral(" · "), 0, 0));
     }
-    const auto [before, is_first] = waited_.try_emplace(phase, waited);
-    if (is_first) return;
-    EXPECT_FALSE(waited.intersects(before->second))
-        << phase << ": " << handlers_.waiters().join('\n').toStdString();
+    QSet<QString>& waits_each_time = waits_each_time_.try_emplace(phase, waited).first->second;
+    waits_each_time.intersect(waited);
+    if (round + 1 < kRounds) return;
+    EXPECT_TRUE(waits_each_time.isEmpty())
+        << phase << ": " << waits_each_time.values().join('\n').toStdString();
   }
 
  private:
   WatchedApplication& handlers_ = *static_cast<WatchedApplication*>(qApp);
   std::chrono::steady_clock::time_point since_;
-  std::map<std::string, QSet<QString>> waited_;  // in the first round, by phase
+  std::map<std::string, QSet<QString>> waits_each_time_;  // by phase
 };
 
 TEST_F(GraphFlowTest, AProcessThatStandsStillIsGreyAndComesBackInItsPlace) {
@@ -79,7 +81,7 @@ TEST_F(GraphFlowTest, AProcessThatStandsStillIsGreyAndComesBackInItsPlace) {
     WatchHandlers();
     robot_->Signal(SIGSTOP);
     ASSERT_TRUE(Eventually([&] { return IsGrey("robot/arm"); }));
-    ExpectNoHandlerStalled("grey");
+    ExpectNoHandlerStalled(round, "grey");
     EXPECT_FALSE(IsGrey("desk/supervisor"));
     // Pending where the desk has missed it as early as the GCM has.
     EXPECT_TRUE(Look() == EdgeItem::Look::kStale || Look() == EdgeItem::Look::kPending);
@@ -89,7 +91,7 @@ TEST_F(GraphFlowTest, AProcessThatStandsStillIsGreyAndComesBackInItsPlace) {
     WatchHandlers();
     robot_->Signal(SIGCONT);
     ASSERT_TRUE(Eventually([&] { return IsWell(); }));
-    ExpectNoHandlerStalled("healed");
+    ExpectNoHandlerStalled(round, "healed");
     EXPECT_EQ(scene().component("robot/arm")->sceneRect(), place);
   }
 }
@@ -110,19 +112,21 @@ TEST_F(GraphFlowTest, NobodyIsWaitedForWhoIsAskedWhileHeStandsStill) {
     WatchHandlers();
 
     bool is_answered = false;
-    session_->callCommand("robot/arm/Control.Stop", {},
-                          [&](const auto&, double) { is_answered = true; });
-    session_->reports().listen(window_.get(), {});
-    session_->reports().listen(window_.get(), {"robot/arm/**"});
-    window_->selection().select(QStringLiteral("robot/host_monitor"));
-    window_->selection().select(QStringLiteral("robot/arm"));
+    QTimer::singleShot(0, window_.get(), [&] {
+      session_->callCommand("robot/arm/Control.Stop", {},
+                            [&](const auto&, double) { is_answered = true; });
+      session_->reports().listen(window_.get(), {});
+      session_->reports().listen(window_.get(), {"robot/arm/**"});
+      window_->selection().select(QStringLiteral("robot/host_monitor"));
+      window_->selection().select(QStringLiteral("robot/arm"));
+    });
     ASSERT_TRUE(Eventually([&] { return is_answered && IsGrey("robot/arm"); }));
-    ExpectNoHandlerStalled("answered and grey");
+    ExpectNoHandlerStalled(round, "answered and grey");
 
     WatchHandlers();
     robot_->Signal(SIGCONT);
     ASSERT_TRUE(Eventually([&] { return IsWell(); }));
-    ExpectNoHandlerStalled("healed");
+    ExpectNoHandlerStalled(round, "healed");
   }
 }
 
@@ -133,13 +137,13 @@ TEST_F(GraphFlowTest, WithoutItsGcmAllIsGreyUntilItIsBack) {
     WatchHandlers();
     gcm_->Signal(SIGKILL);
     ASSERT_TRUE(Eventually([&] { return IsGrey("robot/arm") && IsGrey("desk/supervisor"); }));
-    ExpectNoHandlerStalled("all grey");
+    ExpectNoHandlerStalled(round, "all grey");
     EXPECT_EQ(Look(), EdgeItem::Look::kStale);
 
     StartGcm();
     WatchHandlers();
     ASSERT_TRUE(Eventually([&] { return IsWell(); }));
-    ExpectNoHandlerStalled("healed since the GCM is back");
+    ExpectNoHandlerStalled(round, "healed since the GCM is back");
   }
 }
 
