@@ -40,7 +40,7 @@ bool IsStep(const Action& action) {
   const bool wiring = action.verb == Action::Verb::kConnect ||
                       action.verb == Action::Verb::kDisconnect ||
                       action.verb == Action::Verb::kReplace;
-  // The history does not keep a restart.
+  // Whether a restart was a step, only the GCM knows: of what runs it is none.
   const bool steering = action.verb == Action::Verb::kSteer && action.life != LifeVerb::kRestart;
   return (wiring || steering) && action.outcome == Action::Outcome::kDone && !action.undone;
 }
