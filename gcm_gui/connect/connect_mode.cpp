@@ -106,15 +106,8 @@ void ConnectMode::pick(const PortName& port) {
   if (!active()) return;
   const Candidate* candidate = find(port);
   if (candidate == nullptr) return;
-  if (!candidate->fits()) {
-    const QString obstacle =
-        candidate->present ? QStringLiteral(" ") : Words::tr(" does not fit: ");
-    Q_EMIT notice(Name(port.name) + obstacle + candidate->reasons().join(QStringLiteral("; ")));
-    return;
-  }
-  const bool from_required = chosen_->side == Side::kRequired;
-  const InterfaceName required = from_required ? chosen_->name : port.name;
-  const InterfaceName provided = from_required ? port.name : chosen_->name;
+  if (!candidate->fits()) return refuse(*candidate);
+  const auto [required, provided] = wireTo(port);
   const bool replaces = former_.has_value() || candidate->former.has_value();
   leave();
   if (replaces) {
@@ -123,6 +116,22 @@ void ConnectMode::pick(const PortName& port) {
     actions_.connectInterfaces(required, provided);
   }
   Q_EMIT picked(required, provided);
+}
+
+void ConnectMode::refuse(const Candidate& candidate) {
+  const QString obstacle = candidate.present ? QStringLiteral(" ") : Words::tr(" does not fit: ");
+  const QString reason =
+      Name(candidate.port.name) + obstacle + candidate.reasons().join(QStringLiteral("; "));
+  const message::Wire wire = wireTo(candidate.port);
+  const bool is_meant = !candidate.present && candidate.looksAlike();
+  Q_EMIT notice(reason);
+  if (is_meant) Q_EMIT misfitPicked(wire, reason);
+}
+
+message::Wire ConnectMode::wireTo(const PortName& port) const {
+  const bool from_required = chosen_->side == Side::kRequired;
+  return from_required ? message::Wire{chosen_->name, port.name}
+                       : message::Wire{port.name, chosen_->name};
 }
 
 void ConnectMode::pickNumber(int number) {

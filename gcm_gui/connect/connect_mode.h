@@ -4,6 +4,7 @@
 #include <gcm_gui/session/catalogue_store.h>
 #include <gcm_gui/session/system_actions.h>
 #include <tendon/interface/compatibility.h>
+#include <tendon/process/membership_messages.h>
 
 #include <QObject>
 #include <QString>
@@ -61,7 +62,8 @@ class ConnectMode : public QObject {
   /// False when there is no such port, or when it is forbidden, which a notice() tells.
   bool start(const tendon::gui::PortName& port);
   void leave();
-  /// Connects; nothing happens but a notice() when it does not fit.
+  /// Connects; when it does not fit, nothing happens but a notice(), and misfitPicked() where it
+  /// was not by chance.
   void pick(const tendon::gui::PortName& port);
   void pickNumber(int number);
   void pickBest();
@@ -69,11 +71,16 @@ class ConnectMode : public QObject {
  Q_SIGNALS:
   void changed();
   void picked(const tendon::InterfaceName& required, const tendon::InterfaceName& provided);
+  /// One that looks alike was wanted; nobody was asked for it, and this is why.
+  void misfitPicked(const tendon::message::Wire& wire, const QString& reason);
   /// One sentence for the user.
   void notice(const QString& text);
 
  private:
   void follow();
+  void refuse(const Candidate& candidate);
+  /// Between the chosen port and this one.
+  [[nodiscard]] message::Wire wireTo(const PortName& port) const;
   void rank();
   void addProvided(const RequiredDescription& required);
   void addRequired(const ProvidedDescription& provided);

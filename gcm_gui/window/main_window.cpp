@@ -271,6 +271,11 @@ void MainWindow::connectWhy() {
   why_card_ = new WhyCard(*centralWidget());
   why_ = new WhyBinding(*why_card_, parts_.store, parts_.checks, parts_.actions, this);
   connect(&parts_.activity, &ActivityModel::finished, &why_->refusals(), &Refusals::hear);
+  connect(&mode_, &ConnectMode::misfitPicked, &parts_.activity,
+          [&activity = parts_.activity](const message::Wire& wire, const QString& reason) {
+            activity.finish(activity.begin({.required = wire.required, .provided = wire.provided}),
+                            0.0, reason);
+          });
   connect(&why_->refusals(), &Refusals::changed, scene_,
           [this] { scene_->showRefused(why_->refusals().all()); });
   connect(graph_, &GraphView::whyRequested, why_, &WhyBinding::open);

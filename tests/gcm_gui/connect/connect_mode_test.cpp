@@ -131,14 +131,19 @@ TEST_F(ConnectModeTest, WhatIsConnectedElsewhereCanBeTakenAfterAllThatIsFree) {
 
 TEST_F(ConnectModeTest, PickingWhatDoesNotFitConnectsNothingAndSaysWhy) {
   QSignalSpy notice(&mode_, &ConnectMode::notice);
+  QSignalSpy misfit(&mode_, &ConnectMode::misfitPicked);
+  const InterfaceName drives{"robot", "arm", "Drives"};
   mode_.start({Side::kRequired, kRobot});
 
-  mode_.pick({Side::kProvided, {"robot", "arm", "Drives"}});
+  mode_.pick({Side::kProvided, drives});
 
   EXPECT_TRUE(actions_.asked.isEmpty());
   EXPECT_TRUE(mode_.active());
   ASSERT_EQ(notice.count(), 1);
   EXPECT_TRUE(notice.front().front().toString().contains("MoveTo"));
+  ASSERT_EQ(misfit.count(), 1);
+  EXPECT_EQ(misfit.front().front().value<message::Wire>(), (message::Wire{kRobot, drives}));
+  EXPECT_EQ(misfit.front().back(), notice.front().front());
 }
 
 TEST_F(ConnectModeTest, EndsWhenTheChosenPortGoesOrIsConnectedOrDisconnected) {

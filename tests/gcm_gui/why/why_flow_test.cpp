@@ -78,6 +78,26 @@ TEST_F(WhyFlowTest, ARefusedConnectionStaysRedAndTellsWhyAndCanBeTriedAgain) {
   KeepPictures(window(), "why-connected");
 }
 
+TEST_F(WhyFlowTest, WhatDoesNotFitStaysRedOncePickedAndIsExplained) {
+  StartLcm("robot");
+  StartLcm("desk");
+
+  ClickPort({Side::kRequired, kSlave});
+  ClickPort({Side::kProvided, {"desk", "old_arm", "Control"}});
+
+  ASSERT_TRUE(Eventually([&] { return Look() == EdgeItem::Look::kFailed; }));
+  QTest::keyClick(&window(), Qt::Key_Escape);
+  QTest::keyClick(&window(), Qt::Key_W);
+  ASSERT_TRUE(Eventually([&] { return Text("why.verdict") == "fails at step 4 of 7"; }))
+      << Text("why.verdict").toStdString();
+  EXPECT_EQ(Text("why.title"), "teleoperation/Robot → old_arm/Control");
+  KeepPictures(window(), "why-misfit");
+  QTest::keyClick(&window(), Qt::Key_Escape);
+
+  Connect();
+  EXPECT_TRUE(Eventually([&] { return Look() == EdgeItem::Look::kActive; }));
+}
+
 TEST_F(WhyFlowTest, TheReportHasTheStepsOfTheConsole) {
   StartLcm("robot");
   StartLcm("desk");
