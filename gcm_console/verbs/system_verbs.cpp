@@ -282,10 +282,12 @@ std::uint64_t NewestStep(Context& context) {
   return history && !history->entries.empty() ? history->entries.back().id : 0;
 }
 
-/// "; take it back with: gcm undo 8", where there are steps after `former`.
-std::string WayBack(Context& context, std::uint64_t former) {
+/// "; take it back with: gcm undo 8", where there are steps after `former`, and nobody else's
+/// among them.
+std::string WayBack(Context& context, std::uint64_t former, std::size_t tried) {
   const std::uint64_t newest = NewestStep(context);
   if (newest <= former) return "";
+  if (newest - former > tried) return "; others have made changes meanwhile, see: gcm history";
   return "; take it back with: gcm undo " + std::to_string(newest - former);
 }
 
@@ -296,7 +298,7 @@ void Summarise(Context& context, const PlanOutcome& outcome, const Plan& plan,
   }
   context.err() << "gcm: " << Counted(outcome.done, "step") << " made, " << outcome.failed
                 << " failed, " << outcome.left << " left, " << Counted(plan.untouched, "thing")
-                << " untouched" << WayBack(context, former) << '\n';
+                << " untouched" << WayBack(context, former, outcome.done + outcome.failed) << '\n';
 }
 
 /// In a table, and in JSON.

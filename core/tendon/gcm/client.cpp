@@ -334,6 +334,17 @@ void GcmClient::PassOver(StepHandler handler, std::uint64_t step) {
       implementation_->Guarded(std::move(handler)));
 }
 
+void GcmClient::TakePlanTurn(DoneHandler handler) {
+  implementation_->link().Request<None>(message::kPlanTurn, message::PlanTurn{.is_wanted = true},
+                                        [done = implementation_->Guarded(std::move(handler))](
+                                            const auto& answer) { done(Ignored(answer)); });
+}
+
+void GcmClient::GivePlanTurnBack() {
+  implementation_->link().Request<None>(message::kPlanTurn, message::PlanTurn{.is_wanted = false},
+                                        [](const auto& /*answer*/) {});
+}
+
 void GcmClient::GetHistory(std::function<void(Result<message::History>)> handler) {
   implementation_->link().Request<message::History>(message::kHistory, None{},
                                                     implementation_->Guarded(std::move(handler)));

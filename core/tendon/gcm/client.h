@@ -119,6 +119,10 @@ class GcmClient {
   /// Leaves the newest step as it is, for good, so that those before it can be undone; kFailed
   /// where that can be undone itself and is not named by `step`, or its process may come back.
   void PassOver(StepHandler handler, std::uint64_t step = 0);
+  /// That nobody else carries out a plan until it is given back, or the link ends; kFailed says who
+  /// does.
+  void TakePlanTurn(DoneHandler handler);
+  void GivePlanTurnBack();
   void GetHistory(std::function<void(Result<message::History>)> handler);
   /// What processes take of their machines, as they have told the GCM last.
   void GetHealth(std::function<void(Result<message::SystemHealth>)> handler);

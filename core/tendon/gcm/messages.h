@@ -47,6 +47,7 @@ inline constexpr auto kForget = static_cast<MessageType>(0x315);      // Forget 
 inline constexpr auto kReplace = static_cast<MessageType>(0x316);   // Wire -> ConnectionDescription
 inline constexpr auto kHealth = static_cast<MessageType>(0x31a);    // None -> SystemHealth
 inline constexpr auto kProcess = static_cast<MessageType>(0x31b);   // ProcessOrder -> None
+inline constexpr auto kPlanTurn = static_cast<MessageType>(0x31e);  // PlanTurn -> None
 inline constexpr auto kPassOver = static_cast<MessageType>(0x31f);  // WhichStep -> HistoryEntry
 inline constexpr auto kWatchLog = static_cast<MessageType>(0x342);  // WatchLog -> LogWatched
 // From the GCM, besides process/log/messages.h.
@@ -134,6 +135,12 @@ struct WhichStep {
   std::chrono::nanoseconds patience{0};  ///< for each of its orders; 0: as the GCM finds right
 };
 
+/// Before the first step of a plan, and after the last: of two that made plans for the same system
+/// at once, each would undo the other's.
+struct PlanTurn {
+  bool is_wanted = true;  ///< refused while another viewer has it; false: it is given back
+};
+
 /// One step that was made, and can be unmade.
 struct HistoryEntry {
   std::uint64_t id = 0;
@@ -210,6 +217,10 @@ template <>
 inline constexpr auto tendon::kPayload<tendon::message::WhichStep> =
     tendon::Describe("tendon.WhichStep", tendon::Field{"id", &tendon::message::WhichStep::id},
                      tendon::Field{"patience", &tendon::message::WhichStep::patience});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::PlanTurn> = tendon::Describe(
+    "tendon.PlanTurn", tendon::Field{"is_wanted", &tendon::message::PlanTurn::is_wanted});
 
 template <>
 inline constexpr auto tendon::kPayload<tendon::message::LifeStep> = tendon::Describe(

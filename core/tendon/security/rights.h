@@ -68,6 +68,7 @@ inline constexpr auto kRights = std::to_array<Right>({
     {0x31b, "give an order for a process", Role::kOperator, Audit::kAll},
     {0x31c, "find the fan-out", Role::kViewer, Audit::kRefusals},       // process/telemetry/
     {0x31d, "ask for its processes", Role::kViewer, Audit::kRefusals},  // gcm/supervisor/
+    {0x31e, "carry out a plan", Role::kOperator, Audit::kRefusals},
     {0x31f, "pass over a step", Role::kOperator, Audit::kAll},
     // process/log/messages.h, gcm/messages.h
     {0x340, "log", Role::kOperator, Audit::kRefusals},

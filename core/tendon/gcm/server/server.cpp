@@ -3,6 +3,7 @@
 #include <tendon/gcm/server/process_news.h>
 #include <tendon/gcm/server/server.h>
 #include <tendon/gcm/text/audit_object.h>
+#include <tendon/gcm/text/wall_time.h>
 #include <tendon/process/access/guarded_handler.h>
 #include <tendon/process/program_messages.h>
 #include <tendon/process/telemetry/fan_out_messages.h>
@@ -177,6 +178,7 @@ Server::Serve Server::ServeOf(MessageType type) {
       {message::kLife, &Server::Steer},
       {message::kGetClasses, &Server::ListClasses},
       {message::kPassOver, &Server::PassOver},
+      {message::kPlanTurn, &Server::TakePlanTurn},
       {message::kBeginOrder, &Server::BeginOrder},
       {message::kHealth, &Server::TellHealth},
       {message::kTellHealth, &Server::TakeHealth},
@@ -325,6 +327,25 @@ void Server::PassOver(const Request& request) {
   Locked([&] { orders_->PassOver(*which, NameOf(*request.channel), AnswerOf(request.responder)); });
 }
 
+void Server::TakePlanTurn(const Request& request) {
+  const auto turn = DecodeBody<message::PlanTurn>(request.body);
+  if (!turn) return request.responder->Refuse(turn.error());
+  Locked([&] {
+    const bool is_free = plan_turn_.peer == nullptr || plan_turn_.peer == &request.peer;
+    if (is_free) {
+      plan_turn_ =
+          turn->is_wanted ? Turn{&request.peer, NameOf(*request.channel), WallTime()} : Turn{};
+    }
+    const bool is_granted = is_free || !turn->is_wanted;
+    Answer(request,
+           is_granted ? Result<void>()
+                      : Error{ErrorCode::kFailed,
+                              "nothing was done, for a plan of " + plan_turn_.who +
+                                  " is being carried out since " + WallTimeText(plan_turn_.since) +
+                                  "; try again when that is done"});
+  });
+}
+
 void Server::Tell(const Request& request) { request.responder->Answer(Result(history_.steps())); }
 
 void Server::TellFanOut(const Request& request) {
@@ -363,6 +384,7 @@ void Server::Report(const Peer& peer, std::span<const std::byte> body) {
 
 void Server::Closed(Peer& peer, const SharedChannel& channel, const Error& reason) {
   Locked([&] {
+    if (plan_turn_.peer == &peer) plan_turn_ = {};
     registry_.End(std::exchange(peer.session, 0), ProcessState::kLost,
                   "its connection broke: " + Printable(reason.message, 256));
     outbox_.Add([this, key = channel.get()] {

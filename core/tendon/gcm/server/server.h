@@ -14,6 +14,7 @@
 #include <tendon/process/log/log_tap.h>
 
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -55,6 +56,12 @@ class Server final : public std::enable_shared_from_this<Server> {
  private:
   class Peer;
   using SharedChannel = std::shared_ptr<Channel>;
+  /// Of the one viewer who may carry out a plan; it ends with its channel at the latest.
+  struct Turn {
+    const Peer* peer = nullptr;
+    std::string who;
+    std::int64_t since = 0;  ///< ns since 1970
+  };
   struct Request {
     Peer& peer;
     SharedChannel channel;
@@ -93,6 +100,7 @@ class Server final : public std::enable_shared_from_this<Server> {
   void BeginOrder(const Request& request);
   void Undo(const Request& request);
   void PassOver(const Request& request);
+  void TakePlanTurn(const Request& request);
   void Tell(const Request& request);
   void TellHealth(const Request& request);
   void TellFanOut(const Request& request);
@@ -122,6 +130,7 @@ class Server final : public std::enable_shared_from_this<Server> {
   std::unique_ptr<LifeOrders> life_;
   std::unique_ptr<Supervisor> supervisor_;
   std::unique_ptr<Orders> orders_;
+  Turn plan_turn_;
   bool stopped_ = false;
   bool peers_owed_ = false;
   SteadyTime peers_told_{};

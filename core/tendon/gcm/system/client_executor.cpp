@@ -52,6 +52,15 @@ auto Seen(const GcmClient& client, const Read& read) {
 
 }  // namespace
 
+Result<void> ClientExecutor::Begin() {
+  const auto begun = Wait<void>(timeout_ + kLonger,
+                                [&](auto handler) { client_.TakePlanTurn(std::move(handler)); });
+  const bool is_unknown = !begun && begun.error().code == ErrorCode::kDenied;
+  return is_unknown ? Result<void>() : begun;
+}
+
+void ClientExecutor::End() { client_.GivePlanTurnBack(); }
+
 Result<void> ClientExecutor::Execute(const PlanStep& step) {
   if (auto checked = CheckInstance(step); !checked) return checked;
   switch (step.kind) {

@@ -18,7 +18,10 @@ class ClientExecutor final : public PlanExecutor {
   ClientExecutor(GcmClient& client, std::chrono::milliseconds timeout)
       : client_(client), timeout_(timeout) {}
 
+  /// A GCM of before there were turns is asked for none.
+  Result<void> Begin() override;
   Result<void> Execute(const PlanStep& step) override;
+  void End() override;
 
  private:
   [[nodiscard]] Result<void> CheckInstance(const PlanStep& step) const;

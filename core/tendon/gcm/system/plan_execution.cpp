@@ -2,6 +2,7 @@
 #include <tendon/gcm/system/system_index.h>
 
 #include <map>
+#include <utility>
 
 namespace tendon {
 namespace {
@@ -59,10 +60,22 @@ class Failures {
   Steps lacking_;  // those that are not connected so
 };
 
+/// The first of them says why.
+PlanOutcome LeaveAll(const Plan& plan, const Error& why, const PlanProgress& progress) {
+  std::string reason = why.message;
+  std::size_t number = 0;
+  for (const PlanStep& step : plan.steps) {
+    progress(++number, step, {Fate::kLeft, std::exchange(reason, "")});
+  }
+  return {.left = number, .error = why};
+}
+
 }  // namespace
 
 PlanOutcome ExecutePlan(const Plan& plan, PlanExecutor& executor, AfterError after_error,
                         const PlanProgress& progress, const PlanInterrupt& interrupt) {
+  if (plan.steps.empty()) return {};
+  if (const auto begun = executor.Begin(); !begun) return LeaveAll(plan, begun.error(), progress);
   PlanOutcome outcome;
   Failures failures;
   std::size_t number = 0;
@@ -88,6 +101,7 @@ PlanOutcome ExecutePlan(const Plan& plan, PlanExecutor& executor, AfterError aft
     }
     progress(number, step, made ? StepOutcome() : StepOutcome{Fate::kFailed, made.error().message});
   }
+  executor.End();
   return outcome;
 }
 

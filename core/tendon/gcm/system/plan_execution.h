@@ -13,7 +13,11 @@ namespace tendon {
 class PlanExecutor {
  public:
   virtual ~PlanExecutor() = default;
+  /// Before the first step: from now on until End() nobody else carries out a plan. After an error
+  /// no step is made.
+  virtual Result<void> Begin() { return {}; }
   virtual Result<void> Execute(const PlanStep& step) = 0;
+  virtual void End() {}
 };
 
 enum class AfterError { kStop, kGoOn };

@@ -32,7 +32,7 @@ const Types kActs = {
     message::kLeave,         message::kConnect,    message::kDisconnect, message::kUndo,
     message::kForget,        message::kReplace,    message::kLogRecords, message::kSetLogLevel,
     message::kLife,          message::kPassOver,   message::kBeginOrder, message::kTellHealth,
-    message::kProcess,       message::kMirror,     message::kOpenMarked};
+    message::kProcess,       message::kMirror,     message::kOpenMarked, message::kPlanTurn};
 
 /// By name: a number in the table that belongs to another message would show here.
 TEST(Rights, AreThoseOfTheMessages) {

@@ -1,0 +1,63 @@
+#include <gmock/gmock.h>
+#include <tendon/gcm/system/client_executor.h>
+#include <tests/core/gcm/bench.h>
+
+namespace tendon {
+namespace {
+
+using test::kControl;
+using test::kRobot;
+using testing::HasSubstr;
+
+class PlanTurn : public test::DeskAndRobot {
+ protected:
+  void SetUp() override {
+    DeskAndRobot::SetUp();
+    other_ = Watch(nullptr, "anna@desk");
+  }
+  static Result<void> Take(GcmClient& client) {
+    return Wait<void>(kLong, [&](auto handler) { client.TakePlanTurn(handler); });
+  }
+  static PlanOutcome CarryOut(GcmClient& client) {
+    ClientExecutor executor(client, kLong);
+    return ExecutePlan({.steps = {{.kind = PlanStep::Kind::kConnect, .wire = {kRobot, kControl}}}},
+                       executor, AfterError::kStop, [](auto&&...) {});
+  }
+
+  std::unique_ptr<GcmClient> other_;
+};
+
+INSTANTIATE_TEST_SUITE_P(Over, PlanTurn, testing::Values("loopback", "tcp"), test::NameOfParameter);
+
+TEST_P(PlanTurn, WhileOneCarriesOutAPlanAnothersIsRefusedAndNothingOfItIsDone) {
+  ASSERT_TRUE(Take(*other_));
+
+  const PlanOutcome outcome = CarryOut(*client_);
+
+  EXPECT_EQ(outcome.done, 0U);
+  EXPECT_EQ(outcome.left, 1U);
+  ASSERT_TRUE(outcome.error);
+  EXPECT_EQ(outcome.error->code, ErrorCode::kFailed);
+  EXPECT_THAT(outcome.error->message,
+              HasSubstr("nothing was done, for a plan of anna@desk is being carried out since "));
+  EXPECT_EQ(Connection(), std::nullopt);
+  EXPECT_TRUE(Take(*other_)) << "it has its turn already";
+}
+
+TEST_P(PlanTurn, ComesBackWithTheEndOfThePlan) {
+  EXPECT_EQ(CarryOut(*other_).done, 1U);
+  ASSERT_TRUE(Disconnect(*other_));
+
+  EXPECT_EQ(CarryOut(*client_).done, 1U);
+  EXPECT_NE(Connection(), std::nullopt);
+}
+
+TEST_P(PlanTurn, EndsWithTheLinkOfWhoHadIt) {
+  ASSERT_TRUE(Take(*other_));
+  other_.reset();
+
+  EXPECT_TRUE(EventuallyTrue([&] { return static_cast<bool>(Take(*client_)); }));
+}
+
+}  // namespace
+}  // namespace tendon
