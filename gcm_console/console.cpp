@@ -4,6 +4,7 @@
 #include <gcm_console/help/help_text.h>
 #include <gcm_console/line/command_line.h>
 #include <gcm_console/report.h>
+#include <tendon/base/printable.h>
 
 #include <cerrno>
 #include <exception>
@@ -28,7 +29,7 @@ int Finish(const tendon::Result<program::ExitCode>& result, const Streams& strea
   const bool is_written = IsWritten(streams.out);
   const bool is_left = errno == EPIPE;  // whoever reads has enough, as `head` after ten lines
   if (!result) {
-    streams.err << "gcm: " << Plain(result.error().message) << '\n';
+    streams.err << "gcm: " << tendon::Printable(result.error().message) << '\n';
     return program::ExitCodeOf(result.error().code);
   }
   if (!is_written) {

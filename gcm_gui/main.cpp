@@ -36,9 +36,7 @@ struct Options {
 };
 
 void AddOptions(CLI::App& app, Options& options) {
-  auto* gcm = app.add_option("--gcm", options.gcm,
-                             "address of the GCM (default: $TENDON_GCM, 127.0.0.1:10705); never "
-                             "hosts one when given");
+  auto* gcm = program::AddGcmOption(app, options.gcm, "; never hosts one when given");
   app.add_option("--listen", options.listen, "host a GCM at this address")->excludes(gcm);
   app.add_option("file", options.file, "system file to bring up, after a look at its plan");
   app.add_flag("--read-only", options.read_only, "ask as a viewer, to whom changes are denied");

@@ -72,6 +72,16 @@ Result<void> SetThread(const tendon::SystemFile::Component& wanted, tendon::Comp
   return {};
 }
 
+Error NoLibrary(const tendon::SystemFile::Component& wanted,
+                const tendon::ComponentLoader& loader) {
+  std::string all;
+  for (const std::string& known : loader.available()) all += (all.empty() ? "" : ", ") + known;
+  return {ErrorCode::kInvalid, "component '" + wanted.name +
+                                   "' has no \"library\" in the file: name there the plug-in that "
+                                   "has its class " +
+                                   wanted.class_name + "; there is: " + all};
+}
+
 Result<std::vector<Made>> MakeComponents(const Share& share, tendon::ComponentLoader& loader) {
   std::vector<Made> all;
   for (const auto& one : share.components) {
@@ -80,6 +90,7 @@ Result<std::vector<Made>> MakeComponents(const Share& share, tendon::ComponentLo
                                             "' has no class in the file, for its own program makes "
                                             "it: start that, not lcm"};
     }
+    if (one.library.empty()) return NoLibrary(one, loader);
     auto component = loader.Create(one.library, one.class_name, one.name, one.configuration);
     if (!component) return component.error();
     if (const auto set = SetThread(one, **component); !set) return set.error();

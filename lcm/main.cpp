@@ -15,8 +15,7 @@ int main(int argc, char** argv) {
 
   CLI::App app("Runs the components of one process and joins a GCM.", "lcm");
   app.add_option("--name", options.name, "name of this process")->required();
-  app.add_option("--gcm", options.gcm,
-                 "address of the GCM (default: $TENDON_GCM, 127.0.0.1:10705)");
+  program::AddGcmOption(app, options.gcm);
   app.add_option("--system", options.system, "system file with this process' components");
   app.add_option("--listen", options.listen, "address for viewers and peers")
       ->capture_default_str();

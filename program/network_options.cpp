@@ -96,6 +96,17 @@ void AddNetworkOptions(CLI::App& app, NetworkOptions& options) {
       ->excludes(certificate);
 }
 
+CLI::Option* AddGcmOption(CLI::App& app, std::string& gcm, const std::string& more) {
+  const auto check_given = [](const std::string& address) -> std::string {
+    if (!address.empty()) return {};  // what it is worth is judged where it is used
+    return "expected an address such as 127.0.0.1:10705, got ''";
+  };
+  return app
+      .add_option("--gcm", gcm, "address of the GCM (default: $TENDON_GCM, 127.0.0.1:10705)" + more)
+      ->check(check_given)
+      ->type_name("ADDRESS");
+}
+
 Result<std::shared_ptr<Middleware>> MakeMiddleware(const NetworkOptions& options) {
   for (const Maker& maker : Makers()) {
     if (maker.name != options.middleware) continue;

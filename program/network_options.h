@@ -35,6 +35,10 @@ std::filesystem::path AuthorityOf(const NetworkOptions& options);
 /// the environment says.
 void AddNetworkOptions(CLI::App& app, NetworkOptions& options);
 
+/// --gcm, an address; `more` is said of it in help, behind the default. Where it is not given,
+/// `gcm` stays as it is.
+CLI::Option* AddGcmOption(CLI::App& app, std::string& gcm, const std::string& more = "");
+
 /// kInvalid names the middlewares there are. Of a certificate, the errors of CheckCertificate().
 tendon::Result<std::shared_ptr<tendon::Middleware>> MakeMiddleware(const NetworkOptions& options);
 

@@ -1,4 +1,5 @@
 #include <gcm_console/call/argument_words.h>
+#include <gcm_console/line/input.h>
 #include <gcm_console/outcomes.h>
 #include <gcm_console/report.h>
 #include <gcm_console/verb.h>
@@ -8,7 +9,6 @@
 
 #include <CLI/CLI.hpp>
 #include <iostream>
-#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <ostream>
@@ -27,7 +27,7 @@ Result<std::string> ArgumentFor(Context& context, const CallWords& words) {
   if (words.argument.empty()) return std::string();
   if (words.argument == std::vector<std::string>{"-"}) {
     if (!context.streams().has_input) return NoInput("call " + words.path);
-    return std::string(std::istreambuf_iterator<char>(std::cin), {});
+    return AllOf(std::cin);
   }
   const auto client = context.Client();
   if (!client) return client.error();

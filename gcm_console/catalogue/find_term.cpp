@@ -57,6 +57,10 @@ tendon::Result<FindTerm> FindTerm::Parse(const std::string& word) {
     term.kind_ = key->kind;
     text.erase(0, colon + 1);
     take_negation();
+    if (text.empty()) {
+      return tendon::Error{tendon::ErrorCode::kInvalid,
+                           "'" + word + "': nothing stands behind '" + name + ":'"};
+    }
   }
   term.text_ = text;
   if (IsExpression(text)) {

@@ -17,6 +17,7 @@ using tendon::Result;
 Result<std::vector<std::string>> ColumnsOf(const tendon::Catalog& catalog,
                                            const tendon::Path& path) {
   const std::string text = ToString(path);
+  if (auto process = LookUpProcess(catalog, path.process); !process) return process.error();
   if (path.component.empty()) {
     return Error{ErrorCode::kInvalid, "'" + text +
                                           "' is a process: name a column of a component's "

@@ -143,9 +143,7 @@ CommandLine::CommandLine(Settings usual, Complement complement)
 void CommandLine::AddSettings() {
   app_.set_help_flag("-h,--help", "say what there is, or all of one verb");
   app_.set_version_flag("--version", VersionLine(), "say which gcm this is");
-  app_.add_option("--gcm", settings_.gcm,
-                  "address of the GCM (default: $TENDON_GCM, 127.0.0.1:10705)")
-      ->type_name("ADDRESS");
+  program::AddGcmOption(app_, settings_.gcm);
   timeout_ms_ = static_cast<int>(settings_.timeout.count());
   app_.add_option("--timeout", timeout_ms_,
                   "how long an answer may take: 500ms, 5s, 2min or a number of ms (default: 2s)")

@@ -81,7 +81,8 @@ int Shell::RunCommand(const Command& command, const Streams& streams) {
   tendon::os::HoldTerminationSignals();  // who was told of one lets the next through
   const bool is_help = words == Words{"help"} || words == Words{"--help"};
   if (is_help) {
-    streams.out << "Here also: cd PATH, .., jobs, end and exit; gcm is left out.\n" << std::flush;
+    streams.out << "Here also: cd PATH, .., jobs, end and exit; help prompt tells of them.\n"
+                << std::flush;
   }
   return exit_code;
 }

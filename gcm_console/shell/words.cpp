@@ -55,6 +55,7 @@ class Reader {
     word_.clear();
     const bool is_json = next() == '{' || next() == '[';
     if (auto read = is_json ? ReadJson() : ReadPlain(); !read) return read;
+    if (words_ == Words{"gcm"}) words_.clear();  // as in a line that was copied from a terminal
     words_.push_back(std::exchange(word_, ""));
     return {};
   }
@@ -137,6 +138,8 @@ Unfinished UnfinishedOf(std::string_view line) {
   Reader reader(line);
   const bool is_whole = static_cast<bool>(reader.Read());
   Unfinished unfinished{std::move(reader.words()), std::string(line.substr(reader.begin()))};
+  const bool begins_anew = !is_whole || unfinished.typed.empty();
+  if (begins_anew && unfinished.words == Words{"gcm"}) unfinished.words.clear();
   if (!is_whole) {
     unfinished.words.push_back(reader.rest());
   } else if (unfinished.typed.empty()) {

@@ -18,11 +18,11 @@ struct Command {
   bool operator==(const Command&) const = default;
 };
 
-/// The commands of a line: their words, those between blanks. `;` ends a command, `&` too, which
-/// leaves it behind the prompt; `#` where a word
-/// would begin ends the line. Between '...' a letter is only a letter, between "..." and elsewhere
-/// \ makes it one. A word that begins with { or [ is JSON and ends with its bracket, quotes and
-/// all; so is what follows a = in a word. kInvalid where a quote or a bracket has no end.
+/// The commands of a line: their words, those between blanks; a `gcm` before a verb is passed over.
+/// `;` ends a command, `&` too, which leaves it behind the prompt; `#` where a word would begin
+/// ends the line. Between '...' a letter is only a letter, between "..." and elsewhere \ makes it
+/// one. A word that begins with { or [ is JSON and ends with its bracket, quotes and all; so is
+/// what follows a = in a word. kInvalid where a quote or a bracket has no end.
 tendon::Result<std::vector<Command>> CommandsOf(std::string_view line);
 
 /// A word as it is to be typed, so that CommandsOf() reads it as one.

@@ -136,6 +136,10 @@ Result<ExitCode> Create(Context& context, const Arguments& arguments) {
   if (!process) return process.error();
   const auto configuration = ConfigurationOf(arguments);
   if (!configuration) return configuration.error();
+  if (arguments.class_name.empty()) {
+    return Error{ErrorCode::kInvalid, "no class is named; gcm classes " + *process +
+                                          " lists those that '" + *process + "' has"};
+  }
   const LifeOrder order{.verb = LifeVerb::kCreate,
                         .process = *process,
                         .component = is_whole ? path->component : arguments.component,
@@ -157,6 +161,11 @@ Result<ExitCode> Configure(Context& context, const Arguments& arguments) {
   }
   const auto configuration = ConfigurationOf(arguments);
   if (!configuration) return configuration.error();
+  if (configuration->empty()) {
+    return Error{ErrorCode::kInvalid,
+                 "nothing is said of the configuration: give --arg or --configure; --arg {} is for "
+                 "the defaults"};
+  }
   const LifeOrder order{.verb = LifeVerb::kConfigure,
                         .process = found->front().process,
                         .component = found->front().component,
@@ -245,7 +254,11 @@ Result<ExitCode> List(Context& context, const Arguments& arguments) {
 }
 
 void AddConfiguration(CLI::App& app, Arguments& arguments) {
-  auto* json = app.add_option("--arg", arguments.json, "its configuration, as a JSON object");
+  const auto check_given = [](const std::string& text) -> std::string {
+    return text.empty() ? "expected a JSON object such as {}, got ''" : "";
+  };
+  auto* json = app.add_option("--arg", arguments.json, "its configuration, as a JSON object")
+                   ->check(check_given);
   Names(app.add_option("--configure", arguments.file, "a file with its configuration"),
         WordKind::kFile)
       ->excludes(json);

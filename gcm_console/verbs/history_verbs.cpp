@@ -209,7 +209,8 @@ std::vector<Verb> HistoryVerbs() {
              ->check(&program::CheckCount)
              ->excludes(count);
          app.add_flag("--skip", words->skip,
-                      "pass over the newest for good where it cannot be undone as things are");
+                      "pass over the newest for good where it cannot be undone as things are")
+             ->excludes(count);
          app.add_flag("--dry-run", words->dry_run,
                       "say what would be undone, and whether the first can be; do nothing");
          return [words](Context& context) { return Undo(context, *words); };

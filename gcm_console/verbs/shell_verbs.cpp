@@ -1,12 +1,14 @@
+#include <gcm_console/line/input.h>
 #include <gcm_console/shell/shell.h>
 #include <gcm_console/verb.h>
 #include <tendon/base/os/process.h>
+#include <tendon/gcm/system_file.h>
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <memory>
+#include <sstream>
 #include <utility>
 
 namespace console {
@@ -39,12 +41,14 @@ ExitCode TypeLines(Shell& shell, const Streams& streams) {
   return static_cast<ExitCode>(exit_code);
 }
 
-ExitCode ReadLines(Shell& shell, const Streams& streams) {
+Result<ExitCode> ReadLines(Shell& shell, const Streams& streams) {
   int exit_code = program::kOk;
+  InputLines lines(std::cin);
   for (std::string line;
-       !shell.has_ended() && exit_code != program::kInterrupted && std::getline(std::cin, line);) {
+       !shell.has_ended() && exit_code != program::kInterrupted && lines.Next(line);) {
     exit_code = shell.Run(line, streams, Shell::AfterFailure::kGoOn);
   }
+  if (lines.error()) return *lines.error();
   return static_cast<ExitCode>(exit_code);
 }
 
@@ -54,7 +58,8 @@ Result<ExitCode> RunShell(Context& context) {
   }
   Shell shell(context.settings());
   const bool is_typed = context.streams().make_line_reader != nullptr;
-  return is_typed ? TypeLines(shell, context.streams()) : ReadLines(shell, context.streams());
+  if (is_typed) return TypeLines(shell, context.streams());
+  return ReadLines(shell, context.streams());
 }
 
 constexpr int kMostScripts = 10;
@@ -75,7 +80,8 @@ Result<ExitCode> RunLines(Context& context, const ScriptOptions& options, std::i
   Shell shell(std::move(settings));
   int failure = program::kOk;
   int number = 0;
-  for (std::string line; !shell.has_ended() && std::getline(script, line);) {
+  InputLines lines(script);
+  for (std::string line; !shell.has_ended() && lines.Next(line);) {
     ++number;
     const int exit_code =
         shell.Run(line, context.streams(),
@@ -87,25 +93,19 @@ Result<ExitCode> RunLines(Context& context, const ScriptOptions& options, std::i
     if (failure == program::kOk || stops) failure = exit_code;
     if (stops) break;
   }
+  if (lines.error()) {
+    return Error{lines.error()->code,
+                 name + ", after line " + std::to_string(number) + ": " + lines.error()->message};
+  }
   return static_cast<ExitCode>(failure);
 }
 
 Result<ExitCode> RunScript(Context& context, const ScriptOptions& options) {
   if (options.file == "-" && !context.streams().has_input) return NoInput("run");
   if (options.file == "-") return RunLines(context, options, std::cin);
-  std::error_code none;
-  if (fs::is_directory(options.file, none)) {
-    return Error{ErrorCode::kInvalid, options.file +
-                                          " is a folder: name a file with a command of "
-                                          "gcm in each line"};
-  }
-  std::ifstream script(options.file);
-  if (!script) {
-    return Error{
-        ErrorCode::kNotFound,
-        "cannot read " + options.file +
-            (fs::exists(options.file, none) ? ": not allowed" : ": there is no such file")};
-  }
+  const auto text = tendon::ReadSystemText(options.file);
+  if (!text) return text.error();
+  std::istringstream script(*text);
   return RunLines(context, options, script);
 }
 
@@ -122,7 +122,7 @@ Verb::Run PrepareScript(CLI::App& app) {
 
 std::vector<Verb> ShellVerbs() {
   return {
-      {"shell", "take verbs from a prompt, with Tab, a history and cd",
+      {"shell", "take verbs from a prompt, with Tab, a history and cd; gcm help prompt tells more",
        [](CLI::App&) -> Verb::Run { return &RunShell; }},
       {"run",
        "run a file of verbs, up to the first that fails",

@@ -39,7 +39,9 @@ std::string WireText(const InterfaceName& required, const InterfaceName& provide
 ExitCode WarnOfUnknown(Context& context, const tendon::Error& unknown, const Ends& ends) {
   const bool asks = unknown.message.ends_with("?");
   context.err() << "gcm: " << Plain(unknown.message) << (asks ? " " : "; ")
-                << "the connection waits for it; take it back: gcm disconnect " << ends.required
+                << (ends.dry_run ? "the connection would wait for it"
+                                 : "the connection waits for it; take it back: gcm disconnect " +
+                                       ends.required)
                 << '\n';
   return program::kNotFound;
 }
@@ -169,7 +171,10 @@ Result<ExitCode> Connect(Context& context, const Ends& ends) {
     LearnDisputedTypes(context);
     auto checked = CheckConnect((*client)->catalog(), *required, *provided, ends.replace);
     if (!checked) return checked.error();
-    return Print(context, {"connect", "connected", true}, {{WireText(*required, *provided), {}}});
+    const ExitCode printed =
+        Print(context, {"connect", "connected", true}, {{WireText(*required, *provided), {}}});
+    const auto provider = LookUpProcess((*client)->catalog(), provided->process);
+    return provider ? printed : WarnOfUnknown(context, provider.error(), ends);
   }
   const auto made = Carry(context, *required, *provided, ends.replace);
   if (!made) return made.error();

@@ -122,7 +122,8 @@ TEST_F(LcmStart, AFileThatSaysSomethingElse) {
   const auto with = [](const std::string& processes) {
     return R"({"version": 1, "name": "x", "processes": )" + processes + "}";
   };
-  ExpectTextRefused(R"({"version": 99})", "file is version 99, this program reads 1");
+  ExpectTextRefused(R"({"version": 99})",
+                    "line 1, column 2: file is version 99, this program reads 1");
   ExpectTextRefused(with("7"), "line 1, column 29: processes: expected a list, got number");
   ExpectTextRefused(with(R"([{"name": "a", "name": "b"}])"),
                     "line 1, column 57: processes[0]: key 'name' occurs twice");
@@ -147,6 +148,10 @@ TEST_F(LcmStart, WhatTheFileSaysOfAComponentThatCannotHaveIt) {
   };
   ExpectFileRefused(with(R"("class": null)"),
                     "component 'arm' has no class in the file, for its own program makes it");
+  ExpectFileRefused(
+      with(R"("class": "SimulatedArm")"),
+      "component 'arm' has no \"library\" in the file: name there the plug-in that has "
+      "its class SimulatedArm; there is: ");
   ExpectFileRefused(with(R"("class": "SimulatedArm", "library": "simulated_arm",
                             "thread": {"priority": 7})"),
                     "system.json: line 3, column 29: processes[0].components[0].thread: ");

@@ -131,6 +131,7 @@ const SystemFile::Component* SystemFile::FindComponent(const std::string& proces
 }
 
 Result<std::string> ReadSystemText(const fs::path& path) {
+  if (path.empty()) return Error{ErrorCode::kInvalid, "no file is named: give the path of one"};
   std::error_code reason;
   const fs::file_status status = fs::status(path, reason);
   if (status.type() == fs::file_type::not_found) {

@@ -218,8 +218,9 @@ void CheckVersion(const Json& json) {
                           (version.is_number() ? version.dump() : Shown(version)));
   }
   if (version != SystemFile::kVersion) {
-    Refuse("", "file is version " + version.dump() + ", this program reads " +
-                   std::to_string(SystemFile::kVersion));
+    throw file::FileMistake{"version", "file is version " + version.dump() +
+                                           ", this program reads " +
+                                           std::to_string(SystemFile::kVersion)};
   }
 }
 

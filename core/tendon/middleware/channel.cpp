@@ -91,7 +91,7 @@ Result<void> Channel::Greet(const std::shared_ptr<Link>& link, SteadyTime deadli
     is_open_.Set(false);
     reason_ = Error{ErrorCode::kTimeout, link->peer() +
                                              " accepted the connection but did not "
-                                             "answer; is it a program of Tendon?"};
+                                             "answer in time; is it a program of Tendon?"};
   }
   if (greeted_) return {};
   const Error reason = *reason_;

@@ -311,13 +311,13 @@ TEST(SystemFile, AFileThatIsNoneIsSaidToBe) {
   EXPECT_EQ(ErrorOf(" \n"), "is empty");
   EXPECT_EQ(ErrorOf("\xef\xbb\xbf" + kDemo),
             "begins with a byte-order mark; save it as UTF-8 without one");
-  EXPECT_EQ(ErrorOf("[]"), "expected an object, got a list");
+  EXPECT_EQ(ErrorOf("[]"), "line 1, column 1: expected an object, got a list");
   EXPECT_EQ(ErrorOf(Demo("\"version\": 1", "\"version\": 99")),
-            "file is version 99, this program reads 1");
+            "line 2, column 3: file is version 99, this program reads 1");
   EXPECT_EQ(ErrorOf(Demo("\"version\": 1", "\"version\": \"1\"")),
             "line 2, column 3: version: expected 1, got string '1'");
   EXPECT_EQ(ErrorOf(Demo("\"version\": 1", "\"version\": 9223372036854775808")),
-            "file is version 9223372036854775808, this program reads 1");
+            "line 2, column 3: file is version 9223372036854775808, this program reads 1");
 }
 
 TEST(SystemFile, NestingHasALimitThatIsNamed) {
@@ -345,8 +345,10 @@ TEST(SystemFile, KeysAreCheckedWithTheirPlace) {
   EXPECT_EQ(ErrorOf(Demo("{\"gain\": 0.5, \"limits\": [1, 2]}", "\"fast\"")),
             "line 8, column 9: processes[0].components[0].configuration: expected an object, got "
             "string 'fast'");
-  EXPECT_EQ(ErrorOf("{\"version\": 1, \"name\": \"x\"}"), "key 'processes' is missing");
-  EXPECT_EQ(ErrorOf("{\"name\": \"x\", \"processes\": []}"), "key 'version' is missing");
+  EXPECT_EQ(ErrorOf("{\"version\": 1, \"name\": \"x\"}"),
+            "line 1, column 1: key 'processes' is missing");
+  EXPECT_EQ(ErrorOf("{\"name\": \"x\", \"processes\": []}"),
+            "line 1, column 1: key 'version' is missing");
   EXPECT_EQ(ErrorOf("{\"version\": 1, \"name\": \"x\", \"processes\": {}}"),
             "line 1, column 29: processes: expected a list, got an object");
 }

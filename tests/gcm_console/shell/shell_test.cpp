@@ -208,7 +208,25 @@ TEST_F(ShellTest, AScriptThatCannotBeReadIsASentence) {
   EXPECT_THAT(Gcm({"run", home.path().string()}).err, HasSubstr("is a folder"));
   const Outcome missing = Gcm({"run", "nowhere.gcm"});
   EXPECT_EQ(missing.exit_code, program::kNotFound);
-  EXPECT_EQ(missing.err, "gcm: cannot read nowhere.gcm: there is no such file\n");
+  EXPECT_EQ(missing.err, "gcm: nowhere.gcm: there is no such file\n");
+}
+
+TEST_F(ShellTest, InputThatCannotBeReadToItsEndIsNoSuccess) {
+  const std::string folder = home.path().string();
+  EXPECT_EQ(Shell("shell < " + folder).exit_code, program::kUsage);
+  EXPECT_EQ(Shell("run - < " + folder).err,
+            "gcm: standard input, after line 0: the input cannot be read to its end: give a file, "
+            "or a pipe\n");
+  EXPECT_EQ(Shell("run - < /dev/zero").err,
+            "gcm: standard input, after line 0: a line is longer than 1 MiB: is it a text?\n");
+  const Outcome endless = Shell("call robot/arm/Control.MoveTo - < /dev/zero");
+  EXPECT_EQ(endless.exit_code, program::kUsage);
+  EXPECT_EQ(endless.err, "gcm: the input is over 16 MiB\n");
+  EXPECT_EQ(Shell("call robot/arm/Control.MoveTo - < " + folder).exit_code, program::kUsage);
+}
+
+TEST_F(ShellTest, ALastLineWithoutItsEndIsALineToo) {
+  EXPECT_THAT(Script("version\nversion").out, testing::MatchesRegex("gcm [^\n]*\ngcm [^\n]*\n"));
 }
 
 TEST_F(ShellTest, BashCompletesWithTheFileThatGcmPrints) {

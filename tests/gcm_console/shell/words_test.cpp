@@ -37,6 +37,16 @@ TEST(Words, AnAmpersandLeavesACommandBehind) {
   EXPECT_EQ(Of("find 'a & b' c\\&d"), (Commands{{"find", "a & b", "c&d"}}));
 }
 
+TEST(Words, TheProgramsNameBeforeAVerbIsPassedOver) {
+  EXPECT_EQ(Of("gcm ls robot; gcm tree & gcm"), (Commands{{"ls", "robot"}, {"tree"}, {"gcm"}}));
+  EXPECT_EQ(Of("find gcm"), (Commands{{"find", "gcm"}}));
+  EXPECT_EQ(UnfinishedOf("gcm sho").words, Words{"sho"});
+  EXPECT_EQ(UnfinishedOf("gcm ").words, Words{""});
+  EXPECT_EQ(UnfinishedOf("gcm call {").words, (Words{"call", "{"}));
+  EXPECT_EQ(UnfinishedOf("gcm {").words, Words{"{"});
+  EXPECT_EQ(UnfinishedOf("gcm").words, Words{"gcm"});
+}
+
 TEST(Words, QuotesKeepTogetherWhatBelongsTogether) {
   EXPECT_EQ(Of(R"(find 'a; b' "c \" d" e\ f '')"),
             (Commands{{"find", "a; b", "c \" d", "e f", ""}}));

@@ -38,6 +38,9 @@ TEST_F(MisuseTest, OfThingsThatAreNotThere) {
       {{"hz", "robot/arm/state.Jonts"}, program::kNotFound, "did you mean 'Joints'?"},
       {{"hz", "robot/arm/Control"}, program::kNotFound, "is no column of a state table"},
       {{"plot", "robot/arm"}, program::kNotFound, "is no column of a state table"},
+      {{"watch", "robto"}, program::kNotFound, "no process 'robto'; did you mean 'robot'?"},
+      {{"hz", "robto"}, program::kNotFound, "no process 'robto'; did you mean 'robot'?"},
+      {{"watch", "robot"}, program::kUsage, "'robot' is a process: name a column"},
       {{"candidates", "desk/teleoperation"}, program::kUsage, "'desk/teleoperation' is no interf"},
       {{"candidates", "desk/teleoperation/Robt"}, program::kNotFound, "did you mean 'Robot'?"},
       {{"candidates", "robot/arm/Control"}, program::kNotFound, "is a provided interface"},
@@ -57,6 +60,10 @@ TEST_F(MisuseTest, OfThingsThatAreNotThere) {
       {{"disconnect", "99"}, program::kNotFound, "no connection has the number 99"},
       {{"connect", "--match", "x/**", "y/**"}, program::kNotFound, "is named 'x/**'"},
       {{"undo", "--step", "99"}, program::kRefused, "there is nothing to undo"},
+      {{"create", "", "robot/two"}, program::kUsage, "no class is named"},
+      {{"create", "Counter", "robot/two", "--arg", ""}, program::kUsage, "expected a JSON object"},
+      {{"configure", "robot/arm"}, program::kUsage, "nothing is said of the configuration"},
+      {{"find", "type:"}, program::kUsage, "nothing stands behind 'type:'"},
   });
 }
 
@@ -89,7 +96,10 @@ TEST_F(MisuseTest, OfFilesThatAreNone) {
        program::kNotFound,
        "there is no such file"},
       {{"import", torn}, program::kUsage, "to is missing; gcm import --help tells more"},
-      {{"run", folder}, program::kUsage, "is a folder: name a file with a command of gcm"},
+      {{"run", folder}, program::kUsage, folder + ": is a folder, not a file"},
+      {{"run", pipe}, program::kUsage, pipe + ": is no regular file"},
+      {{"run", ""}, program::kUsage, "no file is named"},
+      {{"plan", ""}, program::kUsage, "no file is named"},
       {{"run", folder + "/none.gcm"}, program::kNotFound, "there is no such file"},
   });
   EXPECT_FALSE(std::filesystem::exists(to));

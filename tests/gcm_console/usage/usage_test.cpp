@@ -63,6 +63,8 @@ TEST_F(UsageTest, AMistypedCommandLineSaysWhatIsWrongAndWhereHelpIs) {
       {{"history", "--count", "-1"}, "--count: expected a whole number above 0, got '-1'"},
       {{"undo", "--step", "0"}, "--step: expected a whole number above 0, got '0'"},
       {{"undo", "2", "--step", "1"}, "count excludes --step"},
+      {{"undo", "--skip", "2"}, "count excludes --skip"},
+      {{"--gcm", "", "ls"}, "--gcm: expected an address such as 127.0.0.1:10705, got ''"},
       {{"undo", "0"}, "count: Value 0 not in range 1 to 1000"},
       {{"top", "--sort", "x"}, "--sort: x not in {name,"},
       {{"log-level", "a", "loud"}, "level: loud not in {debug,info,warning,error}"},

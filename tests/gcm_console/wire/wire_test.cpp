@@ -27,6 +27,10 @@ TEST_F(WireVerbsTest, ADryRunSaysWhatWouldBeAndDoesNothing) {
   EXPECT_EQ(refused.exit_code, program::kIncompatible) << refused.err;
   const Outcome taken = Gcm({"connect", "desk/supervisor/Robot", "robot/arm/Control", "--dry-run"});
   EXPECT_EQ(taken.exit_code, program::kRefused) << taken.err;
+  const Outcome unknown = Gcm({"connect", kTeleoperation, "robto/arm/Control", "--dry-run"});
+  EXPECT_EQ(unknown.exit_code, program::kNotFound);
+  EXPECT_EQ(unknown.err,
+            "gcm: no process 'robto'; did you mean 'robot'? the connection would wait for it\n");
 
   EXPECT_THAT(Gcm({"tree"}).out, HasSubstr("Robot  required  not connected"));
   EXPECT_THAT(Gcm({"ls", "desk/supervisor"}).out, HasSubstr("-> robot/arm/Control\n"));

@@ -125,8 +125,8 @@ void CheckLibrary(const std::string& library, const std::string& place) {
 }
 
 Error ErrorOf(const FileMistake& mistake, std::string_view text, const std::string& source) {
-  const std::string place = mistake.place.empty() ? "" : PlaceInJson(text, mistake.place) + ": ";
-  return {ErrorCode::kInvalid, source + ": " + place + mistake.text};
+  const std::string place = PlaceInJson(text, mistake.place);
+  return {ErrorCode::kInvalid, source + ": " + place + ": " + mistake.text};
 }
 
 }  // namespace tendon::file

@@ -113,6 +113,10 @@ class ReferenceReader {
     if (object.Find("shared-library") != nullptr) {
       component.library = object.Text("shared-library");
       file::CheckLibrary(component.library, object.Place("shared-library"));
+    } else {
+      imported_.left_out.push_back(place +
+                                   " has no \"shared-library\": write the plug-in that has " +
+                                   component.class_name + " into \"library\"");
     }
     const bool is_periodic = argument.Number("Period", "seconds", 0.0) != 0.0;
     if (is_periodic) component.period = argument.Period("Period");

@@ -64,6 +64,17 @@ TEST(ComponentManagerFile, BecomesASystemFile) {
   }
 }
 
+TEST(ComponentManagerFile, SaysOfWhomThePlugInIsUnknown) {
+  const auto imported = ParseComponentManagerFile(
+      Streamer("\"shared-library\": \"sawSocketStreamer\",", ""), "a.json", "robot");
+
+  ASSERT_TRUE(imported) << imported.error().message;
+  EXPECT_THAT(
+      imported->left_out,
+      testing::Contains("components[0] has no \"shared-library\": write the plug-in that has "
+                        "mtsSocketStreamer into \"library\""));
+}
+
 TEST(ComponentManagerFile, AParameterThatIsJsonIsTheConfiguration) {
   const auto imported = ParseComponentManagerFile(
       Streamer("\"streamerMTML.json\"", R"("{\"port\": 5}")"), "a.json", "robot");
