@@ -85,8 +85,7 @@ class PortContract : public Contract {
   Host::Guest guest_;
 };
 
-/// For kinds that end a message that does not come to its end: plain Ice does not, see
-/// docs/dependencies.md.
+/// For kinds whose messages are frames and nothing else; tests/core/ice has it of messages of Ice.
 class UnfinishedContract : public PortContract {};
 
 /// Two channels that shook hands, unless a test does so itself.

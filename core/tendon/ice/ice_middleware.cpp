@@ -6,6 +6,7 @@
 #include <tendon/ice/sequence_size_check.h>
 #include <tendon/ice/servants.h>
 #include <tendon/ice/settings.h>
+#include <tendon/ice/strangers/newcomers.h>
 #include <tendon/ice/tls.h>
 #include <tendon/middleware/handover.h>
 
@@ -31,10 +32,14 @@ std::uint16_t PortOf(const Ice::ObjectAdapter& adapter) {
 }
 
 /// `tls` is null for links without.
-std::shared_ptr<Ice::Communicator> MakeCommunicator(const std::shared_ptr<Tls>& tls) {
+std::shared_ptr<Ice::Communicator> MakeCommunicator(const std::shared_ptr<Tls>& tls,
+                                                    const std::shared_ptr<Links>& links) {
   auto settings = Settings();
+  const auto newcomers = std::make_shared<Newcomers>(links);
+  settings.observer = newcomers;
   if (tls) tls->AddTo(*settings.properties);
   auto communicator = Ice::initialize(settings);
+  newcomers->Watch(communicator);
   if (tls) tls->Judge(*communicator);
   return communicator;
 }
@@ -91,7 +96,7 @@ class IceMiddleware final : public Middleware {
   IceMiddleware(Exposure exposure, std::shared_ptr<Tls> tls)
       : exposure_(exposure),
         tls_(std::move(tls)),
-        communicator_(MakeCommunicator(tls_)),
+        communicator_(MakeCommunicator(tls_, links_)),
         opened_(communicator_->createObjectAdapter("")),
         fan_out_(communicator_, tls_ != nullptr) {
     WarnOfExposure(exposure, "ice");
@@ -123,8 +128,8 @@ class IceMiddleware final : public Middleware {
     if (!place) return place.error();
     const std::uint64_t door = NewNumber();
     try {
-      const auto adapter = MakeListeningAdapter(*communicator_, "listener" + std::to_string(door),
-                                                EndpointAt(*place));
+      const auto adapter = MakeListeningAdapter(
+          *communicator_, std::string(Newcomers::kDoor) + std::to_string(door), EndpointAt(*place));
       const auto servant = std::make_shared<AcceptingServant>(links_, std::move(accept), door);
       adapter->add(servant, EndpointIdentity());
       adapter->activate();

@@ -12,31 +12,15 @@
 namespace tendon::ice {
 namespace {
 
-/// Null where there is none.
-std::shared_ptr<Ice::IPConnectionInfo> AddressOf(const Ice::Connection& connection) {
-  auto info = connection.getInfo();
-  while (info->underlying) info = info->underlying;
-  return std::dynamic_pointer_cast<Ice::IPConnectionInfo>(info);
-}
-
-/// The two ends of a connection's socket, as "host:port".
-struct Ends {
-  std::string local = "unknown";
-  std::string peer = "unknown";
-};
-
 std::string Place(std::string host, int port) {
   constexpr std::string_view kMapped = "::ffff:";  // IPv4 on a socket of IPv6
   if (host.starts_with(kMapped)) host.erase(0, kMapped.size());
   return ToString(HostPort{std::move(host), static_cast<std::uint16_t>(port)});
 }
 
-Ends EndsOf(const Ice::Connection& connection) {
+Ends EndsIfOpen(const Ice::Connection& connection) {
   try {
-    if (const auto address = AddressOf(connection)) {
-      return {.local = Place(address->localAddress, address->localPort),
-              .peer = Place(address->remoteAddress, address->remotePort)};
-    }
+    if (const auto address = AddressIn(connection.getInfo())) return EndsOf(*address);
   } catch (const Ice::Exception&) {
     // It is closed already.
   }
@@ -76,9 +60,19 @@ bool IsUnheard(const std::string& local, const std::string& peer) {
 
 Ice::Identity EndpointIdentity() { return {"tendon", ""}; }
 
+std::shared_ptr<Ice::IPConnectionInfo> AddressIn(std::shared_ptr<Ice::ConnectionInfo> info) {
+  while (info->underlying) info = info->underlying;
+  return std::dynamic_pointer_cast<Ice::IPConnectionInfo>(info);
+}
+
+Ends EndsOf(const Ice::IPConnectionInfo& address) {
+  return {.local = Place(address.localAddress, address.localPort),
+          .peer = Place(address.remoteAddress, address.remotePort)};
+}
+
 void KeepFromPrograms(const Ice::Connection& connection) {
   try {
-    const auto address = AddressOf(connection);
+    const auto address = AddressIn(connection.getInfo());
     if (!address) return;
     os::KeepFromPrograms(static_cast<std::uint16_t>(address->localPort),
                          static_cast<std::uint16_t>(address->remotePort));
@@ -92,8 +86,8 @@ IceLink::IceLink(std::shared_ptr<Ice::Connection> connection, std::uint64_t door
       two_way_(connection_->createProxy(EndpointIdentity())),
       oneway_(two_way_->ice_oneway()),
       door_(door),
-      peer_(EndsOf(*connection_).peer),
-      local_(EndsOf(*connection_).local),
+      peer_(EndsIfOpen(*connection_).peer),
+      local_(EndsIfOpen(*connection_).local),
       certificate_(CertificateOf(*connection_)) {}
 
 Status IceLink::Send(std::span<const std::byte> frame) {
@@ -198,16 +192,11 @@ void IceLink::SetHandler(std::shared_ptr<LinkHandler> handler) {
 }
 
 void IceLink::Admit() {
-  {
-    const std::scoped_lock lock(mutex_);
-    if (!reason_) limit_.Set(kMaxFrameSize);
-  }
-  connection_->setHeartbeatCallback(nullptr);
+  const std::scoped_lock lock(mutex_);
+  if (!reason_) limit_.Set(kMaxFrameSize);
 }
 
 void IceLink::CheckAdmission() {
-  constexpr std::chrono::seconds kPatience(3);
-  if (door_ == 0 || SteadyClock().Now() - since_ < kPatience) return;
   if (limit_.Get() == kMaxFrameSize) return;
   Fail({ErrorCode::kTimeout, peer_ + " connected and did not say who it is for 3 s"});
 }
@@ -291,19 +280,20 @@ void Links::Add(const std::shared_ptr<Links>& links, const std::shared_ptr<IceLi
     links->links_.erase(link->connection_.get());
     links->changed_.notify_all();
   });
-  // Ice closes what is silent; this is for one who sends heartbeats and nothing else.
-  if (link->door_ != 0) {
-    link->connection_->setHeartbeatCallback(
-        [weak = std::weak_ptr(link)](const std::shared_ptr<Ice::Connection>&) {
-          if (const auto still_there = weak.lock()) still_there->CheckAdmission();
-        });
-  }
   if (is_shut) link->CloseAtOnce();
 }
 
 std::shared_ptr<IceLink> Links::Find(const std::shared_ptr<Ice::Connection>& connection) {
   const std::scoped_lock lock(mutex_);
   const auto found = links_.find(connection.get());
+  return found == links_.end() ? nullptr : found->second;
+}
+
+std::shared_ptr<IceLink> Links::Find(const Ends& ends) {
+  const std::scoped_lock lock(mutex_);
+  const auto found = std::ranges::find_if(links_, [&](const auto& one) {
+    return one.second->local() == ends.local && one.second->peer() == ends.peer;
+  });
   return found == links_.end() ? nullptr : found->second;
 }
 

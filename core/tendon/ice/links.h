@@ -23,6 +23,12 @@ inline constexpr std::size_t kMaxMessageSize = std::size_t{256} << 10U;
 
 class Links;
 
+/// The two ends of a connection's socket, as "host:port".
+struct Ends {
+  std::string local = "unknown";
+  std::string peer = "unknown";
+};
+
 /// One connection of Ice, either end of it. What Ice calls back holds it by shared pointers only.
 class IceLink final : public Link, public std::enable_shared_from_this<IceLink> {
  public:
@@ -54,6 +60,8 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
   /// Closes because of what the peer did, after answering it.
   void Fail(const Error& reason);
   void CloseAtOnce();
+  /// Fails unless it was admitted: it was accepted long enough ago.
+  void CheckAdmission();
 
   // One of these for each message that was begun, of the size it had.
 
@@ -76,8 +84,6 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
   void SendSign();
   bool AddPart(std::span<const std::byte> bytes, std::size_t limit);
   bool StartClosing(const Error& reason);
-  /// Closes the link when it was accepted too long ago without being admitted.
-  void CheckAdmission();
   /// The connection is gone, whatever the cause.
   void OnGone();
 
@@ -88,7 +94,6 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
   const std::string peer_;
   const std::string local_;
   const std::optional<Certificate> certificate_;
-  const SteadyTime since_ = SteadyClock().Now();
 
   std::mutex delivery_;  // held during a call of the handler
   std::shared_ptr<LinkHandler> handler_;
@@ -113,6 +118,7 @@ class Links {
   static void Add(const std::shared_ptr<Links>& links, const std::shared_ptr<IceLink>& link);
 
   std::shared_ptr<IceLink> Find(const std::shared_ptr<Ice::Connection>& connection);
+  std::shared_ptr<IceLink> Find(const Ends& ends);
 
   /// Closes the links accepted at `door`, or for 0 all that there are or will be; when it returns
   /// their handlers have heard it.
@@ -124,6 +130,10 @@ class Links {
   bool is_shut_ = false;
   std::map<Ice::Connection*, std::shared_ptr<IceLink>> links_;
 };
+
+/// Null where there is none.
+std::shared_ptr<Ice::IPConnectionInfo> AddressIn(std::shared_ptr<Ice::ConnectionInfo> info);
+Ends EndsOf(const Ice::IPConnectionInfo& address);
 
 /// Ice leaves its sockets to whatever programs this one starts, which would hold their ports: not
 /// that of this connection any more. Takes longer the more sockets there are.

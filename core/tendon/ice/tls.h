@@ -3,7 +3,7 @@
 #include <Ice/Ice.h>
 #include <tendon/base/clock.h>
 #include <tendon/base/result.h>
-#include <tendon/ice/handshakes.h>
+#include <tendon/ice/strangers/handshakes.h>
 #include <tendon/middleware/middleware.h>
 #include <tendon/process/access/audit_log.h>
 #include <tendon/security/certificate.h>

@@ -64,6 +64,7 @@ std::optional<Status> StatusOfRefusal(const Error& error) {
 }
 
 void AppendStatus(Status status, Bytes& answer) {
+  answer.reserve(answer.size() + 1);  // push_back() doubles what is full, and what is kept
   answer.push_back(static_cast<std::byte>(status.code()));
 }
 

@@ -78,6 +78,38 @@ TEST_F(MalformedRequest, TheServerAnswersOrHangsUpAndServesTheNext) {
   EXPECT_LT(conformance::MemoryInUse(), memory + (std::size_t{16} << 20U));
 }
 
+/// A request as long as a stranger may make it, of which all is right.
+Bytes LongRequest() {
+  const Bytes frame = FrameOf(1, kMaxStrangersFrameSize - FrameHeader::kSize);
+  const std::string_view text(reinterpret_cast<const char*>(frame.data()), frame.size());
+  const auto size = static_cast<std::int64_t>(frame.size());
+  return Request("frame", 0).Int(size + 11).Byte(1).Byte(1).Size(size).Text(text).Finished();
+}
+
+TEST_F(MalformedRequest, SingleBytesNowAndThenGainNoTime) {
+  const auto recorder = std::make_shared<Recorder>();
+  const auto link = client_->Open(listener_->address(), recorder, kPatience);
+  ASSERT_TRUE(link) << link.error().message;
+  ASSERT_EQ((*link)->Send(FrameOf(1)), Status::kQueued);
+  const auto guest = host_.guest();
+  ASSERT_TRUE(guest.recorder->WaitForFrames(1));
+  const os::Socket socket = Connect();
+  const Bytes request = LongRequest();
+  const auto begin = request.begin();
+
+  auto said = begin;  // all of it would take a minute
+  Bytes buffer(4096);
+  EXPECT_TRUE(EventuallyTrue([&] {
+    if (said != request.end()) (void)os::SendSome(socket, std::span(said++, 1));
+    return said == request.end() || !os::ReceiveSome(socket, buffer);
+  }));
+
+  EXPECT_LT(said - begin, std::ssize(request));
+  EXPECT_EQ(recorder->closed(), 0);
+  EXPECT_EQ(guest.link->Send(FrameOf(2)), Status::kQueued);
+  EXPECT_TRUE(recorder->WaitForFrames(1));
+}
+
 TEST_F(MalformedRequest, TheMessageThatKillsGeneratedCodeIsAnsweredInWords) {
   const os::Socket socket = Connect();
 

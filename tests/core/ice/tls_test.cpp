@@ -1,5 +1,5 @@
 #include <tendon/base/os/socket.h>
-#include <tendon/ice/handshakes.h>
+#include <tendon/ice/strangers/handshakes.h>
 
 #include <algorithm>
 #include <iterator>

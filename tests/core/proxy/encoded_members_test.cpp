@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <tendon/interface/connection.h>
 #include <tendon/middleware/body.h>
+#include <tendon/middleware/parts/part_sender.h>
 #include <tendon/proxy/event_proxy.h>
 #include <tendon/proxy/function_proxy.h>
 #include <tendon/proxy/read_proxy.h>
@@ -91,6 +92,13 @@ TEST(ReadProxy, KeepsTheStatusBehindTheAnswer) {
 
   EXPECT_EQ(tendon::TakeStatus(answer), Status(Status::kNoSample));
   EXPECT_EQ(answer, EncodeBody(1.0));
+}
+
+TEST(ReadProxy, ALargeAnswerTakesNoMoreMemoryForItsStatus) {
+  Bytes answer(tendon::kMaxReturned / 2 + 1);
+  tendon::AppendStatus(Status::kDone, answer);
+
+  EXPECT_LE(answer.capacity(), tendon::kMaxReturned) << "what takes more is copied to be returned";
 }
 
 TEST(ReadProxy, RefusesAStatusThatIsNone) {

@@ -14,6 +14,7 @@
 #include "core/ice/attacks.h"
 #include "system/faults/harness/fault_test.h"
 #include "system/faults/harness/footprint.h"
+#include "system/faults/harness/thread_limit.h"
 
 namespace faults {
 namespace {
@@ -262,6 +263,31 @@ TEST_P(Strangers, OutOfDescriptorsTheOldAreKeptAndNewOnesWait) {
   EXPECT_TRUE(Eventually([&] { return Gcm({"ls"}).exit_code == 0; })) << "there is room again";
   limit.rlim_cur = usual;
   prlimit(gcm_->pid(), RLIMIT_NOFILE, &limit, nullptr);
+  ExpectNoRowLost();
+  ExpectHonestCommands();
+}
+
+/// Row 30.
+TEST_P(Strangers, OutOfThreadsTheOldAreKeptAndAnOrderIsRefused) {
+  ASSERT_NO_FATAL_FAILURE(StartSystem());
+  {
+    const ThreadLimit of_gcm(gcm_->pid());
+    const ThreadLimit of_robot(robot_->pid());
+    if (!of_gcm.holds() || !of_robot.holds()) {
+      GTEST_SKIP() << "row 30: nothing here can keep a process from making threads";
+    }
+
+    const Outcome order = Gcm({"classes", "robot"});
+
+    EXPECT_EQ(order.exit_code, 1);
+    EXPECT_THAT(order.err, HasSubstr("process 'robot' gets no more threads (ulimit -u)"));
+    EXPECT_EQ(Gcm({"ls"}).exit_code, 0) << "who needs no thread is served";
+    ASSERT_TRUE(Flows());
+  }
+
+  const Outcome order = Gcm({"classes", "robot"});
+  EXPECT_EQ(order.exit_code, 0) << "there is room again: " << order.err;
+  for (const char* name : {"robot", "desk"}) ExpectNeverLost(name);
   ExpectNoRowLost();
   ExpectHonestCommands();
 }

@@ -312,6 +312,10 @@ void ShutDownSending(const Socket& socket) { shutdown(socket.descriptor(), SHUT_
 
 void ShutDown(int descriptor) { shutdown(descriptor, SHUT_RDWR); }
 
+void ShutDown(std::uint16_t local_port, std::uint16_t peer_port) {
+  ForEachBetween(local_port, peer_port, [](int descriptor) { ShutDown(descriptor); });
+}
+
 std::string LocalAddress(const Socket& socket) { return AddressOf(socket, getsockname); }
 
 std::string PeerAddress(const Socket& socket) { return AddressOf(socket, getpeername); }

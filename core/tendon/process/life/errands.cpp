@@ -7,17 +7,22 @@
 
 namespace tendon {
 
-bool Errands::Do(std::function<void()> task) {
+Result<void> Errands::Do(std::function<void()> task) {
   const std::scoped_lock lock(mutex_);
   JoinEnded();
-  if (is_stopped_ || threads_.size() >= most_) return false;
+  if (is_stopped_ || threads_.size() >= most_) {
+    return Error{ErrorCode::kFailed, "process '" + owner_ +
+                                         "' has too many orders to obey, or is about to end: "
+                                         "nothing was done"};
+  }
   const auto self = threads_.emplace(threads_.end());
   try {
     *self = std::thread([this, self, task = std::move(task)] { Run(task, self); });
-    return true;
+    return {};
   } catch (const std::system_error&) {
     threads_.erase(self);
-    return false;
+    return Error{ErrorCode::kFailed,
+                 "process '" + owner_ + "' gets no more threads (ulimit -u): nothing was done"};
   }
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <tendon/base/result.h>
+
 #include <chrono>
 #include <condition_variable>
 #include <cstddef>
@@ -16,16 +18,16 @@ namespace tendon {
 /// may take long, or never end. Thread-safe.
 class Errands {
  public:
-  /// `most` may be under way at once; `owner` is who stands in the log for what a task throws.
+  /// `most` may be under way at once; `owner` is the process that stands in errors and in the log.
   Errands(std::string owner, std::size_t most) : owner_(std::move(owner)), most_(most) {}
   Errands(const Errands&) = delete;
   Errands& operator=(const Errands&) = delete;
   /// Stop().
   ~Errands() { Stop(); }
 
-  /// False where so many are under way, where there is no further thread, and after Stop(): the
+  /// An error where so many are under way, where there is no further thread, and after Stop(): the
   /// task is not done then.
-  [[nodiscard]] bool Do(std::function<void()> task);
+  Result<void> Do(std::function<void()> task);
   /// From now on nothing is begun.
   void Close();
   /// Whether nothing is under way within `patience`.

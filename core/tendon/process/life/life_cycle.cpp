@@ -73,7 +73,7 @@ void LifeCycle::Obey(const LifeOrder& order, Begin begin, Done<message::LifeOutc
   const Patience patience = std::clamp(Patience(order.patience), kNoWait, kLongestPatience);
   const SteadyTime deadline = SteadyClock().Now() + patience;
   Errands& errands = order.verb == LifeVerb::kStop ? stops_ : errands_;
-  const bool is_under_way = errands.Do([this, order, begin = std::move(begin), done, deadline] {
+  const auto begun = errands.Do([this, order, begin = std::move(begin), done, deadline] {
     const Outcome outcome = ExecuteGuarded({order, deadline, begin});
     const std::string words = "ordered from afar: " + WordsFor(order);
     if (outcome) {
@@ -83,16 +83,12 @@ void LifeCycle::Obey(const LifeOrder& order, Begin begin, Done<message::LifeOutc
     }
     done(outcome);
   });
-  if (is_under_way) return;
-  done(Error{ErrorCode::kFailed,
-             "process '" + parts_.process +
-                 "' has too many orders to obey, or is about to end: nothing was "
-                 "done"});
+  if (!begun) done(begun.error());
 }
 
 void LifeCycle::ListClasses(Done<message::Classes> done) {
-  const bool is_under_way = looks_.Do([this, done] { done(maker_.classes()); });
-  if (!is_under_way) done(Error{ErrorCode::kFailed, "process '" + parts_.process + "' is busy"});
+  const auto begun = looks_.Do([this, done] { done(maker_.classes()); });
+  if (!begun) done(begun.error());
 }
 
 void LifeCycle::Stop() {

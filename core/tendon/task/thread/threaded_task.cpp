@@ -50,8 +50,8 @@ Result<void> ThreadedTask::Launch() {
   try {
     thread_ = std::thread([this] { MakeCycles(); });
   } catch (const std::system_error& error) {
-    return Error{ErrorCode::kFailed,
-                 "component '" + name() + "' got no thread: " + std::string(error.what())};
+    return Error{ErrorCode::kFailed, "component '" + name() + "' got no thread (ulimit -u): " +
+                                         std::string(error.what())};
   }
   return {};
 }

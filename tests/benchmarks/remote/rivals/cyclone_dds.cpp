@@ -147,6 +147,7 @@ class Client final : public RivalClient {
 Rival CycloneDds() {
   return {.id = "R8-dds",
           .name = "CycloneDDS",
+          .stretch = 1.05,
           .missing = {},
           .serve = [] { return std::make_unique<Server>(); },
           .reach = [](const std::string& /*address*/) { return std::make_unique<Client>(); }};

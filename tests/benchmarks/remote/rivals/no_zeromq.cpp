@@ -2,6 +2,8 @@
 
 namespace tendon::benchmark {
 
-Rival ZeroMq() { return {.id = "R8-zmq", .name = "ZeroMQ", .missing = "libzmq3-dev"}; }
+Rival ZeroMq() {
+  return {.id = "R8-zmq", .name = "ZeroMQ", .stretch = 0.75, .missing = "libzmq3-dev"};
+}
 
 }  // namespace tendon::benchmark

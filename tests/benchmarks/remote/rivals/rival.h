@@ -36,8 +36,9 @@ class RivalClient {
 /// One of those that we are compared with beside raw Ice: used where its package was found when
 /// this was built.
 struct Rival {
-  std::string id;    ///< of its case
-  std::string name;  ///< for people
+  std::string id;      ///< of its case
+  std::string name;    ///< for people
+  double stretch = 0;  ///< of our time, in theirs
   std::string
       missing;  ///< the package that it takes; empty where it is built in, as what follows is
   std::function<std::unique_ptr<RivalServer>()> serve;

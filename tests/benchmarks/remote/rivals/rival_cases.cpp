@@ -11,6 +11,7 @@ std::vector<Case> RivalCases(const Effort& effort, const TheSystem& system) {
     if (!rival.missing.empty()) {
       all.push_back({.id = rival.id,
                      .what = what + ": not built: package " + rival.missing + " missing",
+                     .stretch = rival.stretch,
                      .repetition = [] { return std::optional<Pair>(); }});
       continue;
     }
@@ -24,6 +25,7 @@ std::vector<Case> RivalCases(const Effort& effort, const TheSystem& system) {
     };
     all.push_back({.id = rival.id,
                    .what = what + " request and answer, 64 B",
+                   .stretch = rival.stretch,
                    .repetition = SideBySide(
                        Between(system, [=](auto& both) { return ReadJoints(both, reads); }),
                        Between(system, read_theirs))});

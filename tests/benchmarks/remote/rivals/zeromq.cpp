@@ -92,6 +92,7 @@ class Client final : public RivalClient {
 Rival ZeroMq() {
   return {.id = "R8-zmq",
           .name = "ZeroMQ",
+          .stretch = 0.75,
           .missing = {},
           .serve = [] { return std::make_unique<Server>(); },
           .reach = [](const std::string& address) { return std::make_unique<Client>(address); }};

@@ -1,6 +1,6 @@
 #include <tendon/base/log.h>
 #include <tendon/base/os/socket.h>
-#include <tendon/ice/handshakes.h>
+#include <tendon/ice/strangers/handshakes.h>
 
 #include <exception>
 #include <string>

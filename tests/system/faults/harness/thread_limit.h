@@ -1,0 +1,60 @@
+#pragma once
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <system_error>
+
+namespace faults {
+
+/// As long as it lives, a process makes no more threads: by the limit of its user, or, where that
+/// is root, who has none, by a control group.
+class ThreadLimit {
+ public:
+  explicit ThreadLimit(int pid) : pid_(pid) {
+    if (geteuid() != 0) {
+      prlimit(pid_, RLIMIT_NPROC, nullptr, &usual_);
+      const rlimit none{.rlim_cur = 1, .rlim_max = usual_.rlim_max};
+      holds_ = prlimit(pid_, RLIMIT_NPROC, &none, nullptr) == 0;
+      return;
+    }
+    std::error_code failure;
+    std::filesystem::create_directory(group_, failure);
+    holds_ = !failure && Write(group_ / "pids.max", "1") && Move(group_);
+  }
+  ThreadLimit(const ThreadLimit&) = delete;
+  ThreadLimit& operator=(const ThreadLimit&) = delete;
+  ~ThreadLimit() {
+    if (geteuid() != 0) {
+      if (holds_) prlimit(pid_, RLIMIT_NPROC, &usual_, nullptr);
+      return;
+    }
+    if (holds_) (void)Move(group_.parent_path());
+    rmdir(group_.c_str());
+  }
+
+  [[nodiscard]] bool holds() const { return holds_; }
+
+ private:
+  static bool Write(const std::filesystem::path& file, const std::string& text) {
+    return static_cast<bool>(std::ofstream(file) << text << std::flush);
+  }
+  [[nodiscard]] bool Move(const std::filesystem::path& group) const {
+    return Write(group / "cgroup.procs", std::to_string(pid_));
+  }
+  /// That of all groups, in either version of them.
+  static std::filesystem::path Root() {
+    const std::filesystem::path root("/sys/fs/cgroup");
+    return std::filesystem::exists(root / "pids") ? root / "pids" : root;
+  }
+
+  const int pid_;
+  const std::filesystem::path group_ = Root() / ("tendon-" + std::to_string(pid_));
+  rlimit usual_{};
+  bool holds_ = false;
+};
+
+}  // namespace faults
