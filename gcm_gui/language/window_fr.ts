@@ -2553,6 +2553,30 @@ Possède %1 des commandes et événements requis.</translation>
         <source>Restart %1 components</source>
         <translation>Redémarrer %1 composants</translation>
     </message>
+    <message>
+        <source>done</source>
+        <translation>fait</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>échoué</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>restant</translation>
+    </message>
+    <message>
+        <source>To %1: asking the processes what they can make…</source>
+        <translation>Vers %1 : on demande aux processus ce qu’ils peuvent créer…</translation>
+    </message>
+    <message>
+        <source>To %1: %2; %3</source>
+        <translation>Vers %1 : %2 ; %3</translation>
+    </message>
+    <message>
+        <source>this GCM is too old to say whom it has started</source>
+        <translation>ce GCM est trop ancien pour dire qui il a lancé</translation>
+    </message>
 </context>
 <context>
     <name>tendon::gui::Words::Words</name>

@@ -58,6 +58,11 @@ void ScriptedReports::askFill(const std::string& /*process*/, const std::string&
   handler(fill);
 }
 
+void ScriptedReports::askClasses(const std::string& process, Handler<message::Classes> handler) {
+  asked_for_classes.append(QString::fromStdString(process));
+  class_handlers.push_back(std::move(handler));
+}
+
 QStringList ScriptedReports::listened() const {
   QStringList all;
   for (const QStringList& patterns : wanted_) all += patterns;

@@ -119,6 +119,8 @@ class ScriptedReports final : public SystemReports {
   void askCounts(const InterfaceName& required, Handler<ConnectionCounts> handler) override;
   void askFill(const std::string& process, const std::string& component,
                Handler<MailboxFill> handler) override;
+  void askChildren(Handler<message::Children> handler) override { handler(children); }
+  void askClasses(const std::string& process, Handler<message::Classes> handler) override;
 
   [[nodiscard]] QStringList listened() const;
   /// One record of robot/arm's log, now.
@@ -131,6 +133,9 @@ class ScriptedReports final : public SystemReports {
   bool answers_counts = true;  ///< at once; else the test does
   std::vector<Handler<ConnectionCounts>> count_handlers;  ///< that wait for the test
   Result<MailboxFill> fill = MailboxFill();
+  Result<message::Children> children = message::Children();
+  QStringList asked_for_classes;                          ///< which processes
+  std::vector<Handler<message::Classes>> class_handlers;  ///< of them, for the test to answer
 
  private:
   QMap<const QObject*, QStringList> wanted_;
