@@ -2577,6 +2577,22 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <source>this GCM is too old to say whom it has started</source>
         <translation>dieser GCM ist zu alt, um zu sagen, wen er gestartet hat</translation>
     </message>
+    <message>
+        <source>Start a GCM here</source>
+        <translation>Hier einen GCM starten</translation>
+    </message>
+    <message>
+        <source>Show me around</source>
+        <translation>Rundgang</translation>
+    </message>
+    <message>
+        <source>Starting a GCM; it goes on when this window is closed</source>
+        <translation>Ein GCM wird gestartet; er läuft weiter, wenn dieses Fenster geschlossen wird</translation>
+    </message>
+    <message>
+        <source>%1 could not be started</source>
+        <translation>%1 konnte nicht gestartet werden</translation>
+    </message>
 </context>
 <context>
     <name>tendon::gui::Words::Words</name>

@@ -2577,6 +2577,22 @@ Possède %1 des commandes et événements requis.</translation>
         <source>this GCM is too old to say whom it has started</source>
         <translation>ce GCM est trop ancien pour dire qui il a lancé</translation>
     </message>
+    <message>
+        <source>Start a GCM here</source>
+        <translation>Lancer un GCM ici</translation>
+    </message>
+    <message>
+        <source>Show me around</source>
+        <translation>Visite guidée</translation>
+    </message>
+    <message>
+        <source>Starting a GCM; it goes on when this window is closed</source>
+        <translation>Un GCM est lancé ; il continue quand cette fenêtre est fermée</translation>
+    </message>
+    <message>
+        <source>%1 could not be started</source>
+        <translation>%1 n’a pas pu être lancé</translation>
+    </message>
 </context>
 <context>
     <name>tendon::gui::Words::Words</name>
