@@ -2593,6 +2593,10 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <source>%1 could not be started</source>
         <translation>%1 konnte nicht gestartet werden</translation>
     </message>
+    <message>
+        <source>As %1 says now</source>
+        <translation>Wie %1 es jetzt sagt</translation>
+    </message>
 </context>
 <context>
     <name>tendon::gui::Words::Words</name>

@@ -2593,6 +2593,10 @@ Possède %1 des commandes et événements requis.</translation>
         <source>%1 could not be started</source>
         <translation>%1 n’a pas pu être lancé</translation>
     </message>
+    <message>
+        <source>As %1 says now</source>
+        <translation>Selon %1 à présent</translation>
+    </message>
 </context>
 <context>
     <name>tendon::gui::Words::Words</name>

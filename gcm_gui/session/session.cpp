@@ -242,6 +242,12 @@ void Session::callCommand(const std::string& path, const std::string& argument,
   });
 }
 
+void Session::readValue(const std::string& path, ValueHandler handler) {
+  client_->Call(path, {}, [courier = courier_, handler](const auto& value) {
+    courier->post([handler, value] { handler(value); });
+  });
+}
+
 void Session::finishCall(ActivityModel::Id id, const Result<std::string>& answer) {
   const auto call = open_calls_.extract(id);
   if (call.empty()) return;

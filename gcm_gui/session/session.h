@@ -55,6 +55,7 @@ class Session : public QObject, public SystemActions, public CommandCalls, publi
   void findSchema(const std::string& process, Fingerprint type, SchemaHandler handler) override;
   void callCommand(const std::string& path, const std::string& argument,
                    AnswerHandler handler) override;
+  void readValue(const std::string& path, ValueHandler handler) override;
 
   void diagnose(const message::Wire& wire, DiagnosisHandler handler) override;
 

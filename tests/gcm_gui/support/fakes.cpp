@@ -88,6 +88,11 @@ void ScriptedCalls::callCommand(const std::string& path, const std::string& argu
   answer = std::move(handler);
 }
 
+void ScriptedCalls::readValue(const std::string& path, ValueHandler handler) {
+  read.append(QString::fromStdString(path));
+  value = std::move(handler);
+}
+
 void ScriptedChecks::diagnose(const message::Wire& wire, DiagnosisHandler handler) {
   diagnosed.push_back(wire);
   diagnosis = std::move(handler);

@@ -39,11 +39,14 @@ class ScriptedCalls final : public CommandCalls {
   void findSchema(const std::string& process, Fingerprint type, SchemaHandler handler) override;
   void callCommand(const std::string& path, const std::string& argument,
                    AnswerHandler handler) override;
+  void readValue(const std::string& path, ValueHandler handler) override;
 
   Result<Schema> schema = Error{ErrorCode::kTimeout, "no answer"};
   int asked_for_schema = 0;
   QStringList calls;
   AnswerHandler answer;  ///< of the newest call
+  QStringList read;      ///< paths
+  ValueHandler value;    ///< of the newest of them
 };
 
 /// Remembers what it was asked. The test answers.
