@@ -170,6 +170,9 @@ TEST_F(SessionTest, ACallToAProcessThatIsLostIsNotWaitedForAnyLonger) {
   session_ = std::make_unique<Session>(Node(), manager_->address(), true, Role::kOperator,
                                        std::chrono::seconds(40));
   ASSERT_TRUE(EverythingIsThere());
+  bool is_linked = false;
+  session_->readValue("robot/plant/state.Move", [&](const auto&) { is_linked = true; });
+  ASSERT_TRUE(Eventually([&] { return is_linked; }));
   const std::string robot = Catalogue().FindProcess("robot")->process.address;
   network_->SetJudge([robot](const loopback::Frame& frame) {
     const auto type = ReadFrameHeader(frame.bytes, frame.bytes.size())->type;
