@@ -29,15 +29,15 @@ bool IsScattered(const QString& folded, const QString& word) {
   return false;
 }
 
-enum class Fit { kNone, kNearly, kWholly };
+enum class Likeness { kNone, kNearly, kWholly };
 
 /// Nearly: letters are left out of at least one word.
-Fit FitOf(const QString& folded, const QStringList& words) {
-  if (HasAll(folded, words)) return Fit::kWholly;
+Likeness LikenessOf(const QString& folded, const QStringList& words) {
+  if (HasAll(folded, words)) return Likeness::kWholly;
   const bool is_near = std::all_of(words.begin(), words.end(), [&](const QString& word) {
     return folded.contains(word) || IsScattered(folded, word);
   });
-  return is_near ? Fit::kNearly : Fit::kNone;
+  return is_near ? Likeness::kNearly : Likeness::kNone;
 }
 
 struct Found {
@@ -69,14 +69,14 @@ struct AllFinds {
   Finds nearly;
 
   /// Null for what does not fit.
-  [[nodiscard]] Finds* of(Fit fit) {
-    if (fit == Fit::kNone) return nullptr;
-    return fit == Fit::kWholly ? &wholly : &nearly;
+  [[nodiscard]] Finds* of(Likeness likeness) {
+    if (likeness == Likeness::kNone) return nullptr;
+    return likeness == Likeness::kWholly ? &wholly : &nearly;
   }
 };
 
 void Collect(const CatalogueItem& item, const QStringList& words, AllFinds& finds) {
-  if (Finds* same = finds.of(FitOf(item.folded, words))) {
+  if (Finds* same = finds.of(LikenessOf(item.folded, words))) {
     same->things.push_back({&item, RankOf(item, words)});
   }
   for (const auto& child : item.children) Collect(*child, words, finds);
@@ -110,7 +110,7 @@ void PaletteModel::find(const QString& words) {
   AllFinds finds;
   for (QAction* action : actions_) {
     if (!action->isEnabled()) continue;
-    if (Finds* same = finds.of(FitOf(PlainText(*action).toLower(), wanted))) {
+    if (Finds* same = finds.of(LikenessOf(PlainText(*action).toLower(), wanted))) {
       same->actions.push_back(action);
     }
   }
