@@ -124,6 +124,7 @@ int Run(const Options& options) {
   parts.console.read_only = options.read_only;
   parts.console.color = console::ColorChoice::kNever;
   parts.kept = QString::fromStdString(kept.string());
+  parts.gcm = QString::fromStdString((tendon::os::ProgramFolder() / "gcm").string());
   parts.demo = DemoFile();
   if (options.read_only) parts.read_only = QString::fromLatin1(kReadOnly);
   tendon::gui::KeptValues values(parts.kept + QStringLiteral("/window.json"));

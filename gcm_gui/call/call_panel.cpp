@@ -193,11 +193,13 @@ void CallPanel::buildRepeat() {
   });
 }
 
-void CallPanel::showCommand(const QString& path, const MemberDescription& command) {
+void CallPanel::showCommand(const QString& path, const MemberDescription& command,
+                            const std::string& read) {
   if (path == path_ && command == command_) return;
   showNothing();
   path_ = path;
   command_ = command;
+  read_ = read;
   repeat_->setCommand(path);
   takes_argument_ = TakesArgument(command.signature);
   head_->setTitle(Words::tr("Call ") + ToQString(command.name));
@@ -259,8 +261,32 @@ void CallPanel::showForm(const Schema& schema) {
   as_json_->setVisible(true);
   if (const auto last = last_arguments_.constFind(path_); last != last_arguments_.constEnd()) {
     form_->setJson(*last);
+  } else if (!read_.empty()) {
+    askForValue();
   }
-  connect(form_, &ValueForm::edited, this, &CallPanel::check);
+  connect(form_, &ValueForm::edited, this, [this] {
+    is_touched_ = true;
+    check();
+  });
+}
+
+void CallPanel::askForValue() {
+  is_touched_ = false;
+  const std::string interface = path_.section('.', 0, 0).toStdString();
+  calls_.readValue(interface + '.' + read_,
+                   [panel = QPointer(this), shown = shown_](const Result<std::string>& value) {
+                     const bool is_wanted = panel != nullptr && panel->shown_ == shown && value;
+                     if (is_wanted) panel->hearValue(*value);
+                   });
+}
+
+void CallPanel::hearValue(const std::string& value) {
+  if (is_touched_ || as_json_->isChecked() || under_way_) return;
+  form_->setJson(value);
+  check();
+  if (call_->isEnabled()) {
+    tell(Words::tr("As %1 says now").arg(ToQString(read_)), QStringLiteral("dim"));
+  }
 }
 
 void CallPanel::showAsJson(bool as_json) {

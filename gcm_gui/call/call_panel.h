@@ -26,16 +26,18 @@ class RepeatRow;
 class ValueForm;
 
 /// Calls one command: a form for its argument, or JSON, and below it what came of the call. What
-/// was last said to a command stands there again when it is shown the next time. Hidden while it
-/// has no command.
+/// was last said to a command stands there again when it is shown the next time; before that, what
+/// the matching read command says. Hidden while it has no command.
 class CallPanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit CallPanel(CommandCalls& calls, QWidget* parent = nullptr);
 
-  /// "robot/arm/Control.MoveTo". The same command again changes nothing.
-  void showCommand(const QString& path, const MemberDescription& command);
+  /// "robot/arm/Control.SetGains". The same command again changes nothing. `read` is the command
+  /// that says what this would set, "GetGains"; empty where there is none.
+  void showCommand(const QString& path, const MemberDescription& command,
+                   const std::string& read = {});
   void showNothing();
   /// Where its first value is entered, or what calls it.
   void focusFirst();
@@ -62,6 +64,8 @@ class CallPanel : public QWidget {
   void hearSchema(const Result<Schema>& schema);
   void hearAnswer(const Result<std::string>& answer, double seconds);
   void showForm(const Schema& schema);
+  void askForValue();
+  void hearValue(const std::string& value);
   void showAsJson(bool as_json);
   /// What would be said now; empty for a command without an argument.
   [[nodiscard]] std::string argument() const;
@@ -73,6 +77,8 @@ class CallPanel : public QWidget {
   CommandCalls& calls_;
   QString path_;
   MemberDescription command_;
+  std::string read_;
+  bool is_touched_ = false;       // its form, by a person
   std::optional<Schema> schema_;  // of the argument
   bool takes_argument_ = false;
   /// Of another command, or of an earlier time, what is answered late tells nothing.

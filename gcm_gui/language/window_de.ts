@@ -2553,6 +2553,50 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <source>Restart %1 components</source>
         <translation>%1 Komponenten neu starten</translation>
     </message>
+    <message>
+        <source>done</source>
+        <translation>erledigt</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>gescheitert</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>übrig</translation>
+    </message>
+    <message>
+        <source>To %1: asking the processes what they can make…</source>
+        <translation>Ziel %1: die Prozesse werden gefragt, was sie erzeugen können…</translation>
+    </message>
+    <message>
+        <source>To %1: %2; %3</source>
+        <translation>Ziel %1: %2; %3</translation>
+    </message>
+    <message>
+        <source>this GCM is too old to say whom it has started</source>
+        <translation>dieser GCM ist zu alt, um zu sagen, wen er gestartet hat</translation>
+    </message>
+    <message>
+        <source>Start a GCM here</source>
+        <translation>Hier einen GCM starten</translation>
+    </message>
+    <message>
+        <source>Show me around</source>
+        <translation>Rundgang</translation>
+    </message>
+    <message>
+        <source>Starting a GCM; it goes on when this window is closed</source>
+        <translation>Ein GCM wird gestartet; er läuft weiter, wenn dieses Fenster geschlossen wird</translation>
+    </message>
+    <message>
+        <source>%1 could not be started</source>
+        <translation>%1 konnte nicht gestartet werden</translation>
+    </message>
+    <message>
+        <source>As %1 says now</source>
+        <translation>Wie %1 es jetzt sagt</translation>
+    </message>
 </context>
 <context>
     <name>tendon::gui::Words::Words</name>

@@ -2553,6 +2553,50 @@ Possède %1 des commandes et événements requis.</translation>
         <source>Restart %1 components</source>
         <translation>Redémarrer %1 composants</translation>
     </message>
+    <message>
+        <source>done</source>
+        <translation>fait</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>échoué</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>restant</translation>
+    </message>
+    <message>
+        <source>To %1: asking the processes what they can make…</source>
+        <translation>Vers %1 : on demande aux processus ce qu’ils peuvent créer…</translation>
+    </message>
+    <message>
+        <source>To %1: %2; %3</source>
+        <translation>Vers %1 : %2 ; %3</translation>
+    </message>
+    <message>
+        <source>this GCM is too old to say whom it has started</source>
+        <translation>ce GCM est trop ancien pour dire qui il a lancé</translation>
+    </message>
+    <message>
+        <source>Start a GCM here</source>
+        <translation>Lancer un GCM ici</translation>
+    </message>
+    <message>
+        <source>Show me around</source>
+        <translation>Visite guidée</translation>
+    </message>
+    <message>
+        <source>Starting a GCM; it goes on when this window is closed</source>
+        <translation>Un GCM est lancé ; il continue quand cette fenêtre est fermée</translation>
+    </message>
+    <message>
+        <source>%1 could not be started</source>
+        <translation>%1 n’a pas pu être lancé</translation>
+    </message>
+    <message>
+        <source>As %1 says now</source>
+        <translation>Selon %1 à présent</translation>
+    </message>
 </context>
 <context>
     <name>tendon::gui::Words::Words</name>

@@ -164,4 +164,16 @@ void NetworkReports::askFill(const std::string& process, const std::string& comp
   });
 }
 
+void NetworkReports::askChildren(Handler<message::Children> handler) {
+  client_.GetChildren([courier = courier_, handler](const auto& children) {
+    courier->post([handler, children] { handler(children); });
+  });
+}
+
+void NetworkReports::askClasses(const std::string& process, Handler<message::Classes> handler) {
+  client_.GetClasses(process, [courier = courier_, handler](const auto& classes) {
+    courier->post([handler, classes] { handler(classes); });
+  });
+}
+
 }  // namespace tendon::gui

@@ -46,6 +46,10 @@ class SystemReports : public QObject {
   /// Of the mailboxes of a component.
   virtual void askFill(const std::string& process, const std::string& component,
                        Handler<MailboxFill> handler) = 0;
+  /// The processes that the GCM has started: errors of GcmClient::GetChildren().
+  virtual void askChildren(Handler<message::Children> handler) = 0;
+  /// Of which classes a process makes components.
+  virtual void askClasses(const std::string& process, Handler<message::Classes> handler) = 0;
 
  Q_SIGNALS:
   void logArrived(const tendon::LogBatch& batch);

@@ -109,22 +109,33 @@ void ColumnFeed::OnStale(const Error& reason) {
   for (auto& [field, tap] : taps_) tap.stale = stale_;
 }
 
-void ColumnFeed::tap(const std::string& field) {
-  const std::lock_guard lock(mutex_);
-  const auto [it, added] = taps_.try_emplace(field);
-  if (!added) return;
-  it->second.stale = stale_;
-  resolve(field, it->second);
+void ColumnFeed::tap(const std::string& field) { order({field, true}); }
+
+void ColumnFeed::untap(const std::string& field) { order({field, false}); }
+
+void ColumnFeed::order(Order one) {
+  orders_.push_back(std::move(one));
+  const std::unique_lock lock(mutex_, std::try_to_lock);
+  if (lock) obey();
 }
 
-void ColumnFeed::untap(const std::string& field) {
-  const std::lock_guard lock(mutex_);
-  taps_.erase(field);
+void ColumnFeed::obey() {
+  for (const auto& [field, is_wanted] : std::exchange(orders_, {})) {
+    if (!is_wanted) {
+      taps_.erase(field);
+      continue;
+    }
+    const auto [it, added] = taps_.try_emplace(field);
+    if (!added) continue;
+    it->second.stale = stale_;
+    resolve(field, it->second);
+  }
 }
 
 ColumnFeed::Taken ColumnFeed::take(const std::string& field) {
   const std::unique_lock lock(mutex_, std::try_to_lock);
   if (!lock) return {};
+  obey();
   const auto it = taps_.find(field);
   if (it == taps_.end()) return {};
   return {std::exchange(it->second.runs, {}), std::exchange(it->second.stale, std::nullopt)};
@@ -143,6 +154,7 @@ ChannelList ColumnFeed::shapeOf(const std::vector<std::byte>& row) {
 std::optional<ColumnValues> ColumnFeed::takeValues() {
   const std::unique_lock lock(mutex_, std::try_to_lock);
   if (!lock) return std::nullopt;
+  obey();
   if (!std::exchange(fresh_, false)) return std::nullopt;
   ColumnValues values;
   values.channels = shapeOf(newest_row_);

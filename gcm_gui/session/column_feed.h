@@ -16,8 +16,8 @@ namespace tendon::gui {
 /// The rows of one column on their way to the GUI thread: network threads put them in, the GUI
 /// thread takes them out. Of tapped numbers every row is kept, of the rest only the newest row.
 ///
-/// Thread-safe. Network threads hold the lock for as long as one batch takes to be read; who takes
-/// out never waits for them, and gets it the next time.
+/// Network threads hold the lock for as long as one batch takes to be read. The GUI thread, of
+/// which all other functions are, never waits for them: it gets, and taps, the next time.
 class ColumnFeed final : public RowSink {
  public:
   /// At most so many samples of a number wait to be taken; more are left out, and seen as lost.
@@ -37,7 +37,8 @@ class ColumnFeed final : public RowSink {
   std::size_t OnRows(const RowBatch& batch) override;
   void OnStale(const Error& reason) override;
 
-  /// `field` is what follows the column in a path: ".position[0]", or empty.
+  /// `field` is what follows the column in a path: ".position[0]", or empty. While a batch is read,
+  /// it is tapped when something is taken the next time.
   void tap(const std::string& field);
   void untap(const std::string& field);
   [[nodiscard]] Taken take(const std::string& field);
@@ -55,6 +56,15 @@ class ColumnFeed final : public RowSink {
     std::optional<QString> stale;
   };
 
+  /// Of the GUI thread, for the taps.
+  struct Order {
+    std::string field;
+    bool is_wanted = false;
+  };
+
+  void order(Order one);
+  /// Under the lock: what was ordered is done.
+  void obey();
   void resolve(const std::string& field, Tap& tap) const;
   /// How many rows there was no room for.
   std::size_t feed(Tap& tap, const RowBatch& batch, bool new_epoch) const;
@@ -71,7 +81,8 @@ class ColumnFeed final : public RowSink {
   std::int64_t newest_time_ = 0;
   std::uint64_t rows_ = 0;
   RowLosses losses_;
-  RowLosses told_losses_;  // of the GUI thread
+  RowLosses told_losses_;      // of the GUI thread
+  std::vector<Order> orders_;  // of the GUI thread
   bool fresh_ = false;
   ChannelList shape_;
 };

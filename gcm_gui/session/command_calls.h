@@ -28,6 +28,9 @@ class CommandCalls {
   /// it, too.
   virtual void callCommand(const std::string& path, const std::string& argument,
                            AnswerHandler handler) = 0;
+  /// What a read command says now, as JSON. Nobody has asked for it: no list has it.
+  using ValueHandler = std::function<void(const Result<std::string>&)>;
+  virtual void readValue(const std::string& path, ValueHandler handler) = 0;
 };
 
 }  // namespace tendon::gui

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <utility>
+#include <vector>
 
 namespace tendon::gui {
 namespace {
@@ -91,12 +92,14 @@ Session::~Session() {
 
 void Session::hearSnapshot(const Catalog& catalogue) {
   store_.replace(catalogue);
+  giveUpCalls();
   link_.setConnected();
   learnTypes();
 }
 
 void Session::hearChanges(const std::vector<CatalogChange>& changes) {
   store_.apply(changes);
+  giveUpCalls();
   const auto is_component = [](const CatalogChange& change) {
     return change.kind == CatalogChange::Kind::kComponent;
   };
@@ -232,14 +235,40 @@ void Session::callCommand(const std::string& path, const std::string& argument,
   action.command = ToQString(path);
   action.argument = ToQString(argument);
   const ActivityModel::Id id = activity_.begin(std::move(action));
-  const auto start = std::chrono::steady_clock::now();
-  client_->Call(path, argument, [this, courier = courier_, id, start, handler](const auto& answer) {
-    const double seconds = SecondsSince(start);
-    courier->post([this, id, seconds, handler, answer] {
-      finish(id, seconds, RefusalOf(answer));
-      handler(answer, seconds);
-    });
+  open_calls_[id] = {path.substr(0, path.find('/')), std::chrono::steady_clock::now(),
+                     std::move(handler)};
+  client_->Call(path, argument, [this, courier = courier_, id](const auto& answer) {
+    courier->post([this, id, answer] { finishCall(id, answer); });
   });
+}
+
+void Session::readValue(const std::string& path, ValueHandler handler) {
+  client_->Call(path, {}, [courier = courier_, handler](const auto& value) {
+    courier->post([handler, value] { handler(value); });
+  });
+}
+
+void Session::finishCall(ActivityModel::Id id, const Result<std::string>& answer) {
+  const auto call = open_calls_.extract(id);
+  if (call.empty()) return;
+  const double seconds = SecondsSince(call.mapped().start);
+  finish(id, seconds, RefusalOf(answer));
+  call.mapped().handler(answer, seconds);
+}
+
+void Session::giveUpCalls() {
+  std::vector<std::pair<ActivityModel::Id, Error>> lost;
+  for (const auto& [id, call] : open_calls_) {
+    const ProcessEntry* entry = store_.catalogue().FindProcess(call.process);
+    if (entry == nullptr || entry->process.state != ProcessState::kLost) continue;
+    const std::string reason =
+        entry->process.reason.empty() ? "" : " (" + entry->process.reason + ")";
+    lost.emplace_back(id, Error{ErrorCode::kTimeout,
+                                "process '" + call.process + "' is lost" + reason +
+                                    "; whether the command was executed, or still will be, is "
+                                    "unknown"});
+  }
+  for (const auto& [id, error] : lost) finishCall(id, error);
 }
 
 void Session::diagnose(const message::Wire& wire, DiagnosisHandler handler) {

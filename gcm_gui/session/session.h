@@ -17,6 +17,7 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -54,12 +55,19 @@ class Session : public QObject, public SystemActions, public CommandCalls, publi
   void findSchema(const std::string& process, Fingerprint type, SchemaHandler handler) override;
   void callCommand(const std::string& path, const std::string& argument,
                    AnswerHandler handler) override;
+  void readValue(const std::string& path, ValueHandler handler) override;
 
   void diagnose(const message::Wire& wire, DiagnosisHandler handler) override;
 
  private:
   class Listener;
   using Finish = std::function<void(const std::optional<Error>&)>;
+  /// A call whose answer is yet to come.
+  struct OpenCall {
+    std::string process;
+    std::chrono::steady_clock::time_point start;
+    AnswerHandler handler;
+  };
 
   void hearSnapshot(const Catalog& catalogue);
   void hearChanges(const std::vector<CatalogChange>& changes);
@@ -69,12 +77,17 @@ class Session : public QObject, public SystemActions, public CommandCalls, publi
   Finish begin(Action action);
   void undoStep(ActivityModel::Id id, std::chrono::steady_clock::time_point start,
                 std::uint64_t step);
+  /// Once: what a process answers after it was given up for lost tells nobody anything.
+  void finishCall(ActivityModel::Id id, const Result<std::string>& answer);
+  /// Nobody waits any longer for those that are lost.
+  void giveUpCalls();
   void finish(ActivityModel::Id id, double seconds, const std::optional<Error>& refusal);
 
   CatalogueStore store_;
   GcmLink link_;
   ActivityModel activity_;
   UndoChoice undo_choice_;
+  std::map<ActivityModel::Id, OpenCall> open_calls_;
   std::shared_ptr<Courier> courier_;
   std::shared_ptr<GcmClient> client_;
   std::unique_ptr<LiveSignals> live_signals_;

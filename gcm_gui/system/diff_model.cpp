@@ -54,16 +54,16 @@ PlanLine LineOf(const PlanStep& step, const StepOutcome* outcome) {
   switch (outcome->fate) {
     case StepOutcome::Fate::kDone:
       line.kind = PlanLine::Kind::kDone;
-      line.trail = QStringLiteral("done");
+      line.trail = Words::tr("done");
       break;
     case StepOutcome::Fate::kFailed:
       line.kind = PlanLine::Kind::kFailed;
-      line.trail = QStringLiteral("failed");
+      line.trail = Words::tr("failed");
       line.text += reason;
       break;
     case StepOutcome::Fate::kLeft:
       line.kind = PlanLine::Kind::kLeft;
-      line.trail = QStringLiteral("left");
+      line.trail = Words::tr("left");
       line.text += reason;
       break;
   }

@@ -174,8 +174,10 @@ QString DiffPanel::planText() const {
   switch (restore_.phase()) {
     case Restore::Phase::kIdle:
       return {};
+    case Restore::Phase::kAsking:
+      return Words::tr("To %1: asking the processes what they can make…").arg(restore_.goal());
     case Restore::Phase::kPreview:
-      return QStringLiteral("To %1: %2; %3")
+      return Words::tr("To %1: %2; %3")
           .arg(restore_.goal(),
                plan.steps.empty() ? Words::tr("nothing is to be done")
                                   : CountText(static_cast<std::int64_t>(plan.steps.size()),
@@ -216,7 +218,7 @@ void DiffPanel::showPlan() {
   pages_->setCurrentIndex(page);
   if (!is_new) return;
   // On nothing that does something: a key may still be held.
-  if (waits) step_list_->setFocus();
+  if (waits || phase == Restore::Phase::kAsking) step_list_->setFocus();
   if (phase == Restore::Phase::kDone) back_->setFocus();
   if (turned && page == 0) diff_list_->setFocus();
 }

@@ -27,16 +27,47 @@ SystemFile Before(const Plan& plan, SystemFile running) {
 
 }  // namespace
 
-Restore::Restore(const SystemDocument& document, PlanRunner& runner, QObject* parent)
-    : QObject(parent), document_(document), runner_(runner) {}
+Restore::Restore(const SystemDocument& document, PlanRunner& runner, SystemReports& reports,
+                 QObject* parent)
+    : QObject(parent), document_(document), runner_(runner), reports_(reports) {}
 
 void Restore::preview(const SystemFile& wanted, const QString& goal) {
   if (phase_ == Phase::kRunning) return;
   to_undo_.reset();
-  show(MakePlan(document_.catalogue(), wanted), goal);
+  plan(wanted, goal, [](Plan made) { return made; });
+}
+
+void Restore::plan(const SystemFile& wanted, const QString& goal, Finish finish) {
+  const std::vector<std::string> asked = ProcessesToAsk(document_.catalogue(), wanted);
+  const auto make = [this, wanted, goal, finish = std::move(finish)](const KnownClasses& known) {
+    show(finish(MakeCheckedPlan(document_.catalogue(), wanted, known)), goal);
+  };
+  question_.reset();
+  if (asked.empty()) return make({});
+  const bool stays = phase_ == Phase::kPreview && goal == goal_;
+  if (!stays) {
+    goal_ = goal;
+    phase_ = Phase::kAsking;
+    plan_ = {};
+    outcomes_.clear();
+    outcome_ = {};
+  }
+  const auto question = std::make_shared<Question>();
+  question->open = asked.size();
+  question_ = question;
+  if (!stays) Q_EMIT changed();
+  for (const std::string& process : asked) {
+    reports_.askClasses(process, [self = QPointer(this), question, process,
+                                  make](const Result<message::Classes>& classes) {
+      if (self == nullptr || self->question_ != question) return;
+      if (classes) question->known[process] = *classes;  // else it refuses what it cannot make
+      if (--question->open == 0) make(question->known);
+    });
+  }
 }
 
 void Restore::show(Plan plan, const QString& goal) {
+  question_.reset();
   plan_ = std::move(plan);
   goal_ = goal;
   outcomes_.clear();
@@ -47,14 +78,15 @@ void Restore::show(Plan plan, const QString& goal) {
 
 void Restore::undo() {
   if (!canUndo()) return;
-  const Catalog& now = document_.catalogue();
   to_undo_ = {plan_, goal_, outcomes_, outcome_};
-  show(WithEnds(MakePlan(now, *before_), now, births_), Words::tr("what was before"));
+  plan(*before_, Words::tr("what was before"),
+       [this](Plan made) { return WithEnds(std::move(made), document_.catalogue(), births_); });
 }
 
 void Restore::execute(AfterError after_error) {
   if (phase_ != Phase::kPreview || plan_.steps.empty()) return;
   to_undo_.reset();
+  question_.reset();
   before_ = Before(plan_, WholeSystem(document_.catalogue()));
   births_.clear();
   phase_ = Phase::kRunning;
@@ -87,6 +119,7 @@ void Restore::noteBirth() {
 
 void Restore::leave() {
   if (phase_ == Phase::kRunning) return;
+  question_.reset();
   phase_ = Phase::kIdle;
   if (to_undo_) {
     plan_ = std::move(to_undo_->plan);

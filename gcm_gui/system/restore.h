@@ -1,26 +1,32 @@
 #pragma once
 
+#include <gcm_gui/reports/system_reports.h>
 #include <gcm_gui/system/plan_runner.h>
 #include <gcm_gui/system/system_document.h>
+#include <tendon/gcm/life/class_check.h>
 #include <tendon/gcm/system/plan.h>
 
 #include <QObject>
 #include <QString>
 #include <cstddef>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
 namespace tendon::gui {
 
 /// Brings the running system to a wanted state in three moves: a plan to look at, its steps one by
-/// one, and a way back. GUI thread.
+/// one, and a way back. Processes that have something to make are asked for their classes before a
+/// plan is shown. GUI thread.
 class Restore : public QObject {
   Q_OBJECT
 
  public:
-  enum class Phase { kIdle, kPreview, kRunning, kDone };
+  enum class Phase { kIdle, kAsking, kPreview, kRunning, kDone };
 
-  Restore(const SystemDocument& document, PlanRunner& runner, QObject* parent = nullptr);
+  Restore(const SystemDocument& document, PlanRunner& runner, SystemReports& reports,
+          QObject* parent = nullptr);
 
   [[nodiscard]] Phase phase() const { return phase_; }
   /// What it leads to: "demo.gcm.json", "the state at 12:04".
@@ -31,14 +37,15 @@ class Restore : public QObject {
   [[nodiscard]] const PlanOutcome& outcome() const { return outcome_; }
   [[nodiscard]] bool canUndo() const { return before_.has_value() && phase_ == Phase::kDone; }
 
-  /// Plans, and does nothing yet. Not while one is being carried out.
+  /// Plans, and does nothing yet. Not while one is being carried out. A plan that leads to the same
+  /// goal stays in sight until the new one is made.
   void preview(const SystemFile& wanted, const QString& goal);
   void execute(AfterError after_error);
   /// After the step that is being made.
   void stop() { runner_.stop(); }
   /// Previews the system as it was before execute(); processes that were started are ended.
   void undo();
-  /// From the preview of an undo back to what it would have undone.
+  /// From the preview of an undo back to what it would have undone. No answer is waited for then.
   void leave();
 
  Q_SIGNALS:
@@ -53,14 +60,25 @@ class Restore : public QObject {
     PlanOutcome outcome;
   };
 
+  /// The classes that are known when a plan is made, and how many answers are still to come.
+  struct Question {
+    KnownClasses known;
+    std::size_t open = 0;
+  };
+  using Finish = std::function<Plan(Plan)>;
+
+  /// Plans once all have answered; `finish` has the last word on the plan.
+  void plan(const SystemFile& wanted, const QString& goal, Finish finish);
   void show(Plan plan, const QString& goal);
   void noteBirth();
 
   const SystemDocument& document_;
   PlanRunner& runner_;
+  SystemReports& reports_;
   Phase phase_ = Phase::kIdle;
   QString goal_;
   Plan plan_;
+  std::shared_ptr<Question> question_;  // of the newest plan; null where none is waited for
   std::vector<StepOutcome> outcomes_;
   PlanOutcome outcome_;
   std::optional<SystemFile> before_;

@@ -8,6 +8,7 @@
 
 #include <QFile>
 #include <QFileInfo>
+#include <QPointer>
 #include <algorithm>
 #include <chrono>
 #include <utility>
@@ -58,6 +59,7 @@ enum class Missing { kLeftOut, kKept };
 
 /// What is to be written, or why it is not.
 Result<SystemFile> SystemToSave(const std::string& path, RunningSystem running,
+                                const message::Children& children,
                                 const std::optional<Layout>& layout, Missing missing) {
   const auto former = ReadSystemFile(path);
   if (former) {
@@ -67,6 +69,7 @@ Result<SystemFile> SystemToSave(const std::string& path, RunningSystem running,
   } else if (former.error().code != ErrorCode::kNotFound) {
     return former.error();
   }
+  SetStarts(children, running.file);
   if (layout) running.file.layout = LayoutFor(running.file, *layout);
   return std::move(running.file);
 }
@@ -105,8 +108,8 @@ Result<ImportedSystem> ImportTo(const QString& to, const QString& from,
 
 }  // namespace
 
-SystemDocument::SystemDocument(const CatalogueStore& store, QObject* parent)
-    : QObject(parent), store_(store), courier_(std::make_shared<Courier>(this)) {
+SystemDocument::SystemDocument(const CatalogueStore& store, SystemReports& reports, QObject* parent)
+    : QObject(parent), store_(store), reports_(reports), courier_(std::make_shared<Courier>(this)) {
   soon_.setSingleShot(true);
   soon_.setInterval(kSoon);
   connect(&soon_, &QTimer::timeout, this, &SystemDocument::hear);
@@ -206,34 +209,55 @@ void SystemDocument::read(const QString& path,
   });
 }
 
-void SystemDocument::save(const QString& path) {
-  const Missing missing = path == imported_ ? Missing::kKept : Missing::kLeftOut;
-  thread_.start([this, courier = courier_, path, missing, layout = layout_,
-                 running = SystemOf(store_.catalogue(), SystemName(path))] {
-    const std::string file = path.toStdString();
-    const auto system = SystemToSave(file, running, layout, missing);
-    const auto written = system ? WriteSystemFile(file, *system) : Result<void>(system.error());
-    const QString left_out = running.loose.empty() ? QString() : ToQString(running.LeftOut()[0]);
-    courier->post([this, path, system, written, left_out] {
-      if (!written) return Q_EMIT told(ToQString(written.error().message));
-      const QString saved = Words::tr("Saved to ") + FileName(path);
-      take(path, *system, [this, saved, left_out] {
-        Q_EMIT told(left_out.isEmpty() ? saved : saved + QStringLiteral("; ") + left_out);
+void SystemDocument::askWhoIsStarted(Started then) {
+  reports_.askChildren(
+      [self = QPointer(this), then = std::move(then)](const Result<message::Children>& children) {
+        if (self == nullptr) return;
+        if (children) return then(*children, {});
+        const Error& refusal = children.error();
+        if (refusal.code != ErrorCode::kDenied)
+          return Q_EMIT self->told(ToQString(refusal.message));
+        then({}, Words::tr("this GCM is too old to say whom it has started"));
       });
+}
+
+void SystemDocument::save(const QString& path) {
+  askWhoIsStarted([this, path](const message::Children& children, const QString& note) {
+    write(path, SystemOf(store_.catalogue(), SystemName(path)), children, note);
+  });
+}
+
+void SystemDocument::write(const QString& path, RunningSystem running,
+                           const message::Children& children, const QString& note) {
+  const Missing missing = path == imported_ ? Missing::kKept : Missing::kLeftOut;
+  QStringList sentences{Words::tr("Saved to ") + FileName(path)};
+  if (!running.loose.empty()) sentences.append(ToQString(running.LeftOut()[0]));
+  if (!note.isEmpty()) sentences.append(note);
+  thread_.start([this, courier = courier_, path, missing, layout = layout_, children,
+                 running = std::move(running), sentences] {
+    const std::string file = path.toStdString();
+    const auto system = SystemToSave(file, running, children, layout, missing);
+    const auto written = system ? WriteSystemFile(file, *system) : Result<void>(system.error());
+    courier->post([this, path, system, written, sentences] {
+      if (!written) return Q_EMIT told(ToQString(written.error().message));
+      take(path, *system, [this, sentences] { Q_EMIT told(sentences.join(QStringLiteral("; "))); });
     });
   });
 }
 
 void SystemDocument::update(const std::string& what) {
-  const SystemFile running = SystemOf(store_.catalogue(), file_.name).file;
-  thread_.start(
-      [this, courier = courier_, path = path_, system = WithPartOf(file_, running, what)] {
-        const auto written = WriteSystemFile(path.toStdString(), system);
-        courier->post([this, path, system, written] {
-          if (!written) return Q_EMIT told(ToQString(written.error().message));
-          take(path, system, [this, path] { Q_EMIT told(Words::tr("Updated ") + FileName(path)); });
-        });
+  askWhoIsStarted([this, what, path = path_](const message::Children& children, const QString&) {
+    if (path != path_) return;
+    SystemFile running = SystemOf(store_.catalogue(), file_.name).file;
+    SetStarts(children, running);
+    thread_.start([this, courier = courier_, path, system = WithPartOf(file_, running, what)] {
+      const auto written = WriteSystemFile(path.toStdString(), system);
+      courier->post([this, path, system, written] {
+        if (!written) return Q_EMIT told(ToQString(written.error().message));
+        take(path, system, [this, path] { Q_EMIT told(Words::tr("Updated ") + FileName(path)); });
       });
+    });
+  });
 }
 
 }  // namespace tendon::gui

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <gcm_gui/files/background.h>
+#include <gcm_gui/reports/system_reports.h>
 #include <gcm_gui/session/catalogue_store.h>
 #include <gcm_gui/session/courier.h>
 #include <gcm_gui/system/snapshots.h>
 #include <tendon/gcm/system/comparison.h>
+#include <tendon/gcm/system/running_system.h>
 #include <tendon/gcm/system_file.h>
 
 #include <QObject>
@@ -20,12 +22,13 @@
 namespace tendon::gui {
 
 /// The system file of a window, and in what the running system differs from it. Files are read and
-/// written in a thread of its own, and compared in another; all else is of the GUI thread.
+/// written in a thread of its own, and compared in another; all else is of the GUI thread. Before
+/// one is written the GCM is asked whom it has started.
 class SystemDocument : public QObject {
   Q_OBJECT
 
  public:
-  explicit SystemDocument(const CatalogueStore& store, QObject* parent = nullptr);
+  SystemDocument(const CatalogueStore& store, SystemReports& reports, QObject* parent = nullptr);
   /// Waits for what is being read or written, though not for ever.
   ~SystemDocument() override;
 
@@ -69,7 +72,15 @@ class SystemDocument : public QObject {
   /// Is the window's file from the moment on when it has been compared; then `done` is called.
   void take(const QString& path, const SystemFile& file, std::function<void()> done);
 
+  /// Whom the GCM has started; empty where it is too old to say, which `note` tells. What else it
+  /// answers is told, and nothing written.
+  using Started = std::function<void(const message::Children& children, const QString& note)>;
+  void askWhoIsStarted(Started then);
+  void write(const QString& path, RunningSystem running, const message::Children& children,
+             const QString& note);
+
   const CatalogueStore& store_;
+  SystemReports& reports_;
   QString path_;
   QString imported_;  // the path where it was imported and not opened since
   SystemFile file_;

@@ -107,7 +107,7 @@ QRect RowDelegate::paintValue(QPainter& painter, QRect rect, const QModelIndex& 
 
   // The name keeps what it needs, within reason: a value alone means nothing.
   const QModelIndex named = index.siblingAtColumn(0);
-  const int name = left_inset_ + kGlyphWidth + 2 * kSpace +
+  const int name = left_inset_ + kGlyphWidth + kSpace / 2 + kSpace +
                    QFontMetrics(FontOf(named)).horizontalAdvance(named.data().toString());
   const QRect room =
       rect.adjusted(std::clamp(name, rect.width() / 4, rect.width() * 3 / 5), 0, 0, 0);

@@ -26,13 +26,14 @@ bool IsHere(const GcmLink& link) {
 
 }  // namespace
 
-EmptyState::EmptyState(const GcmLink& link, bool offers_demo, QWidget* parent)
+EmptyState::EmptyState(const GcmLink& link, Offers offers, QWidget* parent)
     : QWidget(parent),
       link_(link),
-      offers_demo_(offers_demo),
+      offers_(offers),
       title_(new QLabel),
       text_(new QLabel),
       demo_(buildDemo()),
+      start_(new QPushButton(Words::tr("Start a GCM here"))),
       terminal_(new QLabel),
       command_(new QLineEdit) {
   setObjectName(QStringLiteral("emptyState"));
@@ -60,11 +61,8 @@ EmptyState::EmptyState(const GcmLink& link, bool offers_demo, QWidget* parent)
   column->addWidget(demo_);
   column->addWidget(terminal_);
   column->addLayout(line);
-  auto* other = new QPushButton(Words::tr("Connect to another machine…"));
-  other->setObjectName(QStringLiteral("otherMachine"));
-  connect(other, &QPushButton::clicked, this, &EmptyState::otherRequested);
   column->addSpacing(2 * kGrid);
-  column->addWidget(other, 0, Qt::AlignLeft);
+  column->addLayout(buildWaysOn());
   auto* middle = new QHBoxLayout(this);
   middle->addStretch(1);
   middle->addWidget(body, 100, Qt::AlignVCenter);
@@ -90,6 +88,23 @@ QWidget* EmptyState::buildDemo() {
   return demo;
 }
 
+QLayout* EmptyState::buildWaysOn() {
+  start_->setObjectName(QStringLiteral("startGcm"));
+  SetRole(*start_, QStringLiteral("primary"));
+  connect(start_, &QPushButton::clicked, this, &EmptyState::gcmRequested);
+  auto* other = new QPushButton(Words::tr("Connect to another machine…"));
+  other->setObjectName(QStringLiteral("otherMachine"));
+  connect(other, &QPushButton::clicked, this, &EmptyState::otherRequested);
+  auto* tour = new QPushButton(Words::tr("Show me around"));
+  tour->setObjectName(QStringLiteral("showAround"));
+  connect(tour, &QPushButton::clicked, this, &EmptyState::tourRequested);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(2 * kGrid);
+  for (QPushButton* button : {start_, other, tour}) row->addWidget(button);
+  row->addStretch();
+  return row;
+}
+
 void EmptyState::refresh() {
   const bool usual = link_.address() == QLatin1String(kUsualAddress);
   const QString gcm = usual ? QString() : QStringLiteral(" --gcm ") + link_.address();
@@ -107,7 +122,8 @@ void EmptyState::refresh() {
     command_->setText(QStringLiteral("gcm serve") + gcm);
   }
   command_->setCursorPosition(0);
-  demo_->setVisible(offers_demo_ && is_connected && IsHere(link_));
+  demo_->setVisible(offers_.demo && is_connected && IsHere(link_));
+  start_->setVisible(offers_.gcm && !is_connected && IsHere(link_));
 }
 
 }  // namespace tendon::gui

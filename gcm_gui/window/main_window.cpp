@@ -18,6 +18,7 @@
 #include <gcm_gui/theme/icon.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
+#include <gcm_gui/tour/tour.h>
 #include <gcm_gui/views/catalogue_panel.h>
 #include <gcm_gui/views/catalogue_tree.h>
 #include <gcm_gui/views/row_delegate.h>
@@ -31,6 +32,7 @@
 #include <gcm_gui/window/commands/command_palette.h>
 #include <gcm_gui/window/commands/commands.h>
 #include <gcm_gui/window/empty_state.h>
+#include <gcm_gui/window/file/gcm_start.h>
 #include <gcm_gui/window/file/other_gcm.h>
 #include <gcm_gui/window/file/system_files.h>
 #include <gcm_gui/window/graph/graph_commands.h>
@@ -191,9 +193,13 @@ QWidget* MainWindow::buildGraphPage() {
   new ZoomButtons(*graph_);
   graph_commands_ = new GraphCommands(parts_, *graph_, *this);
   graph_page_ = new QStackedWidget;
-  auto* empty = new EmptyState(parts_.link, !parts_.demo.isEmpty());
+  auto* empty =
+      new EmptyState(parts_.link, {.gcm = !parts_.gcm.isEmpty(), .demo = !parts_.demo.isEmpty()});
   other_ = new OtherGcm(*this, parts_.link);
   connect(empty, &EmptyState::otherRequested, other_, &OtherGcm::ask);
+  gcm_start_ = new GcmStart(parts_.gcm, parts_.link, this);
+  connect(empty, &EmptyState::gcmRequested, gcm_start_, &GcmStart::start);
+  connect(empty, &EmptyState::tourRequested, this, [this] { tour_->start(); });
   connect(empty, &EmptyState::demoRequested, this, [this] { files_->startDemo(); });
   graph_page_->addWidget(empty);
   graph_page_->addWidget(graph_);

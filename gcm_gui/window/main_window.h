@@ -24,6 +24,7 @@ class CandidatePanel;
 class CataloguePanel;
 class CommandPalette;
 class Commands;
+class GcmStart;
 class GraphCommands;
 class GraphScene;
 class GraphView;
@@ -146,6 +147,7 @@ class MainWindow : public QMainWindow {
   SteerCommands* steer_ = nullptr;
   Redo* redo_ = nullptr;
   OtherGcm* other_ = nullptr;
+  GcmStart* gcm_start_ = nullptr;
   KeysCard* keys_ = nullptr;
   Tour* tour_ = nullptr;
   QTimer second_;

@@ -15,6 +15,7 @@
 #include <gcm_gui/window/bar/top_bar.h>
 #include <gcm_gui/window/commands/command_palette.h>
 #include <gcm_gui/window/commands/commands.h>
+#include <gcm_gui/window/file/gcm_start.h>
 #include <gcm_gui/window/file/other_gcm.h>
 #include <gcm_gui/window/file/read_only.h>
 #include <gcm_gui/window/file/system_files.h>
@@ -84,6 +85,7 @@ void MainWindow::addSystemCommands() {
   redo_ = new Redo(parts_.activity, parts_.actions, this);
   connect(redo_, &Redo::notice, notice_, &NoticeLine::tell);
   connect(other_, &OtherGcm::notice, notice_, &NoticeLine::tell);
+  connect(gcm_start_, &GcmStart::notice, notice_, &NoticeLine::tell);
   const auto add = [this](const QString& text, const QKeySequence& key, auto what) {
     commands_->add(Commands::Menu::kSystem, text, key, what);
   };

@@ -29,12 +29,15 @@ bool IsScattered(const QString& folded, const QString& word) {
   return false;
 }
 
-/// Letters are left out of at least one word.
-bool NearlyHasAll(const QString& folded, const QStringList& words) {
-  const auto is_near = [&](const QString& word) {
+enum class Likeness { kNone, kNearly, kWholly };
+
+/// Nearly: letters are left out of at least one word.
+Likeness LikenessOf(const QString& folded, const QStringList& words) {
+  if (HasAll(folded, words)) return Likeness::kWholly;
+  const bool is_near = std::all_of(words.begin(), words.end(), [&](const QString& word) {
     return folded.contains(word) || IsScattered(folded, word);
-  };
-  return !HasAll(folded, words) && std::all_of(words.begin(), words.end(), is_near);
+  });
+  return is_near ? Likeness::kNearly : Likeness::kNone;
 }
 
 struct Found {
@@ -52,12 +55,48 @@ int RankOf(const CatalogueItem& item, const QStringList& words) {
   return name.startsWith(words.last()) ? 1 : 2;
 }
 
-using Fits = bool (*)(const QString& folded, const QStringList& words);
+/// What fits equally well.
+struct Finds {
+  std::vector<QAction*> actions;
+  std::vector<Found> things;
 
-void Collect(const CatalogueItem& item, const QStringList& words, Fits fits,
-             std::vector<Found>& found) {
-  if (fits(item.folded, words)) found.push_back({&item, RankOf(item, words)});
-  for (const auto& child : item.children) Collect(*child, words, fits, found);
+  [[nodiscard]] bool isEmpty() const { return actions.empty() && things.empty(); }
+};
+
+/// Both kinds, found at one go.
+struct AllFinds {
+  Finds wholly;
+  Finds nearly;
+
+  /// Null for what does not fit.
+  [[nodiscard]] Finds* of(Likeness likeness) {
+    if (likeness == Likeness::kNone) return nullptr;
+    return likeness == Likeness::kWholly ? &wholly : &nearly;
+  }
+};
+
+void Collect(const CatalogueItem& item, const QStringList& words, AllFinds& finds) {
+  if (Finds* same = finds.of(LikenessOf(item.folded, words))) {
+    same->things.push_back({&item, RankOf(item, words)});
+  }
+  for (const auto& child : item.children) Collect(*child, words, finds);
+}
+
+std::vector<PaletteRow> RowsOf(Finds finds) {
+  std::vector<PaletteRow> rows;
+  for (QAction* action : finds.actions) {
+    rows.push_back(
+        {action, PlainText(*action), action->shortcut().toString(QKeySequence::NativeText)});
+  }
+  auto& things = finds.things;
+  const auto shown = things.begin() + static_cast<std::ptrdiff_t>(
+                                          std::min(things.size(), PaletteModel::kMostThings));
+  std::partial_sort(things.begin(), shown, things.end(),
+                    [](const Found& a, const Found& b) { return a.key() < b.key(); });
+  for (auto it = things.begin(); it != shown; ++it) {
+    rows.push_back({nullptr, it->item->path, KindWord(it->item->kind)});
+  }
+  return rows;
 }
 
 }  // namespace
@@ -68,36 +107,17 @@ PaletteModel::PaletteModel(QList<QAction*> actions, const CatalogueModel& catalo
 
 void PaletteModel::find(const QString& words) {
   const QStringList wanted = words.toLower().split(' ', Qt::SkipEmptyParts);
-  std::vector<PaletteRow> rows;
-  for (const Fits fits : {&HasAll, &NearlyHasAll}) {
-    addActions(wanted, fits, rows);
-    if (!wanted.isEmpty()) addThings(wanted, fits, rows);
-  }
-  showRows(std::move(rows));
-}
-
-void PaletteModel::addActions(const QStringList& words, Fits fits,
-                              std::vector<PaletteRow>& rows) const {
+  AllFinds finds;
   for (QAction* action : actions_) {
-    if (!action->isEnabled() || !fits(PlainText(*action).toLower(), words)) continue;
-    rows.push_back(
-        {action, PlainText(*action), action->shortcut().toString(QKeySequence::NativeText)});
+    if (!action->isEnabled()) continue;
+    if (Finds* same = finds.of(LikenessOf(PlainText(*action).toLower(), wanted))) {
+      same->actions.push_back(action);
+    }
   }
-}
-
-void PaletteModel::addThings(const QStringList& words, Fits fits,
-                             std::vector<PaletteRow>& rows) const {
-  std::vector<Found> found;
-  for (int row = 0; row < catalogue_.rowCount({}); ++row) {
-    Collect(*catalogue_.item(catalogue_.index(row, 0, {})), words, fits, found);
+  for (int row = 0; row < catalogue_.rowCount({}) && !wanted.isEmpty(); ++row) {
+    Collect(*catalogue_.item(catalogue_.index(row, 0, {})), wanted, finds);
   }
-  const auto shown =
-      found.begin() + static_cast<std::ptrdiff_t>(std::min(found.size(), kMostThings));
-  std::partial_sort(found.begin(), shown, found.end(),
-                    [](const Found& a, const Found& b) { return a.key() < b.key(); });
-  for (auto it = found.begin(); it != shown; ++it) {
-    rows.push_back({nullptr, it->item->path, KindWord(it->item->kind)});
-  }
+  showRows(RowsOf(std::move(finds.wholly.isEmpty() ? finds.nearly : finds.wholly)));
 }
 
 QVariant PaletteModel::data(const QModelIndex& index, int role) const {

@@ -19,9 +19,9 @@ struct PaletteRow {
   bool operator==(const PaletteRow&) const = default;
 };
 
-/// What fits some typed words: commands first, then the things whose name fits best; after them
-/// what has the letters of the words in their order, with few others between. Without words all
-/// commands.
+/// What fits some typed words: commands first, then the things whose name fits best. Only where
+/// nothing has the words themselves, what has their letters in their order, with few others
+/// between. Without words all commands.
 class PaletteModel : public RowListModel<PaletteRow> {
   Q_OBJECT
 
@@ -36,11 +36,6 @@ class PaletteModel : public RowListModel<PaletteRow> {
   [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
 
  private:
-  using Fits = bool (*)(const QString& folded, const QStringList& words);
-
-  void addActions(const QStringList& words, Fits fits, std::vector<PaletteRow>& rows) const;
-  void addThings(const QStringList& words, Fits fits, std::vector<PaletteRow>& rows) const;
-
   QList<QAction*> actions_;
   const CatalogueModel& catalogue_;
 };

@@ -17,6 +17,8 @@ namespace {
 
 constexpr auto kSuffix = ".gcm.json";
 
+QString NameOfDemo() { return Words::tr("the demo"); }
+
 }  // namespace
 
 SystemFiles::SystemFiles(const WindowParts& parts, TabPanel& centre, QWidget& window)
@@ -24,8 +26,8 @@ SystemFiles::SystemFiles(const WindowParts& parts, TabPanel& centre, QWidget& wi
       link_(parts.link),
       window_(window),
       centre_(centre),
-      document_(parts.store),
-      restore_(document_, parts.plans),
+      document_(parts.store, parts.reports),
+      restore_(document_, parts.plans, parts.reports),
       panel_(new DiffPanel(document_, restore_, parts.read_only)),
       page_(centre.addPage(panel_, Words::tr("Diff"))),
       demo_(parts.demo) {
@@ -35,7 +37,7 @@ SystemFiles::SystemFiles(const WindowParts& parts, TabPanel& centre, QWidget& wi
   connect(&document_, &SystemDocument::changed, this, &SystemFiles::previewBringUp);
   connect(&document_, &SystemDocument::told, this, [this] { brings_up_ = false; });
   connect(&restore_, &Restore::changed, this, [this] {
-    if (!is_previewing_) brings_up_ = false;
+    if (!isBringUpInSight()) brings_up_ = false;
     if (starts_demo_) showDemo();
   });
 }
@@ -64,10 +66,13 @@ void SystemFiles::bringUp(const QString& path) {
 
 /// Again whenever something joins, until the user takes it or leaves it.
 void SystemFiles::previewBringUp() {
-  if (!brings_up_ || link_.state() != GcmLink::State::kConnected) return;
-  is_previewing_ = true;
-  panel_->previewAll();
-  is_previewing_ = false;
+  if (brings_up_ && link_.state() == GcmLink::State::kConnected) panel_->previewAll();
+}
+
+bool SystemFiles::isBringUpInSight() const {
+  const Restore::Phase phase = restore_.phase();
+  const bool is_plan = phase == Restore::Phase::kAsking || phase == Restore::Phase::kPreview;
+  return is_plan && restore_.goal() == QFileInfo(document_.path()).fileName();
 }
 
 void SystemFiles::startDemo() {
@@ -87,23 +92,36 @@ void SystemFiles::carryOutDemo(SystemFile demo) {
     if (!process.start) process.start = SystemFile::Start{};
   }
   brings_up_ = false;
-  restore_.preview(demo, Words::tr("the demo"));
-  if (restore_.plan().steps.empty()) {
-    restore_.leave();
-    return Q_EMIT notice(Words::tr("The demo is running already"));
-  }
   starts_demo_ = true;
-  restore_.execute(AfterError::kStop);
+  restore_.preview(demo, NameOfDemo());
+}
+
+/// As soon as there is a plan for it, which nobody has put another in the place of.
+void SystemFiles::carryOutDemoPlan() {
+  const Plan& plan = restore_.plan();
+  if (!plan.steps.empty()) return restore_.execute(AfterError::kStop);
+  starts_demo_ = false;
+  if (!plan.obstacles.empty()) {
+    showTab();
+    return Q_EMIT notice(Words::tr("The demo was not started: ") +
+                         ToQString(plan.obstacles.front()));
+  }
+  restore_.leave();
+  Q_EMIT notice(Words::tr("The demo is running already"));
 }
 
 void SystemFiles::showDemo() {
+  const bool is_asking = restore_.phase() == Restore::Phase::kAsking;
+  starts_demo_ = restore_.goal() == NameOfDemo();
+  if (!starts_demo_ || is_asking) return;
+  if (restore_.phase() == Restore::Phase::kPreview) return carryOutDemoPlan();
   if (restore_.phase() == Restore::Phase::kRunning) {
     return Q_EMIT notice(Words::tr("Starting the demo: step %1 of %2")
                              .arg(restore_.outcomes().size() + 1)
                              .arg(restore_.plan().steps.size()));
   }
-  if (restore_.phase() != Restore::Phase::kDone) return;
   starts_demo_ = false;
+  if (restore_.phase() != Restore::Phase::kDone) return;
   if (const auto& error = restore_.outcome().error) {
     showTab();  // which step it was, and what was done before it
     return Q_EMIT notice(Words::tr("The demo was not started: ") + ToQString(error->message));

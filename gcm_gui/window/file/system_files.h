@@ -45,7 +45,9 @@ class SystemFiles : public QObject {
   void askForProcess(const QString& file);
   void restoreAll();
   void previewBringUp();
+  [[nodiscard]] bool isBringUpInSight() const;
   void carryOutDemo(SystemFile demo);
+  void carryOutDemoPlan();
   void showDemo();
   void fillStates(QMenu& menu);
   [[nodiscard]] QFileDialog* makeDialog(const QString& title);
@@ -60,8 +62,7 @@ class SystemFiles : public QObject {
   int page_;
   QString demo_;
   bool starts_demo_ = false;
-  bool brings_up_ = false;      // the plan for the file follows what joins
-  bool is_previewing_ = false;  // it is just made anew
+  bool brings_up_ = false;  // the plan for the file follows what joins
 };
 
 }  // namespace tendon::gui

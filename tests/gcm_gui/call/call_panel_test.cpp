@@ -1,4 +1,5 @@
 #include <gcm_gui/call/call_panel.h>
+#include <gcm_gui/call/matching_read.h>
 #include <gtest/gtest.h>
 
 #include <QClipboard>
@@ -74,6 +75,46 @@ TEST_F(CallPanelTest, SaysWhatIsEntered) {
 
   EXPECT_EQ(calls_.calls, QStringList{kMove + R"( {"to":0.5,"mode":"a"})"}) << "one at a time";
   EXPECT_EQ(Status(), "Calling…");
+}
+
+TEST_F(CallPanelTest, ItBeginsWithWhatTheMatchingReadSays) {
+  panel_.showCommand(kMove, CommandOf("Move", CommandKind::kWrite), "Get");
+  panel_.show();
+  ASSERT_EQ(calls_.read, QStringList{kGet});
+
+  calls_.value(std::string(R"({"to":0.25,"mode":"b"})"));
+
+  EXPECT_EQ(Status(), "As Get says now");
+  EXPECT_TRUE(calls_.calls.isEmpty());
+  Click();
+  EXPECT_EQ(calls_.calls, QStringList{kMove + R"( {"to":0.25,"mode":"b"})"});
+}
+
+TEST_F(CallPanelTest, WhatIsEnteredIsNotOverwrittenByALateRead) {
+  panel_.showCommand(kMove, CommandOf("Move", CommandKind::kWrite), "Get");
+  panel_.show();
+  Enter("to", "0.5");
+
+  calls_.value(std::string(R"({"to":0.25,"mode":"b"})"));
+
+  Click();
+  EXPECT_EQ(calls_.calls, QStringList{kMove + R"( {"to":0.5,"mode":"a"})"});
+}
+
+TEST(MatchingRead, AnswersTheTypeThatTheCommandTakesAndIsNamedLikewise) {
+  MemberDescription set = CommandOf("SetGains", CommandKind::kWrite);
+  MemberDescription other = CommandOf("GetDefaults", CommandKind::kRead);
+  MemberDescription get = CommandOf("GetGains", CommandKind::kRead);
+  MemberDescription load = CommandOf("GetLoad", CommandKind::kRead);
+  set.signature.in = FingerprintOf<double>();
+  for (MemberDescription* read : {&other, &get}) read->signature.out = set.signature.in;
+  load.signature.out = FingerprintOf<std::int32_t>();
+
+  EXPECT_EQ(MatchingRead({.name = "Control", .commands = {load, other, get, set}}, set),
+            "GetGains");
+  EXPECT_EQ(MatchingRead({.name = "Control", .commands = {load, other, set}}, set), "GetDefaults");
+  EXPECT_EQ(MatchingRead({.name = "Control", .commands = {load, set}}, set), "");
+  EXPECT_EQ(MatchingRead({.name = "Control", .commands = {load, set}}, load), "");
 }
 
 TEST_F(CallPanelTest, TheAnswerIsShownAFieldALine) {

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <tendon/gcm/lookup.h>
 
+#include <QFileDialog>
+#include <QLineEdit>
 #include <QPushButton>
 
 #include "flow/flow_fixture.h"
@@ -48,6 +50,29 @@ TEST_F(DemoFlow, OneClickBringsItUp) {
   })) << window_->findChild<NoticeLine*>()->text().toStdString();
   EXPECT_TRUE(window_->graph().isVisible());
   KeepPictures(*window_, "flow-demo");
+}
+
+TEST_F(DemoFlow, WhatIsSavedOfItStartsItsProcessesAgain) {
+  Click(Find<QPushButton>("tryDemo"));
+  ASSERT_TRUE(Eventually([this] { return IsDemoRunning(); })) << gcm_->err();
+  ASSERT_TRUE(Eventually([this] { return window_->files().restore().canUndo(); }));
+  const QString file = QString::fromStdString((home_.path() / "demo.gcm.json").string());
+
+  QTest::keyClick(window_.get(), Qt::Key_S, Qt::ControlModifier);
+  ASSERT_TRUE(Eventually([this] { return window_->findChild<QFileDialog*>() != nullptr; }));
+  auto* name = window_->findChild<QFileDialog*>()->findChild<QLineEdit*>("fileNameEdit");
+  name->setText(file);
+  QTest::keyClick(name, Qt::Key_Return);
+  ASSERT_TRUE(Eventually([this] { return window_->files().document().isOpen(); }));
+  ClickTab("centre.tabs", "Diff");
+  KeepPictures(*window_, "flow-saved");
+
+  const auto saved = ReadSystemFile(file.toStdString());
+  ASSERT_TRUE(saved.ok());
+  for (const char* process : {"robot", "desk"}) {
+    ASSERT_NE(saved->FindProcess(process), nullptr) << process;
+    EXPECT_TRUE(saved->FindProcess(process)->start.has_value()) << process;
+  }
 }
 
 TEST_F(DemoFlow, TakenBackItLeavesNoProcess) {

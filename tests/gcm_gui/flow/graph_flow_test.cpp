@@ -111,16 +111,17 @@ TEST_F(GraphFlowTest, NobodyIsWaitedForWhoIsAskedWhileHeStandsStill) {
     robot_->Signal(SIGSTOP);
     WatchHandlers();
 
-    bool is_answered = false;
+    std::string answer;
     QTimer::singleShot(0, window_.get(), [&] {
       session_->callCommand("robot/arm/Control.Stop", {},
-                            [&](const auto&, double) { is_answered = true; });
+                            [&](const auto& refusal, double) { answer = refusal.error().message; });
       session_->reports().listen(window_.get(), {});
       session_->reports().listen(window_.get(), {"robot/arm/**"});
       window_->selection().select(QStringLiteral("robot/host_monitor"));
       window_->selection().select(QStringLiteral("robot/arm"));
     });
-    ASSERT_TRUE(Eventually([&] { return is_answered && IsGrey("robot/arm"); }));
+    ASSERT_TRUE(Eventually([&] { return !answer.empty() && IsGrey("robot/arm"); }));
+    EXPECT_TRUE(answer.starts_with("process 'robot' is lost")) << answer;
     ExpectNoHandlerStalled(round, "answered and grey");
 
     WatchHandlers();

@@ -6,8 +6,12 @@
 #include <tendon/payload/robot/image.h>
 
 #include <QSignalSpy>
+#include <chrono>
+#include <future>
 #include <map>
+#include <mutex>
 #include <set>
+#include <thread>
 
 #include "support/fakes.h"
 
@@ -217,6 +221,43 @@ TEST_F(LiveSignalsTest, WhereRowsWereLostIsKnown) {
   EXPECT_EQ(live_.losses(first_), (RowLosses{.table = 7, .network = 2, .viewer = 5}));
   EXPECT_EQ(live_.losses(second_), live_.losses(first_)) << "of the same column";
   EXPECT_EQ(live_.losses("robot/arm/state.Other"), RowLosses{});
+}
+
+TEST_F(LiveSignalsTest, WhoPlotsASecondNumberDoesNotWaitForABatchThatIsRead) {
+  live_.subscribe(first_);
+  Sink().OnSubscribed({PositionSchema()});
+  std::vector<std::byte> cell;
+  Encode(std::array<double, 2>{}, cell);
+  const std::vector<std::uint64_t> ticks{1};
+  const std::vector<std::int64_t> times{1};
+  std::promise<void> is_read;
+  std::promise<void> is_plotted;
+  auto plotted = is_plotted.get_future().share();
+  std::once_flag once;
+  bool has_waited = false;
+  RowBatch batch;
+  batch.count = 1;
+  batch.ticks = ticks;
+  batch.times = times;
+  batch.cell = [&](std::size_t, std::size_t) {
+    std::call_once(once, [&] {
+      is_read.set_value();
+      has_waited = plotted.wait_for(std::chrono::seconds(10)) != std::future_status::ready;
+    });
+    return std::span<const std::byte>(cell);
+  };
+
+  std::thread network([&] { Sink().OnRows(batch); });
+  is_read.get_future().wait();
+  live_.subscribe(second_);
+  is_plotted.set_value();
+  network.join();
+
+  EXPECT_FALSE(has_waited);
+  live_.drain();
+  SendRows(Sink(), 1, 100, 3);
+  live_.drain();
+  EXPECT_EQ(rows_[second_].size(), 3U);
 }
 
 TEST_F(LiveSignalsTest, AWatcherIsToldHowManyRowsHaveComeAndOfWhenTheNewestIs) {

@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 #include <support/plant.h>
 #include <tendon/gcm/global_manager.h>
+#include <tendon/middleware/frame.h>
 #include <tendon/middleware/loopback.h>
+#include <tendon/process/membership_messages.h>
 #include <tendon/process/process.h>
 
 #include <QTemporaryDir>
@@ -162,6 +164,33 @@ TEST_F(SessionTest, ACallThatIsRefusedIsToldInTheActivityToo) {
 
   EXPECT_EQ(session_->activity().action(0).outcome, Action::Outcome::kRefused);
   EXPECT_EQ(session_->activity().action(0).refusal, QString::fromStdString(refusal->message));
+}
+
+TEST_F(SessionTest, ACallToAProcessThatIsLostIsNotWaitedForAnyLonger) {
+  session_ = std::make_unique<Session>(Node(), manager_->address(), true, Role::kOperator,
+                                       std::chrono::seconds(40));
+  ASSERT_TRUE(EverythingIsThere());
+  bool is_linked = false;
+  session_->readValue("robot/plant/state.Move", [&](const auto&) { is_linked = true; });
+  ASSERT_TRUE(Eventually([&] { return is_linked; }));
+  const std::string robot = Catalogue().FindProcess("robot")->process.address;
+  network_->SetJudge([robot](const loopback::Frame& frame) {
+    const auto type = ReadFrameHeader(frame.bytes, frame.bytes.size())->type;
+    const bool is_of_lease = type == message::kRenew || type == message::kJoin;
+    const bool is_of_robot = frame.from == robot || frame.to == robot;
+    return is_of_lease || is_of_robot ? loopback::kDrop : loopback::kPass;
+  });
+  std::optional<Error> told;
+
+  session_->callCommand("robot/plant/Control.Stop", {},
+                        [&](const auto& answer, double) { told = answer.error(); });
+  ASSERT_TRUE(Eventually([&] { return told.has_value(); }));
+  network_->SetJudge(nullptr);
+
+  EXPECT_EQ(told->code, ErrorCode::kTimeout);
+  EXPECT_TRUE(told->message.starts_with("process 'robot' is lost")) << told->message;
+  EXPECT_TRUE(told->message.ends_with("is unknown")) << told->message;
+  EXPECT_EQ(session_->activity().action(0).outcome, Action::Outcome::kRefused);
 }
 
 TEST_F(SessionTest, AConnectionIsReplacedAndThatUndoneAsOneStep) {

@@ -58,6 +58,11 @@ void ScriptedReports::askFill(const std::string& /*process*/, const std::string&
   handler(fill);
 }
 
+void ScriptedReports::askClasses(const std::string& process, Handler<message::Classes> handler) {
+  asked_for_classes.append(QString::fromStdString(process));
+  class_handlers.push_back(std::move(handler));
+}
+
 QStringList ScriptedReports::listened() const {
   QStringList all;
   for (const QStringList& patterns : wanted_) all += patterns;
@@ -81,6 +86,11 @@ void ScriptedCalls::callCommand(const std::string& path, const std::string& argu
                                 AnswerHandler handler) {
   calls.append(QString::fromStdString(path + ' ' + argument).trimmed());
   answer = std::move(handler);
+}
+
+void ScriptedCalls::readValue(const std::string& path, ValueHandler handler) {
+  read.append(QString::fromStdString(path));
+  value = std::move(handler);
 }
 
 void ScriptedChecks::diagnose(const message::Wire& wire, DiagnosisHandler handler) {

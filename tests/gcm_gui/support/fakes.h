@@ -39,11 +39,14 @@ class ScriptedCalls final : public CommandCalls {
   void findSchema(const std::string& process, Fingerprint type, SchemaHandler handler) override;
   void callCommand(const std::string& path, const std::string& argument,
                    AnswerHandler handler) override;
+  void readValue(const std::string& path, ValueHandler handler) override;
 
   Result<Schema> schema = Error{ErrorCode::kTimeout, "no answer"};
   int asked_for_schema = 0;
   QStringList calls;
   AnswerHandler answer;  ///< of the newest call
+  QStringList read;      ///< paths
+  ValueHandler value;    ///< of the newest of them
 };
 
 /// Remembers what it was asked. The test answers.
@@ -119,6 +122,8 @@ class ScriptedReports final : public SystemReports {
   void askCounts(const InterfaceName& required, Handler<ConnectionCounts> handler) override;
   void askFill(const std::string& process, const std::string& component,
                Handler<MailboxFill> handler) override;
+  void askChildren(Handler<message::Children> handler) override { handler(children); }
+  void askClasses(const std::string& process, Handler<message::Classes> handler) override;
 
   [[nodiscard]] QStringList listened() const;
   /// One record of robot/arm's log, now.
@@ -131,6 +136,9 @@ class ScriptedReports final : public SystemReports {
   bool answers_counts = true;  ///< at once; else the test does
   std::vector<Handler<ConnectionCounts>> count_handlers;  ///< that wait for the test
   Result<MailboxFill> fill = MailboxFill();
+  Result<message::Children> children = message::Children();
+  QStringList asked_for_classes;                          ///< which processes
+  std::vector<Handler<message::Classes>> class_handlers;  ///< of them, for the test to answer
 
  private:
   QMap<const QObject*, QStringList> wanted_;

@@ -92,9 +92,10 @@ TEST(DiffModel, EachDifferenceHasItsSignItsWordAndASentence) {
 
 TEST(PlanModel, EachStepSaysHowItWent) {
   const CatalogueStore store;
-  const SystemDocument document(store);
+  ScriptedReports reports;
+  const SystemDocument document(store, reports);
   ScriptedPlans runner;
-  Restore restore(document, runner);
+  Restore restore(document, runner, reports);
   PlanModel model;
   const QAbstractItemModelTester tester(&model);
   SystemFile wanted = ArmSystem();

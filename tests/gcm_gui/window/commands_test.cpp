@@ -125,6 +125,18 @@ TEST_F(CommandsTest, ThePaletteForgivesLettersThatAreLeftOut) {
   EXPECT_EQ(firstRow(), "robot/force_sensor");
 }
 
+TEST_F(CommandsTest, WhatHasTheWordItselfLeavesNoRoomForWhatNearlyHasIt) {
+  PaletteModel model(window_.actions(), window_.catalogueModel());
+
+  model.find(QStringLiteral("arm"));
+
+  ASSERT_GT(model.rowCount(), 0);
+  for (int row = 0; row < model.rowCount(); ++row) {
+    const QString text = model.index(row, 0).data().toString();
+    EXPECT_TRUE(text.contains("arm", Qt::CaseInsensitive)) << text.toStdString();
+  }
+}
+
 TEST_F(CommandsTest, ANameItselfComesBeforeWhatIsBelowIt) {
   OpenPalette();
   QTest::keyClicks(&field(), "arm");

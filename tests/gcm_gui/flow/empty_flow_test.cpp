@@ -1,0 +1,56 @@
+#include <gcm_gui/tour/tour.h>
+
+#include <QDir>
+#include <QFile>
+#include <QPushButton>
+#include <csignal>
+
+#include "flow/flow_fixture.h"
+#include "support/pictures.h"
+
+namespace tendon::gui {
+namespace {
+
+/// Nothing runs at all.
+class EmptyFlow : public FlowFixture {
+ protected:
+  void SetUp() override {
+    qputenv("XDG_STATE_HOME", home_.path().c_str());
+    ASSERT_NO_FATAL_FAILURE(OpenWindow());
+  }
+  /// What the window has started outlives it.
+  void TearDown() override {
+    FlowFixture::TearDown();
+    for (const QString& pid : QDir("/proc").entryList({"[0-9]*"}, QDir::Dirs)) {
+      QFile words("/proc/" + pid + "/cmdline");
+      if (!words.open(QIODevice::ReadOnly)) continue;
+      const QByteArray line = words.readAll();
+      const bool is_ours = line.contains(address_.c_str()) && line.contains("serve");
+      if (is_ours) ::kill(pid.toInt(), SIGTERM);
+    }
+    qunsetenv("XDG_STATE_HOME");
+  }
+};
+
+TEST_F(EmptyFlow, AClickStartsAGcmWhereNoneAnswers) {
+  ASSERT_TRUE(Eventually([this] { return Find<QPushButton>("startGcm").isVisible(); }));
+  EXPECT_FALSE(Find<QPushButton>("tryDemo").isVisible());
+  KeepPictures(*window_, "flow-empty");
+
+  Click(Find<QPushButton>("startGcm"));
+
+  EXPECT_TRUE(
+      Eventually([this] { return session_->link().state() == GcmLink::State::kConnected; }));
+  EXPECT_TRUE(Eventually([this] { return Find<QPushButton>("tryDemo").isVisible(); }));
+  EXPECT_FALSE(Find<QPushButton>("startGcm").isVisible());
+  KeepPictures(*window_, "flow-empty-gcm");
+}
+
+TEST_F(EmptyFlow, WhoWantsToIsShownAround) {
+  Click(Find<QPushButton>("showAround"));
+
+  EXPECT_TRUE(window_->tour().isRunning());
+}
+
+}  // namespace
+}  // namespace tendon::gui
