@@ -99,7 +99,7 @@ Die ganze Antwort: Als Befehl kopieren</translation>
     </message>
     <message>
         <source>Not called: hold the button for 0.4 s, for this can set something in motion</source>
-        <translation>Nicht aufgerufen: den Knopf 0,4 s halten, denn das kann etwas in Bewegung setzen</translation>
+        <translation>Nicht aufgerufen: den Knopf 0,4&#xa0;s halten, denn das kann etwas in Bewegung setzen</translation>
     </message>
     <message>
         <source>Ask again</source>
@@ -147,7 +147,7 @@ Die ganze Antwort: Als Befehl kopieren</translation>
     </message>
     <message>
         <source>It can set something in motion: hold the button for 0.4 s, or press Ctrl+Enter twice</source>
-        <translation>Das kann etwas in Bewegung setzen: den Knopf 0,4 s halten oder zweimal Strg+Enter drücken</translation>
+        <translation>Das kann etwas in Bewegung setzen: den Knopf 0,4&#xa0;s halten oder zweimal Strg+Enter drücken</translation>
     </message>
     <message>
         <source>Ctrl+Enter</source>
@@ -185,7 +185,7 @@ Die ganze Antwort: Als Befehl kopieren</translation>
         <source>
 It can set something in motion: hold the button for 0.4 s</source>
         <translation>
-Das kann etwas in Bewegung setzen: den Knopf 0,4 s halten</translation>
+Das kann etwas in Bewegung setzen: den Knopf 0,4&#xa0;s halten</translation>
     </message>
     <message>
         <source>Show the command</source>
@@ -233,7 +233,7 @@ Das kann etwas in Bewegung setzen: den Knopf 0,4 s halten</translation>
     </message>
     <message>
         <source>It can set something in motion: it is called as long as the button is held down, from 0.4 s on</source>
-        <translation>Das kann etwas in Bewegung setzen: Aufrufe erfolgen, solange der Knopf gehalten wird, ab 0,4 s</translation>
+        <translation>Das kann etwas in Bewegung setzen: Aufrufe erfolgen, solange der Knopf gehalten wird, ab 0,4&#xa0;s</translation>
     </message>
     <message>
         <source>Candidates</source>
@@ -2597,56 +2597,24 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <source>As %1 says now</source>
         <translation>Wie %1 es jetzt sagt</translation>
     </message>
+    <message>
+        <source>Ask for everything a&amp;new</source>
+        <translation>Alles &amp;neu erfragen</translation>
+    </message>
+    <message>
+        <source>The GCM is asked for everything anew</source>
+        <translation>Der GCM wird nach allem neu gefragt</translation>
+    </message>
+    <message>
+        <source>There is no GCM; it is looked for each second</source>
+        <translation>Es ist kein GCM da; er wird jede Sekunde gesucht</translation>
+    </message>
 </context>
 <context>
     <name>tendon::gui::Words::Words</name>
     <message>
         <source>%1 curves</source>
         <translation>%1 Kurven</translation>
-    </message>
-    <message>
-        <source>%1 is there already: open it, or remove it before the import</source>
-        <translation>%1 gibt es schon: öffnen, oder vor dem Import entfernen</translation>
-    </message>
-    <message>
-        <source>%1 is shown in another window; this one hosts a GCM, and stays open</source>
-        <translation>%1 zeigt ein anderes Fenster; dieses betreibt einen GCM und bleibt offen</translation>
-    </message>
-    <message>
-        <source>%1 · ask again</source>
-        <translation>%1 · erneut fragen</translation>
-    </message>
-    <message>
-        <source>Start the component</source>
-        <translation>Die Komponente starten</translation>
-    </message>
-    <message>
-        <source>Start %1 components</source>
-        <translation>%1 Komponenten starten</translation>
-    </message>
-    <message>
-        <source>Suspend the component</source>
-        <translation>Die Komponente anhalten</translation>
-    </message>
-    <message>
-        <source>Suspend %1 components</source>
-        <translation>%1 Komponenten anhalten</translation>
-    </message>
-    <message>
-        <source>Stop the component</source>
-        <translation>Die Komponente beenden</translation>
-    </message>
-    <message>
-        <source>Stop %1 components</source>
-        <translation>%1 Komponenten beenden</translation>
-    </message>
-    <message>
-        <source>Restart the component</source>
-        <translation>Die Komponente neu starten</translation>
-    </message>
-    <message>
-        <source>Restart %1 components</source>
-        <translation>%1 Komponenten neu starten</translation>
     </message>
 </context>
 </TS>

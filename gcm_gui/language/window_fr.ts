@@ -65,7 +65,7 @@
     </message>
     <message>
         <source> does not answer; its values may be old</source>
-        <translation> ne répond pas ; ses valeurs peuvent être anciennes</translation>
+        <translation> ne répond pas&#xa0;; ses valeurs peuvent être anciennes</translation>
     </message>
     <message>
         <source> is faulted</source>
@@ -79,7 +79,7 @@
         <source>…
 The whole answer: Copy as command</source>
         <translation>…
-La réponse entière : Copier en commande</translation>
+La réponse entière&#xa0;: Copier en commande</translation>
     </message>
     <message>
         <source>Call a command</source>
@@ -99,7 +99,7 @@ La réponse entière : Copier en commande</translation>
     </message>
     <message>
         <source>Not called: hold the button for 0.4 s, for this can set something in motion</source>
-        <translation>Pas appelée : maintenir le bouton 0,4 s, car cela peut mettre quelque chose en mouvement</translation>
+        <translation>Pas appelée&#xa0;: maintenir le bouton 0,4&#xa0;s, car cela peut mettre quelque chose en mouvement</translation>
     </message>
     <message>
         <source>Ask again</source>
@@ -147,7 +147,7 @@ La réponse entière : Copier en commande</translation>
     </message>
     <message>
         <source>It can set something in motion: hold the button for 0.4 s, or press Ctrl+Enter twice</source>
-        <translation>Cela peut mettre quelque chose en mouvement : maintenir le bouton 0,4 s ou appuyer deux fois sur Ctrl+Entrée</translation>
+        <translation>Cela peut mettre quelque chose en mouvement&#xa0;: maintenir le bouton 0,4&#xa0;s ou appuyer deux fois sur Ctrl+Entrée</translation>
     </message>
     <message>
         <source>Ctrl+Enter</source>
@@ -155,7 +155,7 @@ La réponse entière : Copier en commande</translation>
     </message>
     <message>
         <source>Ctrl+Enter again calls it: this can set something in motion</source>
-        <translation>Encore Ctrl+Entrée pour appeler : cela peut mettre quelque chose en mouvement</translation>
+        <translation>Encore Ctrl+Entrée pour appeler&#xa0;: cela peut mettre quelque chose en mouvement</translation>
     </message>
     <message>
         <source>Calling…</source>
@@ -185,7 +185,7 @@ La réponse entière : Copier en commande</translation>
         <source>
 It can set something in motion: hold the button for 0.4 s</source>
         <translation>
-Cela peut mettre quelque chose en mouvement : maintenir le bouton 0,4 s</translation>
+Cela peut mettre quelque chose en mouvement&#xa0;: maintenir le bouton 0,4&#xa0;s</translation>
     </message>
     <message>
         <source>Show the command</source>
@@ -221,7 +221,7 @@ Cela peut mettre quelque chose en mouvement : maintenir le bouton 0,4 s</trans
     </message>
     <message>
         <source>, %1 left out: the one before took too long</source>
-        <translation>, %1 omis : le précédent a duré trop longtemps</translation>
+        <translation>, %1 omis&#xa0;: le précédent a duré trop longtemps</translation>
     </message>
     <message>
         <source>Hold to repeat</source>
@@ -233,7 +233,7 @@ Cela peut mettre quelque chose en mouvement : maintenir le bouton 0,4 s</trans
     </message>
     <message>
         <source>It can set something in motion: it is called as long as the button is held down, from 0.4 s on</source>
-        <translation>Cela peut mettre quelque chose en mouvement : les appels durent tant que le bouton est maintenu, à partir de 0,4 s</translation>
+        <translation>Cela peut mettre quelque chose en mouvement&#xa0;: les appels durent tant que le bouton est maintenu, à partir de 0,4&#xa0;s</translation>
     </message>
     <message>
         <source>Candidates</source>
@@ -261,7 +261,7 @@ Cela peut mettre quelque chose en mouvement : maintenir le bouton 0,4 s</trans
     </message>
     <message>
         <source>Filter; Enter picks, so do 1 to 9</source>
-        <translation>Filtre ; Entrée choisit, de même 1 à 9</translation>
+        <translation>Filtre&#xa0;; Entrée choisit, de même 1 à 9</translation>
     </message>
     <message>
         <source>Replace</source>
@@ -269,15 +269,15 @@ Cela peut mettre quelque chose en mouvement : maintenir le bouton 0,4 s</trans
     </message>
     <message>
         <source>%1 is connected to %2. What it could be connected to instead:</source>
-        <translation>%1 est connectée à %2. À quoi elle pourrait être connectée à la place :</translation>
+        <translation>%1 est connectée à %2. À quoi elle pourrait être connectée à la place&#xa0;:</translation>
     </message>
     <message>
         <source>What %1 could be connected to:</source>
-        <translation>À quoi %1 pourrait être connectée :</translation>
+        <translation>À quoi %1 pourrait être connectée&#xa0;:</translation>
     </message>
     <message>
         <source>What could be connected to %1:</source>
-        <translation>Ce qui pourrait être connecté à %1 :</translation>
+        <translation>Ce qui pourrait être connecté à %1&#xa0;:</translation>
     </message>
     <message>
         <source>
@@ -291,7 +291,7 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source>%1 more; type to find one</source>
-        <translation>%1 autres ; taper pour chercher</translation>
+        <translation>%1 autres&#xa0;; taper pour chercher</translation>
     </message>
     <message>
         <source>None of %1 fits at all</source>
@@ -307,7 +307,7 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source> does not fit: </source>
-        <translation> ne convient pas : </translation>
+        <translation> ne convient pas&#xa0;: </translation>
     </message>
     <message>
         <source>Match by name and type</source>
@@ -339,7 +339,7 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source>The language of gcm shell: try ls, watch, call … or help. Tab completes, Ctrl+C interrupts, Ctrl+R searches what was typed.</source>
-        <translation>Le langage de gcm shell : essayer ls, watch, call … ou help. Tab complète, Ctrl+C interrompt, Ctrl+R cherche dans ce qui a été tapé.</translation>
+        <translation>Le langage de gcm shell&#xa0;: essayer ls, watch, call … ou help. Tab complète, Ctrl+C interrompt, Ctrl+R cherche dans ce qui a été tapé.</translation>
     </message>
     <message>
         <source>Console line</source>
@@ -347,11 +347,11 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source>search &apos;%1&apos;:</source>
-        <translation>recherche « %1 » :</translation>
+        <translation>recherche «&#xa0;%1&#xa0;»&#xa0;:</translation>
     </message>
     <message>
         <source>nothing with &apos;%1&apos;:</source>
-        <translation>rien avec « %1 » :</translation>
+        <translation>rien avec «&#xa0;%1&#xa0;»&#xa0;:</translation>
     </message>
     <message>
         <source>… Ctrl+C</source>
@@ -375,7 +375,7 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source> · %1 lost</source>
-        <translation> · pertes : %1</translation>
+        <translation> · pertes&#xa0;: %1</translation>
     </message>
     <message>
         <source> · %1 waiting</source>
@@ -403,7 +403,7 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source>Filter: words, from:robot/arm, -word</source>
-        <translation>Filtre : mots, from:robot/arm, -mot</translation>
+        <translation>Filtre&#xa0;: mots, from:robot/arm, -mot</translation>
     </message>
     <message>
         <source>Pause</source>
@@ -411,7 +411,7 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source>The list stands still; what comes is shown afterwards</source>
-        <translation>La liste est figée ; ce qui arrive est montré ensuite</translation>
+        <translation>La liste est figée&#xa0;; ce qui arrive est montré ensuite</translation>
     </message>
     <message>
         <source>Clear</source>
@@ -427,7 +427,7 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source>%1 was not saved: %2</source>
-        <translation>%1 n&apos;a pas été enregistré : %2</translation>
+        <translation>%1 n&apos;a pas été enregistré&#xa0;: %2</translation>
     </message>
     <message>
         <source>%1 calls found no room</source>
@@ -503,7 +503,7 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source>The frame is what is seen; Shift and arrow keys in the graph move it</source>
-        <translation>Le cadre est la partie visible ; Maj et les flèches dans le graphe le déplacent</translation>
+        <translation>Le cadre est la partie visible&#xa0;; Maj et les flèches dans le graphe le déplacent</translation>
     </message>
     <message>
         <source>Drag the frame to see another part  (M hides the map)</source>
@@ -535,7 +535,7 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source>%1 found</source>
-        <translation>trouvés : %1</translation>
+        <translation>trouvés&#xa0;: %1</translation>
     </message>
     <message>
         <source>No event has been raised since this was opened.</source>
@@ -543,7 +543,7 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source>%1 lost</source>
-        <translation>pertes : %1</translation>
+        <translation>pertes&#xa0;: %1</translation>
     </message>
     <message>
         <source>Processor</source>
@@ -651,7 +651,7 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source>Why?</source>
-        <translation>Pourquoi ?</translation>
+        <translation>Pourquoi&#xa0;?</translation>
     </message>
     <message>
         <source>Why is </source>
@@ -755,7 +755,7 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source>Empties this list; the processes and the GCM keep theirs</source>
-        <translation>Vide cette liste ; les processus et le GCM gardent les leurs</translation>
+        <translation>Vide cette liste&#xa0;; les processus et le GCM gardent les leurs</translation>
     </message>
     <message>
         <source> and above</source>
@@ -807,7 +807,7 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source>a picture of encoding &apos;%1&apos; is not drawn, only: %2</source>
-        <translation>une image d&apos;encodage « %1 » n&apos;est pas dessinée, seulement : %2</translation>
+        <translation>une image d&apos;encodage «&#xa0;%1&#xa0;» n&apos;est pas dessinée, seulement&#xa0;: %2</translation>
     </message>
     <message>
         <source>a picture of %1 pixels has none to draw</source>
@@ -815,7 +815,7 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source>a picture of %1 pixels is too large to be drawn: at most %2</source>
-        <translation>une image de %1 pixels est trop grande pour être dessinée : au plus %2</translation>
+        <translation>une image de %1 pixels est trop grande pour être dessinée&#xa0;: au plus %2</translation>
     </message>
     <message>
         <source>%1 pixels of %2 take %3 bytes a row, but step says %4</source>
@@ -847,7 +847,7 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source>; older ones are kept as lowest and highest value of each 100 ms</source>
-        <translation>, les plus anciens étant gardés comme plus petite et plus grande valeur par 100 ms</translation>
+        <translation>, les plus anciens étant gardés comme plus petite et plus grande valeur par 100&#xa0;ms</translation>
     </message>
     <message>
         <source>Legend</source>
@@ -887,7 +887,7 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source>Cursors A and B  (A, B; Delete)</source>
-        <translation>Curseurs A et B  (A, B ; Suppr)</translation>
+        <translation>Curseurs A et B  (A, B&#xa0;; Suppr)</translation>
     </message>
     <message>
         <source>Save what is seen as CSV  (Ctrl+E)</source>
@@ -895,7 +895,7 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source>Sweep: the curves stay, and are written over from the left  (S)</source>
-        <translation>Balayage : les courbes restent en place et sont réécrites à partir de la gauche  (S)</translation>
+        <translation>Balayage&#xa0;: les courbes restent en place et sont réécrites à partir de la gauche  (S)</translation>
     </message>
     <message>
         <source>Pause the view</source>
@@ -911,7 +911,7 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source>How long the plot looks back: </source>
-        <translation>Durée que montre le graphique : </translation>
+        <translation>Durée que montre le graphique&#xa0;: </translation>
     </message>
     <message>
         <source>Resume the view</source>
@@ -991,7 +991,7 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source>There is nothing to save as CSV: the plot shows no samples</source>
-        <translation>Rien à enregistrer en CSV : le graphique ne montre aucun échantillon</translation>
+        <translation>Rien à enregistrer en CSV&#xa0;: le graphique ne montre aucun échantillon</translation>
     </message>
     <message>
         <source>Save what is seen as CSV</source>
@@ -1027,11 +1027,11 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source> cannot be read: </source>
-        <translation> ne peut pas être lu : </translation>
+        <translation> ne peut pas être lu&#xa0;: </translation>
     </message>
     <message>
         <source> is no layout of plots: </source>
-        <translation> n&apos;est pas une disposition de graphiques : </translation>
+        <translation> n&apos;est pas une disposition de graphiques&#xa0;: </translation>
     </message>
     <message>
         <source>Show another signal</source>
@@ -1091,7 +1091,7 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source>0 and less has no place on this axis: </source>
-        <translation>0 et moins n&apos;a pas de place sur cet axe : </translation>
+        <translation>0 et moins n&apos;a pas de place sur cet axe&#xa0;: </translation>
     </message>
     <message>
         <source> · %1 repeated</source>
@@ -1103,11 +1103,11 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source>Rate and lost rows: </source>
-        <translation>Cadence et lignes perdues : </translation>
+        <translation>Cadence et lignes perdues&#xa0;: </translation>
     </message>
     <message>
         <source>%1: %2, %3 rows lost, %4 repeated</source>
-        <translation>%1 : %2, %3 lignes perdues, %4 en double</translation>
+        <translation>%1&#xa0;: %2, %3 lignes perdues, %4 en double</translation>
     </message>
     <message>
         <source>waiting for </source>
@@ -1135,7 +1135,7 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source>%1 bytes: </source>
-        <translation>%1 octets : </translation>
+        <translation>%1 octets&#xa0;: </translation>
     </message>
     <message>
         <source>missing</source>
@@ -1223,7 +1223,7 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source>Ctrl+S writes down what runs; Ctrl+O opens what was written down.</source>
-        <translation>Ctrl+S enregistre ce qui tourne ; Ctrl+O ouvre ce qui a été enregistré.</translation>
+        <translation>Ctrl+S enregistre ce qui tourne&#xa0;; Ctrl+O ouvre ce qui a été enregistré.</translation>
     </message>
     <message>
         <source>nothing is to be done</source>
@@ -1255,11 +1255,11 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source>To %1: step %2 of %3</source>
-        <translation>Vers %1 : étape %2 sur %3</translation>
+        <translation>Vers %1&#xa0;: étape %2 sur %3</translation>
     </message>
     <message>
         <source>To %1: %2 done, %3 failed, %4 left</source>
-        <translation>Vers %1 : %2 faites, %3 échouées, %4 restantes</translation>
+        <translation>Vers %1&#xa0;: %2 faites, %3 échouées, %4 restantes</translation>
     </message>
     <message>
         <source>what was before</source>
@@ -1275,7 +1275,7 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source>Updated </source>
-        <translation>Adapté : </translation>
+        <translation>Adapté&#xa0;: </translation>
     </message>
     <message>
         <source>Tour</source>
@@ -1295,7 +1295,7 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source>Tour, %1: %2</source>
-        <translation>Visite, %1 : %2</translation>
+        <translation>Visite, %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>Catalogue</source>
@@ -1307,11 +1307,11 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source>Filter: arm type:read state:active</source>
-        <translation>Filtre : arm type:read state:active</translation>
+        <translation>Filtre&#xa0;: arm type:read state:active</translation>
     </message>
     <message>
         <source>Words must all be in the path; also -word, type:, state:, proc:, host:, /regex/  (Ctrl+F)</source>
-        <translation>Tous les mots doivent être dans le chemin ; aussi -mot, type:, state:, proc:, host:, /regex/  (Ctrl+F)</translation>
+        <translation>Tous les mots doivent être dans le chemin&#xa0;; aussi -mot, type:, state:, proc:, host:, /regex/  (Ctrl+F)</translation>
     </message>
     <message>
         <source>Nothing here yet.</source>
@@ -1375,7 +1375,7 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source>Step %1, %2: %3</source>
-        <translation>Étape %1, %2 : %3</translation>
+        <translation>Étape %1, %2&#xa0;: %3</translation>
     </message>
     <message>
         <source>Show side by side</source>
@@ -1383,15 +1383,15 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source>fix: </source>
-        <translation>remède : </translation>
+        <translation>remède&#xa0;: </translation>
     </message>
     <message>
         <source>Copy the fix: </source>
-        <translation>Copier le remède : </translation>
+        <translation>Copier le remède&#xa0;: </translation>
     </message>
     <message>
         <source>Copied: </source>
-        <translation>Copié : </translation>
+        <translation>Copié&#xa0;: </translation>
     </message>
     <message>
         <source>Hide the sides</source>
@@ -1419,7 +1419,7 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source>Why? </source>
-        <translation>Pourquoi ? </translation>
+        <translation>Pourquoi&#xa0;? </translation>
     </message>
     <message>
         <source>checking …</source>
@@ -1451,15 +1451,15 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source>refused at %1: %2</source>
-        <translation>refusée à %1 : %2</translation>
+        <translation>refusée à %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>         fix: </source>
-        <translation>         remède : </translation>
+        <translation>         remède&#xa0;: </translation>
     </message>
     <message>
         <source>  the same in a terminal: </source>
-        <translation>  la même chose dans un terminal : </translation>
+        <translation>  la même chose dans un terminal&#xa0;: </translation>
     </message>
     <message>
         <source>Values and plots come straight from their processes and go on.</source>
@@ -1587,7 +1587,7 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source>retrying </source>
-        <translation>nouvel essai : </translation>
+        <translation>nouvel essai&#xa0;: </translation>
     </message>
     <message>
         <source>Hosting the GCM on this machine</source>
@@ -1671,7 +1671,7 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source>To start one, in a terminal:</source>
-        <translation>Pour en démarrer un, dans un terminal :</translation>
+        <translation>Pour en démarrer un, dans un terminal&#xa0;:</translation>
     </message>
     <message>
         <source>No GCM answers at %1.</source>
@@ -1679,11 +1679,11 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source>Looking every second; this window fills by itself when one appears.</source>
-        <translation>Recherche chaque seconde ; cette fenêtre se remplit d&apos;elle-même dès qu&apos;il en apparaît un.</translation>
+        <translation>Recherche chaque seconde&#xa0;; cette fenêtre se remplit d&apos;elle-même dès qu&apos;il en apparaît un.</translation>
     </message>
     <message>
         <source>To start one, in a terminal there:</source>
-        <translation>Pour en démarrer un, dans un terminal là-bas :</translation>
+        <translation>Pour en démarrer un, dans un terminal là-bas&#xa0;:</translation>
     </message>
     <message>
         <source>Diff</source>
@@ -1711,11 +1711,11 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source>The demo is not beside this program: </source>
-        <translation>La démo n&apos;est pas à côté de ce programme : </translation>
+        <translation>La démo n&apos;est pas à côté de ce programme&#xa0;: </translation>
     </message>
     <message>
         <source>A plan is being carried out; the demo comes after it</source>
-        <translation>Un plan est en cours d&apos;exécution ; la démo vient après</translation>
+        <translation>Un plan est en cours d&apos;exécution&#xa0;; la démo vient après</translation>
     </message>
     <message>
         <source>the demo</source>
@@ -1727,15 +1727,15 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source>Starting the demo: step %1 of %2</source>
-        <translation>Démarrage de la démo : étape %1 sur %2</translation>
+        <translation>Démarrage de la démo&#xa0;: étape %1 sur %2</translation>
     </message>
     <message>
         <source>The demo was not started: </source>
-        <translation>La démo n&apos;a pas été démarrée : </translation>
+        <translation>La démo n&apos;a pas été démarrée&#xa0;: </translation>
     </message>
     <message>
         <source>The demo runs: click a hollow port, then one that lights up</source>
-        <translation>La démo tourne : cliquer sur un port creux, puis sur un port qui s&apos;allume</translation>
+        <translation>La démo tourne&#xa0;: cliquer sur un port creux, puis sur un port qui s&apos;allume</translation>
     </message>
     <message>
         <source>System files (*%1)</source>
@@ -1751,7 +1751,7 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source>Open a system file first: Ctrl+O</source>
-        <translation>Ouvrir d&apos;abord un fichier de système : Ctrl+O</translation>
+        <translation>Ouvrir d&apos;abord un fichier de système&#xa0;: Ctrl+O</translation>
     </message>
     <message>
         <source>State at </source>
@@ -1887,7 +1887,7 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source>While connecting: pick that one, the best</source>
-        <translation>Pendant la connexion : choisir celui-là, le meilleur</translation>
+        <translation>Pendant la connexion&#xa0;: choisir celui-là, le meilleur</translation>
     </message>
     <message>
         <source>In a plot</source>
@@ -1895,7 +1895,7 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source>Zoom in time; with Ctrl in values</source>
-        <translation>Zoomer dans le temps ; avec Ctrl dans les valeurs</translation>
+        <translation>Zoomer dans le temps&#xa0;; avec Ctrl dans les valeurs</translation>
     </message>
     <message>
         <source>Left, Right</source>
@@ -1955,7 +1955,7 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source>Call the command; a second time where it sets something in motion</source>
-        <translation>Appeler la commande ; une seconde fois si elle met quelque chose en mouvement</translation>
+        <translation>Appeler la commande&#xa0;; une seconde fois si elle met quelque chose en mouvement</translation>
     </message>
     <message>
         <source>In the console</source>
@@ -1983,11 +1983,11 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source>Interrupts; clears</source>
-        <translation>Interrompt ; vide</translation>
+        <translation>Interrompt&#xa0;; vide</translation>
     </message>
     <message>
         <source>Keys: </source>
-        <translation>Touches : </translation>
+        <translation>Touches&#xa0;: </translation>
     </message>
     <message>
         <source>Keys</source>
@@ -1999,7 +1999,7 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source>Every process, its components and their interfaces appear here by themselves; type into the filter to find one.</source>
-        <translation>Chaque processus, ses composants et leurs interfaces apparaissent ici d&apos;eux-mêmes ; taper dans le filtre pour en chercher un.</translation>
+        <translation>Chaque processus, ses composants et leurs interfaces apparaissent ici d&apos;eux-mêmes&#xa0;; taper dans le filtre pour en chercher un.</translation>
     </message>
     <message>
         <source>Connect with two clicks</source>
@@ -2007,7 +2007,7 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source>Click a hollow port, then one that lights up: they are connected, and Ctrl+Z takes it back.</source>
-        <translation>Cliquer sur un port creux, puis sur un port qui s&apos;allume : ils sont connectés, et Ctrl+Z annule.</translation>
+        <translation>Cliquer sur un port creux, puis sur un port qui s&apos;allume&#xa0;: ils sont connectés, et Ctrl+Z annule.</translation>
     </message>
     <message>
         <source>Look inside</source>
@@ -2023,7 +2023,7 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source>Select a value and press P: every sample of it is drawn, and you can zoom and measure while more arrive.</source>
-        <translation>Sélectionner une valeur et appuyer sur P : chacun de ses échantillons est tracé, et vous pouvez zoomer et mesurer pendant que d&apos;autres arrivent.</translation>
+        <translation>Sélectionner une valeur et appuyer sur P&#xa0;: chacun de ses échantillons est tracé, et vous pouvez zoomer et mesurer pendant que d&apos;autres arrivent.</translation>
     </message>
     <message>
         <source>Nothing is lost</source>
@@ -2031,7 +2031,7 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source>What you did is listed here, with a way back and the line that does the same in a terminal; problems, the log and a console are beside it.</source>
-        <translation>Ce que vous avez fait est noté ici, avec un retour possible et la ligne qui fait la même chose dans un terminal ; les problèmes, le journal et une console sont à côté.</translation>
+        <translation>Ce que vous avez fait est noté ici, avec un retour possible et la ligne qui fait la même chose dans un terminal&#xa0;; les problèmes, le journal et une console sont à côté.</translation>
     </message>
     <message>
         <source>Everything by its name</source>
@@ -2039,7 +2039,7 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source>Ctrl+K finds all that can be done and all there is; F1 shows the keys, and the menu Help this tour.</source>
-        <translation>Ctrl+K trouve tout ce qui peut se faire et tout ce qui existe ; F1 montre les touches, et le menu Aide cette visite.</translation>
+        <translation>Ctrl+K trouve tout ce qui peut se faire et tout ce qui existe&#xa0;; F1 montre les touches, et le menu Aide cette visite.</translation>
     </message>
     <message>
         <source>Graph</source>
@@ -2091,7 +2091,7 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source>&amp;Why is it connected, or not?</source>
-        <translation>&amp;Pourquoi est-ce connecté, ou non ?</translation>
+        <translation>&amp;Pourquoi est-ce connecté, ou non&#xa0;?</translation>
     </message>
     <message>
         <source>C&amp;all the command…</source>
@@ -2207,11 +2207,11 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source> is no number; select a column or a value of a state table to plot it</source>
-        <translation> n&apos;est pas un nombre ; sélectionner une colonne ou une valeur d&apos;une table d&apos;état pour la tracer</translation>
+        <translation> n&apos;est pas un nombre&#xa0;; sélectionner une colonne ou une valeur d&apos;une table d&apos;état pour la tracer</translation>
     </message>
     <message>
         <source>The first %1 of %2 numbers are plotted; select those you need</source>
-        <translation>Les %1 premiers nombres sur %2 sont tracés ; sélectionner ceux qu&apos;il faut</translation>
+        <translation>Les %1 premiers nombres sur %2 sont tracés&#xa0;; sélectionner ceux qu&apos;il faut</translation>
     </message>
     <message>
         <source>, and %1 more since the mark before</source>
@@ -2291,7 +2291,7 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source>Nothing was done: hold the button for 0.4 s</source>
-        <translation>Rien n'a été fait : maintenez le bouton 0,4 s</translation>
+        <translation>Rien n&apos;a été fait : maintenez le bouton 0,4 s</translation>
     </message>
     <message>
         <source>It can set something in motion: hold the button for 0.4 s</source>
@@ -2303,7 +2303,7 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source>Select a component to start, suspend, stop or restart it</source>
-        <translation>Sélectionnez un composant pour le démarrer, le suspendre, l'arrêter ou le redémarrer</translation>
+        <translation>Sélectionnez un composant pour le démarrer, le suspendre, l&apos;arrêter ou le redémarrer</translation>
     </message>
     <message>
         <source>%1 has been restarted in %2</source>
@@ -2315,7 +2315,7 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source>Why is it connected, or not?</source>
-        <translation>Pourquoi est-ce connecté, ou non ?</translation>
+        <translation>Pourquoi est-ce connecté, ou non&#xa0;?</translation>
     </message>
     <message>
         <source>Start or stop</source>
@@ -2597,56 +2597,24 @@ Possède %1 des commandes et événements requis.</translation>
         <source>As %1 says now</source>
         <translation>Selon %1 à présent</translation>
     </message>
+    <message>
+        <source>Ask for everything a&amp;new</source>
+        <translation>Tout &amp;redemander</translation>
+    </message>
+    <message>
+        <source>The GCM is asked for everything anew</source>
+        <translation>Tout est redemandé au GCM</translation>
+    </message>
+    <message>
+        <source>There is no GCM; it is looked for each second</source>
+        <translation>Il n’y a pas de GCM ; il est cherché chaque seconde</translation>
+    </message>
 </context>
 <context>
     <name>tendon::gui::Words::Words</name>
     <message>
         <source>%1 curves</source>
         <translation>%1 courbes</translation>
-    </message>
-    <message>
-        <source>%1 is there already: open it, or remove it before the import</source>
-        <translation>%1 existe déjà : ouvrez-le, ou supprimez-le avant l’importation</translation>
-    </message>
-    <message>
-        <source>%1 is shown in another window; this one hosts a GCM, and stays open</source>
-        <translation>%1 est montré dans une autre fenêtre ; celle-ci héberge un GCM et reste ouverte</translation>
-    </message>
-    <message>
-        <source>%1 · ask again</source>
-        <translation>%1 · redemander</translation>
-    </message>
-    <message>
-        <source>Start the component</source>
-        <translation>Démarrer le composant</translation>
-    </message>
-    <message>
-        <source>Start %1 components</source>
-        <translation>Démarrer %1 composants</translation>
-    </message>
-    <message>
-        <source>Suspend the component</source>
-        <translation>Suspendre le composant</translation>
-    </message>
-    <message>
-        <source>Suspend %1 components</source>
-        <translation>Suspendre %1 composants</translation>
-    </message>
-    <message>
-        <source>Stop the component</source>
-        <translation>Arrêter le composant</translation>
-    </message>
-    <message>
-        <source>Stop %1 components</source>
-        <translation>Arrêter %1 composants</translation>
-    </message>
-    <message>
-        <source>Restart the component</source>
-        <translation>Redémarrer le composant</translation>
-    </message>
-    <message>
-        <source>Restart %1 components</source>
-        <translation>Redémarrer %1 composants</translation>
     </message>
 </context>
 </TS>

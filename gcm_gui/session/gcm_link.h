@@ -32,9 +32,12 @@ class GcmLink : public QObject {
   void setConnected();
   /// Lost, or still searching when there never was one.
   void setUnreachable(const QString& reason);
+  /// All that is known of the system is wanted anew.
+  void askAnew() { Q_EMIT wantedAnew(); }
 
  Q_SIGNALS:
   void changed();
+  void wantedAnew();
 
  private:
   void enter(State state);

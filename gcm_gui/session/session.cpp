@@ -80,6 +80,7 @@ Session::Session(std::shared_ptr<Middleware> middleware, const std::string& addr
   live_signals_ = std::make_unique<LiveSignals>(client_->telemetry());
   reports_ = std::make_unique<NetworkReports>(*client_, store_, courier_);
   plans_ = std::make_unique<PlanWorker>(client_, options.timeout);
+  connect(&link_, &GcmLink::wantedAnew, this, [this] { client_->Resync(); });
 }
 
 Session::~Session() {

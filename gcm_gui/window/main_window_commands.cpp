@@ -106,6 +106,12 @@ void MainWindow::addSystemCommands() {
                                                               : catalogue_->focusFilter();
   });
   add(Words::tr("&Show in graph and catalogue"), Qt::Key_F4, [this] { revealSelection(); });
+  add(Words::tr("Ask for everything a&new"), Qt::Key_F5, [this] {
+    const bool is_there = parts_.link.state() == GcmLink::State::kConnected;
+    notice_->tell(is_there ? Words::tr("The GCM is asked for everything anew")
+                           : Words::tr("There is no GCM; it is looked for each second"));
+    parts_.link.askAnew();
+  });
   add(Words::tr("Search or &run…"), QKeySequence(Qt::CTRL | Qt::Key_K),
       [this] { palette_->open(); });
   add(Words::tr("C&onsole"), QKeySequence(Qt::CTRL | Qt::Key_J), [this] {

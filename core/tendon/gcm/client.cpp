@@ -265,6 +265,8 @@ GcmClient::~GcmClient() = default;
 
 Result<void> GcmClient::WaitUntilWatching() { return implementation_->link().WaitUntilWatching(); }
 
+void GcmClient::Resync() { implementation_->link().Resync(); }
+
 void GcmClient::Look(const std::function<void(const Catalog&)>& look) const {
   implementation_->link().WithCatalog([&look](const Catalog& catalog) { look(catalog); });
 }

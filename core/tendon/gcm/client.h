@@ -90,6 +90,10 @@ class GcmClient {
   /// must be short, and ask the client for nothing.
   void Look(const std::function<void(const Catalog&)>& look) const;
 
+  /// Asks the GCM for all of the catalogue anew, which the listener then hears. Nothing happens where
+  /// that is under way, or there is no GCM.
+  void Resync();
+
   using ConnectHandler = std::function<void(Result<ConnectionDescription>)>;
   using DoneHandler = std::function<void(Result<void>)>;
   using TextHandler = std::function<void(Result<std::string>)>;

@@ -28,6 +28,20 @@ TEST_P(Watching, ASnapshotComesFirstThenChanges) {
   EXPECT_EQ(recorder->snapshots(), 1);
 }
 
+TEST_P(Watching, AllOfItIsAskedForAnewAndWhatChangesThenIsHeardAsBefore) {
+  const auto robot = Join("robot", {test::Arm()});
+  const auto recorder = std::make_shared<Recorder>();
+  const auto client = Watch(recorder);
+  ASSERT_TRUE(EventuallyTrue([&] { return recorder->snapshots() == 1; }));
+
+  client->Resync();
+
+  ASSERT_TRUE(EventuallyTrue([&] { return recorder->snapshots() == 2; }));
+  const auto desk = Join("desk", {test::Teleoperation()});
+  EXPECT_TRUE(EventuallyTrue([&] { return recorder->catalog() == gcm_->catalog(); }));
+  EXPECT_EQ(recorder->holes(), 0);
+}
+
 TEST_P(Watching, AViewerHoldsEqualInterfacesOnceWhetherItWasThereOrNot) {
   const auto robot = Join("robot", {test::Arm()});
   const auto client = Watch();

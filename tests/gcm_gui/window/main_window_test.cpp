@@ -25,6 +25,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
 
@@ -49,6 +50,15 @@ TEST_F(MainWindowTest, TheBarSaysHowTheGcmIsAndWhatItKnows) {
   link_.setUnreachable("127.0.0.1:10705 refused");
 
   EXPECT_TRUE(window_.topBar().linkText().startsWith("GCM lost"));
+}
+
+TEST_F(MainWindowTest, F5AsksForEverythingAnew) {
+  QSignalSpy asked(&link_, &GcmLink::wantedAnew);
+
+  QTest::keyClick(&window_, Qt::Key_F5);
+
+  EXPECT_EQ(asked.count(), 1);
+  EXPECT_EQ(Notice(), "The GCM is asked for everything anew");
 }
 
 TEST_F(MainWindowTest, TheBarCountsWhatIsThereAndNotWhatIsGone) {

@@ -143,7 +143,19 @@ void GcmLink::Opened(const SharedChannel& channel) {
     wants_log = wants_log_;
   }
   Watch(channel);
+  Renew(channel);
   if (wants_log) WatchLog(channel);
+}
+
+void GcmLink::Resync() {
+  SharedChannel channel;
+  {
+    const std::scoped_lock lock(mutex_);
+    if (is_waiting_) return;  // for all of it, already
+    is_waiting_ = true;
+    channel = channel_;
+  }
+  Watch(channel);
 }
 
 void GcmLink::WatchLog() {
@@ -207,7 +219,6 @@ void GcmLink::Receive(const SharedChannel& channel, message::Snapshot snapshot) 
     if (events_.listener) events_.listener->OnSnapshot(catalog);
     if (!moved.empty()) events_.on_moved(moved);
   });
-  Renew(channel);
 }
 
 void GcmLink::Receive(const SharedChannel& channel, message::Changes changes) {

@@ -44,6 +44,7 @@ class GcmLink final : public std::enable_shared_from_this<GcmLink> {
   Result<void> WaitUntilWatching();
   /// From now on the listener hears the log.
   void WatchLog();
+  void Resync();
 
   /// Calls `read(catalog)` under the lock: be short.
   template <typename Read>
