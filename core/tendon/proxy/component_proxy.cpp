@@ -12,16 +12,20 @@ void Erase(std::vector<std::shared_ptr<Proxy>>& proxies, const Proxy& proxy) {
 
 void ComponentProxies::Add(const InterfaceName& original,
                            std::shared_ptr<ProvidedInterfaceProxy> proxy) {
+  {
+    const std::scoped_lock lock(mutex_);
+    Of(original).provided.push_back(proxy);
+  }
   thread_->Add(*proxy);
-  const std::scoped_lock lock(mutex_);
-  Of(original).provided.push_back(std::move(proxy));
 }
 
 void ComponentProxies::Add(const InterfaceName& original,
                            std::shared_ptr<RequiredInterfaceProxy> proxy) {
+  {
+    const std::scoped_lock lock(mutex_);
+    Of(original).required.push_back(proxy);
+  }
   thread_->Add(*proxy);
-  const std::scoped_lock lock(mutex_);
-  Of(original).required.push_back(std::move(proxy));
 }
 
 void ComponentProxies::Remove(const InterfaceName& original, ProvidedInterfaceProxy& proxy) {

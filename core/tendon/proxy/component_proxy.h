@@ -30,7 +30,8 @@ class ComponentProxies {
   ComponentProxies(const ComponentProxies&) = delete;
   ComponentProxies& operator=(const ComponentProxies&) = delete;
 
-  /// `original` is the interface in the other process.
+  /// `original` is the interface in the other process. Who hears what the proxy sends finds it in
+  /// all() already.
   void Add(const InterfaceName& original, std::shared_ptr<ProvidedInterfaceProxy> proxy);
   void Add(const InterfaceName& original, std::shared_ptr<RequiredInterfaceProxy> proxy);
   /// After it returns the network thread does not work for the proxy any more.
