@@ -1,4 +1,7 @@
+#include <arpa/inet.h>
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/socket.h>
 #include <tendon/ice/ice_middleware.h>
 #include <tendon/ice/sequence_size_check.h>
 
@@ -39,6 +42,25 @@ class MalformedRequest : public testing::Test {
     EXPECT_TRUE(socket);
     EXPECT_EQ(ReceiveAll(*socket, kValidateSize).size(), kValidateSize);
     return *std::move(socket);
+  }
+
+  /// The same from another address of this machine, but from the port of `local`.
+  os::Socket ConnectFrom(const std::string& host, const std::string& local) {
+    const auto to = ParseAddress(listener_->address(), 1);
+    os::Socket socket(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
+    const auto address_of = [](const std::string& number, std::uint16_t port) {
+      sockaddr_in address{.sin_family = AF_INET, .sin_port = htons(port)};
+      EXPECT_EQ(inet_pton(AF_INET, number.c_str(), &address.sin_addr), 1);
+      return address;
+    };
+    const sockaddr_in from = address_of(host, ParseAddress(local, 1)->port);
+    const sockaddr_in door = address_of(to->host, to->port);
+    const auto* const raw_from = reinterpret_cast<const sockaddr*>(&from);
+    EXPECT_EQ(bind(socket.descriptor(), raw_from, sizeof(from)), 0);
+    const auto* const raw_door = reinterpret_cast<const sockaddr*>(&door);
+    EXPECT_EQ(connect(socket.descriptor(), raw_door, sizeof(door)), 0);
+    EXPECT_EQ(fcntl(socket.descriptor(), F_SETFL, O_NONBLOCK), 0);
+    return socket;
   }
 
   void ExpectThatTheNextIsServed() {
@@ -105,6 +127,24 @@ TEST_F(MalformedRequest, SingleBytesNowAndThenGainNoTime) {
   }));
 
   EXPECT_LT(said - begin, std::ssize(request));
+  EXPECT_EQ(recorder->closed(), 0);
+  EXPECT_EQ(guest.link->Send(FrameOf(2)), Status::kQueued);
+  EXPECT_TRUE(recorder->WaitForFrames(1));
+}
+
+TEST_F(MalformedRequest, WhoComesFromThePortOfAnotherHarmsHimInNothing) {
+  const auto recorder = std::make_shared<Recorder>();
+  const auto link = client_->Open(listener_->address(), recorder, kPatience);
+  ASSERT_TRUE(link) << link.error().message;
+  ASSERT_EQ((*link)->Send(FrameOf(1)), Status::kQueued);
+  const auto guest = host_.guest();
+  ASSERT_TRUE(guest.recorder->WaitForFrames(1));
+
+  const os::Socket stranger = ConnectFrom("127.0.0.2", (*link)->local());
+  Bytes buffer(4096);
+  EXPECT_TRUE(EventuallyTrue([&] { return !os::ReceiveSome(stranger, buffer); }))
+      << "he is cut off";
+
   EXPECT_EQ(recorder->closed(), 0);
   EXPECT_EQ(guest.link->Send(FrameOf(2)), Status::kQueued);
   EXPECT_TRUE(recorder->WaitForFrames(1));

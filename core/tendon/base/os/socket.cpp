@@ -99,13 +99,13 @@ std::uint16_t PortOf(int descriptor, Query query) {
 }
 
 template <typename Query>
-std::string AddressOf(const Socket& socket, Query query) {
+std::string AddressOf(int descriptor, Query query) {
   sockaddr_storage address{};
   socklen_t size = sizeof(address);
   std::array<char, NI_MAXHOST> host{};
   std::array<char, NI_MAXSERV> port{};
   auto* const raw = reinterpret_cast<sockaddr*>(&address);
-  if (query(socket.descriptor(), raw, &size) != 0 ||
+  if (query(descriptor, raw, &size) != 0 ||
       getnameinfo(raw, size, host.data(), host.size(), port.data(), port.size(),
                   NI_NUMERICHOST | NI_NUMERICSERV) != 0) {
     return "unknown";
@@ -178,18 +178,24 @@ std::string ListenerAt(std::uint16_t port) {
   return "another program";
 }
 
-/// Calls with each descriptor of this program's connections between two ports.
 template <typename Call>
-void ForEachBetween(std::uint16_t local_port, std::uint16_t peer_port, Call call) {
+void ForEachDescriptor(Call call) {
   std::error_code ignored;
   for (fs::directory_iterator one("/proc/self/fd", ignored), end; one != end;
        one.increment(ignored)) {
-    const int descriptor = std::atoi(one->path().filename().c_str());
+    call(std::atoi(one->path().filename().c_str()));
+  }
+}
+
+/// Calls with each descriptor of this program's connections between two ports.
+template <typename Call>
+void ForEachBetween(std::uint16_t local_port, std::uint16_t peer_port, Call call) {
+  ForEachDescriptor([&](int descriptor) {
     if (PortOf(descriptor, getsockname) == local_port &&
         PortOf(descriptor, getpeername) == peer_port) {
       call(descriptor);
     }
-  }
+  });
 }
 
 bool DropUnheardOf(int descriptor) {
@@ -312,13 +318,21 @@ void ShutDownSending(const Socket& socket) { shutdown(socket.descriptor(), SHUT_
 
 void ShutDown(int descriptor) { shutdown(descriptor, SHUT_RDWR); }
 
-void ShutDown(std::uint16_t local_port, std::uint16_t peer_port) {
-  ForEachBetween(local_port, peer_port, [](int descriptor) { ShutDown(descriptor); });
+void ShutDown(const std::string& local, const std::string& peer) {
+  ForEachDescriptor([&](int descriptor) {
+    if (AddressOf(descriptor, getsockname) == local && AddressOf(descriptor, getpeername) == peer) {
+      ShutDown(descriptor);
+    }
+  });
 }
 
-std::string LocalAddress(const Socket& socket) { return AddressOf(socket, getsockname); }
+std::string LocalAddress(const Socket& socket) {
+  return AddressOf(socket.descriptor(), getsockname);
+}
 
-std::string PeerAddress(const Socket& socket) { return AddressOf(socket, getpeername); }
+std::string PeerAddress(const Socket& socket) {
+  return AddressOf(socket.descriptor(), getpeername);
+}
 
 void KeepFromPrograms(std::uint16_t local_port, std::uint16_t peer_port) {
   ForEachBetween(local_port, peer_port,

@@ -66,8 +66,9 @@ bool DropUnheard(std::uint16_t local_port, std::uint16_t peer_port);
 void ShutDownSending(const Socket& socket);
 /// Nothing more comes or goes; whoever waits for it is told that it has ended.
 void ShutDown(int descriptor);
-/// The same of the connection of this program between these two ports.
-void ShutDown(std::uint16_t local_port, std::uint16_t peer_port);
+/// The same of the connection of this program between these addresses, as LocalAddress() and
+/// PeerAddress() say them. The ports alone may be those of another peer, too.
+void ShutDown(const std::string& local, const std::string& peer);
 
 /// As numbers, with brackets around IPv6; "unknown" where the kernel does not know any more.
 [[nodiscard]] std::string LocalAddress(const Socket& socket);

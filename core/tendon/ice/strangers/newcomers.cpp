@@ -1,7 +1,7 @@
 #include <tendon/base/os/socket.h>
 #include <tendon/ice/strangers/newcomers.h>
 
-#include <cstdint>
+#include <utility>
 
 namespace tendon::ice {
 namespace {
@@ -9,18 +9,40 @@ namespace {
 /// What is done when the patience with one of them has come to its end.
 class Look final : public IceUtil::TimerTask {
  public:
-  Look(std::shared_ptr<Links> links, std::shared_ptr<Ice::IPConnectionInfo> where)
-      : links_(std::move(links)), where_(std::move(where)) {}
+  Look(std::shared_ptr<Links> links, Ends ends)
+      : links_(std::move(links)), ends_(std::move(ends)) {}
 
   void runTimerTask() override {
-    if (const auto link = links_->Find(EndsOf(*where_))) return link->CheckAdmission();
-    os::ShutDown(static_cast<std::uint16_t>(where_->localPort),
-                 static_cast<std::uint16_t>(where_->remotePort));
+    if (const auto link = links_->Find(ends_)) return link->CheckAdmission();
+    os::ShutDown(ends_.local, ends_.peer);
   }
 
  private:
   const std::shared_ptr<Links> links_;
-  const std::shared_ptr<Ice::IPConnectionInfo> where_;
+  const Ends ends_;
+};
+
+/// One of them, while its connection stands.
+class Newcomer final : public Ice::Instrumentation::ConnectionObserver {
+ public:
+  Newcomer(IceUtil::TimerPtr timer, std::shared_ptr<Look> look)
+      : timer_(std::move(timer)), look_(std::move(look)) {}
+
+  void attach() override {
+    try {
+      timer_->schedule(look_, IceUtil::Time::seconds(Newcomers::kPatience.count()));
+    } catch (const IceUtil::Exception&) {
+      // The communicator is being destroyed, and all its connections with it.
+    }
+  }
+  void detach() override { timer_->cancel(look_); }
+  void failed(const std::string& /*exception*/) override {}
+  void sentBytes(int /*count*/) override {}
+  void receivedBytes(int /*count*/) override {}
+
+ private:
+  const IceUtil::TimerPtr timer_;
+  const std::shared_ptr<Look> look_;
 };
 
 }  // namespace
@@ -37,11 +59,8 @@ std::shared_ptr<Newcomers::OfConnection> Newcomers::getConnectionObserver(
   if (!is_new || !info->incoming || !info->adapterName.starts_with(kDoor)) return nullptr;
   const auto where = AddressIn(info);
   const std::scoped_lock lock(mutex_);
-  if (where && timer_) {
-    timer_->schedule(std::make_shared<Look>(links_, where),
-                     IceUtil::Time::seconds(kPatience.count()));
-  }
-  return nullptr;
+  if (!where || !timer_) return nullptr;
+  return std::make_shared<Newcomer>(timer_, std::make_shared<Look>(links_, EndsOf(*where)));
 }
 
 }  // namespace tendon::ice
