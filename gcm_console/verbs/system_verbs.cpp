@@ -9,6 +9,7 @@
 #include <tendon/gcm/system/running_system.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
@@ -18,6 +19,7 @@
 #include <ostream>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 namespace console {
 namespace {
@@ -275,20 +277,29 @@ ExitCode ExitCodeOf(const PlanOutcome& outcome, const Plan& plan) {
   return outcome.error ? program::ExitCodeOf(outcome.error->code) : program::kRefused;
 }
 
+std::vector<tendon::message::HistoryEntry> Steps(Context& context) {
+  auto history = context.Ask<tendon::message::History>(
+      [](tendon::GcmClient& client, auto handler) { client.GetHistory(handler); });
+  return history ? std::move(history->entries) : std::vector<tendon::message::HistoryEntry>();
+}
+
 /// The number of the newest step of the history; 0 where there is none.
 std::uint64_t NewestStep(Context& context) {
-  const auto history = context.Ask<tendon::message::History>(
-      [](tendon::GcmClient& client, auto handler) { client.GetHistory(handler); });
-  return history && !history->entries.empty() ? history->entries.back().id : 0;
+  const auto steps = Steps(context);
+  return steps.empty() ? 0 : steps.back().id;
 }
 
 /// "; take it back with: gcm undo 8", where there are steps after `former`, and nobody else's
 /// among them.
-std::string WayBack(Context& context, std::uint64_t former, std::size_t tried) {
-  const std::uint64_t newest = NewestStep(context);
-  if (newest <= former) return "";
-  if (newest - former > tried) return "; others have made changes meanwhile, see: gcm history";
-  return "; take it back with: gcm undo " + std::to_string(newest - former);
+std::string WayBack(Context& context, std::uint64_t former) {
+  const auto steps = Steps(context);
+  const auto first = std::ranges::find_if(steps, [&](const auto& one) { return one.id > former; });
+  if (first == steps.end()) return "";
+  const auto is_others = [&](const auto& one) { return one.who != first->who; };
+  if (std::any_of(first, steps.end(), is_others)) {
+    return "; others have made changes meanwhile, see: gcm history";
+  }
+  return "; take it back with: gcm undo " + std::to_string(steps.end() - first);
 }
 
 void Summarise(Context& context, const PlanOutcome& outcome, const Plan& plan,
@@ -298,7 +309,7 @@ void Summarise(Context& context, const PlanOutcome& outcome, const Plan& plan,
   }
   context.err() << "gcm: " << Counted(outcome.done, "step") << " made, " << outcome.failed
                 << " failed, " << outcome.left << " left, " << Counted(plan.untouched, "thing")
-                << " untouched" << WayBack(context, former, outcome.done + outcome.failed) << '\n';
+                << " untouched" << WayBack(context, former) << '\n';
 }
 
 /// In a table, and in JSON.

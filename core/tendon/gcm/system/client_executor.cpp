@@ -55,8 +55,11 @@ auto Seen(const GcmClient& client, const Read& read) {
 Result<void> ClientExecutor::Begin() {
   const auto begun = Wait<void>(timeout_ + kLonger,
                                 [&](auto handler) { client_.TakePlanTurn(std::move(handler)); });
-  const bool is_unknown = !begun && begun.error().code == ErrorCode::kDenied;
-  return is_unknown ? Result<void>() : begun;
+  if (begun) return begun;
+  const ErrorCode code = begun.error().code;
+  if (code == ErrorCode::kDenied) return {};
+  if (code != ErrorCode::kFailed) client_.GivePlanTurnBack();  // it may have been granted
+  return begun;
 }
 
 void ClientExecutor::End() { client_.GivePlanTurnBack(); }
