@@ -2,13 +2,13 @@
 #include <gcm_console/shell/shell.h>
 #include <gcm_console/verb.h>
 #include <tendon/base/os/process.h>
-#include <tendon/gcm/system_file.h>
+#include <tendon/base/printable.h>
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <memory>
-#include <sstream>
 #include <utility>
 
 namespace console {
@@ -103,9 +103,19 @@ Result<ExitCode> RunLines(Context& context, const ScriptOptions& options, std::i
 Result<ExitCode> RunScript(Context& context, const ScriptOptions& options) {
   if (options.file == "-" && !context.streams().has_input) return NoInput("run");
   if (options.file == "-") return RunLines(context, options, std::cin);
-  const auto text = tendon::ReadSystemText(options.file);
-  if (!text) return text.error();
-  std::istringstream script(*text);
+  std::error_code none;
+  if (fs::is_directory(options.file, none)) {
+    return Error{ErrorCode::kInvalid, options.file +
+                                          " is a folder: name a file with a command of "
+                                          "gcm in each line"};
+  }
+  std::ifstream script(options.file);
+  if (!script) {
+    return Error{
+        ErrorCode::kNotFound,
+        "cannot read " + tendon::Printable(options.file) +
+            (fs::exists(options.file, none) ? ": not allowed" : ": there is no such file")};
+  }
   return RunLines(context, options, script);
 }
 

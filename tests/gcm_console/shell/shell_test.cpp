@@ -208,7 +208,7 @@ TEST_F(ShellTest, AScriptThatCannotBeReadIsASentence) {
   EXPECT_THAT(Gcm({"run", home.path().string()}).err, HasSubstr("is a folder"));
   const Outcome missing = Gcm({"run", "nowhere.gcm"});
   EXPECT_EQ(missing.exit_code, program::kNotFound);
-  EXPECT_EQ(missing.err, "gcm: nowhere.gcm: there is no such file\n");
+  EXPECT_EQ(missing.err, "gcm: cannot read nowhere.gcm: there is no such file\n");
 }
 
 TEST_F(ShellTest, InputThatCannotBeReadToItsEndIsNoSuccess) {

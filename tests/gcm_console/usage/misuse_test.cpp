@@ -96,9 +96,7 @@ TEST_F(MisuseTest, OfFilesThatAreNone) {
        program::kNotFound,
        "there is no such file"},
       {{"import", torn}, program::kUsage, "to is missing; gcm import --help tells more"},
-      {{"run", folder}, program::kUsage, folder + ": is a folder, not a file"},
-      {{"run", pipe}, program::kUsage, pipe + ": is no regular file"},
-      {{"run", ""}, program::kUsage, "no file is named"},
+      {{"run", folder}, program::kUsage, "is a folder: name a file with a command of gcm"},
       {{"plan", ""}, program::kUsage, "no file is named"},
       {{"run", folder + "/none.gcm"}, program::kNotFound, "there is no such file"},
   });

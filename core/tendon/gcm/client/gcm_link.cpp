@@ -304,10 +304,8 @@ Error GcmLink::NoGcm() const {
     return *lost_;
   }
   const std::string reason = lost_ ? Briefly(lost_->message) : "it does not answer";
-  const bool is_late = lost_ && lost_->code == ErrorCode::kTimeout;
-  return {ErrorCode::kUnreachable, "no GCM at " + options_.address + " (" + reason + "); " +
-                                       (is_late ? "give it longer with --timeout, or " : "") +
-                                       "start one with: gcm serve"};
+  return {ErrorCode::kUnreachable,
+          "no GCM at " + options_.address + " (" + reason + "); start one with: gcm serve"};
 }
 
 template <typename Call>
