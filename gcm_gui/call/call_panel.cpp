@@ -147,6 +147,7 @@ QWidget* CallPanel::buildButtons() {
   call_->setProperty("changesSystem", true);
   SetRole(*call_, QStringLiteral("primary"));
   connect(call_, &HoldButton::called, this, &CallPanel::call);
+  connect(call_, &QAbstractButton::pressed, this, [this] { is_touched_ = true; });
   connect(call_, &HoldButton::letGoEarly, this, [this] {
     tell(Words::tr("Not called: hold the button for 0.4 s, for this can set something in motion"),
          QStringLiteral("warning"));
@@ -340,6 +341,7 @@ void CallPanel::paintEvent(QPaintEvent*) {
 }
 
 void CallPanel::callByKey() {
+  is_touched_ = true;
   if (call_->isCareful() && call_->isEnabled() && !second_key_.isActive()) {
     second_key_.start();
     return tell(Words::tr("Ctrl+Enter again calls it: this can set something in motion"),
@@ -351,6 +353,7 @@ void CallPanel::callByKey() {
 
 void CallPanel::call() {
   if (!call_->isEnabled() || path_.isEmpty() || under_way_) return;
+  is_touched_ = true;
   const std::string said = argument();
   if (takes_argument_) last_arguments_[path_] = said;
   under_way_ = true;

@@ -22,7 +22,8 @@ std::string MatchingRead(const ProvidedDescription& of, const MemberDescription&
         one.signature.kind == CommandKind::kRead && one.signature.out == command.signature.in;
     if (!fits) continue;
     if (Subject(one.name) == Subject(command.name)) return one.name;
-    if (found.empty()) found = one.name;
+    const bool is_structure = command.in_type.find('.') != std::string::npos;
+    if (found.empty() && is_structure) found = one.name;  // any number is like any other
   }
   return found;
 }

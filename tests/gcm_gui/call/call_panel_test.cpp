@@ -101,6 +101,20 @@ TEST_F(CallPanelTest, WhatIsEnteredIsNotOverwrittenByALateRead) {
   EXPECT_EQ(calls_.calls, QStringList{kMove + R"( {"to":0.5,"mode":"a"})"});
 }
 
+TEST_F(CallPanelTest, NothingChangesUnderAHandThatPresses) {
+  panel_.setCareful(true);
+  panel_.showCommand(kMove, CommandOf("Move", CommandKind::kWrite), "Get");
+  panel_.show();
+  const auto* field = panel_.findChild<QLineEdit*>("form.to");
+  const QString before = field->text();
+
+  QTest::mousePress(&Button(), Qt::LeftButton);
+  calls_.value(std::string(R"({"to":0.25,"mode":"b"})"));
+
+  EXPECT_EQ(field->text(), before);
+  QTest::mouseRelease(&Button(), Qt::LeftButton);
+}
+
 TEST(MatchingRead, AnswersTheTypeThatTheCommandTakesAndIsNamedLikewise) {
   MemberDescription set = CommandOf("SetGains", CommandKind::kWrite);
   MemberDescription other = CommandOf("GetDefaults", CommandKind::kRead);
@@ -112,6 +126,8 @@ TEST(MatchingRead, AnswersTheTypeThatTheCommandTakesAndIsNamedLikewise) {
 
   EXPECT_EQ(MatchingRead({.name = "Control", .commands = {load, other, get, set}}, set),
             "GetGains");
+  EXPECT_EQ(MatchingRead({.name = "Control", .commands = {load, other, set}}, set), "");
+  set.in_type = "arm.Gains";
   EXPECT_EQ(MatchingRead({.name = "Control", .commands = {load, other, set}}, set), "GetDefaults");
   EXPECT_EQ(MatchingRead({.name = "Control", .commands = {load, set}}, set), "");
   EXPECT_EQ(MatchingRead({.name = "Control", .commands = {load, set}}, load), "");
