@@ -97,6 +97,17 @@ void ShowAroundOnce(tendon::gui::MainWindow& window, tendon::gui::KeptValues& ke
   kept.set(seen, "yes");
 }
 
+/// To start a GCM that this window can talk to; empty for one that may not, and under TLS, where a
+/// GCM has a certificate of its own.
+QStringList GcmCommand(const Options& options) {
+  if (options.read_only || !options.network.certificate.empty()) return {};
+  QStringList command{QString::fromStdString((tendon::os::ProgramFolder() / "gcm").string()),
+                      QStringLiteral("--middleware"),
+                      QString::fromStdString(options.network.middleware)};
+  if (options.network.insecure) command.append(QStringLiteral("--insecure"));
+  return command;
+}
+
 int Run(const Options& options) {
   const auto middleware = program::MakeMiddleware(options.network);
   if (!middleware) return Fail(middleware.error());
@@ -124,7 +135,7 @@ int Run(const Options& options) {
   parts.console.read_only = options.read_only;
   parts.console.color = console::ColorChoice::kNever;
   parts.kept = QString::fromStdString(kept.string());
-  parts.gcm = QString::fromStdString((tendon::os::ProgramFolder() / "gcm").string());
+  parts.gcm = GcmCommand(options);
   parts.demo = DemoFile();
   if (options.read_only) parts.read_only = QString::fromLatin1(kReadOnly);
   tendon::gui::KeptValues values(parts.kept + QStringLiteral("/window.json"));

@@ -30,7 +30,7 @@ struct WindowParts {
   SystemReports& reports;
   console::Settings console = {};  ///< of the console in the window
   QString kept = {};               ///< the folder of what is kept for the next time; empty: none
-  QString gcm = {};                ///< the program `gcm`; empty: none is started from here
+  QStringList gcm = {};            ///< `gcm` with its options; empty: none is started from here
   QString demo = {};               ///< the system file of the demo; empty: none is offered
   QString read_only = {};          ///< why nothing can be changed from here; empty where it can
 };

@@ -6,14 +6,16 @@
 
 namespace tendon::gui {
 
-GcmStart::GcmStart(QString program, const GcmLink& link, QObject* parent)
-    : QObject(parent), program_(std::move(program)), link_(link) {}
+GcmStart::GcmStart(QStringList command, const GcmLink& link, QObject* parent)
+    : QObject(parent), command_(std::move(command)), link_(link) {}
 
 void GcmStart::start() {
-  const QStringList words{QStringLiteral("--gcm"), link_.address(), QStringLiteral("serve")};
-  const bool is_started = QProcess::startDetached(program_, words);
+  const QString& program = command_.front();
+  const QStringList words = command_.mid(1) + QStringList{QStringLiteral("--gcm"), link_.address(),
+                                                          QStringLiteral("serve")};
+  const bool is_started = QProcess::startDetached(program, words);
   Q_EMIT notice(is_started ? Words::tr("Starting a GCM; it goes on when this window is closed")
-                           : Words::tr("%1 could not be started").arg(program_));
+                           : Words::tr("%1 could not be started").arg(program));
 }
 
 }  // namespace tendon::gui

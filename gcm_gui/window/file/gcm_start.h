@@ -13,8 +13,8 @@ class GcmStart : public QObject {
   Q_OBJECT
 
  public:
-  /// `program` is `gcm`.
-  GcmStart(QString program, const GcmLink& link, QObject* parent);
+  /// `command` is `gcm` with the options of how the window talks.
+  GcmStart(QStringList command, const GcmLink& link, QObject* parent);
 
   void start();
 
@@ -23,7 +23,7 @@ class GcmStart : public QObject {
   void notice(const QString& text);
 
  private:
-  const QString program_;
+  const QStringList command_;
   const GcmLink& link_;
 };
 

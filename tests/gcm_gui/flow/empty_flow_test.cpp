@@ -11,6 +11,12 @@
 namespace tendon::gui {
 namespace {
 
+/// Empty where it has ended.
+QByteArray CommandLineOf(const QString& pid) {
+  QFile words("/proc/" + pid + "/cmdline");
+  return words.open(QIODevice::ReadOnly) ? words.readAll() : QByteArray();
+}
+
 /// Nothing runs at all.
 class EmptyFlow : public FlowFixture {
  protected:
@@ -22,11 +28,11 @@ class EmptyFlow : public FlowFixture {
   void TearDown() override {
     FlowFixture::TearDown();
     for (const QString& pid : QDir("/proc").entryList({"[0-9]*"}, QDir::Dirs)) {
-      QFile words("/proc/" + pid + "/cmdline");
-      if (!words.open(QIODevice::ReadOnly)) continue;
-      const QByteArray line = words.readAll();
+      const QByteArray line = CommandLineOf(pid);
       const bool is_ours = line.contains(address_.c_str()) && line.contains("serve");
-      if (is_ours) ::kill(pid.toInt(), SIGTERM);
+      if (!is_ours) continue;
+      ::kill(pid.toInt(), SIGTERM);
+      EXPECT_TRUE(Eventually([&] { return CommandLineOf(pid).isEmpty(); }));
     }
     qunsetenv("XDG_STATE_HOME");
   }

@@ -50,7 +50,7 @@ void FlowFixture::OpenWindow() {
   parts.console.network = network;
   parts.console.timeout = std::chrono::seconds(20);
   parts.console.color = console::ColorChoice::kNever;
-  parts.gcm = QStringLiteral(TENDON_BIN "/gcm");
+  parts.gcm = {QStringLiteral(TENDON_BIN "/gcm")};
   parts.demo = QStringLiteral(TENDON_BIN "/../share/tendon/systems/demo.json");
   window_ = std::make_unique<MainWindow>(parts);
   window_->show();

@@ -11,6 +11,7 @@
 #include <csignal>
 #include <iostream>
 #include <map>
+#include <memory>
 #include <string>
 
 #include "flow/flow_fixture.h"
@@ -111,17 +112,18 @@ TEST_F(GraphFlowTest, NobodyIsWaitedForWhoIsAskedWhileHeStandsStill) {
     robot_->Signal(SIGSTOP);
     WatchHandlers();
 
-    std::string answer;
-    QTimer::singleShot(0, window_.get(), [&] {
-      session_->callCommand("robot/arm/Control.Stop", {},
-                            [&](const auto& refusal, double) { answer = refusal.error().message; });
+    const auto answer = std::make_shared<std::string>();
+    QTimer::singleShot(0, window_.get(), [this, answer] {
+      session_->callCommand("robot/arm/Control.Stop", {}, [answer](const auto& came, double) {
+        *answer = came ? "done" : came.error().message;
+      });
       session_->reports().listen(window_.get(), {});
       session_->reports().listen(window_.get(), {"robot/arm/**"});
       window_->selection().select(QStringLiteral("robot/host_monitor"));
       window_->selection().select(QStringLiteral("robot/arm"));
     });
-    ASSERT_TRUE(Eventually([&] { return !answer.empty() && IsGrey("robot/arm"); }));
-    EXPECT_TRUE(answer.starts_with("process 'robot' is lost")) << answer;
+    ASSERT_TRUE(Eventually([&] { return !answer->empty() && IsGrey("robot/arm"); }));
+    EXPECT_TRUE(answer->starts_with("process 'robot' is lost")) << *answer;
     ExpectNoHandlerStalled(round, "answered and grey");
 
     WatchHandlers();
