@@ -44,7 +44,8 @@ void Restore::plan(const SystemFile& wanted, const QString& goal, Finish finish)
   };
   question_.reset();
   if (asked.empty()) return make({});
-  const bool stays = phase_ == Phase::kPreview && goal == goal_;
+  const bool stays = phase_ == Phase::kPreview && goal == goal_ && wanted == wanted_;
+  wanted_ = wanted;
   if (!stays) {
     goal_ = goal;
     phase_ = Phase::kAsking;

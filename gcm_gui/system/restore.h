@@ -77,6 +77,7 @@ class Restore : public QObject {
   SystemReports& reports_;
   Phase phase_ = Phase::kIdle;
   QString goal_;
+  SystemFile wanted_;  // by the newest plan
   Plan plan_;
   std::shared_ptr<Question> question_;  // of the newest plan; null where none is waited for
   std::vector<StepOutcome> outcomes_;

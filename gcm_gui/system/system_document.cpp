@@ -118,7 +118,12 @@ SystemDocument::SystemDocument(const CatalogueStore& store, SystemReports& repor
   });
 }
 
-SystemDocument::~SystemDocument() { courier_->detach(); }
+SystemDocument::~SystemDocument() {
+  for (const QString& path : std::exchange(unsaved_, {})) {
+    write(path, SystemOf(store_.catalogue(), SystemName(path)), {}, {});
+  }
+  courier_->detach();
+}
 
 QString SystemDocument::title() const {
   if (!isOpen()) return {};
@@ -213,6 +218,7 @@ void SystemDocument::askWhoIsStarted(Started then) {
   reports_.askChildren(
       [self = QPointer(this), then = std::move(then)](const Result<message::Children>& children) {
         if (self == nullptr) return;
+        self->unsaved_.clear();
         if (children) return then(*children, {});
         const Error& refusal = children.error();
         if (refusal.code != ErrorCode::kDenied)
@@ -222,6 +228,7 @@ void SystemDocument::askWhoIsStarted(Started then) {
 }
 
 void SystemDocument::save(const QString& path) {
+  unsaved_ = {path};
   askWhoIsStarted([this, path](const message::Children& children, const QString& note) {
     write(path, SystemOf(store_.catalogue(), SystemName(path)), children, note);
   });

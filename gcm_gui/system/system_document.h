@@ -29,7 +29,8 @@ class SystemDocument : public QObject {
 
  public:
   SystemDocument(const CatalogueStore& store, SystemReports& reports, QObject* parent = nullptr);
-  /// Waits for what is being read or written, though not for ever.
+  /// Waits for what is being read or written, though not for ever; what was to be saved is, though
+  /// the GCM has not yet said whom it has started.
   ~SystemDocument() override;
 
   [[nodiscard]] bool isOpen() const { return !path_.isEmpty(); }
@@ -82,7 +83,8 @@ class SystemDocument : public QObject {
   const CatalogueStore& store_;
   SystemReports& reports_;
   QString path_;
-  QString imported_;  // the path where it was imported and not opened since
+  QString imported_;     // the path where it was imported and not opened since
+  QStringList unsaved_;  // where the GCM's answer is waited for before it is written
   SystemFile file_;
   SystemComparison comparison_;
   std::int64_t modified_ = 0;  // ns since 1970; 0 while it is as the file says
