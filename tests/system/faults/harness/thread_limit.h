@@ -32,7 +32,7 @@ class ThreadLimit {
       if (holds_) prlimit(pid_, RLIMIT_NPROC, &usual_, nullptr);
       return;
     }
-    if (holds_) (void)Move(group_.parent_path());
+    if (holds_) (void)Move(before_);
     rmdir(group_.c_str());
   }
 
@@ -50,8 +50,19 @@ class ThreadLimit {
     const std::filesystem::path root("/sys/fs/cgroup");
     return std::filesystem::exists(root / "pids") ? root / "pids" : root;
   }
+  /// The one that a process is in.
+  static std::filesystem::path GroupOf(int pid) {
+    const std::string name = Root().filename() == "pids" ? ":pids:" : "0::";
+    std::ifstream lines("/proc/" + std::to_string(pid) + "/cgroup");
+    for (std::string line; std::getline(lines, line);) {
+      const auto at = line.find(name);
+      if (at != line.npos) return Root() / line.substr(at + name.size() + 1);
+    }
+    return Root();
+  }
 
   const int pid_;
+  const std::filesystem::path before_ = GroupOf(pid_);
   const std::filesystem::path group_ = Root() / ("tendon-" + std::to_string(pid_));
   rlimit usual_{};
   bool holds_ = false;
