@@ -90,8 +90,8 @@ class GcmClient {
   /// must be short, and ask the client for nothing.
   void Look(const std::function<void(const Catalog&)>& look) const;
 
-  /// Asks the GCM for all of the catalogue anew, which the listener then hears. Nothing happens where
-  /// that is under way, or there is no GCM.
+  /// Asks the GCM for all of the catalogue anew, which the listener then hears. Nothing happens
+  /// where that is under way, or there is no GCM.
   void Resync();
 
   using ConnectHandler = std::function<void(Result<ConnectionDescription>)>;
