@@ -42,10 +42,10 @@ void Restore::plan(const SystemFile& wanted, const QString& goal, Finish finish)
   const auto make = [this, wanted, goal, finish = std::move(finish)](const KnownClasses& known) {
     show(finish(MakeCheckedPlan(document_.catalogue(), wanted, known)), goal);
   };
-  question_.reset();
-  if (asked.empty()) return make({});
   const bool stays = phase_ == Phase::kPreview && goal == goal_ && wanted == wanted_;
   wanted_ = wanted;
+  question_.reset();
+  if (asked.empty()) return make({});
   if (!stays) {
     goal_ = goal;
     phase_ = Phase::kAsking;

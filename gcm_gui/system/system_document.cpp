@@ -119,9 +119,7 @@ SystemDocument::SystemDocument(const CatalogueStore& store, SystemReports& repor
 }
 
 SystemDocument::~SystemDocument() {
-  for (const QString& path : std::exchange(unsaved_, {})) {
-    write(path, SystemOf(store_.catalogue(), SystemName(path)), {}, {});
-  }
+  for (const QString& path : std::as_const(unsaved_)) write(path, {});
   courier_->detach();
 }
 
@@ -214,34 +212,33 @@ void SystemDocument::read(const QString& path,
   });
 }
 
-void SystemDocument::askWhoIsStarted(Started then) {
-  reports_.askChildren(
-      [self = QPointer(this), then = std::move(then)](const Result<message::Children>& children) {
-        if (self == nullptr) return;
-        self->unsaved_.clear();
-        if (children) return then(*children, {});
-        const Error& refusal = children.error();
-        if (refusal.code != ErrorCode::kDenied)
-          return Q_EMIT self->told(ToQString(refusal.message));
-        then({}, Words::tr("this GCM is too old to say whom it has started"));
-      });
+std::optional<SystemDocument::Started> SystemDocument::startedBy(
+    const Result<message::Children>& answer) {
+  if (answer) return Started{*answer, {}};
+  if (answer.error().code == ErrorCode::kDenied) {
+    return Started{{}, Words::tr("this GCM is too old to say whom it has started")};
+  }
+  Q_EMIT told(ToQString(answer.error().message));
+  return std::nullopt;
 }
 
 void SystemDocument::save(const QString& path) {
-  unsaved_ = {path};
-  askWhoIsStarted([this, path](const message::Children& children, const QString& note) {
-    write(path, SystemOf(store_.catalogue(), SystemName(path)), children, note);
+  unsaved_.append(path);
+  reports_.askChildren([self = QPointer(this), path](const Result<message::Children>& answer) {
+    if (self == nullptr) return;
+    self->unsaved_.removeOne(path);
+    if (const auto started = self->startedBy(answer)) self->write(path, *started);
   });
 }
 
-void SystemDocument::write(const QString& path, RunningSystem running,
-                           const message::Children& children, const QString& note) {
+void SystemDocument::write(const QString& path, const Started& started) {
+  RunningSystem running = SystemOf(store_.catalogue(), SystemName(path));
   const Missing missing = path == imported_ ? Missing::kKept : Missing::kLeftOut;
   QStringList sentences{Words::tr("Saved to ") + FileName(path)};
   if (!running.loose.empty()) sentences.append(ToQString(running.LeftOut()[0]));
-  if (!note.isEmpty()) sentences.append(note);
-  thread_.start([this, courier = courier_, path, missing, layout = layout_, children,
-                 running = std::move(running), sentences] {
+  if (!started.note.isEmpty()) sentences.append(started.note);
+  thread_.start([this, courier = courier_, path, missing, layout = layout_,
+                 children = started.children, running = std::move(running), sentences] {
     const std::string file = path.toStdString();
     const auto system = SystemToSave(file, running, children, layout, missing);
     const auto written = system ? WriteSystemFile(file, *system) : Result<void>(system.error());
@@ -253,18 +250,24 @@ void SystemDocument::write(const QString& path, RunningSystem running,
 }
 
 void SystemDocument::update(const std::string& what) {
-  askWhoIsStarted([this, what, path = path_](const message::Children& children, const QString&) {
-    if (path != path_) return;
-    SystemFile running = SystemOf(store_.catalogue(), file_.name).file;
-    SetStarts(children, running);
-    thread_.start([this, courier = courier_, path, system = WithPartOf(file_, running, what)] {
-      const auto written = WriteSystemFile(path.toStdString(), system);
-      courier->post([this, path, system, written] {
-        if (!written) return Q_EMIT told(ToQString(written.error().message));
-        take(path, system, [this, path] { Q_EMIT told(Words::tr("Updated ") + FileName(path)); });
+  reports_.askChildren(
+      [self = QPointer(this), what, path = path_](const Result<message::Children>& answer) {
+        if (self == nullptr || self->path_ != path) return;
+        if (const auto started = self->startedBy(answer)) self->writePart(what, *started);
       });
-    });
-  });
+}
+
+void SystemDocument::writePart(const std::string& what, const Started& started) {
+  SystemFile running = SystemOf(store_.catalogue(), file_.name).file;
+  SetStarts(started.children, running);
+  thread_.start(
+      [this, courier = courier_, path = path_, system = WithPartOf(file_, running, what)] {
+        const auto written = WriteSystemFile(path.toStdString(), system);
+        courier->post([this, path, system, written] {
+          if (!written) return Q_EMIT told(ToQString(written.error().message));
+          take(path, system, [this, path] { Q_EMIT told(Words::tr("Updated ") + FileName(path)); });
+        });
+      });
 }
 
 }  // namespace tendon::gui

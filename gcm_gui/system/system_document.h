@@ -73,12 +73,15 @@ class SystemDocument : public QObject {
   /// Is the window's file from the moment on when it has been compared; then `done` is called.
   void take(const QString& path, const SystemFile& file, std::function<void()> done);
 
-  /// Whom the GCM has started; empty where it is too old to say, which `note` tells. What else it
-  /// answers is told, and nothing written.
-  using Started = std::function<void(const message::Children& children, const QString& note)>;
-  void askWhoIsStarted(Started then);
-  void write(const QString& path, RunningSystem running, const message::Children& children,
-             const QString& note);
+  /// Whom the GCM has started; nobody where it is too old to say, which `note` tells.
+  struct Started {
+    message::Children children;
+    QString note;
+  };
+  /// What else it answers is told, and nothing is to be written.
+  std::optional<Started> startedBy(const Result<message::Children>& answer);
+  void write(const QString& path, const Started& started);
+  void writePart(const std::string& what, const Started& started);
 
   const CatalogueStore& store_;
   SystemReports& reports_;

@@ -58,6 +58,10 @@ void ScriptedReports::askFill(const std::string& /*process*/, const std::string&
   handler(fill);
 }
 
+void ScriptedReports::askChildren(Handler<message::Children> handler) {
+  if (children) handler(*children);
+}
+
 void ScriptedReports::askClasses(const std::string& process, Handler<message::Classes> handler) {
   asked_for_classes.append(QString::fromStdString(process));
   class_handlers.push_back(std::move(handler));

@@ -122,7 +122,7 @@ class ScriptedReports final : public SystemReports {
   void askCounts(const InterfaceName& required, Handler<ConnectionCounts> handler) override;
   void askFill(const std::string& process, const std::string& component,
                Handler<MailboxFill> handler) override;
-  void askChildren(Handler<message::Children> handler) override { handler(children); }
+  void askChildren(Handler<message::Children> handler) override;
   void askClasses(const std::string& process, Handler<message::Classes> handler) override;
 
   [[nodiscard]] QStringList listened() const;
@@ -136,7 +136,8 @@ class ScriptedReports final : public SystemReports {
   bool answers_counts = true;  ///< at once; else the test does
   std::vector<Handler<ConnectionCounts>> count_handlers;  ///< that wait for the test
   Result<MailboxFill> fill = MailboxFill();
-  Result<message::Children> children = message::Children();
+  /// Where there is none, nobody answers.
+  std::optional<Result<message::Children>> children = message::Children();
   QStringList asked_for_classes;                          ///< which processes
   std::vector<Handler<message::Classes>> class_handlers;  ///< of them, for the test to answer
 

@@ -88,6 +88,16 @@ TEST_F(RestoreTest, APlanStaysInSightWhileItIsMadeAnew) {
   EXPECT_EQ(restore_.phase(), Restore::Phase::kRunning);
 }
 
+TEST_F(RestoreTest, APlanForAnotherSystemOfThatNameIsNotTakenForIt) {
+  restore_.preview(wanted_, QStringLiteral("lab.gcm.json"));
+  reports_.class_handlers[0](Knows("Leg"));
+  wanted_.processes[0].components.back().name = "foot";
+  restore_.preview(wanted_, QStringLiteral("lab.gcm.json"));
+
+  EXPECT_EQ(restore_.phase(), Restore::Phase::kAsking);
+  EXPECT_TRUE(restore_.plan().steps.empty());
+}
+
 /// Saves what runs in a new file.
 class SavingTest : public RestoreTest {
  protected:
@@ -127,6 +137,18 @@ TEST_F(SavingTest, WithoutAnAnswerNothingIsWritten) {
 
   EXPECT_EQ(Save(), "no answer within 2000 ms");
   EXPECT_FALSE(ReadSystemFile(Path().toStdString()).ok());
+}
+
+TEST_F(SavingTest, WhoClosesTheWindowBeforeTheAnswerHasItSavedAllTheSame) {
+  reports_.children.reset();
+  auto document = std::make_unique<SystemDocument>(store_, reports_);
+  document->save(Path());
+
+  document.reset();
+
+  const auto saved = ReadSystemFile(Path().toStdString());
+  ASSERT_TRUE(saved.ok());
+  EXPECT_NE(saved->FindComponent("robot", "arm"), nullptr);
 }
 
 }  // namespace
