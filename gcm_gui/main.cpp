@@ -101,10 +101,10 @@ void ShowAroundOnce(tendon::gui::MainWindow& window, tendon::gui::KeptValues& ke
 /// GCM has a certificate of its own.
 QStringList GcmCommand(const Options& options) {
   if (options.read_only || !options.network.certificate.empty()) return {};
-  QStringList command{QString::fromStdString((tendon::os::ProgramFolder() / "gcm").string()),
-                      QStringLiteral("--middleware"),
-                      QString::fromStdString(options.network.middleware)};
-  if (options.network.insecure) command.append(QStringLiteral("--insecure"));
+  QStringList command{QString::fromStdString((tendon::os::ProgramFolder() / "gcm").string())};
+  for (const std::string& word : program::LcmLaunch(options.network).options("gcm")) {
+    command.append(QString::fromStdString(word));
+  }
   return command;
 }
 

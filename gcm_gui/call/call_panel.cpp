@@ -187,7 +187,10 @@ QWidget* CallPanel::buildButtons() {
 }
 
 void CallPanel::buildRepeat() {
-  repeat_ = new RepeatRow(calls_, [this] { return argument(); });
+  repeat_ = new RepeatRow(calls_, [this] {
+    is_touched_ = true;
+    return argument();
+  });
   repeat_->setVisible(false);
   connect(repeat_, &RepeatRow::told, this, [this](const QString& text, bool is_bad) {
     tell(text, is_bad ? QStringLiteral("bad") : QStringLiteral("dim"));
