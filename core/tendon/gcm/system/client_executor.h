@@ -18,7 +18,8 @@ class ClientExecutor final : public PlanExecutor {
   ClientExecutor(GcmClient& client, std::chrono::milliseconds timeout)
       : client_(client), timeout_(timeout) {}
 
-  /// A GCM of before there were turns is asked for none.
+  /// A GCM that knows of no turns denies one, as it does to a viewer: then there is none to wait
+  /// for.
   Result<void> Begin() override;
   Result<void> Execute(const PlanStep& step) override;
   void End() override;

@@ -52,6 +52,19 @@ TEST_P(PlanTurn, ComesBackWithTheEndOfThePlan) {
   EXPECT_NE(Connection(), std::nullopt);
 }
 
+TEST_P(PlanTurn, WhereNoneIsGivenThePlanGoesOnToItsOwnRefusal) {
+  GcmClient viewer(
+      NewMiddleware(),
+      {.name = "viewer", .address = address_, .timeout = kLong, .role = Role::kViewer});
+  ASSERT_TRUE(viewer.WaitUntilWatching());
+
+  const PlanOutcome outcome = CarryOut(viewer);
+
+  EXPECT_EQ(outcome.failed, 1U);
+  ASSERT_TRUE(outcome.error);
+  EXPECT_EQ(outcome.error->code, ErrorCode::kDenied);
+}
+
 TEST_P(PlanTurn, EndsWithTheLinkOfWhoHadIt) {
   ASSERT_TRUE(Take(*other_));
   other_.reset();
