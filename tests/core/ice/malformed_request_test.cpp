@@ -35,6 +35,27 @@ class MalformedRequest : public testing::Test {
     listener_ = *std::move(made);
   }
 
+  /// A link that stands, and what both its ends have heard.
+  struct Standing {
+    std::shared_ptr<Recorder> recorder;
+    std::shared_ptr<Link> link;
+    Host::Guest guest;
+  };
+  void Open(Standing& standing) {
+    standing.recorder = std::make_shared<Recorder>();
+    auto link = client_->Open(listener_->address(), standing.recorder, kPatience);
+    ASSERT_TRUE(link) << link.error().message;
+    standing.link = *std::move(link);
+    ASSERT_EQ(standing.link->Send(FrameOf(1)), Status::kQueued);
+    standing.guest = host_.guest();
+    ASSERT_TRUE(standing.guest.recorder->WaitForFrames(1));
+  }
+  static void ExpectItStillStands(const Standing& standing) {
+    EXPECT_EQ(standing.recorder->closed(), 0);
+    EXPECT_EQ(standing.guest.link->Send(FrameOf(2)), Status::kQueued);
+    EXPECT_TRUE(standing.recorder->WaitForFrames(1));
+  }
+
   /// A connection on which the server said that it is one.
   os::Socket Connect() {
     const auto place = ParseAddress(listener_->address(), 1);
@@ -109,12 +130,8 @@ Bytes LongRequest() {
 }
 
 TEST_F(MalformedRequest, SingleBytesNowAndThenGainNoTime) {
-  const auto recorder = std::make_shared<Recorder>();
-  const auto link = client_->Open(listener_->address(), recorder, kPatience);
-  ASSERT_TRUE(link) << link.error().message;
-  ASSERT_EQ((*link)->Send(FrameOf(1)), Status::kQueued);
-  const auto guest = host_.guest();
-  ASSERT_TRUE(guest.recorder->WaitForFrames(1));
+  Standing standing;
+  ASSERT_NO_FATAL_FAILURE(Open(standing));
   const os::Socket socket = Connect();
   const Bytes request = LongRequest();
   const auto begin = request.begin();
@@ -127,27 +144,19 @@ TEST_F(MalformedRequest, SingleBytesNowAndThenGainNoTime) {
   }));
 
   EXPECT_LT(said - begin, std::ssize(request));
-  EXPECT_EQ(recorder->closed(), 0);
-  EXPECT_EQ(guest.link->Send(FrameOf(2)), Status::kQueued);
-  EXPECT_TRUE(recorder->WaitForFrames(1));
+  ExpectItStillStands(standing);
 }
 
 TEST_F(MalformedRequest, WhoComesFromThePortOfAnotherHarmsHimInNothing) {
-  const auto recorder = std::make_shared<Recorder>();
-  const auto link = client_->Open(listener_->address(), recorder, kPatience);
-  ASSERT_TRUE(link) << link.error().message;
-  ASSERT_EQ((*link)->Send(FrameOf(1)), Status::kQueued);
-  const auto guest = host_.guest();
-  ASSERT_TRUE(guest.recorder->WaitForFrames(1));
+  Standing standing;
+  ASSERT_NO_FATAL_FAILURE(Open(standing));
 
-  const os::Socket stranger = ConnectFrom("127.0.0.2", (*link)->local());
+  const os::Socket stranger = ConnectFrom("127.0.0.2", standing.link->local());
   Bytes buffer(4096);
   EXPECT_TRUE(EventuallyTrue([&] { return !os::ReceiveSome(stranger, buffer); }))
       << "he is cut off";
 
-  EXPECT_EQ(recorder->closed(), 0);
-  EXPECT_EQ(guest.link->Send(FrameOf(2)), Status::kQueued);
-  EXPECT_TRUE(recorder->WaitForFrames(1));
+  ExpectItStillStands(standing);
 }
 
 TEST_F(MalformedRequest, TheMessageThatKillsGeneratedCodeIsAnsweredInWords) {
