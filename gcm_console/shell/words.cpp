@@ -12,6 +12,11 @@ using tendon::Result;
 
 bool IsBlank(char letter) { return std::isspace(static_cast<unsigned char>(letter)) != 0; }
 
+/// The program's name before a verb, as in a line that was copied from a terminal.
+void PassOverName(Words& words) {
+  while (words.size() > 1 && words.front() == "gcm") words.erase(words.begin());
+}
+
 bool EndsCommand(char letter) { return letter == ';' || letter == '&'; }
 
 class Reader {
@@ -33,6 +38,7 @@ class Reader {
     }
   }
   void EndCommand(bool is_behind) {
+    PassOverName(words_);
     if (!words_.empty()) commands_.push_back({std::exchange(words_, {}), is_behind});
   }
 
@@ -55,7 +61,6 @@ class Reader {
     word_.clear();
     const bool is_json = next() == '{' || next() == '[';
     if (auto read = is_json ? ReadJson() : ReadPlain(); !read) return read;
-    if (words_ == Words{"gcm"}) words_.clear();  // as in a line that was copied from a terminal
     words_.push_back(std::exchange(word_, ""));
     return {};
   }
@@ -138,13 +143,12 @@ Unfinished UnfinishedOf(std::string_view line) {
   Reader reader(line);
   const bool is_whole = static_cast<bool>(reader.Read());
   Unfinished unfinished{std::move(reader.words()), std::string(line.substr(reader.begin()))};
-  const bool begins_anew = !is_whole || unfinished.typed.empty();
-  if (begins_anew && unfinished.words == Words{"gcm"}) unfinished.words.clear();
   if (!is_whole) {
     unfinished.words.push_back(reader.rest());
   } else if (unfinished.typed.empty()) {
     unfinished.words.emplace_back();
   }
+  PassOverName(unfinished.words);
   return unfinished;
 }
 

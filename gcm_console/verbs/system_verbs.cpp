@@ -307,9 +307,10 @@ void Summarise(Context& context, const PlanOutcome& outcome, const Plan& plan,
   for (const std::string& obstacle : plan.obstacles) {
     context.streams().err << "gcm: " << Plain(obstacle) << '\n';
   }
+  const bool is_changed = outcome.done + outcome.failed > 0;  // a failed one may have been made
   context.err() << "gcm: " << Counted(outcome.done, "step") << " made, " << outcome.failed
                 << " failed, " << outcome.left << " left, " << Counted(plan.untouched, "thing")
-                << " untouched" << WayBack(context, former) << '\n';
+                << " untouched" << (is_changed ? WayBack(context, former) : "") << '\n';
 }
 
 /// In a table, and in JSON.
