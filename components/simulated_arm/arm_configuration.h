@@ -16,6 +16,13 @@ inline constexpr JointVector kReadyPosture{0.0,
                                            std::numbers::pi / 2,
                                            std::numbers::pi / 4};  // rad
 
+inline constexpr double kLargestAngle = 1e3;     // rad: beyond it is a mistake
+inline constexpr double kLeastLimit = 1e-3;      // rad/s, rad/s^2: a joint that moves at all
+inline constexpr double kGreatestLimit = 1e3;    // rad/s, rad/s^2
+inline constexpr double kLeastBandwidth = 1e-3;  // rad/s
+inline constexpr double kMostBandwidth = 500.0;  // rad/s: half a cycle of the task is 1000
+inline constexpr double kMostNoise = 1.0;        // rad
+
 /// What can be said about a simulated arm. The defaults are the limits of a Franka Emika Panda:
 /// https://frankaemika.github.io/docs/control_parameters.html
 struct ArmConfiguration {
@@ -24,7 +31,7 @@ struct ArmConfiguration {
   JointVector upper{2.8973, 1.7628, 2.8973, -0.0698, 2.8973, 3.7525, 2.8973};        ///< rad
   JointVector velocity{2.175, 2.175, 2.175, 2.175, 2.61, 2.61, 2.61};  ///< greatest, rad/s
   JointVector acceleration{15.0, 7.5, 10.0, 12.5, 15.0, 20.0, 20.0};   ///< greatest, rad/s^2
-  double bandwidth = 50.0;  ///< rad/s; how stiffly a joint follows, up to 500
+  double bandwidth = 50.0;  ///< rad/s; how stiffly a joint follows
   double noise = 0.0;       ///< rad; standard deviation of a measured position
 };
 
@@ -35,10 +42,24 @@ void RequireValid(const ArmConfiguration& configuration, const std::string& comp
 
 template <>
 inline constexpr auto tendon::kPayload<arm::ArmConfiguration> = tendon::Describe(
-    "arm.ArmConfiguration", tendon::Field{"home", &arm::ArmConfiguration::home, "rad"},
-    tendon::Field{"lower", &arm::ArmConfiguration::lower, "rad"},
-    tendon::Field{"upper", &arm::ArmConfiguration::upper, "rad"},
-    tendon::Field{"velocity", &arm::ArmConfiguration::velocity, "rad/s"},
-    tendon::Field{"acceleration", &arm::ArmConfiguration::acceleration, "rad/s^2"},
-    tendon::Field{"bandwidth", &arm::ArmConfiguration::bandwidth, "rad/s"},
-    tendon::Field{"noise", &arm::ArmConfiguration::noise, "rad"});
+    "arm.ArmConfiguration",
+    tendon::Field{"home", &arm::ArmConfiguration::home, "rad"}
+        .Within(-arm::kLargestAngle, arm::kLargestAngle)
+        .Help("Where it begins: between lower and upper."),
+    tendon::Field{"lower", &arm::ArmConfiguration::lower, "rad"}
+        .Within(-arm::kLargestAngle, arm::kLargestAngle)
+        .Help("Of each joint: below upper."),
+    tendon::Field{"upper", &arm::ArmConfiguration::upper, "rad"}.Within(-arm::kLargestAngle,
+                                                                        arm::kLargestAngle),
+    tendon::Field{"velocity", &arm::ArmConfiguration::velocity, "rad/s"}
+        .Within(arm::kLeastLimit, arm::kGreatestLimit)
+        .Help("The greatest of each joint."),
+    tendon::Field{"acceleration", &arm::ArmConfiguration::acceleration, "rad/s^2"}
+        .Within(arm::kLeastLimit, arm::kGreatestLimit)
+        .Help("The greatest of each joint."),
+    tendon::Field{"bandwidth", &arm::ArmConfiguration::bandwidth, "rad/s"}
+        .Within(arm::kLeastBandwidth, arm::kMostBandwidth)
+        .Help("How stiffly a joint follows."),
+    tendon::Field{"noise", &arm::ArmConfiguration::noise, "rad"}
+        .Within(0.0, arm::kMostNoise)
+        .Help("Standard deviation of a measured position."));

@@ -1,4 +1,5 @@
 #include <gcm_console/catalogue/payload_text.h>
+#include <tendon/payload/schema/values_text.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -11,24 +12,10 @@ using nlohmann::ordered_json;
 using tendon::Schema;
 using Kind = Schema::Kind;
 
-std::string RangeText(const tendon::Range& range) {
-  return ordered_json(range.lowest).dump() + " to " + ordered_json(range.highest).dump();
-}
-
-/// "off, on": what an enum, or a list of such, can be.
-std::string NamesIn(const Schema& schema) {
-  if (schema.kind() == Kind::kArray || schema.kind() == Kind::kSequence) {
-    return NamesIn(schema.element());
-  }
-  std::string names;
-  for (const auto& one : schema.enumerators()) names += (names.empty() ? "" : ", ") + one.name;
-  return names;
-}
-
 void AddField(const std::string& name, const Schema::Field& field, Table& table) {
-  const std::string values = field.range ? RangeText(*field.range) : NamesIn(field.schema);
   const bool is_duration = field.schema.kind() == Kind::kDuration && field.unit.empty();
-  table.Add({name, field.schema.TypeName(), is_duration ? "s" : field.unit, values, field.help});
+  table.Add({name, field.schema.TypeName(), is_duration ? "s" : field.unit, ValuesText(field),
+             field.help});
   if (field.schema.kind() != Kind::kStructure) return;
   for (const auto& inner : field.schema.fields()) AddField(name + "." + inner.name, inner, table);
 }

@@ -43,14 +43,15 @@ Result<ExitCode> Tell(const Context& context, const SetWords& words, const std::
                       {"value", tendon::JsonOrText(one.value)},
                       {"type", one.type},
                       {"unit", one.unit},
+                      {"values", one.values},
                       {"help", one.help}});
     }
     context.PrintJson({{"path", path}, {"parameters", std::move(list)}});
     return program::kOk;
   }
-  Table table({"PARAMETER", "VALUE", "TYPE", "UNIT", "HELP"});
+  Table table({"PARAMETER", "VALUE", "TYPE", "UNIT", "VALUES", "HELP"});
   for (const Parameter& one : *parameters) {
-    table.Add({one.name, one.value, one.type, one.unit, one.help});
+    table.Add({one.name, one.value, one.type, one.unit, one.values, one.help});
   }
   context.Print(table);
   return program::kOk;

@@ -51,12 +51,20 @@ TEST(SimulatedArmPlugin, TakesAConfigurationThatNamesWhatDiffersFromTheDefaults)
 TEST(SimulatedArmPlugin, SaysWhatIsWrongWithItsConfiguration) {
   ComponentLoader loader({TENDON_PLUGINS});
 
-  const auto arm = loader.Create("simulated_arm", "SimulatedArm", "arm", R"({"noise": -1})");
+  const auto refusal = [&loader](const std::string& configuration) {
+    const auto arm = loader.Create("simulated_arm", "SimulatedArm", "arm", configuration);
+    return arm ? "" : arm.error().message;
+  };
 
-  ASSERT_FALSE(arm);
-  EXPECT_EQ(arm.error().message,
+  EXPECT_EQ(refusal(R"({"noise": -1})"),
+            "component 'arm' (class SimulatedArm): noise: expected a number from 0 to 1 (rad), got "
+            "number -1 (plug-in simulated_arm.so)");
+  EXPECT_EQ(refusal(R"({"bandwidth": 0})"),
+            "component 'arm' (class SimulatedArm): bandwidth: expected a number from 0.001 to 500 "
+            "(rad/s), got number 0 (plug-in simulated_arm.so)");
+  EXPECT_EQ(refusal(R"({"home": [3, 0, 0, -1, 0, 0, 0]})"),
             "component 'arm' (class SimulatedArm): its constructor failed: configuration of 'arm': "
-            "noise is -1.000000, expected 0 to 1 rad (plug-in simulated_arm.so)");
+            "home[0] is 3.000000, outside of lower and upper (plug-in simulated_arm.so)");
 }
 
 }  // namespace

@@ -37,6 +37,7 @@ class ComponentRegistry {
   void Add(std::string class_name) {
     ComponentClass added{std::move(class_name), {}, ToJson(None{})};
     if constexpr (kConfigurable<T>) {
+      static_assert(RequirePayload<typename T::Configuration>());
       added.configuration = SchemaOf<typename T::Configuration>();
       added.defaults = ToJson(typename T::Configuration{});
     }

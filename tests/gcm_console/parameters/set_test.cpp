@@ -52,7 +52,8 @@ TEST_F(SetVerbTest, OneParameterIsChangedAndTheOthersStayAsTheyWereTold) {
   EXPECT_EQ(Set({"noise", "0"}).out, "robot/arm noise\tset from 0.001 to 0\n");
   EXPECT_EQ(Set({"noise", "0"}).out, "robot/arm noise\tis 0 already\n");
 
-  EXPECT_EQ(Gcm({"undo"}).out, "undone: configure robot/arm\n");
+  EXPECT_THAT(Gcm({"history"}).out, HasSubstr("configure robot/arm: bandwidth default -> 40\n"));
+  EXPECT_EQ(Gcm({"undo"}).out, "undone: configure robot/arm: noise 0.001 -> 0\n");
   EXPECT_EQ(Told()["noise"], 0.001);
   EXPECT_EQ(Gcm({"undo", "2"}).exit_code, program::kOk);
   EXPECT_EQ(Told(), json::parse(R"({"noise": 0.001})"));
@@ -83,7 +84,8 @@ TEST_F(SetVerbTest, AnActiveComponentKeepsItsParametersAndSaysWhatToDo) {
 TEST_F(SetVerbTest, WithoutAValueItTellsWhatThereIs) {
   EXPECT_THAT(Set({}).out, HasSubstr("noise\t0.001\tfloat64\trad\t"));
   EXPECT_THAT(Set({}).out, HasSubstr("bandwidth\t50\tfloat64\trad/s\t"));
-  EXPECT_EQ(Set({"noise"}).out, "noise\t0.001\tfloat64\trad\t\n");
+  EXPECT_EQ(Set({"noise"}).out,
+            "noise\t0.001\tfloat64\trad\t0 to 1\tStandard deviation of a measured position.\n");
   EXPECT_THAT(Set({"home[2]"}).out, HasSubstr("home[2]\t0\tfloat64\trad\t"));
 
   const json told = json::parse(Set({"--json"}).out, nullptr, false);
@@ -109,7 +111,10 @@ TEST_F(SetVerbTest, EachMistakeHasASentence) {
       {{"noise", "loud"}, "noise: expected float64 as JSON, got 'loud'", program::kUsage},
       {{"noise", "\"loud\""}, "noise: expected a number (rad), got string 'loud'", program::kUsage},
       {{"home", "[1, 2]"}, "home: expected", program::kUsage},
-      {{"bandwidth", "-1"}, "bandwidth is -1.000000, expected 0 to 500 rad/s", program::kRefused},
+      {{"bandwidth", "-1"},
+       "bandwidth: expected a number from 0.001 to 500 (rad/s), got number -1",
+       program::kUsage},
+      {{"home[1]", "2"}, "home[1] is 2.000000, outside of lower and upper", program::kRefused},
   };
   for (const Mistake& one : mistakes) {
     const Outcome outcome = Set(one.words);

@@ -5,6 +5,7 @@
 #include <tendon/payload/json/strict_json.h>
 #include <tendon/payload/json/typed_value.h>
 #include <tendon/payload/schema.h>
+#include <tendon/payload/schema/values_text.h>
 
 #include <charconv>
 #include <nlohmann/json.hpp>
@@ -161,6 +162,7 @@ void AddLeaves(const std::string& name, const Schema::Field& field, const Ordere
   all.push_back({.name = name,
                  .type = field.schema.TypeName(),
                  .unit = field.unit,
+                 .values = ValuesText(field),
                  .help = field.help,
                  .value = value.dump()});
 }

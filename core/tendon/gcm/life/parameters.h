@@ -11,11 +11,12 @@ namespace tendon {
 
 /// A field of a configuration that is no structure itself.
 struct Parameter {
-  std::string name;   ///< "noise", "gain.x"
-  std::string type;   ///< "float64[7]"
-  std::string unit;   ///< empty where it has none
-  std::string help;   ///< what its class says of it, or empty
-  std::string value;  ///< JSON, as the component has it
+  std::string name;    ///< "noise", "gain.x"
+  std::string type;    ///< "float64[7]"
+  std::string unit;    ///< empty where it has none
+  std::string values;  ///< "0 to 1", "off, on": what it can be, or empty
+  std::string help;    ///< what its class says of it, or empty
+  std::string value;   ///< JSON, as the component has it
 };
 
 /// One parameter, changed.

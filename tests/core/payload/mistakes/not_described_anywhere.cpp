@@ -1,5 +1,6 @@
 #include <tendon/interface/provided_interface.h>
 #include <tendon/interface/required_interface.h>
+#include <tendon/manager/component_registry.h>
 
 // Each is named once to the framework.
 struct Sent {};
@@ -50,3 +51,11 @@ struct Component {
   void Handle(const Handled& value);
   void HandleSafely(const HandledInAnyThread& value);
 };
+
+struct Configured : tendon::Component {
+  struct Configuration {};
+  Configured(std::string name, const Configuration& /*configuration*/)
+      : tendon::Component(std::move(name)) {}
+};
+
+void Register(tendon::ComponentRegistry& registry) { registry.Add<Configured>("Configured"); }

@@ -1,0 +1,24 @@
+#include <tendon/payload/schema/range.h>
+#include <tendon/payload/schema/values_text.h>
+
+namespace tendon {
+namespace {
+
+/// What an enum, or a list of such, can be.
+std::string NamesIn(const Schema& schema) {
+  using Kind = Schema::Kind;
+  if (schema.kind() == Kind::kArray || schema.kind() == Kind::kSequence) {
+    return NamesIn(schema.element());
+  }
+  std::string names;
+  for (const auto& one : schema.enumerators()) names += (names.empty() ? "" : ", ") + one.name;
+  return names;
+}
+
+}  // namespace
+
+std::string ValuesText(const Schema::Field& field) {
+  return field.range ? payload::ToString(*field.range) : NamesIn(field.schema);
+}
+
+}  // namespace tendon
