@@ -36,12 +36,21 @@ ordered_json ToJson(const HistoryEntry& step) {
     json["component"] = step.life.process + "/" + step.life.component;
   }
   if (step.verb == "replace") json["former"] = ToString(step.former);
+  if (const std::string changes = tendon::ChangesText(step); !changes.empty()) {
+    json["changes"] = changes;
+  }
   json.update({{"who", step.who},
                {"when", step.when},
                {"unknown", step.is_unknown},
                {"undone", step.undone},
                {"passed_over", step.passed_over}});
   return json;
+}
+
+/// "configure robot/arm: noise 0.001 -> 0.5".
+std::string WhatOf(const HistoryEntry& step) {
+  const std::string changes = tendon::ChangesText(step);
+  return tendon::ToString(step) + (changes.empty() ? "" : ": " + changes);
 }
 
 struct UndoWords {
@@ -96,8 +105,8 @@ void Print(Context& context, const Undone& undone, bool is_dry) {
   for (const auto& step : undone.steps) {
     const std::string now =
         step.verb == "replace" ? "; it is connected to " + ToString(step.former) : "";
-    context.out() << (is_dry ? "would be undone: " : "undone: ")
-                  << Plain(tendon::ToString(step) + now) << '\n';
+    context.out() << (is_dry ? "would be undone: " : "undone: ") << Plain(WhatOf(step) + now)
+                  << '\n';
   }
 }
 
@@ -187,8 +196,8 @@ Result<ExitCode> History(Context& context, std::size_t count) {
                               : step.passed_over ? "passed over"
                               : step.is_unknown  ? "unknown"
                                                  : "done";
-    table.Add({std::to_string(step.id), tendon::WallTimeText(step.when), step.who, state,
-               tendon::ToString(step)});
+    table.Add(
+        {std::to_string(step.id), tendon::WallTimeText(step.when), step.who, state, WhatOf(step)});
   }
   context.Print(table);
   return program::kOk;

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 #include <tendon/gcm/client/json_field.h>
+#include <tendon/gcm/text/step_text.h>
 
 namespace tendon {
 namespace {
@@ -28,6 +29,23 @@ TEST(JsonField, SaysWhereThePathLeavesTheValue) {
 TEST(JsonField, OfAValueThatIsNestedTooDeepIsAnError) {
   EXPECT_EQ(client::JsonField(std::string(100'000, '['), "[0]").error().message,
             "nesting deeper than 64");
+}
+
+TEST(ChangesText, TellsWhatAConfigurationHadAndHas) {
+  message::HistoryEntry step{.verb = "configure", .life = {.process = "robot", .component = "arm"}};
+  step.life.former = R"({"noise":0.001,"home":[0,1],"gone":"x"})";
+  step.life.configuration = R"({"noise":0.5,"home":[0,1],"mode":"fast"})";
+  EXPECT_EQ(ChangesText(step),
+            "gone \"x\" -> default, mode default -> \"fast\", noise 0.001 -> 0.5");
+
+  step.life.former.clear();
+  step.life.configuration = R"({"text":")" + std::string(1000, 'a') + R"("})";
+  EXPECT_LT(ChangesText(step).size(), 120U);
+  step.life.configuration = "no object";
+  EXPECT_EQ(ChangesText(step), "");
+  step.verb = "create";
+  step.life.configuration = R"({"noise":0.5})";
+  EXPECT_EQ(ChangesText(step), "");
 }
 
 }  // namespace

@@ -1,12 +1,49 @@
+#include <tendon/base/printable.h>
 #include <tendon/gcm/history.h>
 #include <tendon/gcm/text/step_text.h>
 #include <tendon/gcm/text/wall_time.h>
+#include <tendon/payload/json/strict_json.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
 
 namespace tendon {
+namespace {
+
+using Ordered = nlohmann::ordered_json;
+
+Ordered ObjectOf(const std::string& configuration) {
+  auto object = JsonOrText(configuration);
+  return object.is_object() ? object : Ordered::object();
+}
+
+std::string ValueOf(const Ordered& object, const std::string& key) {
+  constexpr std::size_t kMost = 80;
+  return object.contains(key) ? Printable(object.at(key).dump(), kMost) : "default";
+}
+
+}  // namespace
 
 std::string WholeText(const message::HistoryEntry& step) {
   return "step " + std::to_string(step.id) + " (" + ToString(step) + ", by " + step.who + " at " +
          WallTimeText(step.when) + ")";
+}
+
+std::string ChangesText(const message::HistoryEntry& step) {
+  if (step.verb != ToString(LifeVerb::kConfigure)) return {};
+  const Ordered former = ObjectOf(step.life.former);
+  const Ordered now = ObjectOf(step.life.configuration);
+  std::set<std::string> keys;
+  for (const auto& [key, value] : former.items()) keys.insert(key);
+  for (const auto& [key, value] : now.items()) keys.insert(key);
+  std::string text;
+  for (const std::string& key : keys) {
+    const std::string before = ValueOf(former, key);
+    const std::string after = ValueOf(now, key);
+    if (before == after) continue;
+    text += (text.empty() ? "" : ", ") + Printable(key, 64) + " " + before + " -> " + after;
+  }
+  return text;
 }
 
 bool IsOfLife(const message::HistoryEntry& step) { return !step.life.process.empty(); }
