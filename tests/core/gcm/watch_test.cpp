@@ -164,7 +164,8 @@ TEST_P(Watching, AClientWithoutAGcmSaysWhereAndWhatToDo) {
   EXPECT_EQ(watching.error().code, ErrorCode::kUnreachable);
   EXPECT_EQ(watching.error().message.find("no GCM at " + address_ + " ("), 0U)
       << watching.error().message;
-  EXPECT_NE(watching.error().message.find("); start one with: gcm serve"), std::string::npos);
+  EXPECT_NE(watching.error().message.find("); start one with: gcm serve --gcm " + address_),
+            std::string::npos);
   const auto connected = Connect(client);
   ASSERT_FALSE(connected);
   EXPECT_EQ(connected.error().code, ErrorCode::kUnreachable);

@@ -194,7 +194,7 @@ TEST_P(Membership, WithoutAGcmIsToldWhereNoneIs) {
   ASSERT_FALSE(joined.ok());
   EXPECT_EQ(joined.error().code, ErrorCode::kUnreachable);
   EXPECT_THAT(joined.error().message, HasSubstr("no GCM at " + address));
-  EXPECT_THAT(joined.error().message, HasSubstr("start one with: gcm serve"));
+  EXPECT_THAT(joined.error().message, HasSubstr("start one with: gcm serve --gcm " + address));
 }
 
 TEST_P(Membership, BeginsWhenTheGcmComes) {

@@ -2,6 +2,7 @@
 #include <tendon/gcm/client/gcm_link.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/process/access/guarded_handler.h>
+#include <tendon/process/membership/no_gcm.h>
 
 #include <map>
 #include <utility>
@@ -38,13 +39,6 @@ std::vector<GcmLink::Moved> Moves(const Places& before, const Places& after) {
 bool IsFinal(const Error& error) {
   return error.code == ErrorCode::kIncompatible || error.code == ErrorCode::kDenied ||
          error.code == ErrorCode::kInvalid;
-}
-
-/// "nobody answers at 127.0.0.1:10705 (Connection refused)" without what is said anyway.
-std::string Briefly(const std::string& reason) {
-  const std::size_t open = reason.find(" (");
-  if (!reason.starts_with("nobody ") || open == reason.npos || reason.back() != ')') return reason;
-  return reason.substr(open + 2, reason.size() - open - 3);
 }
 
 }  // namespace
@@ -303,9 +297,7 @@ Error GcmLink::NoGcm() const {
   if (lost_ && lost_->code != ErrorCode::kUnreachable && lost_->code != ErrorCode::kTimeout) {
     return *lost_;
   }
-  const std::string reason = lost_ ? Briefly(lost_->message) : "it does not answer";
-  return {ErrorCode::kUnreachable,
-          "no GCM at " + options_.address + " (" + reason + "); start one with: gcm serve"};
+  return tendon::NoGcm(options_.address, lost_ ? lost_->message : "it does not answer");
 }
 
 template <typename Call>

@@ -4,6 +4,7 @@
 #include <tendon/process/ask.h>
 #include <tendon/process/log/messages.h>
 #include <tendon/process/membership/membership.h>
+#include <tendon/process/membership/no_gcm.h>
 #include <tendon/process/schema_exchange.h>
 #include <tendon/process/telemetry/fan_out_messages.h>
 
@@ -155,8 +156,7 @@ void Membership::Try() {
   if (!channel) {
     Error error = channel.error();
     if (error.code == ErrorCode::kUnreachable || error.code == ErrorCode::kTimeout) {
-      error = {ErrorCode::kUnreachable,
-               "no GCM at " + options_.gcm + " (" + error.message + "); start one with: gcm serve"};
+      error = NoGcm(options_.gcm, error.message);
     }
     return Fail(error);
   }
