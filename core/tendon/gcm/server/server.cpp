@@ -332,9 +332,9 @@ void Server::TakePlanTurn(const Request& request) {
   if (!turn) return request.responder->Refuse(turn.error());
   Locked([&] {
     const bool is_free = plan_turn_.peer == nullptr || plan_turn_.peer == &request.peer;
-    if (is_free) {
-      plan_turn_ =
-          turn->is_wanted ? Turn{&request.peer, NameOf(*request.channel), WallTime()} : Turn{};
+    if (is_free && !turn->is_wanted) plan_turn_ = {};
+    if (is_free && turn->is_wanted && plan_turn_.peer == nullptr) {
+      plan_turn_ = {&request.peer, NameOf(*request.channel), WallTime()};
     }
     const bool is_granted = is_free || !turn->is_wanted;
     Answer(request,

@@ -52,9 +52,14 @@ auto Seen(const GcmClient& client, const Read& read) {
 
 }  // namespace
 
+Result<void> ClientExecutor::AskForTurn() {
+  return Wait<void>(timeout_ + kLonger,
+                    [&](auto handler) { client_.TakePlanTurn(std::move(handler)); });
+}
+
 Result<void> ClientExecutor::Begin() {
-  const auto begun = Wait<void>(timeout_ + kLonger,
-                                [&](auto handler) { client_.TakePlanTurn(std::move(handler)); });
+  const auto begun = AskForTurn();
+  has_turn_ = begun.ok();
   if (begun) return begun;
   const ErrorCode code = begun.error().code;
   if (code == ErrorCode::kDenied) return {};
@@ -62,9 +67,22 @@ Result<void> ClientExecutor::Begin() {
   return begun;
 }
 
-void ClientExecutor::End() { client_.GivePlanTurnBack(); }
+void ClientExecutor::End() {
+  client_.GivePlanTurnBack();
+  has_turn_ = false;
+}
+
+/// The GCM frees the turn of whose link broke: it is asked for before each step.
+Result<void> ClientExecutor::KeepTurn() {
+  if (!has_turn_) return {};
+  const auto kept = AskForTurn();
+  if (kept || kept.error().code != ErrorCode::kFailed) return kept;
+  return Error{kept.error().code,
+               "the turn was lost with the link to the GCM; " + kept.error().message};
+}
 
 Result<void> ClientExecutor::Execute(const PlanStep& step) {
+  if (auto kept = KeepTurn(); !kept) return kept;
   if (auto checked = CheckInstance(step); !checked) return checked;
   switch (step.kind) {
     case Kind::kStop:

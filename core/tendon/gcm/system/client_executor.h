@@ -21,10 +21,13 @@ class ClientExecutor final : public PlanExecutor {
   /// A GCM that knows of no turns denies one, as it does to a viewer: then there is none to wait
   /// for.
   Result<void> Begin() override;
+  /// Also refused where the turn was lost with the link to the GCM, and another has it now.
   Result<void> Execute(const PlanStep& step) override;
   void End() override;
 
  private:
+  [[nodiscard]] Result<void> AskForTurn();
+  [[nodiscard]] Result<void> KeepTurn();
   [[nodiscard]] Result<void> CheckInstance(const PlanStep& step) const;
   [[nodiscard]] Result<void> AwaitConnections(const PlanStep& step) const;
   Result<void> Connect(const PlanStep& step);
@@ -35,6 +38,7 @@ class ClientExecutor final : public PlanExecutor {
 
   GcmClient& client_;
   const std::chrono::milliseconds timeout_;
+  bool has_turn_ = false;
 };
 
 }  // namespace tendon

@@ -44,6 +44,25 @@ TEST_P(PlanTurn, WhileOneCarriesOutAPlanAnothersIsRefusedAndNothingOfItIsDone) {
   EXPECT_TRUE(Take(*other_)) << "it has its turn already";
 }
 
+TEST_P(PlanTurn, ThatWasLostWithTheLinkEndsThePlanWhereAnotherHasItNow) {
+  ClientExecutor executor(*client_, kLong);
+  ASSERT_TRUE(executor.Begin());
+  client_->GivePlanTurnBack();  // as the end of the link does
+  ASSERT_TRUE(EventuallyTrue([&] { return static_cast<bool>(Take(*other_)); }));
+  const PlanStep connect{.kind = PlanStep::Kind::kConnect, .wire = {kRobot, kControl}};
+
+  const auto refused = executor.Execute(connect);
+
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().message,
+              HasSubstr("the turn was lost with the link to the GCM; nothing was done, for a plan "
+                        "of anna@desk"));
+  EXPECT_EQ(Connection(), std::nullopt);
+
+  other_->GivePlanTurnBack();
+  EXPECT_TRUE(EventuallyTrue([&] { return static_cast<bool>(executor.Execute(connect)); }));
+}
+
 TEST_P(PlanTurn, ComesBackWithTheEndOfThePlan) {
   EXPECT_EQ(CarryOut(*other_).done, 1U);
   ASSERT_TRUE(Disconnect(*other_));
