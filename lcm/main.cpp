@@ -3,6 +3,7 @@
 #include <program/network_options.h>
 #include <tendon/base/os/terminal.h>
 #include <tendon/base/os/termination.h>
+#include <tendon/process/program_messages.h>
 
 #include <CLI/CLI.hpp>
 #include <iostream>
@@ -20,14 +21,20 @@ int main(int argc, char** argv) {
   app.add_option("--listen", options.listen, "address for viewers and peers")
       ->capture_default_str();
   app.add_option("--advertise", options.advertise, "address to tell others, where it differs");
-  app.add_option("--timeout", timeout_ms, "how long to look for the GCM at the start, in ms")
-      ->check(CLI::Range(1, 3600000))
-      ->capture_default_str();
+  app.set_version_flag("--version", "lcm " + tendon::OwnVersion().release);
+  app.add_option("--timeout", timeout_ms,
+                 "how long to look for the GCM at the start: 500ms, 5s, 2min or a number of ms")
+      ->type_name("TIME")
+      ->transform(CLI::Validator(&program::TransformMilliseconds, ""))
+      ->default_str("3s");
   program::AddNetworkOptions(app, options.network);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked) {
-    return app.exit(asked);
+    const int exit_code = app.exit(asked);
+    if (std::cout.flush()) return exit_code;
+    std::cerr << "lcm: cannot write the output: the disk is full, or it is closed\n";
+    return program::kRefused;
   } catch (const CLI::ParseError& mistake) {
     std::cerr << "lcm: " << program::SentenceOf(mistake, app, "lcm") << '\n';
     return program::kUsage;

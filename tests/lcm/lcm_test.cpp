@@ -4,6 +4,7 @@
 #include <program/exit_code.h>
 #include <sys/socket.h>
 #include <sys/time.h>
+#include <tendon/process/program_messages.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -60,6 +61,19 @@ TEST_F(LcmTest, WithoutAGcmItSaysSo) {
 
   EXPECT_EQ(outcome.exit_code, program::kUnreachable);
   EXPECT_THAT(outcome.err, HasSubstr("no GCM at " + address));
+  const Outcome with_unit = RunProgram(
+      {Binary("lcm"), "--name", "robot", "--gcm", address, "--timeout", "0.1s", "--system", demo});
+  EXPECT_EQ(with_unit.exit_code, program::kUnreachable) << with_unit.err;
+}
+
+TEST_F(LcmTest, SaysWhichItIsAndFailsWhereThatCannotBeWritten) {
+  const Outcome version = RunProgram({Binary("lcm"), "--version"});
+  EXPECT_EQ(version.exit_code, program::kOk);
+  EXPECT_EQ(version.out, "lcm " + tendon::OwnVersion().release + "\n");
+
+  const Outcome full = RunProgram({"/bin/sh", "-c", Binary("lcm") + " --help >/dev/full"});
+  EXPECT_EQ(full.exit_code, program::kRefused);
+  EXPECT_EQ(full.err, "lcm: cannot write the output: the disk is full, or it is closed\n");
 }
 
 TEST_F(LcmTest, ASecondProcessOfOneNameIsToldWhoHasIt) {
