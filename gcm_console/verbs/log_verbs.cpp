@@ -2,12 +2,14 @@
 #include <gcm_console/outcomes.h>
 #include <gcm_console/report.h>
 #include <gcm_console/verb.h>
+#include <tendon/base/name.h>
 #include <tendon/base/os/termination.h>
 #include <tendon/base/path.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/text/wall_time.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <deque>
@@ -15,6 +17,7 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -117,6 +120,21 @@ void Remark(const LogInbox::Content& content, std::ostream& err) {
   if (!content.complaint.empty()) err << "gcm: " << Plain(content.complaint) << '\n';
 }
 
+/// In the order of time: it comes in that in which the GCM has heard of it.
+void PrintKept(std::deque<LogRecord> kept, const LogOptions& options, Context& context) {
+  std::set<std::string> processes;
+  for (const LogRecord& record : kept) processes.insert(record.process);
+  std::erase_if(kept, [&](const LogRecord& record) { return !IsWanted(record, options); });
+  std::ranges::stable_sort(kept, {}, &LogRecord::time);
+  for (const LogRecord& record : kept) Print(record, context);
+  if (!kept.empty() || options.follow) return;
+  const std::string name = options.from.substr(0, options.from.find('/'));
+  const std::vector<std::string> names(processes.begin(), processes.end());
+  context.err() << "gcm: nothing that is kept is from '" << Plain(options.from) << "' at level "
+                << options.level << " or above"
+                << (processes.contains(name) ? "" : tendon::DidYouMean(name, names)) << '\n';
+}
+
 Result<ExitCode> ShowLog(Context& context, const LogOptions& options) {
   if (options.follow) tendon::os::HoldTerminationSignals();
   const auto inbox = std::make_shared<LogInbox>();
@@ -124,12 +142,21 @@ Result<ExitCode> ShowLog(Context& context, const LogOptions& options) {
   if (!client) return client.error();
   (*client)->WatchLog();
   const auto begin = std::chrono::steady_clock::now();
+  std::deque<LogRecord> kept;
+  bool is_current = false;
   while (true) {
     const bool is_interrupted = tendon::os::TerminationAsked(20ms);
     const LogInbox::Content content = inbox->Take();
-    for (const LogRecord& record : content.records) {
-      if (IsWanted(record, options)) Print(record, context);
+    if (!is_current) {
+      kept.insert(kept.end(), content.records.begin(), content.records.end());
+      if (content.is_current || is_interrupted)
+        PrintKept(std::exchange(kept, {}), options, context);
+    } else {
+      for (const LogRecord& record : content.records) {
+        if (IsWanted(record, options)) Print(record, context);
+      }
     }
+    is_current = is_current || content.is_current;
     context.out().flush();
     Remark(content, context.err());
     if (is_interrupted) return program::kInterrupted;

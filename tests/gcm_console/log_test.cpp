@@ -40,8 +40,16 @@ TEST_F(LogTest, ShowsWhatTheProcessesHaveLogged) {
   EXPECT_EQ(errors.exit_code, program::kOk) << errors.err;
   EXPECT_THAT(errors.out, Not(HasSubstr("\tinfo\t")));
 
+  const Outcome nobody = Gcm({"log", "--from", "robt"});
+  EXPECT_EQ(nobody.exit_code, program::kOk);
+  EXPECT_EQ(nobody.out, "");
+  EXPECT_EQ(nobody.err,
+            "gcm: nothing that is kept is from 'robt' at level debug or above; did you mean "
+            "'robot'?\n");
+
   std::istringstream lines(Gcm({"--json", "log", "--from", "robot"}).out);
   std::string line;
+  std::int64_t before = 0;
   ASSERT_TRUE(std::getline(lines, line));
   do {
     const json record = json::parse(line);
@@ -50,6 +58,8 @@ TEST_F(LogTest, ShowsWhatTheProcessesHaveLogged) {
     EXPECT_NE(record["text"], "");
     EXPECT_THAT(record["level"], testing::AnyOf("debug", "info", "warning", "error"));
     EXPECT_GT(record["time_ns"], std::int64_t{1'600'000'000} * 1'000'000'000);
+    EXPECT_GE(record["time_ns"], before);
+    before = record["time_ns"];
   } while (std::getline(lines, line));
 }
 
