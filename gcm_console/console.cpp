@@ -45,9 +45,15 @@ CommandLine::Complement ComplementOf(const Streams& streams, Session* session) {
   const bool is_typed =
       session != nullptr && streams.make_line_reader != nullptr && session->settings().scripts == 0;
   if (!is_typed) return nullptr;
-  return [&streams, session](WordKind kind, const std::string& path) {
-    std::string whole = WholePath(session->catalog(), kind, path);
-    if (whole != path) streams.err << "gcm: " << Plain(path) << " is " << Plain(whole) << '\n';
+  return [&streams, session](WordKind kind, const std::string& typed) {
+    const tendon::Catalog catalog = session->catalog();
+    const std::string at = session->settings().at;
+    const std::string path = PathFrom(catalog, at, typed);
+    std::string whole = WholePath(catalog, kind, path);
+    if (whole != ResolvedPath(at, typed)) {
+      streams.err << "gcm: " << Plain(typed) << " is " << (at.empty() ? "" : "/") << Plain(whole)
+                  << '\n';
+    }
     return whole;
   };
 }

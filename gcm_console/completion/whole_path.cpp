@@ -1,5 +1,7 @@
 #include <gcm_console/completion/completer.h>
 #include <gcm_console/completion/whole_path.h>
+#include <gcm_console/line/command_line.h>
+#include <gcm_console/place.h>
 
 #include <algorithm>
 #include <set>
@@ -39,6 +41,13 @@ std::string WholePath(const tendon::Catalog& catalog, WordKind kind, const std::
     begin = end + 1;
   }
   return path;
+}
+
+std::string PathFrom(const tendon::Catalog& catalog, const std::string& at,
+                     const std::string& typed) {
+  const std::string first = typed.substr(0, typed.find_first_of(kSeparators));
+  const bool is_below = at.empty() || FindPlace(catalog, ResolvedPath(at, first));
+  return ResolvedPath(is_below || catalog.FindProcess(first) == nullptr ? at : "", typed);
 }
 
 }  // namespace console

@@ -184,8 +184,7 @@ void CommandLine::Resolve(CLI::App& part) const {
     if (!IsPath(KindOf(*option))) continue;
     option->transform(CLI::Validator(
         [this, kind = KindOf(*option)](std::string& typed) {
-          typed = ResolvedPath(settings_.at, typed);
-          if (complement_) typed = complement_(kind, typed);
+          typed = complement_ ? complement_(kind, typed) : ResolvedPath(settings_.at, typed);
           return std::string();
         },
         ""));

@@ -16,8 +16,9 @@ namespace console {
 /// Parse().
 class CommandLine {
  public:
-  /// The path that a person means by the beginnings of names, see WholePath().
-  using Complement = std::function<std::string(WordKind kind, const std::string& path)>;
+  /// The path that a person means who stands somewhere and types the beginnings of names, or a path
+  /// from the top, see PathFrom() and WholePath().
+  using Complement = std::function<std::string(WordKind kind, const std::string& typed)>;
 
   /// `usual` is what holds where a line says nothing else. In a session, `complement` may be given
   /// for lines that a person types.

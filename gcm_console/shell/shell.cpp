@@ -1,3 +1,4 @@
+#include <gcm_console/completion/whole_path.h>
 #include <gcm_console/line/command_line.h>
 #include <gcm_console/place.h>
 #include <gcm_console/shell/shell.h>
@@ -114,12 +115,13 @@ Result<void> Shell::BeginBehind(const Words& words, const Streams& streams) {
 }
 
 Result<void> Shell::GoTo(const std::string& typed) {
-  const std::string path = ResolvedPath(session_.settings().at, typed);
+  std::string path = ResolvedPath(session_.settings().at, typed);
   if (!path.empty()) {
     const auto client = session_.Client();
     if (!client) return client.error();
     if (auto watching = (*client)->WaitUntilWatching(); !watching) return watching;
     const tendon::Catalog catalog = (*client)->catalog();
+    path = PathFrom(catalog, session_.settings().at, typed);
     const auto place = FindPlace(catalog, path);
     if (!place) return place.error();
     if (place->member != nullptr) {

@@ -61,7 +61,13 @@ TEST_F(ShellTest, WhoTypesMayShortenNamesAndIsToldWhatIsMeant) {
   terminal.Type("get r/a/s.J.position[0]\r");
   EXPECT_TRUE(terminal.Shows("gcm: r/a/s.J.position[0] is robot/arm/state.Joints.position[0]\r\n"))
       << terminal.seen();
-  terminal.Type("show d/nothing\r");
+  terminal.Type("cd desk; get robot/arm/state.Joints.position[0]; cd robot/arm\r");
+  EXPECT_TRUE(
+      terminal.Shows("gcm: robot/arm/state.Joints.position[0] is "
+                     "/robot/arm/state.Joints.position[0]\r\n"))
+      << terminal.seen();
+  EXPECT_TRUE(terminal.Shows("\r\nrobot/arm> ")) << terminal.seen();
+  terminal.Type("cd /; show d/nothing\r");
   EXPECT_TRUE(terminal.Shows("no process 'd'")) << terminal.seen();
 }
 

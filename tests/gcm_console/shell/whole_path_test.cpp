@@ -58,5 +58,19 @@ TEST_F(WholePathTest, WhatIsNothingOrAPatternStaysAsItIs) {
   }
 }
 
+TEST_F(WholePathTest, APathFromTheTopIsMeantWhereNothingIsCalledSoBelow) {
+  EXPECT_EQ(PathFrom(catalog_, "robot", "arm/Control"), "robot/arm/Control");
+  EXPECT_EQ(PathFrom(catalog_, "robot", "robot/arm/Control.Stop"), "robot/arm/Control.Stop");
+  EXPECT_EQ(PathFrom(catalog_, "robot/arm", "desk"), "desk");
+  EXPECT_EQ(PathFrom(catalog_, "robot", "nothing/arm"), "robot/nothing/arm");
+  EXPECT_EQ(PathFrom(catalog_, "robot/arm", ".."), "robot");
+  EXPECT_EQ(PathFrom(catalog_, "", "robot/arm"), "robot/arm");
+
+  Apply({.kind = tendon::CatalogChange::Kind::kComponent,
+         .process = "robot",
+         .components = {tendon::test::Arm("desk")}});
+  EXPECT_EQ(PathFrom(catalog_, "robot", "desk/Control"), "robot/desk/Control");
+}
+
 }  // namespace
 }  // namespace console
