@@ -78,8 +78,19 @@ must_be_preset() {
   grep -qxF -- "$1" <<<"$names" || fail "There is no preset '$1'; there are: ${names//$'\n'/, }."
 }
 
-# build_preset PRESET [TARGET...]: configures and builds it, in silence unless something is wrong or a person watches.
-# One at a time in one tree.
+# tenths: of ninja's lines "[37/923] ...", one for each tenth of the work; whatever else it says, as it is.
+tenths() {
+  awk -F '[][/]' '
+    /^\[[0-9]+\/[0-9]+\] / {
+      if (int(10 * $2 / $3) > done && $3 >= 100) { print "  " $2 " of " $3; fflush() }
+      done = int(10 * $2 / $3)
+      next
+    }
+    $0 != "ninja: no work to do." { print; fflush() }'
+}
+
+# build_preset PRESET [TARGET...]: configures and builds it. Says no more than how far it is, unless something is wrong
+# or a person watches. One at a time in one tree.
 build_preset() {
   must_be_preset "$1"
   cd "$TENDON_ROOT" || return
@@ -91,10 +102,9 @@ build_preset() {
 }
 
 configure_and_build() {
-  local preset=$1 log="$TENDON_ROOT/build/$1/configure.log" targets=() quiet=()
+  local preset=$1 log="$TENDON_ROOT/build/$1/configure.log" targets=()
   shift
   (($# == 0)) || targets=(--target "$@")
-  [[ -t 1 ]] || quiet=(-- --quiet)
   # Presets, and clones in other places, share what the compiler makes of the same source.
   export CCACHE_BASEDIR=$TENDON_ROOT CCACHE_NOHASHDIR=1
   export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(parallel_jobs)}
@@ -103,6 +113,7 @@ configure_and_build() {
   say "Building $preset."
   logged "$log" in_place "$preset" cmake --preset "$preset" ||
     fail "Preset $preset cannot be configured; all of CMake's output is in build/$preset/configure.log."
-  in_place "$preset" cmake --build --preset "$preset" "${targets[@]}" "${quiet[@]}" ||
+  local compile=(in_place "$preset" cmake --build --preset "$preset" "${targets[@]}")
+  if [[ -t 1 ]]; then "${compile[@]}"; else "${compile[@]}" | tenths; fi ||
     fail "Preset $preset does not build; what is above says why."
 }
