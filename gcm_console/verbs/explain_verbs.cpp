@@ -1,6 +1,7 @@
 #include <gcm_console/report.h>
 #include <gcm_console/verb.h>
 #include <gcm_console/wire/disputed_types.h>
+#include <gcm_console/wire/order.h>
 #include <tendon/gcm/diagnosis.h>
 #include <tendon/gcm/text/leftover_text.h>
 
@@ -174,6 +175,7 @@ Result<ExitCode> Explain(Context& context, const Ends& ends) {
   const auto provided = ends.provided.empty() ? LikelyProvider(catalog, *required)
                                               : tendon::ParseInterfaceName(ends.provided);
   if (!provided) return provided.error();
+  if (auto good = CheckOrder("explain", catalog, *required, *provided); !good) return good.error();
   auto diagnosis = Diagnose(catalog, {*required, *provided});
   if (!diagnosis) return diagnosis.error();
   if (!diagnosis->failure && diagnosis->is_connected) {

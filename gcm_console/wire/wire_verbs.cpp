@@ -3,6 +3,7 @@
 #include <gcm_console/report.h>
 #include <gcm_console/verb.h>
 #include <gcm_console/wire/disputed_types.h>
+#include <gcm_console/wire/order.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/wiring/matching.h>
 
@@ -44,19 +45,6 @@ ExitCode WarnOfUnknown(Context& context, const tendon::Error& unknown, const End
                                        ends.required)
                 << '\n';
   return program::kNotFound;
-}
-
-/// Nobody who looks from the other side means something else.
-Result<void> CheckOrder(const Catalog& catalog, const InterfaceName& required,
-                        const InterfaceName& provided) {
-  const bool is_swapped = catalog.FindRequired(required) == nullptr &&
-                          catalog.FindProvided(required) != nullptr &&
-                          catalog.FindRequired(provided) != nullptr;
-  if (!is_swapped) return {};
-  return Error{ErrorCode::kInvalid, ToString(required) +
-                                        " is what is provided: the required interface comes "
-                                        "first; run: gcm connect " +
-                                        ToString(provided) + " " + ToString(required)};
 }
 
 Result<tendon::ConnectionDescription> Carry(Context& context, const InterfaceName& required,
@@ -164,7 +152,7 @@ Result<ExitCode> Connect(Context& context, const Ends& ends) {
   if (!provided) return provided.error();
   const auto client = context.Client();
   if (!client) return client.error();
-  if (auto good = CheckOrder((*client)->catalog(), *required, *provided); !good) {
+  if (auto good = CheckOrder("connect", (*client)->catalog(), *required, *provided); !good) {
     return good.error();
   }
   if (ends.dry_run) {

@@ -180,6 +180,9 @@ TEST_F(LookTest, SmallMistakesGetSentencesThatHelp) {
   EXPECT_EQ(Gcm({"connect", "robot/arm/Control", "desk/teleoperation/Robot"}).err,
             "gcm: robot/arm/Control is what is provided: the required interface comes first; run: "
             "gcm connect desk/teleoperation/Robot robot/arm/Control\n");
+  EXPECT_EQ(Gcm({"explain", "robot/arm/Control", "desk/teleoperation/Robot"}).err,
+            "gcm: robot/arm/Control is what is provided: the required interface comes first; run: "
+            "gcm explain desk/teleoperation/Robot robot/arm/Control\n");
   EXPECT_THAT(Gcm({"watch", "robot/arm/state"}).err,
               StartsWith("gcm: 'robot/arm/state' is a whole table: name one of its columns ("));
   const Outcome head = Shell("watch robot/arm/state.Joints.position[0] | head -1");

@@ -17,7 +17,9 @@ constexpr std::array kSteps = {
     "the signatures match",     "the processes reach each other", "the connection is made",
     "the provider answers"};
 
-/// Of them, from 0 on: that at which the processes reach each other.
+/// Of them, from 0 on: that at which both components are active, and at which the processes reach
+/// each other.
+constexpr std::size_t kActive = 1;
 constexpr std::size_t kReached = 4;
 
 /// Goes through the steps until one is bad.
@@ -26,11 +28,17 @@ class Examination {
   explicit Examination(const message::Wire& wire) { diagnosis_.wire = wire; }
 
   [[nodiscard]] bool goes_on() const { return !diagnosis_.failure; }
+  [[nodiscard]] bool is_connected() const { return diagnosis_.is_connected; }
   void Good(const std::string& text) { diagnosis_.steps.push_back({Verdict::kGood, text, {}, {}}); }
   void Bad(ErrorCode code, const std::string& text, const std::string& fix,
            std::vector<std::string> details = {}) {
     diagnosis_.steps.push_back({Verdict::kBad, text, fix, std::move(details)});
     diagnosis_.failure = Error{code, text + (fix.empty() ? "" : "; " + fix)};
+  }
+  /// A step that let the way go on, so that what is behind it has been looked at too.
+  void Spoil(std::size_t step, ErrorCode code, const std::string& text, const std::string& fix) {
+    diagnosis_.steps.at(step) = {Verdict::kBad, text, fix, {}};
+    diagnosis_.failure = Error{code, text + "; " + fix};
   }
   /// Where the required side is there, which alone knows it: as the catalogue says.
   void SetConnected(const Catalog& catalog) {
@@ -99,7 +107,8 @@ void CheckFree(const Catalog& catalog, const message::Wire& wire, Examination& e
   if (connection->provided == wire.provided) return examination.Good("the connection is wanted");
   examination.Bad(ErrorCode::kExists,
                   ToString(wire.required) + " is connected to " + ToString(connection->provided),
-                  "disconnect it first: gcm disconnect " + ToString(wire.required));
+                  "replace that: gcm connect " + ToString(wire.required) + " " +
+                      ToString(wire.provided) + " --replace");
 }
 
 void CheckSignatures(const message::Wire& wire, const RequiredDescription& required,
@@ -145,6 +154,20 @@ void CheckConnection(const Catalog& catalog, const message::Wire& wire, Examinat
   if (connection->state == ConnectionState::kActive) return examination.Good("it is made");
   examination.Bad(ErrorCode::kFailed, "it was refused: " + connection->reason,
                   "disconnect it: gcm disconnect " + ToString(wire.required));
+}
+
+/// A connection that stands carries nothing while a component at one of its ends does not run.
+void CheckRunning(const Catalog& catalog, const message::Wire& wire, Examination& examination) {
+  for (const InterfaceName* end : {&wire.required, &wire.provided}) {
+    const auto& component = *catalog.FindComponent(end->process, end->component);
+    if (component.state == ComponentState::kActive) continue;
+    const std::string effect =
+        end == &wire.required ? "it asks for nothing" : "what is queued for it waits";
+    return examination.Spoil(
+        kActive, ErrorCode::kFailed,
+        component.name + " is " + std::string(ToString(component.state)) + ": " + effect,
+        "gcm start " + end->process + "/" + end->component);
+  }
 }
 
 Remainder LeftAtRequired(const Catalog& catalog, const message::Wire& wire) {
@@ -210,6 +233,9 @@ Result<Diagnosis> Diagnose(const Catalog& catalog, const message::Wire& wire) {
   if (examination.goes_on()) CheckFree(catalog, wire, examination);
   if (examination.goes_on()) CheckSignatures(wire, **required, **provided, examination);
   if (examination.goes_on()) CheckConnection(catalog, wire, examination);
+  if (examination.goes_on() && examination.is_connected()) {
+    CheckRunning(catalog, wire, examination);
+  }
   return std::move(examination).Take();
 }
 

@@ -27,11 +27,18 @@ Error NotFound(const std::string& what, const std::string& full, const std::stri
   return {ErrorCode::kNotFound, "no " + what + " '" + full + "'" + Hint(name, candidates)};
 }
 
-/// A user stands where a provider is needed.
+/// An interface of the other side stands where one of this is needed, which its component may have.
+Error OtherSide(const InterfaceName& name, const std::string& what, const std::string& needed,
+                const std::vector<std::string>& candidates) {
+  const std::string hint = candidates.empty()
+                               ? "; " + name.process + "/" + name.component + " has none"
+                               : Hint(name.interface, candidates);
+  return {ErrorCode::kNotFound,
+          ToString(name) + " is a " + what + " interface; a " + needed + " one is needed" + hint};
+}
+
 Error RequiredInstead(const InterfaceName& name, const std::vector<std::string>& provided) {
-  return {ErrorCode::kNotFound, ToString(name) +
-                                    " is a required interface; a provided one is needed" +
-                                    Hint(name.interface, provided)};
+  return OtherSide(name, "required", "provided", provided);
 }
 
 template <typename Map>
@@ -55,10 +62,13 @@ Result<void> CheckFullName(const InterfaceName& name) {
   return CheckName("interface", name.interface);
 }
 
-std::string Connected(const ConnectionDescription& connection) {
+std::string Connected(const ConnectionDescription& connection, const InterfaceName& wanted) {
   const std::string required = ToString(connection.required);
+  if (connection.provided == wanted) {
+    return required + " is connected to " + ToString(wanted) + " already";
+  }
   return required + " is connected to " + ToString(connection.provided) +
-         "; disconnect it first: gcm disconnect " + required;
+         "; to replace that: gcm connect " + required + " " + ToString(wanted) + " --replace";
 }
 
 /// A connection that works makes no room for one that would wait for its provider.
@@ -130,9 +140,7 @@ Result<const RequiredDescription*> LookUpRequired(const Catalog& catalog,
   const ComponentDescription& owner = **component;
   if (const auto* required = FindNamed(owner.required, name.interface)) return required;
   if (FindNamed(owner.provided, name.interface) != nullptr) {
-    return Error{ErrorCode::kNotFound, ToString(name) +
-                                           " is a provided interface; a required one is needed" +
-                                           Hint(name.interface, NamesIn(owner.required))};
+    return OtherSide(name, "provided", "required", NamesIn(owner.required));
   }
   return NotFound("required interface", ToString(name), name.interface, NamesIn(owner.required));
 }
@@ -179,7 +187,7 @@ Result<message::Wiring> PlanConnect(const Catalog& catalog, const message::Wire&
   if (!provided && is_there) return provided.error();
   const auto* connection = catalog.FindConnection(wire.required);
   if (connection != nullptr && occupied == Occupied::kRefused) {
-    return Error{ErrorCode::kExists, Connected(*connection)};
+    return Error{ErrorCode::kExists, Connected(*connection, wire.provided)};
   }
   if (connection != nullptr) {
     const auto checked = CheckReplacement(catalog, *connection, wire.provided.process);

@@ -110,11 +110,36 @@ TEST_F(DiagnosisTest, FindsAFault) {
   ExpectBad(Examine(), 2, ErrorCode::kFailed, "component 'arm' is faulted: out of range");
 }
 
+TEST_F(DiagnosisTest, FindsAComponentThatDoesNotRunAtEitherEndOfWhatStands) {
+  ComponentDescription arm = test::Arm();
+  arm.state = ComponentState::kSuspended;
+  Apply({.kind = Kind::kComponent, .process = "robot", .components = {arm}});
+  EXPECT_FALSE(Examine().failure);  // it can be connected
+  Connect(ConnectionState::kActive);
+
+  const Diagnosis of_provider = Examine();
+  EXPECT_EQ(of_provider.steps[1].verdict, Verdict::kBad);
+  EXPECT_EQ(of_provider.steps[1].text, "arm is suspended: what is queued for it waits");
+  EXPECT_EQ(of_provider.steps[1].fix, "gcm start robot/arm");
+  EXPECT_EQ(of_provider.steps[5].verdict, Verdict::kGood);
+  ASSERT_TRUE(of_provider.failure);
+  EXPECT_EQ(of_provider.failure->code, ErrorCode::kFailed);
+
+  ComponentDescription teleoperation = test::Teleoperation();
+  teleoperation.state = ComponentState::kReady;
+  Enter(desk_, {teleoperation});
+  Connect(ConnectionState::kActive);
+  EXPECT_EQ(Examine().steps[1].text, "teleoperation is ready: it asks for nothing");
+  EXPECT_EQ(Examine().steps[1].fix, "gcm start desk/teleoperation");
+}
+
 TEST_F(DiagnosisTest, FindsAnotherConnection) {
   Connect(ConnectionState::kActive, {}, {"robot", "second", "Control"});
 
   ExpectBad(Examine(), 3, ErrorCode::kExists,
             "desk/teleoperation/Robot is connected to robot/second/Control");
+  EXPECT_EQ(Examine().steps[2].fix,
+            "replace that: gcm connect desk/teleoperation/Robot robot/arm/Control --replace");
 }
 
 TEST_F(DiagnosisTest, FindsWhatDoesNotMatch) {

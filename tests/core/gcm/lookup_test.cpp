@@ -107,10 +107,10 @@ TEST_F(Lookup, WhatIsNotThereReplacesOnlyWhatDoesNotWork) {
 TEST_F(Lookup, AnInterfaceOfTheOtherSortIsSaidToBeThat) {
   EXPECT_EQ(PlanError(kRobot, kRobot),
             "not found: desk/teleoperation/Robot is a required interface; a provided one is "
-            "needed; there is none");
+            "needed; desk/teleoperation has none");
   EXPECT_EQ(PlanError(kControl, kControl),
-            "not found: robot/arm/Control is a provided interface; a required one is needed; there "
-            "is none");
+            "not found: robot/arm/Control is a provided interface; a required one is needed; "
+            "robot/arm has none");
 }
 
 TEST_F(Lookup, ANameThatCannotBeOneIsNotRepeated) {
@@ -132,9 +132,11 @@ TEST_F(Lookup, TwoEndsThatDoNotFitAreRefusedAsEverywhere) {
 TEST_F(Lookup, AConnectedInterfaceSaysToWhatAndWhatToDo) {
   Connect(kRobot, kControl);
 
+  EXPECT_EQ(PlanError(kRobot, {"robot", "fake", "Control"}),
+            "exists: desk/teleoperation/Robot is connected to robot/arm/Control; to replace that: "
+            "gcm connect desk/teleoperation/Robot robot/fake/Control --replace");
   EXPECT_EQ(PlanError(kRobot, kControl),
-            "exists: desk/teleoperation/Robot is connected to robot/arm/Control; disconnect it "
-            "first: gcm disconnect desk/teleoperation/Robot");
+            "exists: desk/teleoperation/Robot is connected to robot/arm/Control already");
 }
 
 TEST_F(Lookup, AConnectionIsNamedByItsNumberToo) {
@@ -205,8 +207,8 @@ TEST_F(Lookup, FindsCommandsAndColumns) {
 
 TEST_F(Lookup, ACommandOfARequiredInterfaceIsSaidToBeOfTheWrongSide) {
   EXPECT_EQ(CommandError("desk/teleoperation/Robot.Stop"),
-            "desk/teleoperation/Robot is a required interface; a provided one is needed; there is "
-            "none");
+            "desk/teleoperation/Robot is a required interface; a provided one is needed; "
+            "desk/teleoperation has none");
 }
 
 TEST_F(Lookup, AnInterfaceThatIsATableTooIsListedOnce) {

@@ -1,0 +1,18 @@
+#include <gcm_console/wire/order.h>
+
+namespace console {
+
+tendon::Result<void> CheckOrder(const std::string& verb, const tendon::Catalog& catalog,
+                                const tendon::InterfaceName& required,
+                                const tendon::InterfaceName& provided) {
+  const bool is_swapped = catalog.FindRequired(required) == nullptr &&
+                          catalog.FindProvided(required) != nullptr &&
+                          catalog.FindRequired(provided) != nullptr;
+  if (!is_swapped) return {};
+  return tendon::Error{tendon::ErrorCode::kInvalid,
+                       ToString(required) +
+                           " is what is provided: the required interface comes first; run: gcm " +
+                           verb + " " + ToString(provided) + " " + ToString(required)};
+}
+
+}  // namespace console
