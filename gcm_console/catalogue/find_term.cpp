@@ -92,10 +92,19 @@ bool FindTerm::IsNoun(const Thing& thing) const {
   return thing.noun.starts_with(Lower(text_)) || std::ranges::any_of(kNouns, is_code);
 }
 
+/// "arm.LinkId -> geometry_msgs.Pose", whole or one of the two.
+bool FindTerm::IsType(const std::string& type) const {
+  constexpr std::string_view kArrow = " -> ";
+  if (type.empty()) return false;
+  const auto arrow = type.find(kArrow);
+  if (IsIn(type) || arrow == type.npos) return IsIn(type);
+  return IsIn(type.substr(0, arrow)) || IsIn(type.substr(arrow + kArrow.size()));
+}
+
 bool FindTerm::Holds(const Thing& thing) const {
   switch (kind_) {
     case Kind::kType:
-      return IsNoun(thing) || (!thing.type.empty() && IsIn(thing.type));
+      return IsNoun(thing) || IsType(thing.type);
     case Kind::kState:
       return !thing.state.empty() && IsIn(thing.state);
     case Kind::kHost:

@@ -26,6 +26,7 @@ class FindTerm {
 
   [[nodiscard]] bool IsIn(const std::string& text) const;
   [[nodiscard]] bool IsNoun(const Thing& thing) const;
+  [[nodiscard]] bool IsType(const std::string& type) const;
   [[nodiscard]] bool Holds(const Thing& thing) const;
 
   Kind kind_ = Kind::kPath;

@@ -134,8 +134,10 @@ void AddCounts(Context& context, const Place& place, Table& table) {
     table.Add({"round trip", Fixed(Microseconds(counts->round_trip).count(), 0) + " us"});
   }
   const double rate = age > 0.0 ? static_cast<double>(counts->taken) / age : 0.0;
-  table.Add({"calls, events",
-             std::to_string(counts->taken) + ", " + Fixed(rate, 1) + " a second since it stands"});
+  table.Add(
+      {"calls, events", std::to_string(counts->taken) + ", " + Fixed(rate, 1) +
+                            " a second since it stands; reads, which go past the mailbox, are in "
+                            "no count"});
   if (counts->capacity > 0) {
     table.Add({"mailbox", WaitingText(counts->waiting, counts->capacity)});
   }

@@ -15,6 +15,7 @@
 #include <memory>
 #include <mutex>
 #include <nlohmann/json.hpp>
+#include <set>
 
 namespace console {
 namespace {
@@ -31,6 +32,7 @@ struct Health {
   std::size_t processes = 0;
   std::size_t connections = 0;
   std::size_t wrong = 0;
+  std::set<std::string> verbs{};  ///< that tell more of what is wrong, or mend it
 };
 
 /// "3 active, 1 faulted".
@@ -96,19 +98,23 @@ std::vector<StatusRow> StatusRows(const Catalog& catalog, const Waits& waits, He
     const bool is_well = process.state == tendon::ProcessState::kAlive;
     ++health.processes;
     health.wrong += is_well ? 0 : 1;
+    if (!is_well) health.verbs.insert(IsPresent(process) ? "gcm log" : "gcm forget");
     rows.push_back({"process", name, std::string(ToString(process.state)),
                     is_well ? StatesOf(entry) : process.reason});
     for (const auto& [component, description] : entry.components) {
       const std::string what = description.fault.empty() ? description.warning : description.fault;
       if (what.empty()) continue;
       ++health.wrong;
+      health.verbs.insert("gcm log");
       rows.push_back(
           {"component", name + "/" + component, std::string(ToString(description.state)), what});
     }
   }
   for (const auto& connection : catalog.connections()) {
     ++health.connections;
-    health.wrong += connection.state == tendon::ConnectionState::kActive ? 0 : 1;
+    const bool is_well = connection.state == tendon::ConnectionState::kActive;
+    health.wrong += is_well ? 0 : 1;
+    if (!is_well) health.verbs.insert("gcm explain");
     const auto wait = waits.find(connection.required);
     const std::string& why = wait == waits.end() ? connection.reason : wait->second;
     rows.push_back({"connection", ToString(connection.required),
@@ -116,6 +122,12 @@ std::vector<StatusRow> StatusRows(const Catalog& catalog, const Waits& waits, He
                     "-> " + ToString(connection.provided) + (why.empty() ? "" : ": " + why)});
   }
   return rows;
+}
+
+std::string AllOf(const std::set<std::string>& verbs) {
+  std::string all;
+  for (const std::string& verb : verbs) all += (all.empty() ? "" : ", ") + verb;
+  return all;
 }
 
 std::string Count(std::size_t count, const std::string& noun) {
@@ -147,7 +159,7 @@ Result<ExitCode> Status(Context& context) {
                 << Count(health.connections, "connection") << "; "
                 << (health.wrong == 0 ? "all is well"
                                       : Count(health.wrong, "thing") +
-                                            " not as it should be: see gcm explain, gcm log")
+                                            " not as it should be: see " + AllOf(health.verbs))
                 << '\n';
   return program::kOk;
 }

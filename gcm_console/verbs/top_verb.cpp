@@ -315,12 +315,17 @@ Verb::Run Prepare(CLI::App& app) {
   auto options = std::make_shared<TopOptions>();
   std::vector<std::string> orders;
   for (const auto& order : kOrders) orders.emplace_back(order.name);
-  for (const auto& order : kConnectionOrders) orders.emplace_back(order.name);
+  for (const auto& order : kConnectionOrders) {
+    if (!Sorts(order.name, kOrders)) orders.emplace_back(order.name);
+  }
   const auto* sort = app.add_option("--sort", options->sort, "what comes first")
                          ->check(CLI::IsMember(orders))
                          ->capture_default_str();
   app.add_option("--filter", options->filter, "only what has this in its path");
-  app.add_flag("--connections", options->shows_connections, "show how all connections do");
+  app.add_flag(
+      "--connections", options->shows_connections,
+      "show how all connections do; their rate is of what goes through a mailbox, which reads "
+      "do not");
   return [options, sort](Context& context) -> Result<ExitCode> {
     if (sort->count() == 0) return Top(context, *options);
     const std::string& by = options->sort;

@@ -38,6 +38,16 @@ TEST(FindTerm, OfATypeIsWhatItIsOrWhatItCarries) {
   EXPECT_FALSE(Finds("type:prov", kRobot));
 }
 
+TEST(FindTerm, OfAQuestionAndItsAnswerEachTypeIsFound) {
+  const Thing pose{.path = "robot/arm/Control.GetLinkPose",
+                   .noun = "command",
+                   .type = "arm.LinkId -> geometry_msgs.Pose"};
+  EXPECT_TRUE(Finds("type:arm.*", pose));
+  EXPECT_TRUE(Finds("type:geometry_msgs.*", pose));
+  EXPECT_TRUE(Finds("type:/LinkId -> geo/", pose));
+  EXPECT_FALSE(Finds("type:arm.*Pose", pose));
+}
+
 TEST(FindTerm, LooksAtStateHostAndProcess) {
   EXPECT_TRUE(Finds("state:active", kRobot));
   EXPECT_FALSE(Finds("state:active", kGoal));

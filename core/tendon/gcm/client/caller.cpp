@@ -38,8 +38,8 @@ Result<void> CheckArgument(const std::string& command, const MemberDescription& 
   const bool is_given = !argument.empty() && argument != "null";
   if (is_given == TakesArgument(description.signature)) return {};
   if (is_given) return Error{ErrorCode::kInvalid, command + " takes no argument"};
-  return Error{ErrorCode::kInvalid,
-               command + " needs an argument of " + description.in_type + ", as JSON"};
+  return Error{ErrorCode::kInvalid, command + " needs an argument of " + description.in_type +
+                                        ", as JSON; gcm show " + command + " has a line to copy"};
 }
 
 }  // namespace

@@ -83,7 +83,7 @@ Result<void> CheckCreation(const message::Classes& known, const message::LifeOrd
   if (found.empty()) {
     const std::string where = order.library.empty() ? " that is loaded" : " in " + order.library;
     const std::string next =
-        order.library.empty() ? "; load the plug-in that has it, or name it with --library" : "";
+        order.library.empty() ? "; load the plug-in that has it, or name that as its library" : "";
     return Error{ErrorCode::kNotFound, "process '" + order.process + "' has no class '" +
                                            order.class_name + "'" + where +
                                            DidYouMean(order.class_name, names) + next};
