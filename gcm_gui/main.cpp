@@ -13,10 +13,12 @@
 #include <program/lcm_launch.h>
 #include <program/network_options.h>
 #include <tendon/base/os/process.h>
+#include <tendon/middleware/handshake/openings.h>
 
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace {
@@ -109,6 +111,7 @@ QStringList GcmCommand(const Options& options) {
 }
 
 int Run(const Options& options) {
+  std::optional<tendon::NoMoreOpening> end;  // outlives all that opens links
   const auto middleware = program::MakeMiddleware(options.network);
   if (!middleware) return Fail(middleware.error());
 
@@ -148,7 +151,9 @@ int Run(const Options& options) {
   if (!options.layout.empty()) window.plots().openLayout(QString::fromStdString(options.layout));
   if (!options.no_tour && options.file.empty()) ShowAroundOnce(window, values);
   if (!options.file.empty()) window.files().bringUp(QString::fromStdString(options.file));
-  return QApplication::exec();
+  const int code = QApplication::exec();
+  end.emplace();  // a process that hangs must not keep a window that is closed
+  return code;
 }
 
 }  // namespace

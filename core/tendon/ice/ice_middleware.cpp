@@ -9,6 +9,7 @@
 #include <tendon/ice/strangers/newcomers.h>
 #include <tendon/ice/tls.h>
 #include <tendon/middleware/handover.h>
+#include <tendon/middleware/handshake/openings.h>
 
 #include <cerrno>
 #include <exception>
@@ -60,6 +61,7 @@ Error WhyNotListening(const HostPort& place) {
 
 /// `tls` is null for a link without, also below.
 Error TimedOut(const HostPort& place, std::chrono::milliseconds timeout, const Tls* tls) {
+  if (IsOpeningOver()) return OpeningIsOver();
   return {ErrorCode::kTimeout, "no answer from " + ToString(place) + " within " +
                                    std::to_string(timeout.count()) + " ms" +
                                    (tls != nullptr ? "" : ": it hangs, or wants a --certificate")};
@@ -203,6 +205,7 @@ class IceMiddleware final : public Middleware {
     } catch (const Ice::Exception&) {
       connected->Give({nullptr, std::current_exception()});
     }
+    const WaitForLink wait([&connected] { connected->GiveUp(); });
     return connected->WaitUntil(deadline);
   }
 
@@ -224,6 +227,7 @@ class IceMiddleware final : public Middleware {
     } catch (const Ice::Exception&) {
       give(std::current_exception());
     }
+    const WaitForLink wait([&answered] { answered->GiveUp(); });
     return answered->WaitUntil(deadline);
   }
 

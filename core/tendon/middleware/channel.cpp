@@ -1,4 +1,5 @@
 #include <tendon/middleware/channel.h>
+#include <tendon/middleware/handshake/openings.h>
 #include <tendon/middleware/parts/large_in_hand.h>
 #include <tendon/middleware/parts/repeated_sign.h>
 #include <tendon/middleware/requests/asked.h>
@@ -79,6 +80,13 @@ std::shared_ptr<LinkHandler> Channel::AsLinkHandler() { return {shared_from_this
 
 /// The opener's half of the handshake.
 Result<void> Channel::Greet(const std::shared_ptr<Link>& link, SteadyTime deadline) {
+  const WaitForLink wait([this] {
+    const std::scoped_lock lock(mutex_);
+    if (greeted_ || reason_) return;
+    is_open_.Set(false);
+    reason_ = OpeningIsOver();
+    changed_.notify_all();
+  });
   std::unique_lock lock(mutex_);
   link_ = link;
   handshake_.emplace(Handshake::Role::kOpener, For(*link, mine_), link->peer(), Strangers::kRefused,

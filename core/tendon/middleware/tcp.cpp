@@ -2,6 +2,7 @@
 #include <tendon/base/os/poller.h>
 #include <tendon/base/os/thread.h>
 #include <tendon/middleware/complaints.h>
+#include <tendon/middleware/handshake/openings.h>
 #include <tendon/middleware/tcp.h>
 
 #include <cassert>
@@ -369,7 +370,7 @@ class TcpMiddleware final : public Middleware {
                                      std::chrono::milliseconds timeout) override {
     const auto place = ParseAllowedAddress(address, 1, exposure_);
     if (!place) return place.error();
-    auto socket = os::ConnectTo(place->host, place->port, timeout);
+    auto socket = os::ConnectTo(place->host, place->port, timeout, IsOpeningOver);
     if (!socket) return socket.error();
     auto link = std::make_shared<TcpLink>(loop_, *std::move(socket), 0);
     link->Begin(std::move(handler));

@@ -69,15 +69,19 @@ void SetUp(const Socket& connection) {
 }
 
 /// 0, or why the connection did not come about.
-int WaitUntilConnected(const Socket& socket, std::chrono::steady_clock::time_point deadline) {
+int WaitUntilConnected(const Socket& socket, std::chrono::steady_clock::time_point deadline,
+                       const std::function<bool()>& is_over) {
+  using std::chrono::milliseconds;
+  constexpr milliseconds kLook(50);  // at whether it is over
   while (true) {
-    const auto left =
-        std::chrono::ceil<std::chrono::milliseconds>(deadline - std::chrono::steady_clock::now());
+    auto left = std::chrono::ceil<milliseconds>(deadline - std::chrono::steady_clock::now());
     if (left.count() <= 0) return ETIMEDOUT;
+    if (is_over && is_over()) return ECANCELED;
+    if (is_over) left = std::min(left, kLook);
     pollfd wait{socket.descriptor(), POLLOUT, 0};
     const int ready = poll(&wait, 1, static_cast<int>(left.count()));
-    if (ready < 0 && errno == EINTR) continue;
-    if (ready <= 0) return ready == 0 ? ETIMEDOUT : errno;
+    if (ready == 0 || (ready < 0 && errno == EINTR)) continue;
+    if (ready < 0) return errno;
     int failure = 0;
     socklen_t size = sizeof(failure);
     getsockopt(socket.descriptor(), SOL_SOCKET, SO_ERROR, &failure, &size);
@@ -235,7 +239,7 @@ Result<Socket> ListenAt(const std::string& host, std::uint16_t port) {
 }
 
 Result<Socket> ConnectTo(const std::string& host, std::uint16_t port,
-                         std::chrono::milliseconds timeout) {
+                         std::chrono::milliseconds timeout, const std::function<bool()>& is_over) {
   const auto deadline = std::chrono::steady_clock::now() + timeout;
   const auto addresses = Resolve(host, port);
   if (!addresses) return addresses.error();
@@ -245,7 +249,7 @@ Result<Socket> ConnectTo(const std::string& host, std::uint16_t port,
     const bool is_ready = socket.descriptor() >= 0 &&
                           connect(socket.descriptor(), address->ai_addr, address->ai_addrlen) == 0;
     failure = is_ready ? 0 : errno;
-    if (failure == EINPROGRESS) failure = WaitUntilConnected(socket, deadline);
+    if (failure == EINPROGRESS) failure = WaitUntilConnected(socket, deadline, is_over);
     // A connection from a free port to the same port finds itself.
     if (failure == 0 && LocalAddress(socket) == PeerAddress(socket)) failure = ECONNREFUSED;
     if (failure != 0) continue;

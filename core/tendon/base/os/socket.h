@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -33,9 +34,11 @@ class Socket {
 /// of the port, kUnreachable for an unknown host, kDenied.
 Result<Socket> ListenAt(const std::string& host, std::uint16_t port);
 
-/// Blocks for at most `timeout`, but for asking for a host's name. Errors: kUnreachable, kTimeout.
+/// Blocks for at most `timeout`, but for asking for a host's name; where `is_over` is given, not
+/// much longer than until it says so. Errors: kUnreachable, kTimeout.
 Result<Socket> ConnectTo(const std::string& host, std::uint16_t port,
-                         std::chrono::milliseconds timeout);
+                         std::chrono::milliseconds timeout,
+                         const std::function<bool()>& is_over = {});
 
 /// The next connection that waits at a listening socket. kWouldBlock: none; kFailed: out of
 /// descriptors or memory.

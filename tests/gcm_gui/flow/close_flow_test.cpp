@@ -1,0 +1,68 @@
+#include <program/network_options.h>
+#include <tendon/base/path.h>
+#include <tendon/middleware/handshake/openings.h>
+#include <tendon/middleware/middleware.h>
+
+#include <csignal>
+#include <fstream>
+#include <sstream>
+
+#include "flow/flow_fixture.h"
+
+namespace tendon::gui {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// A window that is closed in the middle of things.
+class CloseFlow : public FlowFixture {
+ protected:
+  /// Connections of this machine to that port, as its opener sees them.
+  [[nodiscard]] static int ConnectionsTo(const std::string& address) {
+    const auto place = ParseAddress(address, 1);
+    if (!place) return -1;
+    std::ostringstream wanted;
+    wanted << std::hex << std::uppercase << place->port;
+    int found = 0;
+    std::ifstream all("/proc/net/tcp");
+    for (std::string line; std::getline(all, line);) {
+      std::istringstream words(line);
+      std::string number, local, remote, state;
+      words >> number >> local >> remote >> state;
+      const std::string port = remote.substr(std::min(remote.find(':') + 1, remote.size()));
+      if (port == wanted.str() && state == "01") ++found;
+    }
+    return found;
+  }
+};
+
+TEST_F(CloseFlow, AProcessThatHangsKeepsNoWindowThatIsClosed) {
+  constexpr auto kGoal = 500ms;
+  const ProcessDescription robot =
+      session_->store().catalogue().FindProcess("robot")->process;  // as it was before it stopped
+  // Patient beyond any test: who waits for the handshake is seen to.
+  auto session = std::make_unique<Session>(*program::MakeMiddleware({}), address_, false,
+                                           Role::kOperator, 10min);
+  ASSERT_TRUE(Eventually([&] { return session->link().state() == GcmLink::State::kConnected; }));
+  robot_->Signal(SIGSTOP);
+  const int before = ConnectionsTo(robot.address);
+  ASSERT_GE(before, 0);
+
+  session->readValue("robot/arm/Control.GetJoints", [](const auto&) {});
+  session->liveSignals().subscribe("robot/arm/state.Joints.position[0]");
+  ASSERT_TRUE(Eventually([&] { return ConnectionsTo(robot.address) > before + 1; }))
+      << before << " before, now " << ConnectionsTo(robot.address);
+  const NoMoreOpening end;  // as the program does behind its window
+  const auto since = std::chrono::steady_clock::now();
+  session.reset();
+
+  const auto took = std::chrono::steady_clock::now() - since;
+  const auto milliseconds = std::chrono::duration_cast<std::chrono::milliseconds>(took).count();
+  RecordProperty("milliseconds", static_cast<int>(milliseconds));
+  std::cout << "closed after " << milliseconds << " ms\n";
+  EXPECT_LT(took, 10 * kGoal);
+  robot_->Signal(SIGCONT);
+}
+
+}  // namespace
+}  // namespace tendon::gui
