@@ -26,15 +26,15 @@ CandidatesModel::Row CandidatesModel::rowOf(const Candidate& candidate) {
   row.fits = candidate.fits();
   row.stale = candidate.gone || !row.fits;
   if (candidate.number > 0) row.digit = QString::number(candidate.number);
-  row.trail = QStringLiteral("%1 of %2")
+  row.trail = Words::tr("%1 of %2")
                   .arg(candidate.compatibility.matched)
                   .arg(candidate.compatibility.needed);
   row.tip =
       row.name + Words::tr("\nHas %1 of the commands and events that are needed.").arg(row.trail);
   if (candidate.gone) {
-    row.trail = QStringLiteral("lost");
+    row.trail = WordOf(StateMark::kLost);
   } else if (candidate.present) {
-    row.trail = QStringLiteral("connected");
+    row.trail = WordOf(StateMark::kConnected);
     row.mark = StateMark::kConnected;
   } else if (candidate.former) {
     row.trail = Words::tr("replaces %1").arg(ToQString(candidate.former->component));
@@ -143,7 +143,7 @@ QVariant CandidatesModel::data(const QModelIndex& index, int role) const {
     case kStaleRole:
       return row.stale;
     case Qt::AccessibleTextRole:
-      return QStringList{row.name, row.trail, row.fits ? QStringLiteral("fits") : QString()}
+      return QStringList{row.name, row.trail, row.fits ? Words::tr("fits") : QString()}
           .join(' ')
           .simplified();
     default:

@@ -3,6 +3,7 @@
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/theme/head_row.h>
 #include <gcm_gui/theme/metrics.h>
+#include <gcm_gui/theme/state_mark.h>
 #include <gcm_gui/theme/theme.h>
 #include <tendon/gcm/wiring/matching.h>
 
@@ -94,7 +95,8 @@ void MatchCard::addRow(const InterfaceName& required) {
   };
   if (const auto* connection = store_.catalogue().FindConnection(required)) {
     box->setEnabled(false);
-    return say(QStringLiteral("→ ") + PathText(connection->provided), QStringLiteral("connected"));
+    return say(QStringLiteral("→ ") + PathText(connection->provided),
+               WordOf(StateMark::kConnected));
   }
   const auto matches = MatchInterfaces(store_.catalogue(), {ToString(required), "**"});
   if (!matches || matches->empty() || matches->front().provided.empty()) {

@@ -45,10 +45,6 @@ bool HasCycle(const ComponentDescription& component) {
   });
 }
 
-QString ProcessWord(ProcessState state) {
-  return state == ProcessState::kSuspect ? Words::tr("no answer") : ToQString(ToString(state));
-}
-
 }  // namespace
 
 Inspector::Inspector(const CatalogueStore& store, Selection& selection, SignalSource& source,
@@ -284,7 +280,7 @@ void Inspector::showProcessFacts() {
       store_.catalogue().FindProcess(selection_.current().section('/', 0, 0).toStdString());
   if (entry == nullptr) return;
   const ProcessDescription& process = entry->process;
-  QString since = ProcessWord(process.state) + Words::tr(" since");
+  QString since = WordOf(process.state) + Words::tr(" since");
   since[0] = since[0].toUpper();
   QList<Fact> facts{{Words::tr("Host"), ToQString(process.host)},
                     {Words::tr("Process id"), QString::number(process.pid)},
@@ -302,7 +298,7 @@ void Inspector::showProcess(const ProcessEntry& entry) {
   const ProcessDescription& process = entry.process;
   name_->setText(ToQString(process.name));
   state_->setVisible(true);
-  state_->show(MarkOf(process.state), ProcessWord(process.state));
+  state_->show(MarkOf(process.state), WordOf(process.state));
   process_->clear();
   health_.show(process.name, {});
   events_->show({});

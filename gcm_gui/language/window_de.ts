@@ -2609,6 +2609,315 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <source>There is no GCM; it is looked for each second</source>
         <translation>Es ist kein GCM da; er wird jede Sekunde gesucht</translation>
     </message>
+    <message>
+        <source>State / value</source>
+        <translation>Zustand / Wert</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Rate</translation>
+    </message>
+    <message>
+        <source>Age</source>
+        <translation>Alter</translation>
+    </message>
+    <message>
+        <source>Connected to</source>
+        <translation>Verbunden mit</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Rows a second that arrive here; – where nothing is listened to</source>
+        <translation>Zeilen je Sekunde, die hier ankommen; – wo nichts empfangen wird</translation>
+    </message>
+    <message>
+        <source>Of a value: since its newest row was written. Of a process: since it came into its state. – where it is not known</source>
+        <translation>Bei einem Wert: seit seine neueste Zeile geschrieben wurde. Bei einem Prozess: seit er in seinem Zustand ist. – wo es nicht bekannt ist</translation>
+    </message>
+    <message>
+        <source>The interfaces, or of a component the components, at the other end</source>
+        <translation>Die Schnittstellen, bei einer Komponente die Komponenten, am anderen Ende</translation>
+    </message>
+    <message>
+        <source>Columns of the catalogue</source>
+        <translation>Spalten des Katalogs</translation>
+    </message>
+    <message>
+        <source>Column: state and value</source>
+        <translation>Spalte: Zustand und Wert</translation>
+    </message>
+    <message>
+        <source>Column: rate</source>
+        <translation>Spalte: Rate</translation>
+    </message>
+    <message>
+        <source>Column: age</source>
+        <translation>Spalte: Alter</translation>
+    </message>
+    <message>
+        <source>Column: connected to</source>
+        <translation>Spalte: verbunden mit</translation>
+    </message>
+    <message>
+        <source>A scale of 0 would make a flat line of it: take another</source>
+        <translation>Ein Faktor von 0 machte eine flache Linie daraus: einen anderen nehmen</translation>
+    </message>
+    <message>
+        <source>The scale must lie between %1 and %2, with either sign</source>
+        <translation>Der Faktor muss zwischen %1 und %2 liegen, mit beliebigem Vorzeichen</translation>
+    </message>
+    <message>
+        <source>The offset must lie between -%1 and %1</source>
+        <translation>Der Versatz muss zwischen -%1 und %1 liegen</translation>
+    </message>
+    <message>
+        <source>The name of an axis has at most %1 letters</source>
+        <translation>Der Name einer Achse hat höchstens %1 Zeichen</translation>
+    </message>
+    <message>
+        <source>The name of an axis is one line of letters</source>
+        <translation>Der Name einer Achse ist eine Zeile aus Zeichen</translation>
+    </message>
+    <message>
+        <source>Show it so</source>
+        <translation>So zeigen</translation>
+    </message>
+    <message>
+        <source>Scale, offset and axis of </source>
+        <translation>Faktor, Versatz und Achse von </translation>
+    </message>
+    <message>
+        <source>Curves with the same axis share it; a name of your own makes one</source>
+        <translation>Kurven mit derselben Achse teilen sie; ein eigener Name macht eine neue</translation>
+    </message>
+    <message>
+        <source>As it comes</source>
+        <translation>Wie empfangen</translation>
+    </message>
+    <message>
+        <source>Neither scaled nor moved, on the axis of its unit</source>
+        <translation>Weder skaliert noch verschoben, auf der Achse ihrer Einheit</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Faktor</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Versatz</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>That of its unit</source>
+        <translation>Die ihrer Einheit</translation>
+    </message>
+    <message>
+        <source>The scale “%1” is no number</source>
+        <translation>Der Faktor „%1“ ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>The offset “%1” is no number</source>
+        <translation>Der Versatz „%1“ ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>Shown: value %1</source>
+        <translation>Gezeigt: Wert %1</translation>
+    </message>
+    <message>
+        <source>Shown as it comes</source>
+        <translation>Wird wie empfangen gezeigt</translation>
+    </message>
+    <message>
+        <source>; values as they came, not scaled</source>
+        <translation>; Werte wie empfangen, nicht skaliert</translation>
+    </message>
+    <message>
+        <source>Scale, offset and axis…</source>
+        <translation>Faktor, Versatz und Achse…</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>Ausblenden</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Show another signal…</source>
+        <translation>Anderes Signal zeigen…</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>a curve has no path</source>
+        <translation>eine Kurve hat keinen Pfad</translation>
+    </message>
+    <message>
+        <source>scale and offset of %1 must be numbers</source>
+        <translation>Faktor und Versatz von %1 müssen Zahlen sein</translation>
+    </message>
+    <message>
+        <source>it has no curves</source>
+        <translation>er hat keine Kurven</translation>
+    </message>
+    <message>
+        <source>it looks back no time there is</source>
+        <translation>er zeigt keine mögliche Zeitspanne</translation>
+    </message>
+    <message>
+        <source>plot %1: </source>
+        <translation>Plot %1: </translation>
+    </message>
+    <message>
+        <source>not JSON: %1</source>
+        <translation>kein JSON: %1</translation>
+    </message>
+    <message>
+        <source>version %1 of plot layouts is not known here; this is version %2</source>
+        <translation>Version %1 von Plot-Layouts ist hier nicht bekannt; dies ist Version %2</translation>
+    </message>
+    <message>
+        <source>there is no plot in it</source>
+        <translation>es ist kein Plot darin</translation>
+    </message>
+    <message>
+        <source>constructed</source>
+        <translation>gebaut</translation>
+    </message>
+    <message>
+        <source>ready</source>
+        <translation>bereit</translation>
+    </message>
+    <message>
+        <source>active</source>
+        <translation>aktiv</translation>
+    </message>
+    <message>
+        <source>suspended</source>
+        <translation>angehalten</translation>
+    </message>
+    <message>
+        <source>finished</source>
+        <translation>beendet</translation>
+    </message>
+    <message>
+        <source>faulted</source>
+        <translation>gestört</translation>
+    </message>
+    <message>
+        <source>connected</source>
+        <translation>verbunden</translation>
+    </message>
+    <message>
+        <source>pending</source>
+        <translation>ausstehend</translation>
+    </message>
+    <message>
+        <source>not connected</source>
+        <translation>nicht verbunden</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>abgelehnt</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>verloren</translation>
+    </message>
+    <message>
+        <source>alive</source>
+        <translation>am Leben</translation>
+    </message>
+    <message>
+        <source>starting</source>
+        <translation>startet</translation>
+    </message>
+    <message>
+        <source>%1 is %2</source>
+        <translation>%1 ist %2</translation>
+    </message>
+    <message>
+        <source>fits</source>
+        <translation>passt</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>jetzt</translation>
+    </message>
+    <message>
+        <source>restarted</source>
+        <translation>neu gestartet</translation>
+    </message>
+    <message>
+        <source>remap…</source>
+        <translation>ersetzen…</translation>
+    </message>
+    <message>
+        <source>same</source>
+        <translation>gleich</translation>
+    </message>
+    <message>
+        <source>offered</source>
+        <translation>angeboten</translation>
+    </message>
+    <message>
+        <source>optional, not offered</source>
+        <translation>optional, nicht angeboten</translation>
+    </message>
+    <message>
+        <source>not needed</source>
+        <translation>nicht benötigt</translation>
+    </message>
+    <message>
+        <source>Ctrl+Z once more within %1 s takes back &apos;%2&apos;, by %3 %4 ago</source>
+        <translation>Strg+Z noch einmal innerhalb von %1 s nimmt „%2“ zurück, von %3 vor %4</translation>
+    </message>
+    <message>
+        <source>; taking it back can set something in motion</source>
+        <translation>; es zurückzunehmen kann etwas in Bewegung setzen</translation>
+    </message>
+    <message>
+        <source>there is nothing to undo</source>
+        <translation>es gibt nichts rückgängig zu machen</translation>
+    </message>
+    <message>
+        <source>process &apos;%1&apos; is lost%2; whether the command was executed, or still will be, is unknown</source>
+        <translation>Prozess „%1“ ist verloren%2; ob der Befehl ausgeführt wurde oder noch wird, ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>this window only looks: it was started with --read-only</source>
+        <translation>dieses Fenster schaut nur: es wurde mit --read-only gestartet</translation>
+    </message>
+    <message>
+        <source>%1 as %2 says now</source>
+        <translation>%1 wie %2 jetzt sagt</translation>
+    </message>
+    <message>
+        <source>Not the present values: %1 does not say them</source>
+        <translation>Nicht die jetzigen Werte: %1 nennt sie nicht</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <comment>of a process</comment>
+        <translation>gegangen</translation>
+    </message>
 </context>
 <context>
     <name>tendon::gui::Words::Words</name>

@@ -2609,6 +2609,315 @@ Possède %1 des commandes et événements requis.</translation>
         <source>There is no GCM; it is looked for each second</source>
         <translation>Il n’y a pas de GCM ; il est cherché chaque seconde</translation>
     </message>
+    <message>
+        <source>State / value</source>
+        <translation>État / valeur</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Fréquence</translation>
+    </message>
+    <message>
+        <source>Age</source>
+        <translation>Âge</translation>
+    </message>
+    <message>
+        <source>Connected to</source>
+        <translation>Connecté à</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>rien</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>inconnu</translation>
+    </message>
+    <message>
+        <source>Rows a second that arrive here; – where nothing is listened to</source>
+        <translation>Lignes par seconde qui arrivent ici ; – là où rien n&apos;est écouté</translation>
+    </message>
+    <message>
+        <source>Of a value: since its newest row was written. Of a process: since it came into its state. – where it is not known</source>
+        <translation>D&apos;une valeur : depuis l&apos;écriture de sa dernière ligne. D&apos;un processus : depuis qu&apos;il est dans son état. – là où ce n&apos;est pas connu</translation>
+    </message>
+    <message>
+        <source>The interfaces, or of a component the components, at the other end</source>
+        <translation>Les interfaces, ou pour un composant les composants, à l&apos;autre bout</translation>
+    </message>
+    <message>
+        <source>Columns of the catalogue</source>
+        <translation>Colonnes du catalogue</translation>
+    </message>
+    <message>
+        <source>Column: state and value</source>
+        <translation>Colonne : état et valeur</translation>
+    </message>
+    <message>
+        <source>Column: rate</source>
+        <translation>Colonne : fréquence</translation>
+    </message>
+    <message>
+        <source>Column: age</source>
+        <translation>Colonne : âge</translation>
+    </message>
+    <message>
+        <source>Column: connected to</source>
+        <translation>Colonne : connecté à</translation>
+    </message>
+    <message>
+        <source>A scale of 0 would make a flat line of it: take another</source>
+        <translation>Une échelle de 0 en ferait une ligne plate : en prendre une autre</translation>
+    </message>
+    <message>
+        <source>The scale must lie between %1 and %2, with either sign</source>
+        <translation>L&apos;échelle doit être entre %1 et %2, quel que soit le signe</translation>
+    </message>
+    <message>
+        <source>The offset must lie between -%1 and %1</source>
+        <translation>Le décalage doit être entre -%1 et %1</translation>
+    </message>
+    <message>
+        <source>The name of an axis has at most %1 letters</source>
+        <translation>Le nom d&apos;un axe a au plus %1 lettres</translation>
+    </message>
+    <message>
+        <source>The name of an axis is one line of letters</source>
+        <translation>Le nom d&apos;un axe est une ligne de lettres</translation>
+    </message>
+    <message>
+        <source>Show it so</source>
+        <translation>Afficher ainsi</translation>
+    </message>
+    <message>
+        <source>Scale, offset and axis of </source>
+        <translation>Échelle, décalage et axe de </translation>
+    </message>
+    <message>
+        <source>Curves with the same axis share it; a name of your own makes one</source>
+        <translation>Les courbes de même axe le partagent ; un nom à vous en crée un</translation>
+    </message>
+    <message>
+        <source>As it comes</source>
+        <translation>Telle quelle</translation>
+    </message>
+    <message>
+        <source>Neither scaled nor moved, on the axis of its unit</source>
+        <translation>Ni mise à l&apos;échelle ni décalée, sur l&apos;axe de son unité</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Échelle</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Décalage</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Axe</translation>
+    </message>
+    <message>
+        <source>That of its unit</source>
+        <translation>Celui de son unité</translation>
+    </message>
+    <message>
+        <source>The scale “%1” is no number</source>
+        <translation>L&apos;échelle « %1 » n&apos;est pas un nombre</translation>
+    </message>
+    <message>
+        <source>The offset “%1” is no number</source>
+        <translation>Le décalage « %1 » n&apos;est pas un nombre</translation>
+    </message>
+    <message>
+        <source>Shown: value %1</source>
+        <translation>Affiché : valeur %1</translation>
+    </message>
+    <message>
+        <source>Shown as it comes</source>
+        <translation>Affichée telle quelle</translation>
+    </message>
+    <message>
+        <source>; values as they came, not scaled</source>
+        <translation>; valeurs telles quelles, sans échelle</translation>
+    </message>
+    <message>
+        <source>Scale, offset and axis…</source>
+        <translation>Échelle, décalage et axe…</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>Masquer</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Afficher</translation>
+    </message>
+    <message>
+        <source>Show another signal…</source>
+        <translation>Afficher un autre signal…</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Retirer</translation>
+    </message>
+    <message>
+        <source>a curve has no path</source>
+        <translation>une courbe n&apos;a pas de chemin</translation>
+    </message>
+    <message>
+        <source>scale and offset of %1 must be numbers</source>
+        <translation>l&apos;échelle et le décalage de %1 doivent être des nombres</translation>
+    </message>
+    <message>
+        <source>it has no curves</source>
+        <translation>il n&apos;a pas de courbes</translation>
+    </message>
+    <message>
+        <source>it looks back no time there is</source>
+        <translation>il ne montre aucune durée possible</translation>
+    </message>
+    <message>
+        <source>plot %1: </source>
+        <translation>tracé %1 : </translation>
+    </message>
+    <message>
+        <source>not JSON: %1</source>
+        <translation>pas du JSON : %1</translation>
+    </message>
+    <message>
+        <source>version %1 of plot layouts is not known here; this is version %2</source>
+        <translation>la version %1 des dispositions est inconnue ici ; celle-ci est la version %2</translation>
+    </message>
+    <message>
+        <source>there is no plot in it</source>
+        <translation>il n&apos;y a aucun tracé dedans</translation>
+    </message>
+    <message>
+        <source>constructed</source>
+        <translation>construit</translation>
+    </message>
+    <message>
+        <source>ready</source>
+        <translation>prêt</translation>
+    </message>
+    <message>
+        <source>active</source>
+        <translation>actif</translation>
+    </message>
+    <message>
+        <source>suspended</source>
+        <translation>suspendu</translation>
+    </message>
+    <message>
+        <source>finished</source>
+        <translation>terminé</translation>
+    </message>
+    <message>
+        <source>faulted</source>
+        <translation>en défaut</translation>
+    </message>
+    <message>
+        <source>connected</source>
+        <translation>connecté</translation>
+    </message>
+    <message>
+        <source>pending</source>
+        <translation>en attente</translation>
+    </message>
+    <message>
+        <source>not connected</source>
+        <translation>non connecté</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>refusé</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>avertissement</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>perdu</translation>
+    </message>
+    <message>
+        <source>alive</source>
+        <translation>en vie</translation>
+    </message>
+    <message>
+        <source>starting</source>
+        <translation>démarre</translation>
+    </message>
+    <message>
+        <source>%1 is %2</source>
+        <translation>%1 est %2</translation>
+    </message>
+    <message>
+        <source>fits</source>
+        <translation>convient</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>maint.</translation>
+    </message>
+    <message>
+        <source>restarted</source>
+        <translation>redémarré</translation>
+    </message>
+    <message>
+        <source>remap…</source>
+        <translation>remplacer…</translation>
+    </message>
+    <message>
+        <source>same</source>
+        <translation>identique</translation>
+    </message>
+    <message>
+        <source>offered</source>
+        <translation>fourni</translation>
+    </message>
+    <message>
+        <source>optional, not offered</source>
+        <translation>facultatif, non fourni</translation>
+    </message>
+    <message>
+        <source>not needed</source>
+        <translation>non requis</translation>
+    </message>
+    <message>
+        <source>Ctrl+Z once more within %1 s takes back &apos;%2&apos;, by %3 %4 ago</source>
+        <translation>Ctrl+Z encore une fois en %1 s annule « %2 », par %3 il y a %4</translation>
+    </message>
+    <message>
+        <source>; taking it back can set something in motion</source>
+        <translation>; l&apos;annuler peut mettre quelque chose en mouvement</translation>
+    </message>
+    <message>
+        <source>there is nothing to undo</source>
+        <translation>il n&apos;y a rien à annuler</translation>
+    </message>
+    <message>
+        <source>process &apos;%1&apos; is lost%2; whether the command was executed, or still will be, is unknown</source>
+        <translation>le processus « %1 » est perdu%2 ; on ignore si la commande a été ou sera exécutée</translation>
+    </message>
+    <message>
+        <source>this window only looks: it was started with --read-only</source>
+        <translation>cette fenêtre ne fait que regarder : lancée avec --read-only</translation>
+    </message>
+    <message>
+        <source>%1 as %2 says now</source>
+        <translation>%1 comme %2 le dit à présent</translation>
+    </message>
+    <message>
+        <source>Not the present values: %1 does not say them</source>
+        <translation>Pas les valeurs actuelles : %1 ne les dit pas</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <comment>of a process</comment>
+        <translation>parti</translation>
+    </message>
 </context>
 <context>
     <name>tendon::gui::Words::Words</name>

@@ -1,3 +1,4 @@
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/state_of.h>
 
 namespace tendon::gui {
@@ -50,6 +51,22 @@ StateMark MarkOf(ConnectionState state) {
 
 StateMark MarkOf(const ConnectionDescription* connection) {
   return connection == nullptr ? StateMark::kNotConnected : MarkOf(connection->state);
+}
+
+QString WordOf(ProcessState state) {
+  switch (state) {
+    case ProcessState::kAlive:
+      return Words::tr("alive");
+    case ProcessState::kSuspect:
+      return Words::tr("no answer");
+    case ProcessState::kLost:
+      return WordOf(StateMark::kLost);
+    case ProcessState::kStarting:
+      return Words::tr("starting");
+    case ProcessState::kLeft:
+      break;
+  }
+  return Words::tr("left", "of a process");
 }
 
 bool IsGone(ProcessState state) {

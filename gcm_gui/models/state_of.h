@@ -4,6 +4,7 @@
 #include <tendon/gcm/catalog.h>
 
 #include <QMetaType>
+#include <QString>
 
 namespace tendon::gui {
 
@@ -12,6 +13,9 @@ namespace tendon::gui {
 [[nodiscard]] StateMark MarkOf(ConnectionState state);
 /// Null: nothing is connected.
 [[nodiscard]] StateMark MarkOf(const ConnectionDescription* connection);
+
+/// "alive", "no answer", "lost", in the user's language.
+[[nodiscard]] QString WordOf(ProcessState state);
 
 /// Whether the process is gone, or only starting, so that what it had is shown grey.
 [[nodiscard]] bool IsGone(ProcessState state);

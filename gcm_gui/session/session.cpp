@@ -1,3 +1,4 @@
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/session/session.h>
 #include <tendon/gcm/lookup.h>
@@ -264,10 +265,12 @@ void Session::giveUpCalls() {
     if (entry == nullptr || entry->process.state != ProcessState::kLost) continue;
     const std::string reason =
         entry->process.reason.empty() ? "" : " (" + entry->process.reason + ")";
-    lost.emplace_back(id, Error{ErrorCode::kTimeout,
-                                "process '" + call.process + "' is lost" + reason +
-                                    "; whether the command was executed, or still will be, is "
-                                    "unknown"});
+    const QString sentence =
+        Words::tr(
+            "process '%1' is lost%2; whether the command was executed, or still will be, is "
+            "unknown")
+            .arg(ToQString(call.process), ToQString(reason));
+    lost.emplace_back(id, Error{ErrorCode::kTimeout, sentence.toStdString()});
   }
   for (const auto& [id, error] : lost) finishCall(id, error);
 }

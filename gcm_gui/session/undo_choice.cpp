@@ -1,3 +1,4 @@
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/session/undo_choice.h>
 #include <tendon/base/os/process.h>
@@ -17,11 +18,13 @@ bool IsBy(const std::string& who, const std::string& program) {
 }
 
 std::string Question(const message::HistoryEntry& step, std::int64_t wall_now) {
-  const std::string motion =
-      IsOfLife(step) ? "; taking it back can set something in motion" : std::string();
-  return "Ctrl+Z once more within " + std::to_string(UndoChoice::kPatience.count()) +
-         " s takes back '" + ToString(step) + "', by " + step.who + " " +
-         AgeText(wall_now - step.when).toStdString() + " ago" + motion;
+  const QString question =
+      Words::tr("Ctrl+Z once more within %1 s takes back '%2', by %3 %4 ago")
+          .arg(UndoChoice::kPatience.count())
+          .arg(ToQString(ToString(step)), ToQString(step.who), AgeText(wall_now - step.when));
+  const QString motion =
+      IsOfLife(step) ? Words::tr("; taking it back can set something in motion") : QString();
+  return (question + motion).toStdString();
 }
 
 }  // namespace
@@ -33,7 +36,8 @@ Result<std::uint64_t> UndoChoice::Choose(const message::History& history, Time n
   const auto& all = history.entries;
   const auto newest = std::find_if(
       all.rbegin(), all.rend(), [](const auto& step) { return !step.undone && !step.passed_over; });
-  if (newest == all.rend()) return Error{ErrorCode::kNotFound, "there is nothing to undo"};
+  if (newest == all.rend())
+    return Error{ErrorCode::kNotFound, Words::tr("there is nothing to undo").toStdString()};
   const bool is_answered = std::exchange(asked_, 0) == newest->id && now <= until_;
   if (is_answered || (IsBy(newest->who, me_) && !IsOfLife(*newest))) return newest->id;
   asked_ = newest->id;

@@ -1,3 +1,4 @@
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/theme/state_mark.h>
 #include <gcm_gui/theme/theme.h>
 
@@ -20,18 +21,18 @@ struct Look {
 
 // In the order of StateMark.
 constexpr std::array<Look, kStateMarkCount> kLooks{{
-    {"constructed", Shape::kRing, Token::kDim},
-    {"ready", Shape::kHalfDisc, Token::kDim},
-    {"active", Shape::kDisc, Token::kOk},
-    {"suspended", Shape::kBars, Token::kWarning},
-    {"finished", Shape::kSquare, Token::kDim},
-    {"faulted", Shape::kCross, Token::kBad},
-    {"connected", Shape::kDisc, Token::kAccent},
-    {"pending", Shape::kDashedRing, Token::kAccent},
-    {"not connected", Shape::kRing, Token::kAccent},
-    {"refused", Shape::kCross, Token::kBad},
-    {"warning", Shape::kTriangle, Token::kWarning},
-    {"lost", Shape::kCross, Token::kBad},
+    {QT_TRANSLATE_NOOP("Words", "constructed"), Shape::kRing, Token::kDim},
+    {QT_TRANSLATE_NOOP("Words", "ready"), Shape::kHalfDisc, Token::kDim},
+    {QT_TRANSLATE_NOOP("Words", "active"), Shape::kDisc, Token::kOk},
+    {QT_TRANSLATE_NOOP("Words", "suspended"), Shape::kBars, Token::kWarning},
+    {QT_TRANSLATE_NOOP("Words", "finished"), Shape::kSquare, Token::kDim},
+    {QT_TRANSLATE_NOOP("Words", "faulted"), Shape::kCross, Token::kBad},
+    {QT_TRANSLATE_NOOP("Words", "connected"), Shape::kDisc, Token::kAccent},
+    {QT_TRANSLATE_NOOP("Words", "pending"), Shape::kDashedRing, Token::kAccent},
+    {QT_TRANSLATE_NOOP("Words", "not connected"), Shape::kRing, Token::kAccent},
+    {QT_TRANSLATE_NOOP("Words", "refused"), Shape::kCross, Token::kBad},
+    {QT_TRANSLATE_NOOP("Words", "warning"), Shape::kTriangle, Token::kWarning},
+    {QT_TRANSLATE_NOOP("Words", "lost"), Shape::kCross, Token::kBad},
 }};
 
 const Look& LookOf(StateMark mark) { return kLooks.at(static_cast<std::size_t>(mark)); }
@@ -68,7 +69,9 @@ void PaintShape(QPainter& painter, Shape shape, const QColor& color) {
 
 }  // namespace
 
-QString WordOf(StateMark mark) { return QString::fromLatin1(LookOf(mark).word); }
+QString WordOf(StateMark mark) { return Words::tr(LookOf(mark).word); }
+
+QString KeyOf(StateMark mark) { return QString::fromLatin1(LookOf(mark).word); }
 
 Token ColorOf(StateMark mark) { return LookOf(mark).color; }
 

@@ -26,8 +26,10 @@ enum class StateMark {
 };
 inline constexpr int kStateMarkCount = 12;
 
-/// "active", "not connected": always shown or spoken beside the shape.
+/// "active", "not connected", in the user's language: always shown or spoken beside the shape.
 [[nodiscard]] QString WordOf(StateMark mark);
+/// The same as the console says it, for filters.
+[[nodiscard]] QString KeyOf(StateMark mark);
 
 [[nodiscard]] Token ColorOf(StateMark mark);
 

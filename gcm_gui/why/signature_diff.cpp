@@ -1,3 +1,4 @@
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/why/signature_diff.h>
 #include <tendon/base/name.h>
 
@@ -34,7 +35,8 @@ class Diff {
       SignatureRow row{Verdict::kSame, are_events, &member, Find(offered, member.name), {}};
       if (row.offered == nullptr) {
         row.verdict = member.optional ? Verdict::kWithout : Verdict::kMissing;
-        row.remark = (member.optional ? "optional, not offered" : "missing") +
+        row.remark = (member.optional ? Words::tr("optional, not offered") : Words::tr("missing"))
+                         .toStdString() +
                      DidYouMean(member.name, NamesBut(offered, needed));
       } else if (row.offered->signature != member.signature) {
         row.verdict = Verdict::kChanged;
@@ -47,7 +49,8 @@ class Diff {
   void AddUnneeded(const Members& needed, const Members& offered, bool are_events) {
     for (const auto& member : offered) {
       if (Find(needed, member.name) != nullptr) continue;
-      rows_.push_back({Verdict::kUnneeded, are_events, nullptr, &member, "not needed"});
+      rows_.push_back({Verdict::kUnneeded, are_events, nullptr, &member,
+                       Words::tr("not needed").toStdString()});
     }
   }
 

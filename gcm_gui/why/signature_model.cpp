@@ -29,7 +29,7 @@ StateMark MarkOf(Verdict verdict) {
 QString ShortRemark(const SignatureRow& row) {
   switch (row.verdict) {
     case Verdict::kSame:
-      return QStringLiteral("same");
+      return Words::tr("same");
     case Verdict::kChanged:
       return row.needed->signature.kind == row.offered->signature.kind ? Words::tr("other type")
                                                                        : Words::tr("other kind");
@@ -104,7 +104,7 @@ QVariant SignatureModel::data(const QModelIndex& index, int role) const {
     case kStaleRole:
       return row.verdict == Verdict::kUnneeded;
     case Qt::AccessibleTextRole:
-      return QStringList{row.needed.name,  row.needed.types,  QStringLiteral("offered"),
+      return QStringList{row.needed.name,  row.needed.types,  Words::tr("offered"),
                          row.offered.name, row.offered.types, row.remark,
                          row.tip}
           .join(' ')

@@ -51,8 +51,7 @@ void ProcessItem::setSelected(bool selected) {
 
 QString ProcessItem::title() const {
   if (state_ == ProcessState::kAlive) return name_;
-  const QString word = ToQString(ToString(state_));
-  const QString title = name_ + QStringLiteral(" · ") + word;
+  const QString title = name_ + QStringLiteral(" · ") + WordOf(state_);
   return IsGone(state_) ? title + ' ' + AgeText(now_ - since_) : title;
 }
 

@@ -1,3 +1,4 @@
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/axes/outer_labels.h>
 #include <gcm_gui/plot/canvas/axis_labels.h>
 #include <gcm_gui/plot/series/axis_range.h>
@@ -73,7 +74,7 @@ bool TimeLabels::setLive(bool live) {
 
 QString TimeLabels::textOf(double value) const {
   const double seconds = Cleaned(value, step());
-  if (seconds == 0) return live_ ? QStringLiteral("now") : QStringLiteral("0 s");
+  if (seconds == 0) return live_ ? Words::tr("now") : QStringLiteral("0 s");
   if (step() >= 3600) return QString::number(seconds / 3600, 'f', 0) + " h";
   if (step() >= 60) return QString::number(seconds / 60, 'f', 0) + " min";
   if (step() < 1e-3) {

@@ -20,7 +20,7 @@ constexpr double kSilentHatch = 0.3;
 constexpr double kLabelSpace = 8;
 
 QString TextOf(std::uint64_t lost) {
-  return lost > 0 ? QString::number(lost) + Words::tr(" lost") : QStringLiteral("restarted");
+  return lost > 0 ? QString::number(lost) + Words::tr(" lost") : Words::tr("restarted");
 }
 
 }  // namespace

@@ -177,9 +177,9 @@ void MarkBinding::compareComponent(const ProcessEntry& entry,
   const ComponentState former = std::exchange(known->second, component.state);
   if (is_new || former == component.state) return;
   const bool is_bad = component.state == ComponentState::kFaulted;
-  const QString state = ToQString(ToString(component.state));
+  const QString state = WordOf(MarkOf(component.state));
   const QString name = ToQString(component.name);
-  QString text = ToQString(entry.process.name) + '/' + name + " is " + state;
+  QString text = Words::tr("%1 is %2").arg(ToQString(entry.process.name) + '/' + name, state);
   if (is_bad) text += ": " + ToQString(component.fault);
   add(Mark::Kind::kState, name + ' ' + state, text, is_bad);
 }
