@@ -1,4 +1,5 @@
 #include <gcm_gui/call/call_panel.h>
+#include <gcm_gui/call/defaults/common_fields.h>
 #include <gcm_gui/call/hold_button.h>
 #include <gcm_gui/call/repeat/repeat_row.h>
 #include <gcm_gui/call/value_form.h>
@@ -198,12 +199,12 @@ void CallPanel::buildRepeat() {
 }
 
 void CallPanel::showCommand(const QString& path, const MemberDescription& command,
-                            const std::string& read) {
+                            const std::vector<MatchingRead>& reads) {
   if (path == path_ && command == command_) return;
   showNothing();
   path_ = path;
   command_ = command;
-  read_ = read;
+  reads_ = reads;
   repeat_->setCommand(path);
   takes_argument_ = TakesArgument(command.signature);
   head_->setTitle(Words::tr("Call ") + ToQString(command.name));
@@ -265,8 +266,9 @@ void CallPanel::showForm(const Schema& schema) {
   as_json_->setVisible(true);
   if (const auto last = last_arguments_.constFind(path_); last != last_arguments_.constEnd()) {
     form_->setJson(*last);
-  } else if (!read_.empty()) {
-    askForValue();
+  } else {
+    is_touched_ = false;
+    askForOffer(0);
   }
   connect(form_, &ValueForm::edited, this, [this] {
     is_touched_ = true;
@@ -274,23 +276,47 @@ void CallPanel::showForm(const Schema& schema) {
   });
 }
 
-void CallPanel::askForValue() {
-  is_touched_ = false;
-  const std::string interface = path_.section('.', 0, 0).toStdString();
-  calls_.readValue(interface + '.' + read_,
-                   [panel = QPointer(this), shown = shown_](const Result<std::string>& value) {
-                     const bool is_wanted = panel != nullptr && panel->shown_ == shown && value;
-                     if (is_wanted) panel->hearValue(*value);
-                   });
+void CallPanel::askForOffer(std::size_t read) {
+  if (read == reads_.size()) return;
+  if (reads_[read].is_whole) return askForValue(reads_[read].name, {});
+  calls_.findSchema(path_.section('/', 0, 0).toStdString(), reads_[read].type,
+                    [panel = QPointer(this), shown = shown_, read](const Result<Schema>& offered) {
+                      const bool is_wanted = panel != nullptr && panel->shown_ == shown;
+                      if (is_wanted) panel->hearOffer(read, offered);
+                    });
 }
 
-void CallPanel::hearValue(const std::string& value) {
+void CallPanel::hearOffer(std::size_t read, const Result<Schema>& offered) {
+  const auto fields = offered ? CommonFields(*schema_, *offered) : std::vector<std::string>();
+  fields.empty() ? askForOffer(read + 1) : askForValue(reads_[read].name, fields);
+}
+
+void CallPanel::askForValue(const std::string& read, const std::vector<std::string>& fields) {
+  const std::string interface = path_.section('.', 0, 0).toStdString();
+  calls_.readValue(interface + '.' + read, [panel = QPointer(this), shown = shown_, read,
+                                            fields](const Result<std::string>& value) {
+    const bool is_wanted = panel != nullptr && panel->shown_ == shown;
+    if (is_wanted) panel->hearValue(read, fields, value);
+  });
+}
+
+/// Of no fields: all of it.
+void CallPanel::hearValue(const std::string& read, const std::vector<std::string>& fields,
+                          const Result<std::string>& value) {
   if (is_touched_ || as_json_->isChecked() || under_way_) return;
-  form_->setJson(value);
-  check();
-  if (call_->isEnabled()) {
-    tell(Words::tr("As %1 says now").arg(ToQString(read_)), QStringLiteral("dim"));
+  if (!value) {
+    return tell(Words::tr("Not the present values: %1 does not say them").arg(ToQString(read)),
+                QStringLiteral("warning"));
   }
+  form_->setJson(fields.empty() ? *value : WithFieldsOf(form_->json(), *value, fields));
+  check();
+  if (!call_->isEnabled()) return;
+  QStringList names;
+  for (const std::string& field : fields) names << ToQString(field);
+  tell(names.isEmpty()
+           ? Words::tr("As %1 says now").arg(ToQString(read))
+           : Words::tr("%1 as %2 says now").arg(names.join(QStringLiteral(", ")), ToQString(read)),
+       QStringLiteral("dim"));
 }
 
 void CallPanel::showAsJson(bool as_json) {

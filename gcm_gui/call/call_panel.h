@@ -1,5 +1,6 @@
 #pragma once
 
+#include <gcm_gui/call/defaults/matching_read.h>
 #include <gcm_gui/session/command_calls.h>
 #include <tendon/interface/description.h>
 
@@ -7,9 +8,11 @@
 #include <QString>
 #include <QTimer>
 #include <QWidget>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 class QLabel;
 class QPlainTextEdit;
@@ -27,17 +30,18 @@ class ValueForm;
 
 /// Calls one command: a form for its argument, or JSON, and below it what came of the call. What
 /// was last said to a command stands there again when it is shown the next time; before that, what
-/// the matching read command says. Hidden while it has no command.
+/// a matching read command says, or as many fields of it as are the same. Hidden while it has no
+/// command.
 class CallPanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit CallPanel(CommandCalls& calls, QWidget* parent = nullptr);
 
-  /// "robot/arm/Control.SetGains". The same command again changes nothing. `read` is the command
-  /// that says what this would set, "GetGains"; empty where there is none.
+  /// "robot/arm/Control.SetGains". The same command again changes nothing. `reads` may say
+  /// what this would set, the likeliest first.
   void showCommand(const QString& path, const MemberDescription& command,
-                   const std::string& read = {});
+                   const std::vector<MatchingRead>& reads = {});
   void showNothing();
   /// Where its first value is entered, or what calls it.
   void focusFirst();
@@ -64,8 +68,12 @@ class CallPanel : public QWidget {
   void hearSchema(const Result<Schema>& schema);
   void hearAnswer(const Result<std::string>& answer, double seconds);
   void showForm(const Schema& schema);
-  void askForValue();
-  void hearValue(const std::string& value);
+  // From that read command on: which fields it has, what it says of them, or of all.
+  void askForOffer(std::size_t read);
+  void hearOffer(std::size_t read, const Result<Schema>& offered);
+  void askForValue(const std::string& read, const std::vector<std::string>& fields);
+  void hearValue(const std::string& read, const std::vector<std::string>& fields,
+                 const Result<std::string>& value);
   void showAsJson(bool as_json);
   /// What would be said now; empty for a command without an argument.
   [[nodiscard]] std::string argument() const;
@@ -77,7 +85,7 @@ class CallPanel : public QWidget {
   CommandCalls& calls_;
   QString path_;
   MemberDescription command_;
-  std::string read_;
+  std::vector<MatchingRead> reads_;
   bool is_touched_ = false;       // its form, by a person
   std::optional<Schema> schema_;  // of the argument
   bool takes_argument_ = false;

@@ -1,6 +1,6 @@
 #include <gcm_gui/call/call_panel.h>
 #include <gcm_gui/call/careful.h>
-#include <gcm_gui/call/matching_read.h>
+#include <gcm_gui/call/defaults/matching_read.h>
 #include <gcm_gui/inspector/event_list.h>
 #include <gcm_gui/inspector/inspector.h>
 #include <gcm_gui/inspector/thread_facts.h>
@@ -341,7 +341,7 @@ void Inspector::showCall(const ProcessEntry& entry, const ComponentDescription& 
   const auto command = std::find_if(provided->commands.begin(), provided->commands.end(),
                                     [&](const auto& one) { return one.name == path->member; });
   if (command == provided->commands.end()) return call_->showNothing();
-  call_->showCommand(selection_.current(), *command, MatchingRead(*provided, *command));
+  call_->showCommand(selection_.current(), *command, MatchingReads(*provided, *command));
   call_->setCareful(NeedsCare(*command, component.state));
   call_->setUnavailable(IsGone(entry.process.state)
                             ? ToQString(entry.process.name) + Words::tr(" does not answer")

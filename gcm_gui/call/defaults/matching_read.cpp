@@ -1,7 +1,8 @@
-#include <gcm_gui/call/matching_read.h>
+#include <gcm_gui/call/defaults/matching_read.h>
 #include <tendon/gcm/lookup.h>
 
-#include <vector>
+#include <algorithm>
+#include <string_view>
 
 namespace tendon::gui {
 namespace {
@@ -12,20 +13,40 @@ std::string_view Subject(std::string_view name) {
   return has_verb ? name.substr(3) : name;
 }
 
-}  // namespace
+bool IsStructure(const std::string& type) { return type.find('.') != std::string::npos; }
 
-std::string MatchingRead(const ProvidedDescription& of, const MemberDescription& command) {
-  if (!TakesArgument(command.signature)) return {};
+/// Empty where there is none.
+std::string WholeRead(const ProvidedDescription& of, const MemberDescription& command) {
   std::string found;
   for (const MemberDescription& one : of.commands) {
     const bool fits =
         one.signature.kind == CommandKind::kRead && one.signature.out == command.signature.in;
     if (!fits) continue;
     if (Subject(one.name) == Subject(command.name)) return one.name;
-    const bool is_structure = command.in_type.find('.') != std::string::npos;
-    if (found.empty() && is_structure) found = one.name;  // any number is like any other
+    // Any number is like any other.
+    if (found.empty() && IsStructure(command.in_type)) found = one.name;
   }
   return found;
+}
+
+}  // namespace
+
+std::vector<MatchingRead> MatchingReads(const ProvidedDescription& of,
+                                        const MemberDescription& command) {
+  if (!TakesArgument(command.signature)) return {};
+  std::vector<MatchingRead> reads;
+  if (std::string whole = WholeRead(of, command); !whole.empty()) {
+    reads.push_back({.name = std::move(whole), .type = command.signature.in});
+  }
+  if (!IsStructure(command.in_type)) return reads;
+  for (const MemberDescription& one : of.commands) {
+    const bool may_have_some = one.signature.kind == CommandKind::kRead &&
+                               one.signature.out != command.signature.in &&
+                               IsStructure(one.out_type);
+    if (!may_have_some) continue;
+    reads.push_back({.name = one.name, .type = one.signature.out, .is_whole = false});
+  }
+  return reads;
 }
 
 }  // namespace tendon::gui

@@ -1,5 +1,5 @@
 #include <gcm_gui/call/call_panel.h>
-#include <gcm_gui/call/matching_read.h>
+#include <gcm_gui/call/defaults/matching_read.h>
 #include <gtest/gtest.h>
 
 #include <QClipboard>
@@ -78,7 +78,7 @@ TEST_F(CallPanelTest, SaysWhatIsEntered) {
 }
 
 TEST_F(CallPanelTest, ItBeginsWithWhatTheMatchingReadSays) {
-  panel_.showCommand(kMove, CommandOf("Move", CommandKind::kWrite), "Get");
+  panel_.showCommand(kMove, CommandOf("Move", CommandKind::kWrite), {{.name = "Get"}});
   panel_.show();
   ASSERT_EQ(calls_.read, QStringList{kGet});
 
@@ -91,7 +91,7 @@ TEST_F(CallPanelTest, ItBeginsWithWhatTheMatchingReadSays) {
 }
 
 TEST_F(CallPanelTest, WhatIsEnteredIsNotOverwrittenByALateRead) {
-  panel_.showCommand(kMove, CommandOf("Move", CommandKind::kWrite), "Get");
+  panel_.showCommand(kMove, CommandOf("Move", CommandKind::kWrite), {{.name = "Get"}});
   panel_.show();
   Enter("to", "0.5");
 
@@ -103,7 +103,7 @@ TEST_F(CallPanelTest, WhatIsEnteredIsNotOverwrittenByALateRead) {
 
 TEST_F(CallPanelTest, NothingChangesUnderAHandThatPresses) {
   panel_.setCareful(true);
-  panel_.showCommand(kMove, CommandOf("Move", CommandKind::kWrite), "Get");
+  panel_.showCommand(kMove, CommandOf("Move", CommandKind::kWrite), {{.name = "Get"}});
   panel_.show();
   const auto* field = panel_.findChild<QLineEdit*>("form.to");
   const QString before = field->text();
@@ -113,24 +113,6 @@ TEST_F(CallPanelTest, NothingChangesUnderAHandThatPresses) {
 
   EXPECT_EQ(field->text(), before);
   QTest::mouseRelease(&Button(), Qt::LeftButton);
-}
-
-TEST(MatchingRead, AnswersTheTypeThatTheCommandTakesAndIsNamedLikewise) {
-  MemberDescription set = CommandOf("SetGains", CommandKind::kWrite);
-  MemberDescription other = CommandOf("GetDefaults", CommandKind::kRead);
-  MemberDescription get = CommandOf("GetGains", CommandKind::kRead);
-  MemberDescription load = CommandOf("GetLoad", CommandKind::kRead);
-  set.signature.in = FingerprintOf<double>();
-  for (MemberDescription* read : {&other, &get}) read->signature.out = set.signature.in;
-  load.signature.out = FingerprintOf<std::int32_t>();
-
-  EXPECT_EQ(MatchingRead({.name = "Control", .commands = {load, other, get, set}}, set),
-            "GetGains");
-  EXPECT_EQ(MatchingRead({.name = "Control", .commands = {load, other, set}}, set), "");
-  set.in_type = "arm.Gains";
-  EXPECT_EQ(MatchingRead({.name = "Control", .commands = {load, other, set}}, set), "GetDefaults");
-  EXPECT_EQ(MatchingRead({.name = "Control", .commands = {load, set}}, set), "");
-  EXPECT_EQ(MatchingRead({.name = "Control", .commands = {load, set}}, load), "");
 }
 
 TEST_F(CallPanelTest, TheAnswerIsShownAFieldALine) {

@@ -80,10 +80,11 @@ void ScriptedReports::sendLog(LogLevel level, const std::string& source, const s
   Q_EMIT logArrived(batch);
 }
 
-void ScriptedCalls::findSchema(const std::string& /*process*/, Fingerprint /*type*/,
+void ScriptedCalls::findSchema(const std::string& /*process*/, Fingerprint type,
                                SchemaHandler handler) {
   ++asked_for_schema;
-  handler(schema);
+  const auto own = schemas.find(type);
+  handler(own == schemas.end() ? schema : Result<Schema>(own->second));
 }
 
 void ScriptedCalls::callCommand(const std::string& path, const std::string& argument,

@@ -42,6 +42,7 @@ class ScriptedCalls final : public CommandCalls {
   void readValue(const std::string& path, ValueHandler handler) override;
 
   Result<Schema> schema = Error{ErrorCode::kTimeout, "no answer"};
+  std::map<Fingerprint, Schema> schemas;  ///< of types that have another one
   int asked_for_schema = 0;
   QStringList calls;
   AnswerHandler answer;  ///< of the newest call
