@@ -24,6 +24,7 @@ namespace tendon::gui {
 namespace {
 
 constexpr std::array kCardWidths{320.0, 260.0, 210.0};
+constexpr std::size_t kMostGliding = 60;  // components
 constexpr qsizetype kReasonsAsked = 2;
 constexpr qsizetype kReasonsUnasked = 1;  // one that comes without being asked stays small
 
@@ -122,7 +123,7 @@ void GraphScene::showCatalogue(const Catalog& catalogue, const Touched& touched)
 void GraphScene::showArrangement(bool moved) {
   if (moved) {
     const Arrangement& to = layout_->arrangement();
-    const bool is_large = static_cast<std::size_t>(to.nodes.size()) > LayoutWorker::kMostAtOnce;
+    const bool is_large = static_cast<std::size_t>(to.nodes.size()) > kMostGliding;
     carried_.empty() && !is_large ? glide_->goTo(to) : glide_->putAt(to);
   }
   showItems(moved);

@@ -1,19 +1,8 @@
 #include <gcm_gui/graph/layout/layout_worker.h>
 
-#include <algorithm>
 #include <utility>
 
 namespace tendon::gui {
-namespace {
-
-bool IsSmall(const GraphPicture& picture) {
-  std::size_t components = 0;
-  for (const auto& process : picture.processes) components += process.nodes.size();
-  return std::max(components, picture.processes.size()) <= LayoutWorker::kMostAtOnce;
-}
-
-}  // namespace
-
 LayoutWorker::LayoutWorker(QObject* parent)
     : QObject(parent),
       layout_(std::make_shared<GraphLayout>()),
@@ -24,8 +13,6 @@ LayoutWorker::~LayoutWorker() { courier_->detach(); }
 void LayoutWorker::arrange(const GraphPicture& picture, const Places& places) {
   if (is_at_work_) {
     next_ = Order{picture, places};
-  } else if (IsSmall(picture)) {
-    doNow(picture, places);
   } else {
     doInThread({picture, places});
   }

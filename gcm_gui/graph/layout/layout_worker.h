@@ -7,30 +7,26 @@
 #include <QObject>
 #include <QPointF>
 #include <QString>
-#include <cstddef>
 #include <map>
 #include <memory>
 #include <optional>
 
 namespace tendon::gui {
 
-/// Lets a GraphLayout find places for a large system in a thread of its own. GUI thread.
+/// Lets a GraphLayout find places in a thread of its own. GUI thread.
 class LayoutWorker : public QObject {
   Q_OBJECT
 
  public:
   using Places = std::map<QString, QPointF>;
 
-  /// So many components are placed at once, which takes less than it does to tell the thread.
-  static constexpr std::size_t kMostAtOnce = 60;
-
   explicit LayoutWorker(QObject* parent = nullptr);
   LayoutWorker(const LayoutWorker&) = delete;
   LayoutWorker& operator=(const LayoutWorker&) = delete;
   ~LayoutWorker() override;
 
-  /// Finds places for all of it; `places` are those the user has chosen. arranged() tells when,
-  /// which may be during the call. Of what comes while the thread works the newest alone is done.
+  /// Finds places for all of it; `places` are those the user has chosen. arranged() tells when.
+  /// Of what comes while the thread works the newest alone is done.
   void arrange(const GraphPicture& picture, const Places& places);
   /// The same where only `places` differ from the last time, which takes no time.
   void move(const GraphPicture& picture, const Places& places);

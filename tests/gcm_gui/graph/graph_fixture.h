@@ -3,6 +3,7 @@
 #include <gcm_gui/graph/graph_view.h>
 #include <gtest/gtest.h>
 
+#include <QTest>
 #include <utility>
 
 #include "support/fakes.h"
@@ -10,12 +11,19 @@
 
 namespace tendon::gui {
 
+inline constexpr int kGraphPatience = 20'000;  // ms; bounds a test that fails
+
 /// The graph over a system that only exists on paper; it is empty until Show().
 class GraphFixture : public ::testing::Test {
  protected:
   explicit GraphFixture(SystemBuilder system) : system_(std::move(system)) {}
 
-  void Show() { store_.apply(system_.TakeChanges()); }
+  /// Until all of it has its place.
+  void Show() {
+    store_.apply(system_.TakeChanges());
+    EXPECT_TRUE(QTest::qWaitFor([this] { return !store_.isTelling() && !scene_.isArranging(); },
+                                kGraphPatience));
+  }
 
   SystemBuilder system_;
   CatalogueStore store_;

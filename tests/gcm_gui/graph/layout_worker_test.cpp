@@ -19,19 +19,13 @@ constexpr int kWorkerPatience = 20'000;  // ms
 
 GraphPicture LargePicture() { return PictureOf(LargeSystem(4, 50).catalog()); }
 
-TEST(LayoutWorker, WhatIsSmallIsPlacedAtOnce) {
-  LayoutWorker worker;
-  QSignalSpy arranged(&worker, &LayoutWorker::arranged);
+class LayoutInThread : public testing::TestWithParam<bool> {};
 
-  worker.arrange(PictureOf(LookSystem(0).catalog()), {});
+INSTANTIATE_TEST_SUITE_P(Sizes, LayoutInThread, testing::Bool(),
+                         [](const auto& instance) { return instance.param ? "Large" : "Small"; });
 
-  EXPECT_EQ(arranged.count(), 1);
-  EXPECT_FALSE(worker.isAtWork());
-  EXPECT_TRUE(worker.arrangement().nodes.contains("robot/arm"));
-}
-
-TEST(LayoutWorker, WhatIsLargeIsPlacedInItsThreadAndAsTheLayoutDoes) {
-  const GraphPicture picture = LargePicture();
+TEST_P(LayoutInThread, ThingsArePlacedAsTheLayoutDoes) {
+  const GraphPicture picture = GetParam() ? LargePicture() : PictureOf(LookSystem(0).catalog());
   GraphLayout layout;
   layout.update(picture);
   LayoutWorker worker;

@@ -1,5 +1,8 @@
 #include "window/window_fixture.h"
 
+#include <gcm_gui/graph/graph_scene.h>
+#include <gcm_gui/graph/graph_view.h>
+
 #include <QTest>
 
 namespace tendon::gui {
@@ -11,6 +14,12 @@ WindowFixture::WindowFixture(std::int64_t lost_since) : system_(LookSystem(lost_
   window_.show();
   window_.activateWindow();
   (void)QTest::qWaitForWindowActive(&window_, kPatience);
+}
+
+void WindowFixture::Show() {
+  store_.apply(system_.TakeChanges());
+  EXPECT_TRUE(QTest::qWaitFor(
+      [this] { return !store_.isTelling() && !window_.graph().graph().isArranging(); }, kPatience));
 }
 
 WindowParts WindowFixture::Parts() {

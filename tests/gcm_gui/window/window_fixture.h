@@ -21,7 +21,8 @@ class WindowFixture : public ::testing::Test {
   explicit WindowFixture(std::int64_t lost_since = 0);
 
   [[nodiscard]] WindowParts Parts();
-  void Show() { store_.apply(system_.TakeChanges()); }
+  /// Until all of it has its place in the graph.
+  void Show();
 
   SystemBuilder system_;
   CatalogueStore store_;
