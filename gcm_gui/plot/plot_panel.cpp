@@ -284,7 +284,10 @@ void PlotPanel::remap(const QString& given, const CurveKey& to) {
   if (from == to.path || to.path.isEmpty()) return;
   for (PlotView* view : plots()) {
     if (view->curve(from) == nullptr) continue;
+    const CurveLook look = view->curve(from)->look();
+    const bool is_new = view->curve(to.path) == nullptr;
     add(*view, to);
+    if (is_new) view->setLook(to.path, look);
     removeFrom(*view, from);
   }
 }

@@ -9,6 +9,7 @@
 #include <gcm_gui/plot/plot_navigator.h>
 #include <gcm_gui/plot/plot_overlay.h>
 #include <gcm_gui/plot/plot_view.h>
+#include <gcm_gui/plot/scaling/curve_editor.h>
 #include <gcm_gui/theme/icon.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
@@ -98,6 +99,7 @@ void PlotView::build() {
   connect(&legendBox(), &Legend::dragRequested, this, &PlotView::startDrag);
   connect(&legendBox(), &Legend::removeRequested, this, &PlotView::curveRemovalRequested);
   connect(&legendBox(), &Legend::remapRequested, this, &PlotView::remapRequested);
+  connect(&legendBox(), &Legend::lookRequested, this, &PlotView::askForLook);
   connect(&legendBox(), &Legend::toggled, this, [this](const QString& path) {
     if (Curve* toggled = curve(path)) toggled->setVisible(!toggled->isVisible());
     changed();
@@ -164,6 +166,28 @@ void PlotView::setScale(ValueScale scale) {
   link_->join(curves_);
   changed();
   updateLegend();
+}
+
+void PlotView::setLook(const QString& path, const CurveLook& look) {
+  Curve* const shown = curve(path);
+  if (shown == nullptr || shown->look() == look) return;
+  curves_.setLook(*shown, look);
+  curvesChanged();
+}
+
+void PlotView::askForLook(const QString& path) {
+  const Curve* const asked = curve(path);
+  if (asked == nullptr) return;
+  QStringList axes;
+  for (const UnitAxis& axis : curves_.axes()) {
+    if (!axis.unit.isEmpty()) axes << axis.unit;
+  }
+  auto* editor = new CurveEditor(ShortName(path), asked->unit(), asked->look(), axes, this);
+  connect(editor, &CurveEditor::accepted, this,
+          [this, path](const CurveLook& look) { setLook(path, look); });
+  const QPoint below = legend_->geometry().topLeft();
+  editor->move(mapToGlobal(below - QPoint(0, editor->height() + kGrid)));
+  editor->show();
 }
 
 void PlotView::setStatistics(bool shown) {

@@ -116,6 +116,10 @@ class PlotView : public QwtPlot {
   /// is drawn at its foot, and said.
   void setScale(ValueScale scale);
   [[nodiscard]] ValueScale scale() const { return curves_.scale(); }
+  /// What is shown of a curve that is there; its axis is fitted anew.
+  void setLook(const QString& path, const CurveLook& look);
+  /// Asks the user for it.
+  void askForLook(const QString& path);
   /// The legend tells lowest, highest, mean and more of what is seen of each curve.
   void setStatistics(bool shown);
   [[nodiscard]] bool hasStatistics() const { return statistics_; }

@@ -44,7 +44,7 @@ std::vector<CursorLines::Line> CursorLines::lines() const {
     const auto b = curve->valueAt(*cursors_.time(Cursor::kB));
     if (!curve->isVisible() || !a || !b) continue;
     if (lines.size() > kMostLines) break;
-    const QString text = QString("Δ %1 %2").arg(*b - *a, 0, 'g', 4).arg(curve->unit());
+    const QString text = QString("Δ %1 %2").arg(*b - *a, 0, 'g', 4).arg(curve->shownUnit());
     lines.push_back({text.trimmed(), theme.curve(curve->colorIndex())});
   }
   return lines;

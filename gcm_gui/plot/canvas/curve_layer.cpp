@@ -132,7 +132,8 @@ void CurveLayer::drawDots(QPainter& painter, const Curve& curve, const QwtScaleM
     const bool is_late = IsLate(samples, i);
     painter.setBrush(is_late ? Theme::instance().color(Token::kWarning) : color);
     const double radius = is_late ? kLateRadius : DotRadius(distance);
-    painter.drawEllipse(QPointF(x_of(i), rowOf(samples.value(i), map, rect)), radius, radius);
+    const double y = rowOf(curve.scaling().of(samples.value(i)), map, rect);
+    painter.drawEllipse(QPointF(x_of(i), y), radius, radius);
   }
   painter.restore();
 }

@@ -2,6 +2,7 @@
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/csv/csv_export.h>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -9,28 +10,33 @@
 namespace tendon::gui {
 namespace {
 
-QString Saved(const CsvFigures& figures, const QString& file) {
+QString Saved(const CsvFigures& figures, bool is_scaled, const QString& file) {
   const QString missing = figures.lost == 0 ? Words::tr("none lost")
                                             : Words::tr("%1 lost ones marked").arg(figures.lost);
-  return Words::tr("Saved %1 rows, %2, to %3").arg(figures.rows).arg(missing, file);
+  const QString saved = Words::tr("Saved %1 rows, %2, to %3").arg(figures.rows).arg(missing, file);
+  return is_scaled ? saved + Words::tr("; values as they came, not scaled") : saved;
 }
 
 }  // namespace
 
 void CsvExport::save(CsvTable table, const QString& file) {
+  const bool is_scaled =
+      std::any_of(table.curves.begin(), table.curves.end(),
+                  [](const CsvTable::Curve& curve) { return !curve.plotted.isNone(); });
   const auto figures = std::make_shared<std::optional<CsvFigures>>();
   const auto fill = [table = std::make_shared<const CsvTable>(std::move(table)),
                      figures](QIODevice& device) {
     *figures = WriteCsv(*table, device);
     return figures->has_value();
   };
-  FileWriter::exports().write(file, fill, this, [this, file, figures](const QString& refusal) {
-    if (!refusal.isEmpty()) {
-      Q_EMIT finished(NotSaved(file, refusal));
-    } else if (*figures) {  // else it was asked for again before it was begun
-      Q_EMIT finished(Saved(**figures, file));
-    }
-  });
+  FileWriter::exports().write(
+      file, fill, this, [this, file, figures, is_scaled](const QString& refusal) {
+        if (!refusal.isEmpty()) {
+          Q_EMIT finished(NotSaved(file, refusal));
+        } else if (*figures) {  // else it was asked for again before it was begun
+          Q_EMIT finished(Saved(**figures, is_scaled, file));
+        }
+      });
 }
 
 }  // namespace tendon::gui

@@ -69,7 +69,9 @@ class Writer {
     text_.append("time_s,utc_estimated");
     for (const auto& curve : table_.curves) {
       const QString unit = curve.unit.isEmpty() ? QString() : " [" + curve.unit + ']';
-      text_.append(',').append(Quoted(curve.path + unit));
+      const QString scaled = TextOf(curve.plotted);
+      const QString plotted = scaled.isEmpty() ? QString() : " (raw; plotted " + scaled + ')';
+      text_.append(',').append(Quoted(curve.path + unit + plotted));
     }
     for (const QString& source : sources_) {
       text_.append(',').append(Quoted(source + " rows lost before"));
@@ -165,6 +167,7 @@ CsvTable CsvTableOf(const CurveSet& curves, std::int64_t from_ns, std::int64_t t
     CsvTable::Curve& copy = table.curves.emplace_back();
     copy.path = curve->path();
     copy.unit = curve->unit();
+    copy.plotted = curve->scaling();
     const std::uint64_t first = samples.lowerBound(from_ns);
     const std::uint64_t end = samples.lowerBound(to_ns + 1);
     copy.times.reserve(end - first);

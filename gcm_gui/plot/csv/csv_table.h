@@ -1,5 +1,6 @@
 #pragma once
 
+#include <gcm_gui/plot/scaling/scaling.h>
 #include <gcm_gui/plot/series/curve_set.h>
 #include <gcm_gui/plot/series/sample_ring.h>
 
@@ -18,6 +19,7 @@ struct CsvTable {
   struct Curve {
     QString path;
     QString unit;
+    Scaling plotted = {};             ///< how the plot shows it; here it is as it came
     std::vector<std::int64_t> times;  ///< ns, on the source's steady clock
     std::vector<double> values;
     std::vector<Gap> gaps;  ///< `index` counts in `times`: the gap is right before that sample
@@ -39,8 +41,8 @@ struct CsvFigures {
 
 /// One line for each moment at which there is a sample, in the order of time: seconds of the
 /// source's clock, UTC, the curves (empty where one has no sample then), and for each state table
-/// how many of its rows were lost right before, or "restart". Numbers are exact. Nothing when the
-/// device refuses.
+/// how many of its rows were lost right before, or "restart". Numbers are exact and as they came;
+/// the head says where a plot showed them scaled. Nothing when the device refuses.
 [[nodiscard]] std::optional<CsvFigures> WriteCsv(const CsvTable& table, QIODevice& device);
 
 }  // namespace tendon::gui

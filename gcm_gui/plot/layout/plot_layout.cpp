@@ -1,3 +1,4 @@
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/layout/plot_layout.h>
 #include <gcm_gui/plot/plot_panel.h>
 #include <gcm_gui/plot/plot_view.h>
@@ -21,6 +22,7 @@ constexpr double kNanoseconds = 1e9;
 struct CurveLayout {
   CurveKey key;
   bool is_hidden = false;
+  CurveLook look;
 };
 
 struct PlotLayout {
@@ -38,6 +40,10 @@ QJsonObject JsonOf(const PlotView& view, const QString& name, bool is_below) {
   for (const auto& curve : view.curves().curves()) {
     QJsonObject one{{"path", curve->path()}, {"unit", curve->unit()}};
     if (!curve->isVisible()) one["hidden"] = true;
+    const auto& [scaling, axis] = curve->look();
+    if (scaling.factor != 1) one["scale"] = scaling.factor;
+    if (scaling.offset != 0) one["offset"] = scaling.offset;
+    if (!axis.isEmpty()) one["axis"] = axis;
     curves.append(one);
   }
   const double seconds = static_cast<double>(view.window().length().count()) / kNanoseconds;
@@ -49,22 +55,42 @@ QJsonObject JsonOf(const PlotView& view, const QString& name, bool is_below) {
   return plot;
 }
 
-std::optional<PlotLayout> PlotOf(const QJsonValue& json) {
-  PlotLayout plot;
+/// Nothing where it is none.
+std::optional<double> NumberOf(const QJsonValue& json, double usual) {
+  if (json.isUndefined()) return usual;
+  return json.isDouble() ? std::optional(json.toDouble()) : std::nullopt;
+}
+
+/// What is wrong with it, else empty.
+QString ReadCurve(const QJsonValue& json, CurveLayout& curve) {
+  curve.key = {json["path"].toString(), json["unit"].toString()};
+  curve.is_hidden = json["hidden"].toBool();
+  if (curve.key.path.isEmpty()) return Words::tr("a curve has no path");
+  const auto factor = NumberOf(json["scale"], 1);
+  const auto offset = NumberOf(json["offset"], 0);
+  if (!factor || !offset) {
+    return Words::tr("scale and offset of %1 must be numbers").arg(curve.key.path);
+  }
+  curve.look = {.scaling = {.factor = *factor, .offset = *offset}, .axis = json["axis"].toString()};
+  const auto refusal = RefusalOf(curve.look);
+  return refusal ? curve.key.path + QStringLiteral(": ") + *refusal : QString();
+}
+
+/// The same of a plot.
+QString ReadPlot(const QJsonValue& json, PlotLayout& plot) {
+  if (!json.isObject() || !json["curves"].isArray()) return Words::tr("it has no curves");
   const double seconds = json["window"].toDouble();
-  if (!json.isObject() || !json["curves"].isArray()) return std::nullopt;
-  if (seconds <= 0 || seconds > kLongest) return std::nullopt;
+  if (seconds <= 0 || seconds > kLongest) return Words::tr("it looks back no time there is");
   plot.window = nanoseconds(static_cast<std::int64_t>(seconds * kNanoseconds));
   plot.name = json["name"].toString();
   plot.is_below = json["below"].toBool();
   plot.is_sweeping = json["sweep"].toBool();
   plot.is_logarithmic = json["logarithmic"].toBool();
   for (const QJsonValue& one : json["curves"].toArray()) {
-    const QString path = one["path"].toString();
-    if (path.isEmpty()) return std::nullopt;
-    plot.curves.push_back({{path, one["unit"].toString()}, one["hidden"].toBool()});
+    const QString wrong = ReadCurve(one, plot.curves.emplace_back());
+    if (!wrong.isEmpty()) return wrong;
   }
-  return plot;
+  return {};
 }
 
 }  // namespace
@@ -82,20 +108,19 @@ QByteArray LayoutOf(const PlotPanel& panel) {
 std::optional<QString> ShowLayout(PlotPanel& panel, const QByteArray& layout) {
   QJsonParseError error;
   const QJsonDocument document = QJsonDocument::fromJson(layout, &error);
-  if (document.isNull()) return QString("not JSON: %1").arg(error.errorString());
+  if (document.isNull()) return Words::tr("not JSON: %1").arg(error.errorString());
   const int version = document["version"].toInt();
   if (version != kVersion) {
-    return QString("version %1 of plot layouts is not known here; this is version %2")
+    return Words::tr("version %1 of plot layouts is not known here; this is version %2")
         .arg(version)
         .arg(kVersion);
   }
   std::vector<PlotLayout> plots;
   for (const QJsonValue& json : document["plots"].toArray()) {
-    const auto plot = PlotOf(json);
-    if (!plot) return QString("plot %1 is no plot").arg(plots.size() + 1);
-    plots.push_back(*plot);
+    const QString wrong = ReadPlot(json, plots.emplace_back());
+    if (!wrong.isEmpty()) return Words::tr("plot %1: ").arg(plots.size()) + wrong;
   }
-  if (plots.empty()) return QString("there is no plot in it");
+  if (plots.empty()) return Words::tr("there is no plot in it");
   while (panel.plotCount() > 1) panel.closePlot(0);
   panel.closePlot(0);
   for (std::size_t i = 0; i < plots.size(); ++i) {
@@ -109,6 +134,7 @@ std::optional<QString> ShowLayout(PlotPanel& panel, const QByteArray& layout) {
     for (const CurveLayout& curve : plot.curves) {
       panel.addSignal(curve.key.path, curve.key.unit);
       view.curve(curve.key.path)->setVisible(!curve.is_hidden);
+      view.setLook(curve.key.path, curve.look);
     }
   }
   panel.setMarksShown(document["marks"].toBool(true));

@@ -9,7 +9,8 @@ namespace tendon::gui {
 class PlotPanel;
 
 /// The plots as a file: which paths are in which plot, which plots lie below each other, how far
-/// each looks back, how it moves, whether its values are logarithmic, and what is hidden. It holds
+/// each looks back, how it moves, whether its values are logarithmic, and what of the curves is
+/// hidden or scaled, and on which axis. It holds
 /// paths and no values, so what it names may come later, or again.
 [[nodiscard]] QByteArray LayoutOf(const PlotPanel& panel);
 

@@ -5,9 +5,11 @@
 #include <gcm_gui/theme/theme.h>
 
 #include <QApplication>
+#include <QContextMenuEvent>
 #include <QFontMetrics>
 #include <QGridLayout>
 #include <QKeyEvent>
+#include <QMenu>
 #include <QMouseEvent>
 #include <QPainter>
 #include <algorithm>
@@ -21,7 +23,6 @@ constexpr int kLegendRowHeight = 18;
 constexpr int kSwatchWidth = 12;
 constexpr int kSwatchHeight = 3;
 constexpr int kSpace = 8;
-const QString kRemap = QStringLiteral("remap…");
 constexpr int kBetween = 12;  // two rows side by side
 constexpr int kWidestName = 220;
 constexpr double kHiddenOpacity = 0.45;
@@ -53,7 +54,7 @@ void LegendRow::setEntry(const LegendEntry& entry) {
   const QFontMetrics metrics(Theme::instance().small());
   SetText(name_, metrics.elidedText(entry.name, Qt::ElideMiddle, kWidestName),
           Theme::instance().small());
-  SetText(value_, entry.stale ? kRemap : entry.value, Theme::instance().smallMono());
+  SetText(value_, entry.stale ? Words::tr("remap…") : entry.value, Theme::instance().smallMono());
   SetText(unit_, entry.unit, Theme::instance().small());
   SetText(figures_, entry.figures, Theme::instance().smallMono());
   update();
@@ -158,18 +159,41 @@ void LegendRow::mouseReleaseEvent(QMouseEvent* event) {
 
 bool LegendRow::isOwnKey(int key) {
   return key == Qt::Key_Delete || key == Qt::Key_Backspace || key == Qt::Key_Space ||
-         key == Qt::Key_R;
+         key == Qt::Key_R || key == Qt::Key_Return || key == Qt::Key_Enter;
 }
 
 void LegendRow::keyPressEvent(QKeyEvent* event) {
   if (!isOwnKey(event->key())) return QWidget::keyPressEvent(event);
-  if (event->key() == Qt::Key_Space) {
-    Q_EMIT toggled(entry_.path);
-  } else if (event->key() == Qt::Key_R) {
-    Q_EMIT remapRequested(entry_.path);
-  } else {
-    Q_EMIT removeRequested(entry_.path);
+  switch (event->key()) {
+    case Qt::Key_Space:
+      return Q_EMIT toggled(entry_.path);
+    case Qt::Key_R:
+      return Q_EMIT remapRequested(entry_.path);
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+      return Q_EMIT lookRequested(entry_.path);
+    default:
+      return Q_EMIT removeRequested(entry_.path);
   }
+}
+
+void LegendRow::contextMenuEvent(QContextMenuEvent* event) {
+  auto* menu = new QMenu(this);
+  menu->setObjectName("legendMenu");
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  const auto add = [&](const QString& text, Qt::Key key, void (LegendRow::*wish)(const QString&)) {
+    menu->addAction(text, this,
+                    [this, wish] {
+                      Q_EMIT(this->*wish)
+                      (entry_.path);
+                    })
+        ->setShortcut(key);
+  };
+  add(Words::tr("Scale, offset and axis…"), Qt::Key_Return, &LegendRow::lookRequested);
+  add(entry_.shown ? Words::tr("Hide") : Words::tr("Show"), Qt::Key_Space, &LegendRow::toggled);
+  add(Words::tr("Show another signal…"), Qt::Key_R, &LegendRow::remapRequested);
+  add(Words::tr("Remove"), Qt::Key_Delete, &LegendRow::removeRequested);
+  menu->popup(event->globalPos());
 }
 
 Legend::Legend(QWidget* parent) : QFrame(parent), grid_(new QGridLayout(this)) {
@@ -211,6 +235,7 @@ void Legend::makeRows(std::size_t count) {
     connect(row, &LegendRow::removeRequested, this, &Legend::removeRequested);
     connect(row, &LegendRow::dragRequested, this, &Legend::dragRequested);
     connect(row, &LegendRow::remapRequested, this, &Legend::remapRequested);
+    connect(row, &LegendRow::lookRequested, this, &Legend::lookRequested);
     rows_.push_back(row);
   }
 }

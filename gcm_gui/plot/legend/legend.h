@@ -32,7 +32,8 @@ struct LegendEntry {
 /// One curve: colour, name, value, unit, and a cross to remove it, which appears under the mouse
 /// and with the focus. A click or Space hides and shows the curve, Delete removes it, and dragging
 /// it takes the signal elsewhere. One that is
-/// waited for offers "remap…" in place of its value; the key is R.
+/// waited for offers "remap…" in place of its value; the key is R. Enter asks for its scale, offset
+/// and axis; all of it is also in a menu.
 class LegendRow : public QWidget {
   Q_OBJECT
 
@@ -52,9 +53,12 @@ class LegendRow : public QWidget {
   void removeRequested(const QString& path);
   /// Another signal is to be shown in its place.
   void remapRequested(const QString& path);
+  /// Its scale, offset or axis is to be another.
+  void lookRequested(const QString& path);
   void dragRequested(const QString& path);
 
  protected:
+  void contextMenuEvent(QContextMenuEvent* event) override;
   bool event(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
@@ -97,6 +101,7 @@ class Legend : public QFrame {
   void toggled(const QString& path);
   void removeRequested(const QString& path);
   void remapRequested(const QString& path);
+  void lookRequested(const QString& path);
   void dragRequested(const QString& path);
 
  private:

@@ -20,14 +20,15 @@ QString TextOf(double value, const CurveSet& curves, const Curve& curve) {
 }
 
 QString FiguresOf(const CurveSet& curves, const Curve& curve, const TimeSpan& span) {
-  const auto found = StatisticsOf(curve.samples(), span.from_ns, span.to_ns);
-  if (!found) return {};
+  const auto plain = StatisticsOf(curve.samples(), span.from_ns, span.to_ns);
+  if (!plain) return {};
+  const Statistics found = plain->scaled(curve.scaling());
   const auto text = [&](double value) {
     return TextOf(value, curves, curve).rightJustified(kFigure);
   };
   return Words::tr("min%1  max%2  mean%3  σ%4  rms%5  p-p%6  %7")
-      .arg(text(found->lowest), text(found->highest), text(found->mean), text(found->deviation),
-           text(found->rms), text(found->span()), RateText(found->rate));
+      .arg(text(found.lowest), text(found.highest), text(found.mean), text(found.deviation),
+           text(found.rms), text(found.span()), RateText(found.rate));
 }
 
 }  // namespace
@@ -42,7 +43,7 @@ std::vector<LegendEntry> LegendEntriesOf(const CurveSet& curves, std::optional<s
                        .name = stale ? ShortName(curve->path()) + " · " + curve->staleReason()
                                      : ShortName(curve->path()),
                        .value = value && !stale ? TextOf(*value, curves, *curve) : QString(),
-                       .unit = stale ? QString() : curve->unit(),
+                       .unit = stale ? QString() : curve->shownUnit(),
                        .color_index = curve->colorIndex(),
                        .stale = stale,
                        .shown = curve->isVisible(),

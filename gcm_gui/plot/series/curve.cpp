@@ -30,6 +30,11 @@ void Curve::setBudget(std::size_t bytes) {
   samples_.setLimit((bytes - for_history) / SampleRing::kBytesPerSample);
 }
 
+void Curve::setLook(const CurveLook& look) {
+  look_ = look;
+  drawn_ = {};
+}
+
 bool Curve::isThinned() const { return samples_.firstIndex() > 0 && !samples_.empty(); }
 
 // Of the time before the oldest sample there is.
@@ -55,12 +60,12 @@ std::optional<double> Curve::valueAt(std::int64_t time_ns) const {
   });
   if (in_gap) return {};
   if (next == samples_.endIndex() && isStale()) return {};
-  return samples_.value(next - 1);
+  return scaling().of(samples_.value(next - 1));
 }
 
 std::optional<double> Curve::latestValue() const {
   if (samples_.empty()) return {};
-  return samples_.value(samples_.endIndex() - 1);
+  return scaling().of(samples_.value(samples_.endIndex() - 1));
 }
 
 double Curve::rate() const {
@@ -80,8 +85,9 @@ const Envelope& Curve::envelope(const TimeSlices& slices, Pass pass) const {
     showHistory(drawn.envelope, slices);
     drawn.slices = slices;
     drawn.end = samples_.endIndex();
+    if (!scaling().isNone()) drawn.scaled.takeScaled(drawn.envelope, scaling());
   }
-  return drawn.envelope;
+  return scaling().isNone() ? drawn.envelope : drawn.scaled;
 }
 
 }  // namespace tendon::gui

@@ -2,6 +2,7 @@
 
 #include <gcm_gui/plot/history/coarse_history.h>
 #include <gcm_gui/plot/row_losses.h>
+#include <gcm_gui/plot/scaling/scaling.h>
 #include <gcm_gui/plot/series/envelope.h>
 #include <gcm_gui/plot/series/sample_ring.h>
 #include <gcm_gui/plot/series/signal_path.h>
@@ -50,22 +51,33 @@ class Curve {
   void setLossesBefore(const RowLosses& losses) { losses_before_ = losses; }
   [[nodiscard]] const RowLosses& lossesBefore() const { return losses_before_; }
 
+  /// What is shown of it; CurveSet::setLook() sees to the axes.
+  void setLook(const CurveLook& look);
+  [[nodiscard]] const CurveLook& look() const { return look_; }
+  [[nodiscard]] const Scaling& scaling() const { return look_.scaling; }
+  /// Its unit, and how it is scaled: "rad ×1000 +2".
+  [[nodiscard]] QString shownUnit() const { return UnitOf(unit(), look_.scaling); }
+  /// The chosen one, else that of what is shown.
+  [[nodiscard]] QString axis() const { return look_.axis.isEmpty() ? shownUnit() : look_.axis; }
+
   void setVisible(bool visible) { visible_ = visible; }
   [[nodiscard]] bool isVisible() const { return visible_; }
 
+  // As they are shown: scaled.
   /// Of the last sample at `time_ns` or before, within the same stretch of unbroken samples.
   [[nodiscard]] std::optional<double> valueAt(std::int64_t time_ns) const;
   [[nodiscard]] std::optional<double> latestValue() const;
   /// Rows a second that arrived, over the latest second of the source's time; 0 with less than two.
   [[nodiscard]] double rate() const;
-  /// The curve as slices show it. Built when asked for other slices than the last time of the same
-  /// pass, or when samples have come.
+  /// The curve as slices show it, scaled. Built when asked for other slices than the last time of
+  /// the same pass, or when samples have come.
   [[nodiscard]] const Envelope& envelope(const TimeSlices& slices,
                                          Pass pass = Pass::kPresent) const;
 
  private:
   struct Drawn {
     Envelope envelope;
+    Envelope scaled;  // of a scaled curve
     TimeSlices slices;
     std::uint64_t end = 0;  // of the samples
   };
@@ -74,6 +86,7 @@ class Curve {
 
   CurveKey key_;
   int color_index_;
+  CurveLook look_;
   bool visible_ = true;
   QString stale_reason_;
   RowLosses losses_before_;

@@ -60,6 +60,14 @@ Curve& CurveSet::adopt(std::unique_ptr<Curve> curve) {
   return *curves_.back();
 }
 
+void CurveSet::setLook(Curve& curve, const CurveLook& look) {
+  curve.setLook(look);
+  updateAxes();
+  UnitAxis& axis = *AxisFor(axes_, curve.axis());
+  axis.fitted = true;
+  axis.has_grown = false;
+}
+
 Curve* CurveSet::find(const QString& path) const {
   const auto found = std::find_if(curves_.begin(), curves_.end(),
                                   [&](const auto& curve) { return curve->path() == path; });
@@ -68,18 +76,19 @@ Curve* CurveSet::find(const QString& path) const {
 
 const UnitAxis& CurveSet::axisOf(const Curve& curve) const {
   return *std::find_if(axes_.begin(), axes_.end(),
-                       [&](const UnitAxis& axis) { return axis.unit == curve.unit(); });
+                       [&](const UnitAxis& axis) { return axis.unit == curve.axis(); });
 }
 
 void CurveSet::updateAxes() {
   std::vector<UnitAxis> axes;
   for (const auto& curve : curves_) {
-    if (UnitAxis* shared = AxisFor(axes, curve->unit())) {
+    const QString name = curve->axis();
+    if (UnitAxis* shared = AxisFor(axes, name)) {
       shared->color_index = -1;
       continue;
     }
-    const UnitAxis* there = AxisFor(axes_, curve->unit());
-    axes.push_back(there != nullptr ? *there : UnitAxis{.unit = curve->unit()});
+    const UnitAxis* there = AxisFor(axes_, name);
+    axes.push_back(there != nullptr ? *there : UnitAxis{.unit = name});
     axes.back().color_index = curve->colorIndex();
   }
   axes_ = std::move(axes);
@@ -122,7 +131,7 @@ QStringList CurveSet::withoutPlace(std::span<const SeenSlices> seen) const {
 AxisRange CurveSet::extremesOf(const UnitAxis& axis, std::span<const SeenSlices> seen) const {
   AxisRange data = kNothing;
   for (const auto& curve : curves_) {
-    if (curve->unit() != axis.unit || !curve->isVisible()) continue;
+    if (curve->axis() != axis.unit || !curve->isVisible()) continue;
     for (const SeenSlices& part : seen) {
       const AxisRange extremes = extremesOf(*curve, part);
       data.low = std::min(data.low, extremes.low);

@@ -20,9 +20,9 @@ enum class Fit {
   kSymmetric,  ///< 0 in the middle
 };
 
-/// The Y axis of all curves of one unit.
+/// The Y axis of all curves of one unit that are scaled alike, or for which it was chosen.
 struct UnitAxis {
-  QString unit;
+  QString unit;        ///< or the name of a chosen one: see Curve::axis()
   AxisRange range;     ///< of places: see PlaceOf()
   bool fitted = true;  ///< follows the visible data; else the user's choice
   AxisRange grown{};   ///< the data it was fitted to, of all time with Fit::kGrow
@@ -60,6 +60,8 @@ class CurveSet {
   [[nodiscard]] std::unique_ptr<Curve> take(const QString& path);
   /// In a colour that is free here. Its path must not be here yet.
   Curve& adopt(std::unique_ptr<Curve> curve);
+  /// Its axis is fitted anew.
+  void setLook(Curve& curve, const CurveLook& look);
   /// nullptr when there is none. Stays where it is until it is removed.
   [[nodiscard]] Curve* find(const QString& path) const;
 

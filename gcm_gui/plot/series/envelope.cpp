@@ -54,6 +54,21 @@ void Envelope::widen(std::int64_t from_ns, std::int64_t to_ns, double low, doubl
   highest_ = std::max(highest_, high);
 }
 
+void Envelope::takeScaled(const Envelope& plain, const Scaling& scaling) {
+  low_ = plain.low_;
+  high_ = plain.high_;
+  lowest_ = kEndless;
+  highest_ = -kEndless;
+  for (std::size_t i = 0; i < low_.size(); ++i) {
+    const auto [low, high] = std::minmax({scaling.of(low_[i]), scaling.of(high_[i])});
+    const bool is_empty = low_[i] > high_[i] || !IsFinite(low) || !IsFinite(high);
+    low_[i] = is_empty ? kEndless : low;
+    high_[i] = is_empty ? -kEndless : high;
+  }
+  for (const double each : low()) lowest_ = std::min(lowest_, each);
+  for (const double each : high()) highest_ = std::max(highest_, each);
+}
+
 void Envelope::start(const SampleRing& ring, const TimeSlices& slices) {
   low_.assign(slices.count + 2, kEndless);
   high_.assign(slices.count + 2, -kEndless);

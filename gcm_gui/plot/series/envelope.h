@@ -1,5 +1,6 @@
 #pragma once
 
+#include <gcm_gui/plot/scaling/scaling.h>
 #include <gcm_gui/plot/series/sample_ring.h>
 
 #include <cstddef>
@@ -31,6 +32,10 @@ class Envelope {
   /// What is known of [from_ns, to_ns) without its samples is shown, too, until the next build()
   /// at least. O(slices there).
   void widen(std::int64_t from_ns, std::int64_t to_ns, double low, double high);
+
+  /// Is that of the scaled curve until the next call; never build() the same one. What has no
+  /// finite value then is empty. O(slices).
+  void takeScaled(const Envelope& plain, const Scaling& scaling);
 
   [[nodiscard]] std::span<const double> low() const { return shown(low_); }
   /// Lower than low() where a slice is empty.

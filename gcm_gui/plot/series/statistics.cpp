@@ -2,8 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace tendon::gui {
+
+Statistics Statistics::scaled(const Scaling& scaling) const {
+  Statistics result = *this;
+  std::tie(result.lowest, result.highest) = std::minmax({scaling.of(lowest), scaling.of(highest)});
+  result.mean = scaling.of(mean);
+  result.deviation = std::abs(scaling.factor) * deviation;
+  result.rms = std::hypot(result.deviation, result.mean);
+  return result;
+}
 
 std::optional<Statistics> StatisticsOf(const SampleRing& ring, std::int64_t from_ns,
                                        std::int64_t to_ns) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <gcm_gui/plot/scaling/scaling.h>
 #include <gcm_gui/plot/series/sample_ring.h>
 
 #include <cstdint>
@@ -17,6 +18,8 @@ struct Statistics {
   double rms = 0;
   double rate = 0;  ///< samples a second; 0 with less than two
 
+  /// Of the same samples, scaled.
+  [[nodiscard]] Statistics scaled(const Scaling& scaling) const;
   [[nodiscard]] double span() const { return highest - lowest; }
 };
 

@@ -1,0 +1,63 @@
+#include <gcm_gui/language/words.h>
+#include <gcm_gui/plot/scaling/scaling.h>
+
+#include <QLocale>
+#include <QStringList>
+#include <algorithm>
+#include <cmath>
+
+namespace tendon::gui {
+namespace {
+
+// Beyond them sums of doubles would show nothing but their rounding.
+constexpr double kLeastFactor = 1e-12;
+constexpr double kMostFactor = 1e12;
+constexpr double kMostOffset = 1e15;
+constexpr int kDigits = 6;
+
+QString Digits(double value) { return QString::number(value, 'g', kDigits); }
+
+}  // namespace
+
+QString TextOf(const Scaling& scaling) {
+  QStringList parts;
+  if (scaling.factor != 1) parts << QStringLiteral("×") + Digits(scaling.factor);
+  if (scaling.offset != 0) parts << (scaling.offset > 0 ? "+" : "") + Digits(scaling.offset);
+  return parts.join(' ');
+}
+
+QString UnitOf(const QString& unit, const Scaling& scaling) {
+  return QStringList{unit, TextOf(scaling)}.join(' ').trimmed();
+}
+
+std::optional<QString> RefusalOf(const CurveLook& look) {
+  const auto& [factor, offset] = look.scaling;
+  if (factor == 0) return Words::tr("A scale of 0 would make a flat line of it: take another");
+  if (!(std::abs(factor) >= kLeastFactor && std::abs(factor) <= kMostFactor)) {
+    return Words::tr("The scale must lie between %1 and %2, with either sign")
+        .arg(Digits(kLeastFactor), Digits(kMostFactor));
+  }
+  if (!(std::abs(offset) <= kMostOffset)) {
+    return Words::tr("The offset must lie between -%1 and %1").arg(Digits(kMostOffset));
+  }
+  if (look.axis.size() > kLongestAxis) {
+    return Words::tr("The name of an axis has at most %1 letters").arg(kLongestAxis);
+  }
+  const bool is_printable = std::all_of(look.axis.begin(), look.axis.end(),
+                                        [](QChar letter) { return letter.isPrint(); });
+  if (!is_printable) return Words::tr("The name of an axis is one line of letters");
+  return std::nullopt;
+}
+
+std::optional<double> NumberIn(const QString& text) {
+  bool is_number = false;
+  double value = text.trimmed().toDouble(&is_number);
+  // As it is written here, but for what groups digits: 1,000 could mean two numbers.
+  QLocale here;
+  here.setNumberOptions(QLocale::RejectGroupSeparator);
+  if (!is_number) value = here.toDouble(text.trimmed(), &is_number);
+  if (!is_number || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+}  // namespace tendon::gui
