@@ -1,10 +1,14 @@
 #include <gcm_gui/files/kept_values.h>
 #include <gcm_gui/language/language.h>
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/plot_panel.h>
 #include <gcm_gui/session/hosted_gcm.h>
 #include <gcm_gui/session/session.h>
 #include <gcm_gui/theme/theme.h>
 #include <gcm_gui/tour/tour.h>
+#include <gcm_gui/views/catalogue_panel.h>
+#include <gcm_gui/views/catalogue_tree.h>
+#include <gcm_gui/views/columns/catalogue_columns.h>
 #include <gcm_gui/window/file/system_files.h>
 #include <gcm_gui/window/main_window.h>
 #include <gcm_gui/window/ui_description.h>
@@ -23,7 +27,8 @@
 
 namespace {
 
-constexpr auto kReadOnly = "this window only looks: it was started with --read-only";
+constexpr auto kReadOnly =
+    QT_TRANSLATE_NOOP("Words", "this window only looks: it was started with --read-only");
 
 struct Options {
   std::string gcm;
@@ -76,12 +81,15 @@ bool HasDisplay() {
 void KeepLayout(tendon::gui::MainWindow& window, tendon::gui::KeptValues& kept) {
   const auto geometry = QStringLiteral("geometry");
   const auto panels = QStringLiteral("panels");
+  const auto columns = QStringLiteral("catalogueColumns");
   window.restoreGeometry(kept.value(geometry));
   window.panels().restore(kept.value(panels));
+  window.catalogue().tree().columns().restore(kept.value(columns));
   QObject::connect(qApp, &QCoreApplication::aboutToQuit, &window,
-                   [&window, &kept, geometry, panels] {
+                   [&window, &kept, geometry, panels, columns] {
                      kept.set(geometry, window.saveGeometry());
                      kept.set(panels, window.panels().state());
+                     kept.set(columns, window.catalogue().tree().columns().state());
                    });
 }
 
@@ -140,7 +148,7 @@ int Run(const Options& options) {
   parts.kept = QString::fromStdString(kept.string());
   parts.gcm = GcmCommand(options);
   parts.demo = DemoFile();
-  if (options.read_only) parts.read_only = QString::fromLatin1(kReadOnly);
+  if (options.read_only) parts.read_only = tendon::gui::Words::tr(kReadOnly);
   tendon::gui::KeptValues values(parts.kept + QStringLiteral("/window.json"));
   tendon::gui::MainWindow window(parts);
   if (!options.describe_ui.empty()) {

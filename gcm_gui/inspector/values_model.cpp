@@ -137,14 +137,14 @@ bool ValuesModel::isSilent(const Block& block) const {
 bool ValuesModel::isOld(const Block& block) const {
   constexpr double kMostPeriods = 5;
   constexpr double kLeast = 2;  // s
-  if (block.rate <= 0) return false;
+  if (block.rate.hz() <= 0) return false;
   const std::chrono::duration<double> age = clock_.Now() - block.arrived;
-  return age.count() > std::max(kLeast, kMostPeriods / block.rate);
+  return age.count() > std::max(kLeast, kMostPeriods / block.rate.hz());
 }
 
 QString ValuesModel::detailOf(const Block& block, std::size_t channel) const {
-  if (channel > 0 || block.rate <= 0) return {};
-  if (!isOld(block)) return RateText(block.rate);
+  if (channel > 0 || block.rate.hz() <= 0) return {};
+  if (!isOld(block)) return RateText(block.rate.hz());
   return Words::tr("%1 old").arg(AgeText((clock_.Now() - block.arrived).count()));
 }
 
@@ -229,17 +229,6 @@ void ValuesModel::noteChanges(Block& block, const ColumnValues& values) const {
   }
 }
 
-void ValuesModel::measureRate(Block& block) {
-  constexpr double kLeastTime = 1;  // s
-  const ColumnValues& values = block.values;
-  const double passed = 1e-9 * static_cast<double>(values.time - block.time_before);
-  const bool begins = block.time_before == 0 || values.rows < block.rows_before || passed < 0;
-  if (!begins && passed < kLeastTime) return;
-  block.rate = begins ? 0 : static_cast<double>(values.rows - block.rows_before) / passed;
-  block.rows_before = values.rows;
-  block.time_before = values.time;
-}
-
 void ValuesModel::addToTrends(Block& block) {
   block.trends.resize(block.values.values.size());
   for (std::size_t channel = 0; channel < block.trends.size(); ++channel) {
@@ -288,7 +277,7 @@ void ValuesModel::showValues(const QString& column, const ColumnValues& values) 
     }
     block.refusal.clear();
     block.arrived = clock_.Now();
-    measureRate(block);
+    block.rate.hear(values);
     addToTrends(block);
     const int last = first + block.rows() - 1;
     Q_EMIT dataChanged(index(first, 0), index(last, kColumnCount - 1));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <gcm_gui/models/facts/row_rate.h>
 #include <gcm_gui/session/signal_source.h>
 #include <tendon/base/clock.h>
 #include <tendon/manager/description.h>
@@ -69,10 +70,8 @@ class ValuesModel : public QAbstractTableModel {
     SteadyTime awaited = SteadyTime::max();  // since then, while nothing has come
     QString refusal = {};                    // why nothing has come, where that is known
     SteadyTime arrived = {};                 // its newest row
-    std::uint64_t rows_before = 0;           // at the beginning of what the rate is of
-    std::int64_t time_before = 0;            // likewise
-    double rate = 0;                         // Hz; 0 while it is not known
-    bool is_out = false;                     // while its rows are replaced
+    RowRate rate = {};
+    bool is_out = false;  // while its rows are replaced
     [[nodiscard]] bool isKnown() const { return values.channels != nullptr; }
     [[nodiscard]] int rows() const;
     bool operator==(const Block& other) const { return column == other.column; }
@@ -84,7 +83,6 @@ class ValuesModel : public QAbstractTableModel {
   [[nodiscard]] Place placeOf(int row) const;
   static void addToTrends(Block& block);
   void noteChanges(Block& block, const ColumnValues& values) const;
-  static void measureRate(Block& block);
   [[nodiscard]] bool isSilent(const Block& block) const;
   [[nodiscard]] bool isOld(const Block& block) const;
   [[nodiscard]] QString detailOf(const Block& block, std::size_t channel) const;

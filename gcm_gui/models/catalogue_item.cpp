@@ -3,6 +3,7 @@
 #include <gcm_gui/models/table_columns.h>
 #include <gcm_gui/models/text.h>
 
+#include <QStringList>
 #include <algorithm>
 
 namespace tendon::gui {
@@ -49,11 +50,22 @@ void AddColumns(CatalogueItem& interface, const TableDescription& table) {
   }
 }
 
-void ShowConnection(CatalogueItem& item, const ConnectionDescription* connection) {
+/// "Drives" of "arm": in short where it is in the same process.
+QString NameSeenFrom(const std::string& process, const InterfaceName& other) {
+  const QString name = ToQString(other.component) + '/' + ToQString(other.interface);
+  return other.process == process ? name : ToQString(other.process) + '/' + name;
+}
+
+void ShowConnection(CatalogueItem& item, const std::string& process,
+                    const ConnectionDescription* connection) {
   item.mark = MarkOf(connection);
-  item.state = WordOf(*item.mark);
-  item.value = item.state;
+  item.state = KeyOf(*item.mark);
+  item.value = WordOf(*item.mark);
+  item.connected = Words::tr("nothing");
   if (connection == nullptr) return;
+  if (connection->state == ConnectionState::kActive) {
+    item.connected = NameSeenFrom(process, connection->provided);
+  }
   item.value = QStringLiteral("← ") + ToQString(connection->provided.component) + '/' +
                ToQString(connection->provided.interface);
   item.detail = ToQString(connection->reason);
@@ -67,6 +79,11 @@ Item BuildProvided(const ConnectionIndex& connections, const CatalogueItem& pare
   item->gone = parent.gone;
   item->value =
       CountText(connections.Clients(name), Words::tr("%1 client"), Words::tr("%1 clients"));
+  QStringList clients;
+  for (const auto& client : connections.ClientsOf(name)) {
+    clients << NameSeenFrom(name.process, client);
+  }
+  item->connected = clients.isEmpty() ? Words::tr("nothing") : clients.join(QStringLiteral(", "));
   if (const auto* table = FindTable(component, provided.name)) {
     AddColumns(*item, *table);
   } else {
@@ -81,10 +98,34 @@ Item BuildRequired(const ConnectionIndex& connections, const CatalogueItem& pare
   Item item =
       MakeItem(ItemKind::kRequired, ToQString(required.name), ToQString(tendon::ToString(name)));
   item->gone = parent.gone;
-  ShowConnection(*item, connections.Of(name));
+  ShowConnection(*item, name.process, connections.Of(name));
   AddMembers(*item, ItemKind::kFunction, required.functions);
   AddMembers(*item, ItemKind::kHandler, required.event_handlers);
   return item;
+}
+
+/// Whose interfaces those of the component are connected to.
+QString PeersOf(const ConnectionIndex& connections, const std::string& process,
+                const ComponentDescription& component) {
+  QStringList peers;
+  const auto add = [&](const InterfaceName& other) {
+    const QString name = ToQString(other.component);
+    peers << (other.process == process ? name : ToQString(other.process) + '/' + name);
+  };
+  for (const auto& required : component.required) {
+    const auto* connection = connections.Of({process, component.name, required.name});
+    if (connection != nullptr && connection->state == ConnectionState::kActive) {
+      add(connection->provided);
+    }
+  }
+  for (const auto& provided : component.provided) {
+    for (const auto& client : connections.ClientsOf({process, component.name, provided.name})) {
+      add(client);
+    }
+  }
+  peers.sort();
+  peers.removeDuplicates();
+  return peers.isEmpty() ? Words::tr("nothing") : peers.join(QStringLiteral(", "));
 }
 
 /// ".position[0]" in its parts: ".position", "[0]".
@@ -172,10 +213,12 @@ std::unique_ptr<CatalogueItem> BuildComponent(const ConnectionIndex& connections
   item->gone = IsGone(entry.process.state);
   item->state = item->gone ? QStringLiteral("lost") : ToQString(ToString(component.state));
   item->detail = ToQString(component.class_name);
+  item->connected = PeersOf(connections, process, component);
   if (!item->gone) {
     item->mark = MarkOf(component.state);
     const bool active = component.state == ComponentState::kActive;
-    item->value = active && component.period > 0 ? RateOfPeriodText(component.period) : item->state;
+    item->value =
+        active && component.period > 0 ? RateOfPeriodText(component.period) : WordOf(*item->mark);
   }
   for (const auto& required : component.required) {
     item->Add(
@@ -199,7 +242,7 @@ std::unique_ptr<CatalogueItem> BuildProcess(const ConnectionIndex& connections,
   item->since = process.since;
   item->detail = ToQString(process.reason);
   item->value =
-      process.state == ProcessState::kSuspect ? Words::tr("no answer") : ToQString(process.host);
+      process.state == ProcessState::kAlive ? ToQString(process.host) : WordOf(process.state);
   for (const auto& [name, component] : entry.components) {
     item->Add(BuildComponent(connections, entry, component));
   }

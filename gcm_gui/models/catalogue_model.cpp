@@ -1,4 +1,3 @@
-#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/catalogue_model.h>
 #include <gcm_gui/models/row_roles.h>
 #include <gcm_gui/models/text.h>
@@ -12,6 +11,7 @@
 namespace tendon::gui {
 namespace {
 
+constexpr auto kLast = CatalogueModel::kConnected;
 constexpr std::int64_t kFresh = 10'000'000'000;  // ns
 
 bool IsSame(const CatalogueItem& a, const CatalogueItem& b) {
@@ -21,8 +21,8 @@ bool IsSame(const CatalogueItem& a, const CatalogueItem& b) {
 /// Takes over what `fresh` says of the row itself; false when nothing differs.
 bool TakeOver(CatalogueItem& item, const CatalogueItem& fresh) {
   const auto all = [](auto& i) {
-    return std::tie(i.name, i.detail, i.value, i.unit, i.mark, i.state, i.gone, i.host, i.since,
-                    i.type, i.channel);
+    return std::tie(i.name, i.detail, i.value, i.unit, i.connected, i.mark, i.state, i.gone, i.host,
+                    i.since, i.type, i.channel);
   };
   if (all(item) == all(fresh)) return false;
   all(item) = all(fresh);
@@ -35,29 +35,6 @@ void Renumber(CatalogueItem& parent, std::size_t from) {
   }
 }
 
-QString Glyph(ItemKind kind) {
-  switch (kind) {
-    case ItemKind::kCommand:
-    case ItemKind::kFunction:
-      return QStringLiteral("ƒ");
-    case ItemKind::kEvent:
-    case ItemKind::kHandler:
-      return QStringLiteral("⚡");
-    case ItemKind::kColumn:
-      return QStringLiteral("~");
-    case ItemKind::kGroup:
-    case ItemKind::kChannel:
-      return QStringLiteral("·");
-    default:
-      return {};
-  }
-}
-
-Face FaceOf(ItemKind kind) {
-  if (kind == ItemKind::kProcess) return Face::kStrong;
-  return kind <= ItemKind::kRequired ? Face::kPlain : Face::kMono;
-}
-
 void CollectSignals(const CatalogueItem& item, QList<CurveKey>& names) {
   if (item.kind == ItemKind::kChannel) names.append({item.path, item.unit});
   for (const auto& child : item.children) CollectSignals(*child, names);
@@ -65,8 +42,8 @@ void CollectSignals(const CatalogueItem& item, QList<CurveKey>& names) {
 
 }  // namespace
 
-CatalogueModel::CatalogueModel(QObject* parent)
-    : QAbstractItemModel(parent), root_(std::make_unique<CatalogueItem>()) {}
+CatalogueModel::CatalogueModel(QObject* parent, const Clock& clock)
+    : QAbstractItemModel(parent), root_(std::make_unique<CatalogueItem>()), arrivals_(clock) {}
 
 CatalogueModel::~CatalogueModel() = default;
 
@@ -86,98 +63,6 @@ int CatalogueModel::rowCount(const QModelIndex& parent) const {
 }
 
 int CatalogueModel::columnCount(const QModelIndex&) const { return kColumnCount; }
-
-QVariant CatalogueModel::headerData(int section, Qt::Orientation orientation, int role) const {
-  if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
-  return section == kName ? Words::tr("Name") : Words::tr("Value");
-}
-
-QVariant CatalogueModel::data(const QModelIndex& index, int role) const {
-  if (!index.isValid()) return {};
-  const CatalogueItem& item = itemFor(index);
-  switch (role) {
-    case kPathRole:
-      return item.path;
-    case kKindRole:
-      return static_cast<int>(item.kind);
-    case kStaleRole:
-      return item.gone || (outdated_ && item.kind < ItemKind::kColumn);
-    case Qt::ToolTipRole:
-      return item.detail.isEmpty() ? item.path : item.path + '\n' + item.detail;
-    case Qt::AccessibleTextRole:
-      return QStringList{item.name, KindWord(item.kind), valueText(item)}.join(
-          QStringLiteral(", "));
-    default:
-      return index.column() == kName ? nameData(item, role) : valueData(item, role);
-  }
-}
-
-QVariant CatalogueModel::nameData(const CatalogueItem& item, int role) const {
-  switch (role) {
-    case Qt::DisplayRole:
-      return item.name;
-    case kGlyphRole:
-      return Glyph(item.kind);
-    case kGlyphMarkRole:
-      if (item.kind == ItemKind::kProvided) return QVariant::fromValue(StateMark::kConnected);
-      return item.kind == ItemKind::kRequired ? QVariant::fromValue(*item.mark) : QVariant();
-    case kFaceRole:
-      return static_cast<int>(FaceOf(item.kind));
-    case kStruckRole:
-      return item.kind <= ItemKind::kComponent && item.gone;
-    case kFreshRole:
-      return fresh_.contains(item.path);
-    default:
-      return {};
-  }
-}
-
-QVariant CatalogueModel::valueData(const CatalogueItem& item, int role) const {
-  const bool required = item.kind == ItemKind::kRequired;
-  switch (role) {
-    case Qt::DisplayRole:
-      return valueText(item);
-    case kMarkRole:
-      return required || !item.mark ? QVariant() : QVariant::fromValue(*item.mark);
-    case kUnitRole:
-      return unitText(item);
-    case kQuietRole:
-      return item.kind < ItemKind::kColumn;
-    case kAccentRole:
-      return required && item.mark == StateMark::kNotConnected && !item.gone && !outdated_;
-    case kProseRole:
-      return item.kind <= ItemKind::kRequired && item.kind != ItemKind::kComponent;
-    default:
-      return {};
-  }
-}
-
-QString CatalogueModel::valueText(const CatalogueItem& item) const {
-  if (item.kind == ItemKind::kProcess && item.gone) {
-    return item.state + ' ' + AgeText(now_ - item.since);
-  }
-  if (item.kind != ItemKind::kColumn && item.kind != ItemKind::kChannel) return item.value;
-  const auto quantity = quantityOf(item);
-  return quantity ? quantity->number : QString();
-}
-
-std::optional<Quantity> CatalogueModel::quantityOf(const CatalogueItem& item) const {
-  if (item.kind != ItemKind::kColumn && item.kind != ItemKind::kChannel) return std::nullopt;
-  const auto values = values_.constFind(columnFor(item)->path);
-  if (values == values_.constEnd()) return std::nullopt;
-  const bool scalar = values->channels->size() == 1 && item.children.empty();
-  if (item.kind == ItemKind::kColumn && !scalar) return Quantity{values->text, item.unit};
-  const auto channel = static_cast<std::size_t>(std::max(item.channel, 0));
-  if (channel >= values->values.size()) return std::nullopt;
-  return QuantityOf((*values->channels)[channel], values->values[channel]);
-}
-
-QString CatalogueModel::unitText(const CatalogueItem& item) const {
-  const auto quantity = quantityOf(item);
-  const QString unit = quantity ? quantity->unit : item.unit;
-  const bool told_above = item.parent->kind == ItemKind::kGroup && item.parent->unit == unit;
-  return told_above ? QString() : unit;
-}
 
 Qt::ItemFlags CatalogueModel::flags(const QModelIndex& index) const {
   if (!index.isValid()) return Qt::NoItemFlags;
@@ -310,12 +195,15 @@ void CatalogueModel::updateComponent(const Catalog& catalogue, const ConnectionI
 void CatalogueModel::merge(CatalogueItem& item, CatalogueItem& fresh) {
   const bool same_type = item.type == fresh.type;
   if (item.kind == ItemKind::kColumn && same_type) fresh.unit = item.unit;
-  if (TakeOver(item, fresh)) Q_EMIT dataChanged(indexFor(item), indexFor(item, kValue));
+  if (TakeOver(item, fresh)) Q_EMIT dataChanged(indexFor(item), indexFor(item, kLast));
   if (item.kind == ItemKind::kColumn && same_type && fresh.children.empty()) {
     for (const auto& child : item.children) setGone(*child, item.gone);
     return;
   }
-  if (item.kind == ItemKind::kColumn && !same_type) values_.remove(item.path);
+  if (item.kind == ItemKind::kColumn && !same_type) {
+    values_.remove(item.path);
+    arrivals_.forget(item.path);
+  }
   mergeChildren(item, std::move(fresh.children));
 }
 
@@ -369,7 +257,7 @@ void CatalogueModel::removeChild(CatalogueItem& parent, int row) {
 void CatalogueModel::setGone(CatalogueItem& item, bool gone) {
   if (item.gone == gone) return;
   item.gone = gone;
-  Q_EMIT dataChanged(indexFor(item), indexFor(item, kValue));
+  Q_EMIT dataChanged(indexFor(item), indexFor(item, kLast));
   for (const auto& child : item.children) setGone(*child, gone);
 }
 
@@ -381,6 +269,7 @@ void CatalogueModel::enter(CatalogueItem& item) {
 void CatalogueModel::forget(CatalogueItem& item) {
   for (const auto& child : item.children) forget(*child);
   values_.remove(item.path);
+  arrivals_.forget(item.path);
   if (by_path_.value(item.path) == &item) by_path_.remove(item.path);
 }
 
@@ -390,6 +279,7 @@ void CatalogueModel::showValues(const QString& column, const ColumnValues& value
   const auto known = values_.constFind(column);
   const bool same_shape = known != values_.constEnd() && known->channels == values.channels;
   values_.insert(column, values);
+  arrivals_.hear(column, values);
   if (!same_shape) mergeChildren(*item, BuildChannels(*item, *values.channels));
   if (!same_shape && values.channels->size() == 1 && item->children.empty()) {
     item->unit = ToQString(values.channels->front().unit);
@@ -399,10 +289,10 @@ void CatalogueModel::showValues(const QString& column, const ColumnValues& value
 
 void CatalogueModel::emitValuesChanged(CatalogueItem& item) {
   if (item.kind == ItemKind::kColumn)
-    Q_EMIT dataChanged(indexFor(item, kValue), indexFor(item, kValue), {Qt::DisplayRole});
+    Q_EMIT dataChanged(indexFor(item, kValue), indexFor(item, kAge), {Qt::DisplayRole});
   if (item.children.empty()) return;
   Q_EMIT dataChanged(indexFor(*item.children.front(), kValue),
-                     indexFor(*item.children.back(), kValue), {Qt::DisplayRole});
+                     indexFor(*item.children.back(), kAge), {Qt::DisplayRole});
   for (const auto& child : item.children) {
     if (!child->children.empty()) emitValuesChanged(*child);
   }
@@ -429,11 +319,12 @@ void CatalogueModel::dropFresh() {
 void CatalogueModel::setNow(qint64 now) {
   now_ = now;
   dropFresh();
-  for (const auto& process : root_->children) {
-    if (!process->gone) continue;
-    const QModelIndex value = indexFor(*process, kValue);
-    Q_EMIT dataChanged(value, value, {Qt::DisplayRole});
+  for (const QString& column : arrivals_.known()) {
+    if (CatalogueItem* item = by_path_.value(column)) emitValuesChanged(*item);
   }
+  if (root_->children.empty()) return;
+  Q_EMIT dataChanged(indexFor(*root_->children.front(), kValue),
+                     indexFor(*root_->children.back(), kAge), {Qt::DisplayRole});
 }
 
 void CatalogueModel::setOutdated(bool outdated) {
@@ -442,7 +333,7 @@ void CatalogueModel::setOutdated(bool outdated) {
   if (!outdated) begun_ = now_;
   // Views draw all they show anew, whichever rows are named.
   if (root_->children.empty()) return;
-  Q_EMIT dataChanged(indexFor(*root_->children.front()), indexFor(*root_->children.back(), kValue));
+  Q_EMIT dataChanged(indexFor(*root_->children.front()), indexFor(*root_->children.back(), kLast));
 }
 
 }  // namespace tendon::gui

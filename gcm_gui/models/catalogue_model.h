@@ -1,6 +1,7 @@
 #pragma once
 
 #include <gcm_gui/models/catalogue_item.h>
+#include <gcm_gui/models/facts/column_arrivals.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/plot/series/signal_path.h>
 #include <gcm_gui/session/catalogue_store.h>
@@ -9,6 +10,7 @@
 #include <QAbstractItemModel>
 #include <QHash>
 #include <QList>
+#include <QSet>
 #include <QString>
 #include <cstdint>
 #include <memory>
@@ -18,15 +20,16 @@
 namespace tendon::gui {
 
 /// The catalogue as a tree: process, component, interface, member, and below the columns of state
-/// tables their values. What comes later than the first of it is marked for ten seconds. What stays
+/// tables their values; in further columns how often values come, how old they are, and what is
+/// connected to what. What comes later than the first of it is marked for ten seconds. What stays
 /// the same in an update stays where it is, also over a restart of its process. GUI thread.
 class CatalogueModel : public QAbstractItemModel {
   Q_OBJECT
 
  public:
-  enum Column { kName, kValue, kColumnCount };
+  enum Column { kName, kValue, kRate, kAge, kConnected, kColumnCount };
 
-  explicit CatalogueModel(QObject* parent = nullptr);
+  explicit CatalogueModel(QObject* parent = nullptr, const Clock& clock = SteadyClock());
   ~CatalogueModel() override;
 
   [[nodiscard]] QModelIndex index(int row, int column, const QModelIndex& parent) const override;
@@ -55,6 +58,8 @@ class CatalogueModel : public QAbstractItemModel {
  public Q_SLOTS:
   void update(const tendon::Catalog& catalogue, const tendon::gui::Touched& touched);
   void showValues(const QString& column, const tendon::gui::ColumnValues& values);
+  /// These are listened to from now on, so that their silence means something.
+  void setWatched(const QSet<QString>& columns) { arrivals_.setWatched(columns); }
   /// The time, ns since 1970, for "lost 12 s".
   void setNow(qint64 now);
   /// Nothing is known any more of what there is: all but values is shown as it was.
@@ -85,11 +90,18 @@ class CatalogueModel : public QAbstractItemModel {
   [[nodiscard]] QString unitText(const CatalogueItem& item) const;
   [[nodiscard]] QVariant nameData(const CatalogueItem& item, int role) const;
   [[nodiscard]] QVariant valueData(const CatalogueItem& item, int role) const;
+  /// Of the columns behind the value; a dash stands for what is not known.
+  [[nodiscard]] QVariant factData(const CatalogueItem& item, int column, int role) const;
+  [[nodiscard]] QString factText(const CatalogueItem& item, int column) const;
+  [[nodiscard]] QString spokenText(const CatalogueItem& item, int column) const;
+  [[nodiscard]] std::optional<double> rateOf(const CatalogueItem& item) const;       // Hz
+  [[nodiscard]] std::optional<std::int64_t> ageOf(const CatalogueItem& item) const;  // ns
 
   std::unique_ptr<CatalogueItem> root_;
   QHash<QString, CatalogueItem*> by_path_;
   QHash<QString, ColumnValues> values_;  // of columns
-  QHash<QString, std::int64_t> fresh_;   // of rows that are new, by path: until when
+  ColumnArrivals arrivals_;
+  QHash<QString, std::int64_t> fresh_;  // of rows that are new, by path: until when
   std::int64_t now_ = 0;
   std::int64_t begun_ = 0;  // when the first rows came
   bool outdated_ = false;

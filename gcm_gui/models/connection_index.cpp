@@ -1,14 +1,19 @@
 #include <gcm_gui/models/connection_index.h>
 
+#include <algorithm>
+
 namespace tendon::gui {
 
 ConnectionIndex::ConnectionIndex(const Catalog& catalogue) {
   for (const auto& [name, entry] : catalogue.processes()) {
     for (const auto& [id, connection] : entry.connections) {
       by_required_[connection.required] = &connection;
-      if (connection.state == ConnectionState::kActive) ++clients_[connection.provided];
+      if (connection.state == ConnectionState::kActive) {
+        clients_[connection.provided].push_back(connection.required);
+      }
     }
   }
+  for (auto& [provided, clients] : clients_) std::sort(clients.begin(), clients.end());
 }
 
 const ConnectionDescription* ConnectionIndex::Of(const InterfaceName& required) const {
@@ -17,8 +22,13 @@ const ConnectionDescription* ConnectionIndex::Of(const InterfaceName& required) 
 }
 
 int ConnectionIndex::Clients(const InterfaceName& provided) const {
+  return static_cast<int>(ClientsOf(provided).size());
+}
+
+const std::vector<InterfaceName>& ConnectionIndex::ClientsOf(const InterfaceName& provided) const {
+  static const std::vector<InterfaceName> kNone;
   const auto it = clients_.find(provided);
-  return it == clients_.end() ? 0 : it->second;
+  return it == clients_.end() ? kNone : it->second;
 }
 
 }  // namespace tendon::gui

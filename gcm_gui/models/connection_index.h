@@ -3,6 +3,7 @@
 #include <tendon/gcm/catalog.h>
 
 #include <map>
+#include <vector>
 
 namespace tendon::gui {
 
@@ -16,10 +17,12 @@ class ConnectionIndex {
   [[nodiscard]] const ConnectionDescription* Of(const InterfaceName& required) const;
   /// How many required interfaces use it now.
   [[nodiscard]] int Clients(const InterfaceName& provided) const;
+  /// Those required interfaces, sorted.
+  [[nodiscard]] const std::vector<InterfaceName>& ClientsOf(const InterfaceName& provided) const;
 
  private:
   std::map<InterfaceName, const ConnectionDescription*> by_required_;
-  std::map<InterfaceName, int> clients_;
+  std::map<InterfaceName, std::vector<InterfaceName>> clients_;
 };
 
 }  // namespace tendon::gui

@@ -27,6 +27,7 @@ enum RowRole : int {
   kQuietRole,                    ///< bool: a value that is set dim
   kProseRole,                    ///< bool: a value that is words, not a number
   kTrendRole,                    ///< QList<double>: the last values, oldest first
+  kLeftRole,                     ///< bool: a value that is words which begin at the left
   kFreshRole,  ///< bool: a value that has just changed, or the name of a row that is new
 };
 

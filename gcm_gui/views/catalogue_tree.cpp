@@ -1,10 +1,9 @@
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/row_roles.h>
 #include <gcm_gui/views/catalogue_tree.h>
-#include <gcm_gui/views/row_delegate.h>
+#include <gcm_gui/views/columns/catalogue_columns.h>
 
 #include <QContextMenuEvent>
-#include <QHeaderView>
 #include <QScopedValueRollback>
 #include <chrono>
 
@@ -27,9 +26,7 @@ CatalogueTree::CatalogueTree(CatalogueFilter& filter, Selection& selection, Sign
   // Before the selection hears of it: what goes with its row stays selected by its path.
   connect(&filter, &QAbstractItemModel::rowsAboutToBeRemoved, this, [this] { removing_ = true; });
   setModel(&filter);
-  setColumnHidden(CatalogueModel::kValue, true);
-  rows().setValueColumn(CatalogueModel::kValue);
-  header()->setSectionResizeMode(CatalogueModel::kName, QHeaderView::Stretch);
+  columns_ = new CatalogueColumns(*this);
   settle_.setSingleShot(true);
   settle_.setInterval(kSettle);
   connect(&settle_, &QTimer::timeout, this, &CatalogueTree::watchVisible);
@@ -182,6 +179,7 @@ void CatalogueTree::watchVisible() {
     }
     index = indexBelow(index);
   }
+  filter_.catalogue().setWatched(columns);
   source_.watch(this, columns);
 }
 

@@ -13,6 +13,8 @@
 
 namespace tendon::gui {
 
+class CatalogueColumns;
+
 /// The catalogue on the screen. What is expanded and what is selected is kept by path, so that both
 /// come back with what they name. What is opened while there is a filter stays open without it;
 /// what is closed meanwhile is closed only until then. Live values are asked for only for rows that
@@ -24,6 +26,7 @@ class CatalogueTree : public RowView {
   CatalogueTree(CatalogueFilter& filter, Selection& selection, SignalSource& source,
                 QWidget* parent = nullptr);
 
+  [[nodiscard]] CatalogueColumns& columns() const { return *columns_; }
   /// On the viewport, of every row that can be seen, by path.
   [[nodiscard]] QHash<QString, QRect> visibleRows() const;
 
@@ -66,6 +69,7 @@ class CatalogueTree : public RowView {
   CatalogueFilter& filter_;
   Selection& selection_;
   SignalSource& source_;
+  CatalogueColumns* columns_ = nullptr;
   Open own_;
   std::optional<Open> filtered_;  // while there is a filter
   QTimer settle_;

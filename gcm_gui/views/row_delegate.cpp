@@ -76,10 +76,11 @@ void RowDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
     const QWidget* buttons = view->indexWidget(index);
     if (buttons != nullptr) rect.setRight(rect.right() - buttons->childrenRect().width() - kInset);
   }
-  const bool is_value = index.column() > 0 && !all_left_;
+  const bool is_value = index.column() > 0 && !all_left_ && !index.data(kLeftRole).toBool();
   if (index.column() == 0 && value_column_ >= 0) {
     const QRect row = rect;
-    rect = paintValue(*painter, rect, index.siblingAtColumn(value_column_));
+    rect =
+        paintValue(*painter, rect, index.siblingAtColumn(value_column_), roomForName(rect, index));
     rect.setRight(rect.right() - kSpace);
     paintTrend(*painter, row, rect.right(), index);
   }
@@ -90,14 +91,23 @@ void RowDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
     rect.setRight(rect.right() - used - kSpace);
   }
   if (is_value) {
-    paintValue(*painter, rect, index);
+    paintValue(*painter, rect, index, 0);
   } else {
     paintName(*painter, rect, index);
   }
   painter->restore();
 }
 
-QRect RowDelegate::paintValue(QPainter& painter, QRect rect, const QModelIndex& index) const {
+/// What it needs, within reason: a value alone means nothing.
+int RowDelegate::roomForName(const QRect& rect, const QModelIndex& index) const {
+  const int name = left_inset_ + kGlyphWidth + kSpace / 2 + kSpace +
+                   QFontMetrics(FontOf(index)).horizontalAdvance(index.data().toString());
+  const int width = rect.width() - kInset;
+  return std::clamp(name, width / 4, width * 3 / 5);
+}
+
+QRect RowDelegate::paintValue(QPainter& painter, QRect rect, const QModelIndex& index,
+                              int name) const {
   const Theme& theme = Theme::instance();
   const bool stale = index.data(kStaleRole).toBool();
   const bool accent = index.data(kAccentRole).toBool();
@@ -105,12 +115,7 @@ QRect RowDelegate::paintValue(QPainter& painter, QRect rect, const QModelIndex& 
   const QString text = index.data().toString();
   rect.setRight(rect.right() - kInset);
 
-  // The name keeps what it needs, within reason: a value alone means nothing.
-  const QModelIndex named = index.siblingAtColumn(0);
-  const int name = left_inset_ + kGlyphWidth + kSpace / 2 + kSpace +
-                   QFontMetrics(FontOf(named)).horizontalAdvance(named.data().toString());
-  const QRect room =
-      rect.adjusted(std::clamp(name, rect.width() / 4, rect.width() * 3 / 5), 0, 0, 0);
+  const QRect room = rect.adjusted(name, 0, 0, 0);
   int used = 0;
   if (const QString unit = index.data(kUnitRole).toString(); !unit.isEmpty()) {
     used = PaintText(painter, room, unit, theme.mono(), Token::kDim, Qt::AlignRight) + kSpace;
@@ -184,11 +189,12 @@ QRect RowDelegate::paintName(QPainter& painter, QRect rect, const QModelIndex& i
 
   QFont font = FontOf(index);
   font.setStrikeOut(index.data(kStruckRole).toBool());
+  const bool quiet = stale || index.data(kQuietRole).toBool();
   if (index.data(kFreshRole).toBool()) font.setBold(true);
   // Of a path the end says most.
   const bool path = static_cast<Face>(index.data(kFaceRole).toInt()) == Face::kMono;
   const int used =
-      PaintText(painter, rect, index.data().toString(), font, stale ? Token::kDim : Token::kText,
+      PaintText(painter, rect, index.data().toString(), font, quiet ? Token::kDim : Token::kText,
                 Qt::AlignLeft, path ? Qt::ElideMiddle : Qt::ElideRight);
   rect.setLeft(rect.left() + used + kSpace);
   if (const QString object = index.data(kObjectRole).toString(); !object.isEmpty()) {

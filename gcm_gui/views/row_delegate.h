@@ -27,8 +27,10 @@ class RowDelegate : public QStyledItemDelegate {
                                const QModelIndex& index) const override;
 
  private:
-  /// Both return what is left of `rect`.
-  QRect paintValue(QPainter& painter, QRect rect, const QModelIndex& index) const;
+  /// What the name keeps of a row that also shows its value, in pixels.
+  [[nodiscard]] int roomForName(const QRect& rect, const QModelIndex& index) const;
+  // Both return what is left of `rect`; of a value at least `name` pixels.
+  QRect paintValue(QPainter& painter, QRect rect, const QModelIndex& index, int name) const;
   QRect paintName(QPainter& painter, QRect rect, const QModelIndex& index) const;
   /// At a fixed place, so that trends stand below each other; `values` begin at `right`.
   void paintTrend(QPainter& painter, const QRect& row, int right, const QModelIndex& index) const;

@@ -10,6 +10,7 @@
 #include <gcm_gui/tour/tour.h>
 #include <gcm_gui/views/catalogue_panel.h>
 #include <gcm_gui/views/catalogue_tree.h>
+#include <gcm_gui/views/columns/catalogue_columns.h>
 #include <gcm_gui/why/why_binding.h>
 #include <gcm_gui/window/bar/notice_line.h>
 #include <gcm_gui/window/bar/top_bar.h>
@@ -67,8 +68,12 @@ void MainWindow::addCommands() {
   addSystemCommands();
   addPlotCommands();
   graph_commands_->addCommands(*commands_);
-  panels_->fill(commands_->menu(Commands::Menu::kView));
-  commands_->menu(Commands::Menu::kView).addSeparator();
+  QMenu& view = commands_->menu(Commands::Menu::kView);
+  panels_->fill(view);
+  view.addSeparator();
+  view.addActions(catalogue_->tree().columns().actions());
+  connect(panels_, &Panels::wasReset, &catalogue_->tree().columns(), &CatalogueColumns::reset);
+  view.addSeparator();
   commands_->add(Commands::Menu::kView, Words::tr("Dark or light"), {},
                  [] { Theme::instance().toggle(); });
   addHelpCommands();

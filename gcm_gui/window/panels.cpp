@@ -139,6 +139,7 @@ void Panels::reset() {
   setMovable(false);
   for (const Panel& panel : panels_) window_.addDockWidget(panel.area, panel.dock);
   show(Perspective::kConnect);
+  Q_EMIT wasReset();
 }
 
 QByteArray Panels::state() const {

@@ -45,6 +45,8 @@ class Panels : public QObject {
 
  Q_SIGNALS:
   void shown(tendon::gui::Panels::Perspective perspective);
+  /// All else that can be arranged is to be as at the first start, too.
+  void wasReset();
 
  private:
   struct Panel {

@@ -1,0 +1,233 @@
+#include <gcm_gui/language/words.h>
+#include <gcm_gui/models/catalogue_model.h>
+#include <gcm_gui/models/row_roles.h>
+#include <gcm_gui/models/text.h>
+#include <gcm_gui/plot/rate_badge.h>
+
+#include <algorithm>
+
+// What the cells of the catalogue say.
+namespace tendon::gui {
+namespace {
+
+const QString kNotKnown = QStringLiteral("–");
+
+QString Glyph(ItemKind kind) {
+  switch (kind) {
+    case ItemKind::kCommand:
+    case ItemKind::kFunction:
+      return QStringLiteral("ƒ");
+    case ItemKind::kEvent:
+    case ItemKind::kHandler:
+      return QStringLiteral("⚡");
+    case ItemKind::kColumn:
+      return QStringLiteral("~");
+    case ItemKind::kGroup:
+    case ItemKind::kChannel:
+      return QStringLiteral("·");
+    default:
+      return {};
+  }
+}
+
+Face FaceOf(ItemKind kind) {
+  if (kind == ItemKind::kProcess) return Face::kStrong;
+  return kind <= ItemKind::kRequired ? Face::kPlain : Face::kMono;
+}
+
+QString TitleOf(int column) {
+  switch (column) {
+    case CatalogueModel::kValue:
+      return Words::tr("State / value");
+    case CatalogueModel::kRate:
+      return Words::tr("Rate");
+    case CatalogueModel::kAge:
+      return Words::tr("Age");
+    case CatalogueModel::kConnected:
+      return Words::tr("Connected to");
+    default:
+      return Words::tr("Name");
+  }
+}
+
+QString ExplanationOf(int column) {
+  switch (column) {
+    case CatalogueModel::kRate:
+      return Words::tr("Rows a second that arrive here; – where nothing is listened to");
+    case CatalogueModel::kAge:
+      return Words::tr(
+          "Of a value: since its newest row was written. Of a process: since it came into its "
+          "state. – where it is not known");
+    case CatalogueModel::kConnected:
+      return Words::tr("The interfaces, or of a component the components, at the other end");
+    default:
+      return {};
+  }
+}
+
+}  // namespace
+
+QVariant CatalogueModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal) return {};
+  switch (role) {
+    case Qt::DisplayRole:
+      return TitleOf(section);
+    case Qt::ToolTipRole:
+    case Qt::AccessibleDescriptionRole:
+      return ExplanationOf(section);
+    case Qt::TextAlignmentRole: {
+      const bool is_left = section == kName || section == kConnected;
+      return static_cast<int>(Qt::AlignVCenter | (is_left ? Qt::AlignLeft : Qt::AlignRight));
+    }
+    default:
+      return {};
+  }
+}
+
+QVariant CatalogueModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid()) return {};
+  const CatalogueItem& item = itemFor(index);
+  switch (role) {
+    case kPathRole:
+      return item.path;
+    case kKindRole:
+      return static_cast<int>(item.kind);
+    case kStaleRole:
+      return item.gone || (outdated_ && item.kind < ItemKind::kColumn);
+    case Qt::ToolTipRole:
+      if (index.column() == kConnected && !item.connected.isEmpty()) return item.connected;
+      return item.detail.isEmpty() ? item.path : item.path + '\n' + item.detail;
+    case Qt::AccessibleTextRole:
+      return spokenText(item, index.column());
+    default:
+      break;
+  }
+  switch (index.column()) {
+    case kName:
+      return nameData(item, role);
+    case kValue:
+      return valueData(item, role);
+    default:
+      return factData(item, index.column(), role);
+  }
+}
+
+QVariant CatalogueModel::nameData(const CatalogueItem& item, int role) const {
+  switch (role) {
+    case Qt::DisplayRole:
+      return item.name;
+    case kGlyphRole:
+      return Glyph(item.kind);
+    case kGlyphMarkRole:
+      if (item.kind == ItemKind::kProvided) return QVariant::fromValue(StateMark::kConnected);
+      return item.kind == ItemKind::kRequired ? QVariant::fromValue(*item.mark) : QVariant();
+    case kFaceRole:
+      return static_cast<int>(FaceOf(item.kind));
+    case kStruckRole:
+      return item.kind <= ItemKind::kComponent && item.gone;
+    case kFreshRole:
+      return fresh_.contains(item.path);
+    default:
+      return {};
+  }
+}
+
+QVariant CatalogueModel::valueData(const CatalogueItem& item, int role) const {
+  const bool required = item.kind == ItemKind::kRequired;
+  switch (role) {
+    case Qt::DisplayRole:
+      return valueText(item);
+    case kMarkRole:
+      return required || !item.mark ? QVariant() : QVariant::fromValue(*item.mark);
+    case kUnitRole:
+      return unitText(item);
+    case kQuietRole:
+      return item.kind < ItemKind::kColumn;
+    case kAccentRole:
+      return required && item.mark == StateMark::kNotConnected && !item.gone && !outdated_;
+    case kProseRole:
+      return item.kind <= ItemKind::kRequired && item.kind != ItemKind::kComponent;
+    default:
+      return {};
+  }
+}
+
+QString CatalogueModel::valueText(const CatalogueItem& item) const {
+  if (item.kind == ItemKind::kProcess && item.gone) {
+    return item.value + ' ' + AgeText(now_ - item.since);
+  }
+  if (item.kind != ItemKind::kColumn && item.kind != ItemKind::kChannel) return item.value;
+  const auto quantity = quantityOf(item);
+  return quantity ? quantity->number : QString();
+}
+
+std::optional<Quantity> CatalogueModel::quantityOf(const CatalogueItem& item) const {
+  if (item.kind != ItemKind::kColumn && item.kind != ItemKind::kChannel) return std::nullopt;
+  const auto values = values_.constFind(columnFor(item)->path);
+  if (values == values_.constEnd()) return std::nullopt;
+  const bool scalar = values->channels->size() == 1 && item.children.empty();
+  if (item.kind == ItemKind::kColumn && !scalar) return Quantity{values->text, item.unit};
+  const auto channel = static_cast<std::size_t>(std::max(item.channel, 0));
+  if (channel >= values->values.size()) return std::nullopt;
+  return QuantityOf((*values->channels)[channel], values->values[channel]);
+}
+
+QString CatalogueModel::unitText(const CatalogueItem& item) const {
+  const auto quantity = quantityOf(item);
+  const QString unit = quantity ? quantity->unit : item.unit;
+  const bool told_above = item.parent->kind == ItemKind::kGroup && item.parent->unit == unit;
+  return told_above ? QString() : unit;
+}
+
+QVariant CatalogueModel::factData(const CatalogueItem& item, int column, int role) const {
+  switch (role) {
+    case Qt::DisplayRole:
+      return factText(item, column);
+    case kQuietRole:
+      return column != kConnected || item.connected.isEmpty() ||
+             item.connected == Words::tr("nothing");
+    case kLeftRole:
+      return column == kConnected;
+    default:
+      return {};
+  }
+}
+
+QString CatalogueModel::factText(const CatalogueItem& item, int column) const {
+  if (column == kRate) {
+    const auto rate = rateOf(item);
+    return rate ? RateText(*rate) : kNotKnown;
+  }
+  if (column == kAge) {
+    const auto age = ageOf(item);
+    return age ? AgeText(*age) : kNotKnown;
+  }
+  return item.connected.isEmpty() ? kNotKnown : item.connected;
+}
+
+/// Of what holds several columns that of the fastest.
+std::optional<double> CatalogueModel::rateOf(const CatalogueItem& item) const {
+  if (item.gone) return std::nullopt;
+  if (item.kind >= ItemKind::kColumn) return arrivals_.rate(columnFor(item)->path);
+  std::optional<double> fastest;
+  if (item.kind != ItemKind::kComponent && item.kind != ItemKind::kProvided) return fastest;
+  for (const auto& child : item.children) fastest = std::max(fastest, rateOf(*child));
+  return fastest;
+}
+
+std::optional<std::int64_t> CatalogueModel::ageOf(const CatalogueItem& item) const {
+  if (item.kind == ItemKind::kProcess && item.since > 0) return now_ - item.since;
+  if (item.kind < ItemKind::kColumn || item.gone) return std::nullopt;
+  return arrivals_.age(columnFor(item)->path);
+}
+
+QString CatalogueModel::spokenText(const CatalogueItem& item, int column) const {
+  if (column <= kValue) {
+    return QStringList{item.name, KindWord(item.kind), valueText(item)}.join(QStringLiteral(", "));
+  }
+  const QString text = factText(item, column);
+  return TitleOf(column) + QStringLiteral(": ") +
+         (text == kNotKnown ? Words::tr("not known") : text);
+}
+
+}  // namespace tendon::gui
