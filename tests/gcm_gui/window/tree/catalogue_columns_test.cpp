@@ -159,6 +159,7 @@ TEST_F(CatalogueColumnsTest, LookLikeThis) {
   QDir().mkpath(PICTURE_FOLDER);
   for (const auto choice : {Theme::Choice::kLight, Theme::Choice::kDark}) {
     Theme::instance().choose(choice);
+    QCoreApplication::processEvents();
     const auto* name = choice == Theme::Choice::kLight ? "light" : "dark";
     EXPECT_TRUE(
         window_.grab().save(QStringLiteral(PICTURE_FOLDER "/catalogue-columns-%1.png").arg(name)));
