@@ -8,6 +8,8 @@
 #include <gcm_console/screen/task_feed.h>
 #include <gcm_console/show/details.h>
 #include <gcm_console/verb.h>
+#include <tendon/gcm/argument/common_fields.h>
+#include <tendon/gcm/argument/matching_read.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/text/health_text.h>
 #include <tendon/gcm/text/wall_time.h>
@@ -162,16 +164,40 @@ void PrintPayload(Context& context, const std::string& process, const std::strin
   context.Print(FieldsOf(*schema));
 }
 
+Result<tendon::Schema> SchemaOf(Context& context, const Place& place,
+                                const tendon::Fingerprint& type) {
+  return context.Ask<tendon::Schema>([&](tendon::GcmClient& client, auto handler) {
+    client.GetSchema(place.process->process.name, type, handler);
+  });
+}
+
+/// What the argument may be, as JSON: as the interface says that it is now where it says it, else
+/// zeros, or what is nearest to them.
+std::string LikelyArgument(Context& context, const Place& place, const std::string& path,
+                           const tendon::Schema& schema) {
+  std::string argument = JsonSkeleton(schema);
+  const std::string interface = path.substr(0, path.rfind('.') + 1);
+  for (const auto& read : MatchingReads(*place.provided, *place.member)) {
+    const auto offered = read.is_whole ? schema : SchemaOf(context, place, read.type);
+    const auto fields = offered ? CommonFields(schema, *offered) : std::vector<std::string>();
+    if (fields.empty() && !read.is_whole) continue;
+    const auto now = context.Ask<std::string>([&](tendon::GcmClient& client, auto handler) {
+      client.Call(interface + read.name, "", handler);
+    });
+    if (!now) continue;
+    return read.is_whole ? *now : tendon::WithFieldsOf(argument, *now, fields);
+  }
+  return argument;
+}
+
 /// How it is called, to be copied.
 void PrintCall(Context& context, const Place& place, const std::string& path) {
   const auto& member = *place.member;
   std::string argument;
   if (TakesArgument(member.signature)) {
-    const auto schema = context.Ask<tendon::Schema>([&](tendon::GcmClient& client, auto handler) {
-      client.GetSchema(place.process->process.name, member.signature.in, handler);
-    });
+    const auto schema = SchemaOf(context, place, member.signature.in);
     if (!schema) return;
-    argument = " '" + JsonSkeleton(*schema) + "'";
+    argument = " '" + LikelyArgument(context, place, path, *schema) + "'";
   }
   context.out() << "\ngcm call " << path << argument << '\n';
 }

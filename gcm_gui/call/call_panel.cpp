@@ -1,5 +1,4 @@
 #include <gcm_gui/call/call_panel.h>
-#include <gcm_gui/call/defaults/common_fields.h>
 #include <gcm_gui/call/hold_button.h>
 #include <gcm_gui/call/repeat/repeat_row.h>
 #include <gcm_gui/call/value_form.h>
@@ -10,6 +9,7 @@
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
 #include <gcm_gui/views/link.h>
+#include <tendon/gcm/argument/common_fields.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/payload/json.h>
 #include <tendon/payload/json/strict_json.h>

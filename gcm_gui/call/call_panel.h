@@ -1,7 +1,7 @@
 #pragma once
 
-#include <gcm_gui/call/defaults/matching_read.h>
 #include <gcm_gui/session/command_calls.h>
+#include <tendon/gcm/argument/matching_read.h>
 #include <tendon/interface/description.h>
 
 #include <QHash>

@@ -1,6 +1,5 @@
 #include <gcm_gui/call/call_panel.h>
 #include <gcm_gui/call/careful.h>
-#include <gcm_gui/call/defaults/matching_read.h>
 #include <gcm_gui/inspector/event_list.h>
 #include <gcm_gui/inspector/inspector.h>
 #include <gcm_gui/inspector/thread_facts.h>
@@ -20,6 +19,7 @@
 #include <gcm_gui/views/state_label.h>
 #include <gcm_gui/views/tab_panel.h>
 #include <tendon/base/path.h>
+#include <tendon/gcm/argument/matching_read.h>
 
 #include <QHBoxLayout>
 #include <QHeaderView>

@@ -1,6 +1,6 @@
 #include <gcm_gui/call/call_panel.h>
-#include <gcm_gui/call/defaults/matching_read.h>
 #include <gtest/gtest.h>
+#include <tendon/gcm/argument/matching_read.h>
 
 #include <QClipboard>
 #include <QGuiApplication>

@@ -1,10 +1,10 @@
-#include <gcm_gui/call/defaults/matching_read.h>
+#include <tendon/gcm/argument/matching_read.h>
 #include <tendon/gcm/lookup.h>
 
 #include <algorithm>
 #include <string_view>
 
-namespace tendon::gui {
+namespace tendon {
 namespace {
 
 /// "Gains" of "SetGains" and "GetGains".
@@ -49,4 +49,4 @@ std::vector<MatchingRead> MatchingReads(const ProvidedDescription& of,
   return reads;
 }
 
-}  // namespace tendon::gui
+}  // namespace tendon

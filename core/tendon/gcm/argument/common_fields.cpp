@@ -1,9 +1,9 @@
-#include <gcm_gui/call/defaults/common_fields.h>
+#include <tendon/gcm/argument/common_fields.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-namespace tendon::gui {
+namespace tendon {
 
 std::vector<std::string> CommonFields(const Schema& wanted, const Schema& offered) {
   std::vector<std::string> names;
@@ -29,4 +29,4 @@ std::string WithFieldsOf(const std::string& value, const std::string& source,
   return mine.dump();
 }
 
-}  // namespace tendon::gui
+}  // namespace tendon

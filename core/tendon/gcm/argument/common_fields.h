@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace tendon::gui {
+namespace tendon {
 
 /// The fields of the structure `wanted` that `offered` has too, by name: of the same type and in
 /// the same unit. None where one of both is no structure.
@@ -16,4 +16,4 @@ namespace tendon::gui {
 [[nodiscard]] std::string WithFieldsOf(const std::string& value, const std::string& source,
                                        const std::vector<std::string>& fields);
 
-}  // namespace tendon::gui
+}  // namespace tendon

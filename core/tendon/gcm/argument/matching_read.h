@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace tendon::gui {
+namespace tendon {
 
 /// A read command that may say what a command is to begin with.
 struct MatchingRead {
@@ -24,4 +24,4 @@ struct MatchingRead {
 [[nodiscard]] std::vector<MatchingRead> MatchingReads(const ProvidedDescription& of,
                                                       const MemberDescription& command);
 
-}  // namespace tendon::gui
+}  // namespace tendon
