@@ -74,6 +74,8 @@ Pair::~Pair() {
   Release();
   EXPECT_TRUE(ground_->client().StopAll().ok());
   EXPECT_TRUE(ground_->server().StopAll().ok());
+  lent_.clear();
+  ground_->Clear();
 }
 
 void Pair::Connect() {

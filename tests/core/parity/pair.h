@@ -29,6 +29,8 @@ class Ground {
   [[nodiscard]] virtual tendon::LocalManager& server() = 0;
   [[nodiscard]] virtual tendon::LocalManager& client() = 0;
   [[nodiscard]] virtual std::string server_process() const { return {}; }
+  /// Once a pair has ended: of what is used again, nothing of it is left.
+  virtual void Clear() {}
 };
 
 /// Where a pair lives.

@@ -3,6 +3,10 @@
 #include <tendon/gcm/global_manager.h>
 #include <tendon/process/process.h>
 
+#include <map>
+#include <memory>
+#include <string>
+
 #include "support/folder.h"
 #include "support/network_kinds.h"
 #include "support/program.h"
@@ -10,8 +14,8 @@
 namespace tendon_test {
 namespace {
 
-/// Process robot with the server, process desk with the client, and their GCM.
-class TwoProcesses final : public Ground {
+/// Process robot for servers, process desk for clients, and their GCM.
+class TwoProcesses {
  public:
   explicit TwoProcesses(const NetworkKind& kind) : join_(kind.make()) {
     auto gcm = tendon::GlobalManager::Start(join_(),
@@ -22,9 +26,8 @@ class TwoProcesses final : public Ground {
     desk_ = Start("desk");
   }
 
-  tendon::LocalManager& server() override { return *robot_; }
-  tendon::LocalManager& client() override { return *desk_; }
-  [[nodiscard]] std::string server_process() const override { return "robot"; }
+  [[nodiscard]] tendon::Process& robot() { return *robot_; }
+  [[nodiscard]] tendon::Process& desk() { return *desk_; }
 
  private:
   [[nodiscard]] std::unique_ptr<tendon::Process> Start(const std::string& name) const {
@@ -43,18 +46,62 @@ class TwoProcesses final : public Ground {
   std::unique_ptr<tendon::Process> desk_;
 };
 
+/// Those of every network, begun when they are first asked for: all pairs live there, one after the
+/// other.
+class Processes final : public testing::Environment {
+ public:
+  void TearDown() override { all_.clear(); }
+
+  TwoProcesses& On(const NetworkKind& kind) {
+    std::unique_ptr<TwoProcesses>& one = all_[kind.name];
+    if (!one) one = std::make_unique<TwoProcesses>(kind);
+    return *one;
+  }
+
+ private:
+  std::map<std::string, std::unique_ptr<TwoProcesses>> all_;
+};
+
+Processes& TheProcesses() {
+  static auto& processes = static_cast<Processes&>(  // which GoogleTest owns
+      *testing::AddGlobalTestEnvironment(std::make_unique<Processes>().release()));
+  return processes;
+}
+
+class BetweenProcesses final : public Ground {
+ public:
+  explicit BetweenProcesses(TwoProcesses& processes) : processes_(processes) {}
+
+  tendon::LocalManager& server() override { return processes_.robot(); }
+  tendon::LocalManager& client() override { return processes_.desk(); }
+  [[nodiscard]] std::string server_process() const override { return "robot"; }
+  void Clear() override {
+    RemoveAll(client());
+    RemoveAll(server());
+  }
+
+ private:
+  static void RemoveAll(tendon::LocalManager& manager) {
+    for (const auto& component : manager.components()) {
+      const auto removed = manager.Remove(component.name);
+      EXPECT_TRUE(removed.ok()) << removed.error().message;
+    }
+  }
+
+  TwoProcesses& processes_;
+};
+
 }  // namespace
 
 std::vector<PlacedKinds> RemotePairs() {
+  Processes& processes = TheProcesses();
   std::vector<PlacedKinds> pairs;
   for (const NetworkKind& network : NetworkKinds()) {
-    const Place place{.name = "Over" + network.name,
-                      .make = [network] { return std::make_unique<TwoProcesses>(network); }};
-    for (const Kind kind : AllKinds()) {
-      pairs.emplace_back(Kind::kPeriodic, kind, place);
-      pairs.emplace_back(Kind::kThreadless, kind, place);
-      const bool is_new = kind != Kind::kPeriodic && kind != Kind::kThreadless;
-      if (is_new) pairs.emplace_back(kind, Kind::kPeriodic, place);
+    const Place place{.name = "Over" + network.name, .make = [network, &processes] {
+                        return std::make_unique<BetweenProcesses>(processes.On(network));
+                      }};
+    for (const Kind client : AllKinds()) {
+      for (const Kind server : AllKinds()) pairs.emplace_back(client, server, place);
     }
   }
   return pairs;

@@ -6,8 +6,8 @@
 
 namespace tendon_test {
 
-/// Pairs of two processes on every sort of network: each kind of client with a periodic server, and
-/// each kind of server with a periodic client and with one that has no thread.
+/// Every kind of client with every kind of server, in two processes on every sort of network: one
+/// pair of processes for all pairs of a network.
 [[nodiscard]] std::vector<PlacedKinds> RemotePairs();
 
 }  // namespace tendon_test
