@@ -4,6 +4,7 @@
 
 #include <QAbstractItemView>
 #include <QAbstractScrollArea>
+#include <QLabel>
 #include <QPainter>
 #include <QPolygonF>
 #include <QStyleOption>
@@ -45,6 +46,10 @@ TendonStyle::TendonStyle() : QProxyStyle("Fusion") {}
 void TendonStyle::polish(QWidget* widget) {
   QProxyStyle::polish(widget);
   if (auto* view = qobject_cast<QAbstractItemView*>(widget)) view->setFrameShape(QFrame::NoFrame);
+  // Names and descriptions of processes may have any text; a tool tip is a label, too.
+  auto* const label = qobject_cast<QLabel*>(widget);
+  const bool guesses = label != nullptr && label->textFormat() == Qt::AutoText;
+  if (guesses) label->setTextFormat(Qt::PlainText);
 }
 
 int TendonStyle::pixelMetric(PixelMetric metric, const QStyleOption* option,

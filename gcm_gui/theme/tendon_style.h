@@ -7,7 +7,8 @@ class QAbstractScrollArea;
 namespace tendon::gui {
 
 /// What palette and style sheet cannot say: the height of rows, the arrows of trees, how wide
-/// splitters are. Item views are drawn here and not by the style sheet, which would slow them.
+/// splitters are, and that labels and tool tips show text as it is, unless they ask for another
+/// format. Item views are drawn here and not by the style sheet, which would slow them.
 class TendonStyle : public QProxyStyle {
   Q_OBJECT
 

@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QSignalSpy>
 #include <QStandardItemModel>
+#include <QToolTip>
 #include <QTreeView>
 
 namespace tendon::gui {
@@ -52,6 +53,34 @@ TEST_F(ThemeTest, ALabelTakesTheColourOfItsRoleAndOfTheNextTheme) {
   theme_.choose(Theme::Choice::kLight);
 
   EXPECT_EQ(label.palette().color(QPalette::WindowText), ColorOf(Token::kBad, Appearance::kLight));
+}
+
+/// What a stranger may have named itself.
+const QString kMarkup = QStringLiteral("<img src=x><b>bold</b> <a href=\"x\">here</a>");
+
+TEST(BadInput61InTheWindow, ALabelShowsMarkupAsItIs) {
+  QLabel label(kMarkup);
+  QLabel plain;
+  plain.setTextFormat(Qt::PlainText);
+  plain.setText(kMarkup);
+
+  EXPECT_EQ(label.sizeHint(), plain.sizeHint());
+
+  EXPECT_EQ(label.textFormat(), Qt::PlainText);
+  EXPECT_EQ(label.text(), kMarkup);
+}
+
+TEST(BadInput61InTheWindow, AToolTipShowsMarkupAsItIs) {
+  QToolTip::showText(QPoint(10, 10), kMarkup);
+
+  const QLabel* tip = nullptr;
+  for (const QWidget* widget : QApplication::topLevelWidgets()) {
+    if (widget->inherits("QTipLabel")) tip = qobject_cast<const QLabel*>(widget);
+  }
+  ASSERT_NE(tip, nullptr);
+  EXPECT_EQ(tip->text(), kMarkup);
+  EXPECT_EQ(tip->textFormat(), Qt::PlainText);
+  QToolTip::hideText();
 }
 
 TEST_F(ThemeTest, RowsOfATreeAreAsHighAsTheGridSays) {
