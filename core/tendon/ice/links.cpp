@@ -210,7 +210,7 @@ void IceLink::SendSign() {
 
 bool IceLink::DeliverAsked(std::span<const std::byte> frame, LeftAnswer& answer) {
   constexpr std::size_t kMostReturned = std::size_t{4} << 20U;
-  constexpr std::size_t kManyReturned = std::size_t{1} << 20U;
+  constexpr std::size_t kManyReturned = std::size_t{2} << 20U;
   const std::scoped_lock delivery(delivery_);
   const std::size_t limit = limit_.Get();
   if (limit == 0) return true;
@@ -223,18 +223,20 @@ bool IceLink::DeliverAsked(std::span<const std::byte> frame, LeftAnswer& answer)
     return true;
   }
   handler_->OnAsked(frame, answer);
-  if (answer.header) returned_.Set(returned_.Get() + answer.size());
+  returned_.Set(returned_.Get() + answer.size());
   return true;
 }
 
-void IceLink::OnAnswer(std::size_t size, std::span<const std::byte> answer) {
+void IceLink::OnAnswer(std::size_t size, std::span<const std::byte> answer,
+                       std::shared_ptr<const void> owner) {
   OnNotSent(size);
   const auto frame = ReadOnlyParameter(answer);
-  if (frame && (frame->empty() || Deliver(*frame, Piece::kWhole))) return;
+  if (frame && (frame->empty() || Deliver(*frame, Piece::kWhole, std::move(owner)))) return;
   Fail(NoFrame(peer_));
 }
 
-bool IceLink::Deliver(std::span<const std::byte> bytes, Piece piece) {
+bool IceLink::Deliver(std::span<const std::byte> bytes, Piece piece,
+                      std::shared_ptr<const void> owner) {
   const std::scoped_lock delivery(delivery_);
   const std::size_t limit = limit_.Get();
   if (limit == 0) return true;
@@ -245,7 +247,12 @@ bool IceLink::Deliver(std::span<const std::byte> bytes, Piece piece) {
     bytes = begun_;
   }
   if (!ReadWholeFrame(bytes) || bytes.size() > limit) return false;
-  if (handler_) handler_->OnFrame(bytes);
+  if (!handler_) return true;
+  if (owner) {
+    handler_->OnLentFrame(bytes, std::move(owner));
+  } else {
+    handler_->OnFrame(bytes);
+  }
   if (completes) Bytes().swap(begun_);
   return true;
 }

@@ -50,10 +50,12 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
   /// What a message is of a frame: a part that is not the end; the end, or all of one that was not
   /// begun; all of one, whether another was begun or not.
   enum class Piece { kPart, kEnd, kWhole };
-  /// One message. False where it makes no frame that the peer may send.
-  bool Deliver(std::span<const std::byte> bytes, Piece piece);
+  /// One message. False where it makes no frame that the peer may send. All of one may be valid as
+  /// long as `owner` is held.
+  bool Deliver(std::span<const std::byte> bytes, Piece piece,
+               std::shared_ptr<const void> owner = nullptr);
   /// A whole frame that asks, and gets the answer, if there is one yet, where that may go back with
-  /// the call. Ice does not tell when such a one has left, and keeps as many as there are: beyond 1
+  /// the call. Ice does not tell when such a one has left, and keeps as many as there are: beyond 2
   /// MiB a sign is sent behind them, and beyond 4 MiB that have not left, answers go by Send() and
   /// its window. Likewise.
   bool DeliverAsked(std::span<const std::byte> frame, LeftAnswer& answer);
@@ -70,8 +72,9 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
   /// It has not, or its answer is missing: `question` is refused where the peer has thrown.
   void OnFailed(std::size_t size, const std::optional<FrameHeader>& question,
                 const Ice::Exception& why);
-  /// It was answered: with one parameter, a frame or nothing.
-  void OnAnswer(std::size_t size, std::span<const std::byte> answer);
+  /// It was answered: with one parameter, a frame or nothing. `owner` is as for Deliver().
+  void OnAnswer(std::size_t size, std::span<const std::byte> answer,
+                std::shared_ptr<const void> owner);
 
  private:
   friend class Links;

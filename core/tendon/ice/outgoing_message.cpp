@@ -1,6 +1,14 @@
 #include <tendon/ice/outgoing_message.h>
 
+#include <utility>
+
 namespace tendon::ice {
+namespace {
+
+/// An answer from this size on is lent to who waits for it, and not copied.
+constexpr std::size_t kLent = std::size_t{16} << 10U;
+
+}  // namespace
 
 void OutgoingMessage::Send(const std::string& operation, std::span<const std::byte> bytes) {
   const auto* const begin = reinterpret_cast<const Ice::Byte*>(bytes.data());
@@ -26,8 +34,15 @@ void OutgoingMessage::handleInvokeException(const Ice::Exception& why,
 void OutgoingMessage::handleInvokeResponse(bool /*ok*/, OutgoingAsyncBase* self) const {
   const Ice::Byte* begin = nullptr;
   Ice::Int size = 0;
-  if (!self->getIs()->b.empty()) self->getIs()->readEncapsulation(begin, size);
-  link_->OnAnswer(told_.size, std::as_bytes(std::span(begin, static_cast<std::size_t>(size))));
+  Ice::InputStream& in = *self->getIs();
+  if (!in.b.empty()) in.readEncapsulation(begin, size);
+  const auto answer = std::as_bytes(std::span(begin, static_cast<std::size_t>(size)));
+  std::shared_ptr<IceInternal::Buffer> owner;
+  if (answer.size() >= kLent) {
+    owner = std::make_shared<IceInternal::Buffer>();
+    owner->swapBuffer(in);  // the bytes stay where they are
+  }
+  link_->OnAnswer(told_.size, answer, std::move(owner));
 }
 
 }  // namespace tendon::ice

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <span>
+#include <stdexcept>
 #include <string_view>
 
 namespace tendon::ice {
@@ -26,18 +27,34 @@ constexpr std::array kYes{std::byte{7}, std::byte{0}, std::byte{0}, std::byte{0}
   throw Ice::MarshalException("tendon", 0, what);
 }
 
+/// A frame as the only parameter of what Ice sends back.
+class ReturnedFrame final : public LeftAnswer {
+ public:
+  explicit ReturnedFrame(IceInternal::Incoming& incoming) : incoming_(incoming) {}
+
+ private:
+  std::span<std::byte> MakeRoom(const FrameHeader& header) override {
+    const std::size_t size = FrameHeader::kSize + header.size;
+    Ice::OutputStream& out = *incoming_.startWriteParams();
+    out.writeSize(static_cast<Ice::Int>(size));
+    const std::size_t before = out.b.size();
+    out.resize(before + size);
+    const auto frame = std::as_writable_bytes(std::span(out.b.begin() + before, size));
+    WriteHeader(header, frame.first<FrameHeader::kSize>());
+    return frame.subspan(FrameHeader::kSize);
+  }
+
+  IceInternal::Incoming& incoming_;
+};
+
 /// What goes back at once is the only parameter: nothing, or one frame.
 void Ask(IceLink& link, std::span<const std::byte> frame, IceInternal::Incoming& incoming) {
-  thread_local LeftAnswer answer;
-  answer.header.reset();
+  ReturnedFrame answer(incoming);
   if (!link.DeliverAsked(frame, answer)) CutOff(link, NoFrame(link.peer()).message);
-  Ice::OutputStream& out = *incoming.startWriteParams();
-  out.writeSize(static_cast<Ice::Int>(answer.size()));
-  if (answer.header) {
-    std::array<std::byte, FrameHeader::kSize> header{};
-    WriteHeader(*answer.header, header);
-    out.writeBlob(reinterpret_cast<const Ice::Byte*>(header.data()), header.size());
-    out.writeBlob(reinterpret_cast<const Ice::Byte*>(answer.body.data()), answer.body.size());
+  if (!answer.has_begun()) {
+    incoming.startWriteParams()->writeSize(0);
+  } else if (!answer.is_there()) {
+    throw std::runtime_error("the answer could not be written");  // Ice forgets what there is
   }
   incoming.endWriteParams();
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <tendon/base/status.h>
+#include <tendon/interface/execution/answer_sink.h>
 #include <tendon/interface/execution/scratch.h>
 #include <tendon/lockfree/wakeup.h>
 #include <tendon/payload/codec.h>
@@ -26,9 +27,10 @@ class CommandBase {
   CommandBase& operator=(const CommandBase&) = delete;
   virtual ~CommandBase() = default;
 
-  /// kInvalid when `in` does not decode. `out` is replaced and keeps its capacity.
-  virtual Status ExecuteEncoded(std::span<const std::byte> in, std::vector<std::byte>& out) = 0;
-  /// The same, and waits until it was executed: for at most `timeout`.
+  /// kInvalid when `in` does not decode. `out` gets the answer of what has come to a good end.
+  virtual Status ExecuteEncoded(std::span<const std::byte> in, AnswerSink& out) = 0;
+  /// The same, and waits until it was executed: for at most `timeout`. `out` is replaced and keeps
+  /// its capacity.
   virtual Status WaitEncoded(std::span<const std::byte> /*in*/, std::vector<std::byte>& /*out*/,
                              std::chrono::nanoseconds /*timeout*/) {
     return Status::kUnsupported;
@@ -83,7 +85,7 @@ class Command : public CommandBase {
   }
   virtual Status End(std::size_t /*call*/, Out& /*out*/) { return Status::kUnsupported; }
 
-  Status ExecuteEncoded(std::span<const std::byte> in, std::vector<std::byte>& out) final {
+  Status ExecuteEncoded(std::span<const std::byte> in, AnswerSink& out) override {
     return Convert(in, out,
                    [this](const In& typed, Out& answer) { return Execute(typed, answer); });
   }
@@ -101,7 +103,7 @@ class Command : public CommandBase {
   Status EndEncoded(std::size_t call, std::vector<std::byte>& out) final {
     typename Scratch<Values>::Use values(values_);
     const Status status = End(call, values->out);
-    if (status) Encode(values->out, out);
+    if (status) Put(values->out, out);
     return status;
   }
 
@@ -111,14 +113,19 @@ class Command : public CommandBase {
     Out out{};
   };
 
-  template <typename Call>
-  Status Convert(std::span<const std::byte> in, std::vector<std::byte>& out, Call call) {
+  static void Put(const Out& answer, std::vector<std::byte>& out) { Encode(answer, out); }
+  static void Put(const Out& answer, AnswerSink& out) {
+    EncodeTo(answer, out.Room(EncodedSize(answer)));
+  }
+
+  template <typename Sink, typename Call>
+  Status Convert(std::span<const std::byte> in, Sink& out, Call call) {
     typename Scratch<Values>::Use values(values_);
     if constexpr (!std::is_same_v<In, None>) {
       if (!Decode(in, values->in)) return Status::kInvalid;
     }
     const Status status = call(values->in, values->out);
-    if (status) Encode(values->out, out);
+    if (status) Put(values->out, out);
     return status;
   }
 

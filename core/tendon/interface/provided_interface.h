@@ -5,6 +5,7 @@
 #include <tendon/interface/event.h>
 #include <tendon/interface/execution/member_names.h>
 #include <tendon/interface/execution/scratch.h>
+#include <tendon/interface/execution/shared_read_command.h>
 #include <tendon/interface/execution/thread_safe.h>
 #include <tendon/interface/inbox.h>
 #include <tendon/interface/offer.h>
@@ -141,6 +142,17 @@ class ProvidedInterface {
                                   (object->*method)(out);
                                   return Status::kDone;
                                 });
+  }
+  /// A value that is never changed once the method has handed it out: an image, a map. It is not
+  /// copied before it is sent to another process. Null: kNoSample.
+  template <typename Owner, Payload Out, std::derived_from<Owner> Object>
+  Offer& AddCommandRead(std::shared_ptr<const Out> (Owner::*method)() const, const Object* object,
+                        PlacedName name, ThreadSafe) {
+    static_assert(RequirePayload<Out>());
+    const auto body = [method, object] { return (object->*method)(); };
+    return AddOffer(std::make_unique<SharedReadOffer<Out, decltype(body)>>(
+                        DescribeMember<None, Out>(std::move(name.text), CommandKind::kRead), body),
+                    name.place);
   }
   template <typename Owner, typename Argument, typename Out, std::derived_from<Owner> Object>
   Offer& AddCommandQualifiedRead(void (Owner::*method)(Argument, Out&) const, const Object* object,

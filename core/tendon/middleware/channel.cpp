@@ -108,13 +108,16 @@ Result<void> Channel::Greet(const std::shared_ptr<Link>& link, SteadyTime deadli
   return reason;
 }
 
-void Channel::OnFrame(std::span<const std::byte> frame) {
+void Channel::OnFrame(std::span<const std::byte> frame) { OnLentFrame(frame, nullptr); }
+
+/// What is lent is owned by `owner`; null where it is not.
+void Channel::OnLentFrame(std::span<const std::byte> frame, std::shared_ptr<const void> owner) {
   const CallFromMiddleware mark;
   const auto header = ReadWholeFrame(frame);
   assert(header);
   const auto body = frame.subspan(FrameHeader::kSize);
   if (!is_open()) return OnFirst(*header, body);
-  OnMessage(*header, body);
+  OnMessage(*header, body, std::move(owner));
   Resume();
 }
 
@@ -174,11 +177,13 @@ bool Channel::IsInAgreedVersion(const FrameHeader& header) {
   return false;
 }
 
-void Channel::OnMessage(const FrameHeader& header, std::span<const std::byte> body) {
+void Channel::OnMessage(const FrameHeader& header, std::span<const std::byte> body,
+                        std::shared_ptr<const void> owner) {
   if (!IsInAgreedVersion(header)) return;
   switch (header.type) {
     case MessageType::kReply:
-      return requests_.OnBorrowedAnswer(header.request, body);
+      if (owner) return requests_.OnAnswer(header.request, Answer(body, std::move(owner)));
+      return requests_.OnAnswer(header.request, Answer(Bytes(body.begin(), body.end())));
     case MessageType::kReplies:
       return OnReplies(body);
     case MessageType::kRefusal:
@@ -208,7 +213,7 @@ void Channel::OnReplies(std::span<const std::byte> body) {
     return Fail({ErrorCode::kInvalid, peer_.name + " sent answers that are malformed"});
   }
   while (const auto one = TakeReply(body)) {
-    requests_.OnBorrowedAnswer(one->request, one->answer);
+    requests_.OnAnswer(one->request, Answer(Bytes(one->answer.begin(), one->answer.end())));
   }
 }
 
@@ -238,7 +243,7 @@ void Channel::HandleLarge(PartAssembly::Frame frame) {
   }
   const FrameHeader& header = frame.header;
   if (header.type != MessageType::kReply) return OnMessage(header, frame.body);
-  if (IsInAgreedVersion(header)) requests_.OnAnswer(header.request, std::move(frame.body));
+  if (IsInAgreedVersion(header)) requests_.OnAnswer(header.request, Answer(std::move(frame.body)));
 }
 
 void Channel::OnPartsTaken(std::span<const std::byte> body) {
@@ -352,22 +357,24 @@ bool Channel::IsThreadOfMiddleware() noexcept { return calls_from_middleware > 0
 
 Result<Bytes> Channel::Call(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
                             std::chrono::milliseconds timeout, Lane lane) {
-  return Await(type, handle, body, timeout, lane, &Link::Send, {});
+  auto answer = Await(type, handle, body, timeout, lane, &Link::Send);
+  if (!answer) return answer.error();
+  return (*std::move(answer)).TakeBytes();
 }
 
-Result<Bytes> Channel::Ask(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
-                           std::chrono::milliseconds timeout, Lane lane, Bytes spare) {
-  return Await(type, handle, body, timeout, lane, &Link::Ask, std::move(spare));
+Result<Answer> Channel::Ask(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
+                            std::chrono::milliseconds timeout, Lane lane) {
+  return Await(type, handle, body, timeout, lane, &Link::Ask);
 }
 
-Result<Bytes> Channel::Await(MessageType type, std::uint32_t handle,
-                             std::span<const std::byte> body, std::chrono::milliseconds timeout,
-                             Lane lane, Way way, Bytes spare) {
+Result<Answer> Channel::Await(MessageType type, std::uint32_t handle,
+                              std::span<const std::byte> body, std::chrono::milliseconds timeout,
+                              Lane lane, Way way) {
   if (IsThreadOfMiddleware()) {
     return Error{ErrorCode::kFailed, "a call to " + PeerName() + " would wait for its own thread"};
   }
   const SteadyTime deadline = SteadyClock().Now() + timeout;
-  AwaitedAnswer answer(requests_, std::move(spare));
+  AwaitedAnswer answer(requests_);
   const Status sent = is_open() && answer.number() != 0
                           ? Send(type, answer.number(), handle, body, lane, way)
                           : Status(Status::kNotConnected);

@@ -11,6 +11,7 @@
 #include <tendon/middleware/parts/part_assembly.h>
 #include <tendon/middleware/parts/part_sender.h>
 #include <tendon/middleware/parts/payload_limit.h>
+#include <tendon/middleware/requests/answer.h>
 #include <tendon/middleware/requests/pending_requests.h>
 #include <tendon/middleware/requests/reply_batch.h>
 #include <tendon/middleware/requests/responder.h>
@@ -74,9 +75,9 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   Status TryRequest(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
                     std::chrono::milliseconds timeout, ReplyHandler handler,
                     Lane lane = kCommonLane);
-  template <Payload Answer, Message T>
+  template <Payload Reply, Message T>
   void Request(MessageType type, std::uint32_t handle, const T& value,
-               std::chrono::milliseconds timeout, std::function<void(Result<Answer>)> handler,
+               std::chrono::milliseconds timeout, std::function<void(Result<Reply>)> handler,
                Lane lane = kCommonLane);
 
   /// TryRequest() for what is answered at once, as far as the peer can, to a caller that waits: by
@@ -90,12 +91,12 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   /// Asks and waits. Refused in a thread of the middleware, which would wait for itself.
   Result<Bytes> Call(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
                      std::chrono::milliseconds timeout, Lane lane = kCommonLane);
-  /// The same for what is answered at once. The answer may have the memory of `spare`.
-  Result<Bytes> Ask(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
-                    std::chrono::milliseconds timeout, Lane lane = kCommonLane, Bytes spare = {});
-  template <Payload Answer, Message T>
-  Result<Answer> Call(MessageType type, std::uint32_t handle, const T& value,
-                      std::chrono::milliseconds timeout);
+  /// The same for what is answered at once. A large answer is where it has arrived.
+  Result<Answer> Ask(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
+                     std::chrono::milliseconds timeout, Lane lane = kCommonLane);
+  template <Payload Reply, Message T>
+  Result<Reply> Call(MessageType type, std::uint32_t handle, const T& value,
+                     std::chrono::milliseconds timeout);
 
   /// Ends the requests whose time has come; the owner calls it every 20 ms or so. Call() needs
   /// none.
@@ -129,6 +130,7 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   using Way = Status (Link::*)(std::span<const std::byte> frame);
 
   void OnFrame(std::span<const std::byte> frame) override;
+  void OnLentFrame(std::span<const std::byte> frame, std::shared_ptr<const void> owner) override;
   void OnAsked(std::span<const std::byte> frame, LeftAnswer& answer) override;
   void OnClosed(const Error& reason) override;
 
@@ -136,7 +138,8 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   void OnFirst(const FrameHeader& header, std::span<const std::byte> body);
   void OnGreeting(const FrameHeader& header, std::span<const std::byte> body);
   [[nodiscard]] bool IsInAgreedVersion(const FrameHeader& header);
-  void OnMessage(const FrameHeader& header, std::span<const std::byte> body);
+  void OnMessage(const FrameHeader& header, std::span<const std::byte> body,
+                 std::shared_ptr<const void> owner = nullptr);
   void OnReplies(std::span<const std::byte> body);
   void OnPart(const FrameHeader& header, std::span<const std::byte> part);
   void OnPartsTaken(std::span<const std::byte> body);
@@ -154,17 +157,18 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   Status SendPiece(const FrameHeader& header, std::span<const std::byte> body,
                    Way way = &Link::Send);
   [[nodiscard]] bool MayReturn(std::size_t size);
-  bool Return(std::uint64_t request, std::span<const std::byte> body, Bytes* spare);
-  /// `spare`, if any, is what `body` lies in, and may be taken.
-  void SendReply(std::uint64_t request, std::span<const std::byte> body, Lane lane,
-                 Bytes* spare = nullptr);
+  [[nodiscard]] LeftAnswer* WayBack(std::uint64_t request, std::size_t size);
+  std::span<std::byte> BeginReply(std::uint64_t request, std::size_t size);
+  void EndReply(std::uint64_t request);
+  bool Return(std::uint64_t request, std::span<const std::byte> body);
+  void SendReply(std::uint64_t request, std::span<const std::byte> body, Lane lane);
   void SendReplyAlone(std::uint64_t request, std::span<const std::byte> body, Lane lane);
   void SendReplies(const ReplyBatch& batch);
   void SendRefusal(std::uint64_t request, const Error& error);
   Status TryStart(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
                   std::chrono::milliseconds timeout, ReplyHandler handler, Lane lane, Way way);
-  Result<Bytes> Await(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
-                      std::chrono::milliseconds timeout, Lane lane, Way way, Bytes spare);
+  Result<Answer> Await(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
+                       std::chrono::milliseconds timeout, Lane lane, Way way);
   [[nodiscard]] std::string PeerName() const;
   [[nodiscard]] std::shared_ptr<LinkHandler> AsLinkHandler();
 
@@ -197,24 +201,24 @@ Status Channel::Notify(MessageType type, std::uint32_t handle, const T& value, L
   return Notify(type, handle, std::span<const std::byte>(EncodeBody(value)), lane);
 }
 
-template <Payload Answer, Message T>
+template <Payload Reply, Message T>
 void Channel::Request(MessageType type, std::uint32_t handle, const T& value,
-                      std::chrono::milliseconds timeout,
-                      std::function<void(Result<Answer>)> handler, Lane lane) {
+                      std::chrono::milliseconds timeout, std::function<void(Result<Reply>)> handler,
+                      Lane lane) {
   Request(
       type, handle, std::span<const std::byte>(EncodeBody(value)), timeout,
       [handler = std::move(handler)](Result<Bytes> reply) {
-        handler(reply ? DecodeBody<Answer>(*reply) : Result<Answer>(reply.error()));
+        handler(reply ? DecodeBody<Reply>(*reply) : Result<Reply>(reply.error()));
       },
       lane);
 }
 
-template <Payload Answer, Message T>
-Result<Answer> Channel::Call(MessageType type, std::uint32_t handle, const T& value,
-                             std::chrono::milliseconds timeout) {
+template <Payload Reply, Message T>
+Result<Reply> Channel::Call(MessageType type, std::uint32_t handle, const T& value,
+                            std::chrono::milliseconds timeout) {
   const auto reply = Call(type, handle, std::span<const std::byte>(EncodeBody(value)), timeout);
   if (!reply) return reply.error();
-  return DecodeBody<Answer>(*reply);
+  return DecodeBody<Reply>(*reply);
 }
 
 }  // namespace tendon

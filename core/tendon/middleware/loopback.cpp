@@ -19,6 +19,22 @@ struct Door {
   void Shut();
 };
 
+/// An answer, until it is passed on.
+class LeftFrame final : public LeftAnswer {
+ public:
+  [[nodiscard]] std::span<const std::byte> frame() const { return frame_; }
+
+ private:
+  std::span<std::byte> MakeRoom(const FrameHeader& header) override {
+    frame_.resize(FrameHeader::kSize + header.size);
+    const std::span<std::byte> frame = frame_;
+    WriteHeader(header, frame.first<FrameHeader::kSize>());
+    return frame.subspan(FrameHeader::kSize);
+  }
+
+  Bytes frame_;
+};
+
 /// One end of a link; the two know each other.
 class End final : public Link, public std::enable_shared_from_this<End> {
  public:
@@ -162,12 +178,9 @@ class End final : public Link, public std::enable_shared_from_this<End> {
     if (!fits) return CloseFor(NoFrame(peer_name_));
     if (!handler_) return;
     if (kind != Kind::kAsked) return handler_->OnFrame(frame);
-    LeftAnswer answer;
+    LeftFrame answer;
     handler_->OnAsked(frame, answer);
-    if (!answer.header) return;
-    Bytes answering;
-    WriteFrame(*answer.header, answer.body, answering);
-    (void)Pass(answering, Kind::kAnswer);
+    if (answer.is_there()) (void)Pass(answer.frame(), Kind::kAnswer);
   }
 
   /// After what was posted before, the handler hears OnClosed().

@@ -51,6 +51,11 @@ class PlainListener final : public Listener {
 
 }  // namespace
 
+void LinkHandler::OnLentFrame(std::span<const std::byte> frame,
+                              std::shared_ptr<const void> /*owner*/) {
+  OnFrame(frame);
+}
+
 void LinkHandler::OnAsked(std::span<const std::byte> frame, LeftAnswer& /*answer*/) {
   OnFrame(frame);
 }

@@ -5,10 +5,11 @@
 #include <tendon/middleware/frame.h>
 #include <tendon/security/certificate.h>
 
+#include <cassert>
 #include <chrono>
+#include <cstddef>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -58,13 +59,38 @@ class Link {
   [[nodiscard]] virtual const Certificate* certificate() const { return nullptr; }
 };
 
-/// A frame that goes back with the one that asked: its header apart, so that nothing has to be
-/// copied to where it is behind that.
-struct LeftAnswer {
-  std::optional<FrameHeader> header;  ///< without one there is no frame
-  Bytes body;
+/// A frame that goes back with the one that asked, written to where the link sends it from. Of one
+/// thread.
+class LeftAnswer {
+ public:
+  LeftAnswer() = default;
+  LeftAnswer(const LeftAnswer&) = delete;
+  LeftAnswer& operator=(const LeftAnswer&) = delete;
+  virtual ~LeftAnswer() = default;
 
-  [[nodiscard]] std::size_t size() const { return header ? FrameHeader::kSize + body.size() : 0; }
+  /// Once: room for the body of the frame with this header, all of which is written before End().
+  /// May throw std::bad_alloc; there is no frame then.
+  std::span<std::byte> Begin(const FrameHeader& header) {
+    assert(!has_begun_);
+    has_begun_ = true;
+    size_ = FrameHeader::kSize + header.size;
+    return MakeRoom(header);
+  }
+  /// It is there. One that was begun and is not there is none, and its link may tell the peer so.
+  void End() { is_there_ = true; }
+
+  [[nodiscard]] bool has_begun() const { return has_begun_; }
+  [[nodiscard]] bool is_there() const { return is_there_; }
+  /// Of the frame; 0 without one.
+  [[nodiscard]] std::size_t size() const { return is_there_ ? size_ : 0; }
+
+ private:
+  /// Writes the header.
+  virtual std::span<std::byte> MakeRoom(const FrameHeader& header) = 0;
+
+  bool has_begun_ = false;
+  bool is_there_ = false;
+  std::size_t size_ = 0;
 };
 
 /// Hears what arrives on a link, in a thread of the middleware, one call at a time, in order. Must
@@ -79,6 +105,10 @@ class LinkHandler {
   /// A whole frame, which was checked by ReadWholeFrame(). The bytes are valid during the
   /// call.
   virtual void OnFrame(std::span<const std::byte> frame) = 0;
+
+  /// The same for bytes that are valid as long as `owner` is held: a large answer. Unless
+  /// overridden, OnFrame().
+  virtual void OnLentFrame(std::span<const std::byte> frame, std::shared_ptr<const void> owner);
 
   /// The same for a frame that came by Link::Ask(), on a link that has a shorter way back: what is
   /// left in `answer`, in which there was no frame, takes it, behind all that is sent during the

@@ -19,7 +19,8 @@ class EventProxy final : public EventBase {
   void Raise(std::span<const std::byte> value) {
     CountLostThere();
     const std::uint64_t before = lost();
-    CallHandlers([&](CommandBase& handler) { return handler.ExecuteEncoded(value, nothing_); });
+    BytesSink nothing(nothing_);
+    CallHandlers([&](CommandBase& handler) { return handler.ExecuteEncoded(value, nothing); });
     lost_here_.Add(lost() - before);
   }
 

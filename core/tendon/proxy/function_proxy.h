@@ -24,9 +24,13 @@ class FunctionProxy final : public Caller {
 
   /// By whom the interface allows. `out` is replaced.
   Status operator()(std::span<const std::byte> in, std::vector<std::byte>& out) {
-    return Replacing(out, CallMember(binding_, index_, [&](CommandBase& command) {
-                       return command.ExecuteEncoded(in, out);
-                     }));
+    BytesSink sink(out);
+    return Replacing(out, (*this)(in, sink));
+  }
+  /// Likewise; `out` gets nothing where there was no call.
+  Status operator()(std::span<const std::byte> in, AnswerSink& out) {
+    return CallMember(binding_, index_,
+                      [&](CommandBase& command) { return command.ExecuteEncoded(in, out); });
   }
 
   /// As BeginEncoded(); `command` is whose call it is, until the interface is disconnected.

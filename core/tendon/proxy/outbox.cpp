@@ -29,7 +29,7 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
         callers_(std::make_shared<AwaitedCalls<>>(mailbox.completions())),
         pool_(mailbox.storage()) {}
 
-  Status ExecuteEncoded(std::span<const std::byte> in, std::vector<std::byte>& /*out*/) override {
+  Status ExecuteEncoded(std::span<const std::byte> in, AnswerSink& /*out*/) override {
     if (must_wait_) return Status::kUnsupported;
     std::byte* room = nullptr;
     const Status claimed = Claim(in, room);
@@ -190,7 +190,7 @@ class LatestCommandProxy final : public CommandBase, private Mailbox::Entry {
         queued_(outbox, command, handle, refused, mailbox),
         newest_(mailbox) {}
 
-  Status ExecuteEncoded(std::span<const std::byte> in, std::vector<std::byte>& /*out*/) override {
+  Status ExecuteEncoded(std::span<const std::byte> in, AnswerSink& /*out*/) override {
     const Status posted = Post(in);
     if (!posted) refused_.Add();
     return posted;

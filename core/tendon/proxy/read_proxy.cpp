@@ -27,16 +27,18 @@ class ReadCommandProxy final : public CommandBase {
         name_(std::move(name)),
         remote_(std::move(remote)) {}
 
-  Status ExecuteEncoded(std::span<const std::byte> in, std::vector<std::byte>& out) override {
+  Status ExecuteEncoded(std::span<const std::byte> in, AnswerSink& out) override {
     if (in.size() > kMaxPayload) {
       remote_.refused_payloads->Log(name_, in.size());
       return Status::kInvalid;
     }
-    auto answer = remote_.channel->Ask(message::kRead, remote_.handle, in, remote_.deadline,
-                                       kOwnLane, std::exchange(out, {}));
+    const auto answer =
+        remote_.channel->Ask(message::kRead, remote_.handle, in, remote_.deadline, kOwnLane);
     if (!answer) return ToStatus(answer.error());
-    out = *std::move(answer);
-    return TakeStatus(out);
+    std::span<const std::byte> value = answer->body();
+    const Status status = TakeStatus(value);
+    if (status) out.Take(value);
+    return status;
   }
 
  private:
@@ -63,18 +65,22 @@ std::optional<Status> StatusOfRefusal(const Error& error) {
   }
 }
 
-void AppendStatus(Status status, Bytes& answer) {
-  answer.reserve(answer.size() + 1);  // push_back() doubles what is full, and what is kept
-  answer.push_back(static_cast<std::byte>(status.code()));
-}
+void AppendStatus(Status status, Bytes& answer) { answer.push_back(CodeOf(status)); }
 
-Status TakeStatus(Bytes& answer) {
+Status TakeStatus(std::span<const std::byte>& answer) {
   if (answer.empty() || answer.back() > static_cast<std::byte>(Status::kFailed)) {
     return Status::kInvalid;
   }
   const auto code = static_cast<Status::Code>(answer.back());
-  answer.pop_back();
+  answer = answer.first(answer.size() - 1);
   return code == Status::kQueued ? Status::kInvalid : code;
+}
+
+Status TakeStatus(Bytes& answer) {
+  std::span<const std::byte> rest = answer;
+  const Status status = TakeStatus(rest);
+  answer.resize(rest.size());
+  return status;
 }
 
 }  // namespace tendon

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 
 namespace tendon {
 
@@ -35,9 +36,13 @@ class ReadOfferProxy final : public Offer {
 /// What a refusal of kRead or kWait means to the caller; nothing where the peer has not refused it.
 [[nodiscard]] std::optional<Status> StatusOfRefusal(const Error& error);
 
-/// The body of the answer to kRead and kWait.
+/// Behind the value, in the body of the answer to kRead and kWait.
+[[nodiscard]] inline std::byte CodeOf(Status status) {
+  return static_cast<std::byte>(status.code());
+}
 void AppendStatus(Status status, Bytes& answer);
 /// Takes it off again; kInvalid where there is none, or one that says no end: kQueued.
+Status TakeStatus(std::span<const std::byte>& answer);
 Status TakeStatus(Bytes& answer);
 
 }  // namespace tendon

@@ -4,7 +4,9 @@
 #include <tendon/proxy/required_interface_proxy.h>
 
 #include <algorithm>
+#include <functional>
 #include <semaphore>
+#include <span>
 #include <utility>
 
 namespace tendon {
@@ -38,6 +40,47 @@ class Waiter {
   }
 
   const bool waits_;
+};
+
+/// The answer to a read: written to where the link sends it from, where there is such a place, and
+/// the status behind it.
+class ReadReply final : public AnswerSink {
+ public:
+  /// `may_be` says whether an answer of some size may be sent; `spare` keeps what has no place.
+  ReadReply(Responder responder, std::function<bool(std::size_t)> may_be, Bytes& spare)
+      : responder_(std::move(responder)), may_be_(std::move(may_be)), spare_(spare) {}
+
+  std::span<std::byte> Room(std::size_t size) override {
+    is_refused_ = !may_be_(size);
+    return is_refused_ ? std::span<std::byte>() : Begin(size).first(size);
+  }
+
+  /// Once; without an answer it is the status alone.
+  void Finish(Status status) {
+    if (reply_.empty()) Begin(0);
+    reply_.back() = CodeOf(is_refused_ ? Status(Status::kFailed) : status);
+    if (is_in_place_) return responder_.EndReply();
+    responder_.Reply(reply_, kOwnLane);
+  }
+
+ private:
+  std::span<std::byte> Begin(std::size_t size) {
+    const std::size_t with_status = size + 1;
+    reply_ = responder_.BeginReply(with_status);
+    is_in_place_ = !reply_.empty();
+    if (!is_in_place_) {
+      spare_.resize(with_status);
+      reply_ = spare_;
+    }
+    return reply_;
+  }
+
+  Responder responder_;
+  const std::function<bool(std::size_t)> may_be_;
+  Bytes& spare_;
+  std::span<std::byte> reply_;
+  bool is_in_place_ = false;
+  bool is_refused_ = false;
 };
 
 }  // namespace
@@ -129,18 +172,14 @@ void RequiredInterfaceProxy::OnRead(std::size_t function, std::span<const std::b
     return responder.Refuse({ErrorCode::kInvalid, "no such read in " + interface_.name()});
   }
   const LargeInHand mark;  // how large the answer is, is known once it is there
-  Status status = (*functions_[function])(argument, answer_);
-  if (!CanBeSent(function, answer_)) {
-    answer_.clear();
-    status = Status::kFailed;
-  }
-  AppendStatus(status, answer_);
-  responder.ReplyWith(answer_, kOwnLane);
+  const auto can_be_sent = [&](std::size_t size) { return CanBeSent(function, size); };
+  ReadReply reply(std::move(responder), can_be_sent, answer_);
+  reply.Finish((*functions_[function])(argument, reply));
 }
 
-bool RequiredInterfaceProxy::CanBeSent(std::size_t function, const Bytes& answer) {
-  if (answer.size() <= kMaxPayload) return true;
-  outbox_.refused_payloads().Log(function_names_[function], answer.size());
+bool RequiredInterfaceProxy::CanBeSent(std::size_t function, std::size_t size) {
+  if (size <= kMaxPayload) return true;
+  outbox_.refused_payloads().Log(function_names_[function], size);
   return false;
 }
 
@@ -206,10 +245,10 @@ void RequiredInterfaceProxy::Await(BegunCalls::Begun begun) {
 void RequiredInterfaceProxy::OnEnd(BegunCalls::Begun& begun, Status status, Bytes& result,
                                    SteadyTime now) {
   NoteTime(begun.function, now - begun.since);
-  if (!CanBeSent(begun.function, result)) status = Status::kFailed;
+  if (!CanBeSent(begun.function, result.size())) status = Status::kFailed;
   if (!status) result.clear();
   AppendStatus(status, result);
-  begun.responder.ReplyWith(result, kOwnLane);
+  begun.responder.Reply(result, kOwnLane);
 }
 
 void RequiredInterfaceProxy::OnEventsLost(const message::EventsLost& events) {

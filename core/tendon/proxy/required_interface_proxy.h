@@ -67,7 +67,7 @@ class RequiredInterfaceProxy final : public NetworkJob, private BegunCalls::Owne
 
  private:
   /// If not, that is logged: nobody hears the answer of a call that was executed.
-  bool CanBeSent(std::size_t function, const Bytes& answer);
+  bool CanBeSent(std::size_t function, std::size_t size);
   /// How closely the network thread looks for what the peer must be told: not at all; now and then,
   /// for answers have told it most likely; or until it is told.
   enum class Watch { kNone, kNowAndThen, kClosely };

@@ -12,7 +12,7 @@ class ColumnReadCommand final : public CommandBase {
   ColumnReadCommand(const StateTable& table, std::size_t column)
       : CommandBase(layout::kNone, layout::kNone), table_(table), column_(column) {}
 
-  Status ExecuteEncoded(std::span<const std::byte> /*in*/, std::vector<std::byte>& out) override {
+  Status ExecuteEncoded(std::span<const std::byte> /*in*/, AnswerSink& out) override {
     Scratch<std::vector<std::uint64_t>>::Use row(row_);
     row->resize(table_.row_words());
     while (true) {
@@ -22,7 +22,7 @@ class ColumnReadCommand final : public CommandBase {
       if (table_.CopyRow(next - 1, *row, time) != RowResult::kDone) continue;  // lapped
       const std::span<const std::byte> cell = table_.cell(*row, column_);
       if (cell.empty()) return Status::kNoSample;
-      out.assign(cell.begin(), cell.end());
+      out.Take(cell);
       return Status::kDone;
     }
   }

@@ -14,6 +14,7 @@ Robot::Robot(std::string name) : SignalTask(std::move(name)), history_(AddStateT
   control.AddCommandWrite(&Robot::Record, this, "Record");
   control.AddCommandReadState(state_table(), joints_, "GetJoints");
   control.AddCommandRead(&Robot::GetImage, this, "GetImage", ThreadSafe{});
+  control.AddCommandRead(&Robot::shared_image, this, "GetSharedImage", ThreadSafe{});
 }
 
 void Robot::Record(const std::uint64_t& rows) {
@@ -33,6 +34,7 @@ Desk::Desk(std::string name) : Component(std::move(name)) {
   robot.AddFunction(record, "Record");
   robot.AddFunction(get_joints, "GetJoints");
   robot.AddFunction(get_image, "GetImage");
+  robot.AddFunction(get_shared_image, "GetSharedImage");
 }
 
 }  // namespace tendon::benchmark

@@ -5,6 +5,7 @@
 #include <tendon/task/signal_task.h>
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -25,12 +26,14 @@ class Robot final : public SignalTask {
   void Run() override { ProcessQueuedCommands(); }
   void Move(const Argument& goal) { goal_ = goal; }
   void Record(const std::uint64_t& rows);
-  void GetImage(Image& image) const { image = image_; }
+  void GetImage(Image& image) const { image = *image_; }
+  [[nodiscard]] std::shared_ptr<const Image> shared_image() const { return image_; }
 
   Argument goal_{};
   Message joints_{};
   Argument row_{};
-  const Image image_ = Image(kImageBytes / sizeof(double));
+  const std::shared_ptr<const Image> image_ =
+      std::make_shared<const Image>(kImageBytes / sizeof(double));
   StateTable& history_;
 };
 
@@ -43,6 +46,7 @@ class Desk final : public Component {
   WriteFunction<std::uint64_t> record;
   ReadFunction<Message> get_joints;
   ReadFunction<Image> get_image;
+  ReadFunction<Image> get_shared_image;
 };
 
 }  // namespace tendon::benchmark

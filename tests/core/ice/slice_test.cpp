@@ -75,8 +75,9 @@ class Answerer final : public LinkHandler {
   void OnFrame(std::span<const std::byte> /*frame*/) override {}
   void OnAsked(std::span<const std::byte> frame, LeftAnswer& answer) override {
     if (!is_prompt) return;
-    answer.header = ReadWholeFrame(frame);
-    answer.body.assign(frame.begin() + FrameHeader::kSize, frame.end());
+    const auto room = answer.Begin(*ReadWholeFrame(frame));
+    std::ranges::copy(frame.subspan(FrameHeader::kSize), room.begin());
+    answer.End();
   }
   void OnClosed(const Error& /*reason*/) override {}
 

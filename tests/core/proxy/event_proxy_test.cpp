@@ -10,8 +10,7 @@ namespace {
 class Refusing final : public CommandBase {
  public:
   Refusing() : CommandBase(layout::kNone, layout::kNone) {}
-  Status ExecuteEncoded(std::span<const std::byte> /*in*/,
-                        std::vector<std::byte>& /*out*/) override {
+  Status ExecuteEncoded(std::span<const std::byte> /*in*/, AnswerSink& /*out*/) override {
     return Status::kQueueFull;
   }
 };

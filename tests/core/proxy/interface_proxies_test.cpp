@@ -355,7 +355,8 @@ TEST_F(InterfaceProxies, AWaitThatALinkHasNoRoomForIsSentWholeOnceThereIs) {
   Mailbox& mailbox = outbox.inbox().Open(4, {}, Callers::kManyThreads);
   const auto command = offer.Bind(&mailbox);
   const Bytes big = EncodeBody(std::vector<double>(700'000));
-  Bytes nothing;
+  Bytes bytes;
+  BytesSink nothing(bytes);
   std::unique_lock closed(server_end->gate);  // holds up the first; the second fills the link
   EXPECT_TRUE(command->ExecuteEncoded(big, nothing));
   EXPECT_TRUE(command->ExecuteEncoded(big, nothing));

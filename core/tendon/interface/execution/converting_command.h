@@ -1,8 +1,11 @@
 #pragma once
 
 #include <tendon/interface/command.h>
+#include <tendon/interface/execution/answer_sink.h>
 
 #include <chrono>
+#include <cstddef>
+#include <span>
 #include <type_traits>
 #include <vector>
 
@@ -15,14 +18,18 @@ class ConvertingCommand final : public Command<In, Out> {
   explicit ConvertingCommand(CommandBase& target) : target_(target) {}
 
   Status Execute(const In& in, Out& out) override {
-    return Convert(in, out, [this](const auto& encoded, auto& answer) {
-      return target_.ExecuteEncoded(encoded, answer);
-    });
+    typename Scratch<Bodies>::Use bodies(bodies_);
+    Encode(in, bodies->in);
+    Decoder answer(bodies->out, out);
+    const Status status = target_.ExecuteEncoded(bodies->in, answer);
+    return status && !answer.HasDecoded() ? Status(Status::kInvalid) : status;
   }
   Status Wait(const In& in, Out& out, std::chrono::nanoseconds timeout) override {
-    return Convert(in, out, [this, timeout](const auto& encoded, auto& answer) {
-      return target_.WaitEncoded(encoded, answer, timeout);
-    });
+    typename Scratch<Bodies>::Use bodies(bodies_);
+    Encode(in, bodies->in);
+    Decoder answer(bodies->out, out);
+    const Status status = target_.WaitEncoded(bodies->in, bodies->out, timeout);
+    return status && !answer.Decode(bodies->out) ? Status(Status::kInvalid) : status;
   }
   [[nodiscard]] std::chrono::nanoseconds age() const override { return target_.age(); }
 
@@ -32,16 +39,35 @@ class ConvertingCommand final : public Command<In, Out> {
     std::vector<std::byte> out;
   };
 
-  template <typename Call>
-  Status Convert(const In& in, Out& out, Call call) {
-    typename Scratch<Bodies>::Use bodies(bodies_);
-    Encode(in, bodies->in);
-    const Status status = call(bodies->in, bodies->out);
-    if constexpr (!std::is_same_v<Out, None>) {
-      if (status && !Decode(bodies->out, out)) return Status::kInvalid;
+  /// Decodes an answer where it lies.
+  class Decoder final : public AnswerSink {
+   public:
+    /// `room` is where one is written that lies nowhere yet.
+    Decoder(std::vector<std::byte>& room, Out& out) : room_(room), out_(out) {}
+
+    std::span<std::byte> Room(std::size_t size) override {
+      room_.resize(size);
+      is_in_room_ = true;
+      return room_;
     }
-    return status;
-  }
+    void Take(std::span<const std::byte> answer) override { has_decoded_ = Decode(answer); }
+
+    bool Decode(std::span<const std::byte> answer) {
+      if constexpr (std::is_same_v<Out, None>) return true;
+      return tendon::Decode(answer, out_);
+    }
+    /// Once the call is over.
+    [[nodiscard]] bool HasDecoded() {
+      if constexpr (std::is_same_v<Out, None>) return true;
+      return is_in_room_ ? Decode(room_) : has_decoded_;
+    }
+
+   private:
+    std::vector<std::byte>& room_;
+    Out& out_;
+    bool is_in_room_ = false;
+    bool has_decoded_ = false;
+  };
 
   CommandBase& target_;
   Scratch<Bodies> bodies_;

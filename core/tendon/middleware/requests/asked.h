@@ -19,8 +19,13 @@ class Asked {
 
   /// Where this thread may leave the answer to `request`; null where it must be sent.
   [[nodiscard]] static LeftAnswer* AnswerTo(std::uint64_t request, const Channel& channel);
+  /// Where it has begun one; null where it has not.
+  [[nodiscard]] static LeftAnswer* Begun(std::uint64_t request, const Channel& channel);
 
  private:
+  /// Null where it is not what this thread is asked.
+  static LeftAnswer* Find(std::uint64_t request, const Channel& channel);
+
   const Channel& channel_;
   const std::uint64_t request_;
   LeftAnswer& answer_;

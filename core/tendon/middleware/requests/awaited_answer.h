@@ -12,9 +12,8 @@ namespace tendon {
 /// allocated for each. Of one thread; not for longer than the PendingRequests.
 class AwaitedAnswer {
  public:
-  /// The answer may have the memory of `spare`.
-  explicit AwaitedAnswer(PendingRequests& requests, Bytes spare = {})
-      : requests_(requests), place_(requests.AddAwaited(std::move(spare))) {
+  explicit AwaitedAnswer(PendingRequests& requests)
+      : requests_(requests), place_(requests.AddAwaited()) {
     if (place_ != nullptr) number_ = place_->request;
   }
   AwaitedAnswer(const AwaitedAnswer&) = delete;
@@ -26,14 +25,14 @@ class AwaitedAnswer {
 
   /// What it was finished with; nothing when `deadline` has passed before. Once: what comes then
   /// is late.
-  std::optional<Result<Bytes>> WaitUntil(SteadyTime deadline) {
+  std::optional<Result<Answer>> WaitUntil(SteadyTime deadline) {
     if (place_ == nullptr) return std::nullopt;
     place_->wakeup.WaitUntil([this] { return place_->has_ended.Get(); }, deadline);
     return Leave();
   }
 
  private:
-  std::optional<Result<Bytes>> Leave() {
+  std::optional<Result<Answer>> Leave() {
     PendingRequests::Place* const place = std::exchange(place_, nullptr);
     return place == nullptr ? std::nullopt : requests_.Leave(*place);
   }

@@ -3,6 +3,8 @@
 #include <tendon/middleware/requests/asked.h>
 #include <tendon/middleware/requests/gathered_replies.h>
 
+#include <algorithm>
+
 namespace tendon {
 
 /// What is returned is not sent in parts: it must be small, or the line quick.
@@ -11,26 +13,35 @@ bool Channel::MayReturn(std::size_t size) {
   return version_ >= kReturnsLargeAnswers && size <= kMaxReturned && parts_.is_quick();
 }
 
-/// Leaves an answer to whoever has asked; false where it must be sent.
-bool Channel::Return(std::uint64_t request, std::span<const std::byte> body, Bytes* spare) {
+/// Where an answer of `size` bytes is left to whoever has asked; null where it must be sent.
+LeftAnswer* Channel::WayBack(std::uint64_t request, std::size_t size) {
   LeftAnswer* const answer = Asked::AnswerTo(request, *this);
-  if (answer == nullptr || !MayReturn(FrameHeader::kSize + body.size())) return false;
-  const FrameHeader header = HeaderOf(MessageType::kReply, request, 0, body.size());
-  // What the thread keeps afterwards is no larger than what it may return.
-  if (spare != nullptr && spare->capacity() <= kMaxReturned) {
-    answer->body.swap(*spare);
-  } else {
-    answer->body.assign(body.begin(), body.end());
-  }
-  answer->header = header;
+  return answer != nullptr && MayReturn(FrameHeader::kSize + size) ? answer : nullptr;
+}
+
+std::span<std::byte> Channel::BeginReply(std::uint64_t request, std::size_t size) {
+  LeftAnswer* const answer = WayBack(request, size);
+  if (answer == nullptr) return {};
+  return answer->Begin(HeaderOf(MessageType::kReply, request, 0, size));
+}
+
+void Channel::EndReply(std::uint64_t request) {
+  if (LeftAnswer* const answer = Asked::Begun(request, *this)) answer->End();
+}
+
+/// False where it must be sent.
+bool Channel::Return(std::uint64_t request, std::span<const std::byte> body) {
+  LeftAnswer* const answer = WayBack(request, body.size());
+  if (answer == nullptr) return false;
+  const auto room = answer->Begin(HeaderOf(MessageType::kReply, request, 0, body.size()));
+  std::ranges::copy(body, room.begin());
+  answer->End();
   return true;
 }
 
-void Channel::SendReply(std::uint64_t request, std::span<const std::byte> body, Lane lane,
-                        Bytes* spare) {
+void Channel::SendReply(std::uint64_t request, std::span<const std::byte> body, Lane lane) {
   const bool is_alone = lane == kOwnLane;
-  if (is_alone && (Return(request, body, spare) || GatheredReplies::Keep(*this, request, body)))
-    return;
+  if (is_alone && (Return(request, body) || GatheredReplies::Keep(*this, request, body))) return;
   SendReplyAlone(request, body, lane);
 }
 

@@ -58,22 +58,20 @@ std::uint64_t PendingRequests::Add(std::chrono::milliseconds timeout, Handler& h
 }
 
 /// Null after FinishAll().
-PendingRequests::Place* PendingRequests::AddAwaited(Bytes spare) {
+PendingRequests::Place* PendingRequests::AddAwaited() {
   const std::scoped_lock lock(mutex_);
   if (finished_) return nullptr;
   Place& place = Take();
   place.deadline = SteadyTime::max();
   place.is_awaited = true;
-  place.spare = std::move(spare);
   return &place;
 }
 
 /// Who waited there does so no more: the outcome, if there is one.
-std::optional<Result<Bytes>> PendingRequests::Leave(Place& place) {
+std::optional<Result<Answer>> PendingRequests::Leave(Place& place) {
   const std::scoped_lock lock(mutex_);
   (void)Remove(place.request);
   auto outcome = std::exchange(place.outcome, std::nullopt);
-  Bytes().swap(place.spare);
   place.has_ended.Set(false);
   Free(place);
   return outcome;
@@ -88,21 +86,23 @@ void PendingRequests::Withdraw(std::uint64_t request) {
   Free(*place);
 }
 
-bool PendingRequests::Finish(std::uint64_t request, Result<Bytes> outcome) {
+bool PendingRequests::Finish(std::uint64_t request, Result<Answer> outcome) {
   std::unique_lock lock(mutex_);
   return FinishLocked(lock, request, std::move(outcome));
 }
 
 /// Unlocks, unless it returns false.
 bool PendingRequests::FinishLocked(std::unique_lock<std::mutex>& lock, std::uint64_t request,
-                                   Result<Bytes> outcome) {
+                                   Result<Answer> outcome) {
   Place* const place = Remove(request);
   if (place == nullptr) return false;
   if (!place->is_awaited) {
     const Handler handler = std::exchange(place->handler, nullptr);
     Free(*place);
     lock.unlock();
-    CallGuarded("request", [&] { handler(std::move(outcome)); });
+    CallGuarded("request", [&] {
+      handler(outcome ? Result<Bytes>((*std::move(outcome)).TakeBytes()) : outcome.error());
+    });
     return true;
   }
   place->outcome = std::move(outcome);
@@ -112,26 +112,9 @@ bool PendingRequests::FinishLocked(std::unique_lock<std::mutex>& lock, std::uint
   return true;
 }
 
-void PendingRequests::OnAnswer(std::uint64_t request, Result<Bytes> answer) {
+void PendingRequests::OnAnswer(std::uint64_t request, Result<Answer> answer) {
   std::unique_lock lock(mutex_);
   if (!FinishLocked(lock, request, std::move(answer))) ++late_;
-}
-
-/// Memory that is new costs more than to fill it, where it is much.
-void PendingRequests::OnBorrowedAnswer(std::uint64_t request, std::span<const std::byte> answer) {
-  constexpr std::size_t kMuch = std::size_t{16} << 10U;
-  Bytes copy;
-  if (answer.size() >= kMuch) copy = TakeSpare(request);
-  copy.assign(answer.begin(), answer.end());
-  OnAnswer(request, Result<Bytes>(std::move(copy)));
-}
-
-Bytes PendingRequests::TakeSpare(std::uint64_t request) {
-  const std::scoped_lock lock(mutex_);
-  if (by_number_.empty()) return {};
-  Place* const place = EntryOf(request);
-  if (place == nullptr || place->request != request) return {};
-  return std::exchange(place->spare, {});
 }
 
 void PendingRequests::Expire(SteadyTime now, const std::string& peer) {

@@ -5,6 +5,7 @@
 #include <tendon/lockfree/flag.h>
 #include <tendon/lockfree/wakeup.h>
 #include <tendon/middleware/frame.h>
+#include <tendon/middleware/requests/answer.h>
 
 #include <chrono>
 #include <cstddef>
@@ -13,7 +14,6 @@
 #include <functional>
 #include <mutex>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -33,12 +33,10 @@ class PendingRequests {
   void Withdraw(std::uint64_t request);
 
   /// Calls the handler of `request`, or wakes who waits for it; false where that was done before.
-  bool Finish(std::uint64_t request, Result<Bytes> outcome);
+  bool Finish(std::uint64_t request, Result<Answer> outcome);
 
   /// Finish() for what came from the peer; counts what came too late.
-  void OnAnswer(std::uint64_t request, Result<Bytes> answer);
-  /// The same with a copy of `answer`, in the memory that who waits has to spare.
-  void OnBorrowedAnswer(std::uint64_t request, std::span<const std::byte> answer);
+  void OnAnswer(std::uint64_t request, Result<Answer> answer);
 
   /// Finishes the requests whose time has come: `peer` gave no answer. Who waits sees to that.
   void Expire(SteadyTime now, const std::string& peer);
@@ -59,8 +57,7 @@ class PendingRequests {
     std::chrono::milliseconds timeout{};
     Handler handler;
     bool is_awaited = false;  // instead: somebody waits for the outcome
-    Bytes spare;              // for the outcome
-    std::optional<Result<Bytes>> outcome;
+    std::optional<Result<Answer>> outcome;
     Flag has_ended;
     Wakeup<> wakeup;
   };
@@ -72,10 +69,9 @@ class PendingRequests {
   void Free(Place& place);
 
   bool FinishLocked(std::unique_lock<std::mutex>& lock, std::uint64_t request,
-                    Result<Bytes> outcome);
-  Place* AddAwaited(Bytes spare);
-  [[nodiscard]] Bytes TakeSpare(std::uint64_t request);
-  std::optional<Result<Bytes>> Leave(Place& place);
+                    Result<Answer> outcome);
+  Place* AddAwaited();
+  std::optional<Result<Answer>> Leave(Place& place);
 
   mutable std::mutex mutex_;
   bool finished_ = false;

@@ -30,11 +30,13 @@ void Responder::Reply(std::span<const std::byte> body, Lane lane) {
   channel_.reset();  // not where that has thrown: then it is refused
 }
 
-void Responder::ReplyWith(Bytes& body, Lane lane) {
+std::span<std::byte> Responder::BeginReply(std::size_t size) {
   const auto channel = channel_.lock();
-  if (!channel) return;
-  channel->SendReply(request_, body, lane, &body);
-  channel_.reset();
+  return channel ? channel->BeginReply(request_, size) : std::span<std::byte>();
+}
+
+void Responder::EndReply() {
+  if (const auto channel = std::exchange(channel_, {}).lock()) channel->EndReply(request_);
 }
 
 bool Responder::is_asked_here() const {

@@ -3,6 +3,7 @@
 #include <tendon/middleware/body.h>
 #include <tendon/middleware/parts/lane.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -24,8 +25,11 @@ class Responder {
 
   /// Throws std::bad_alloc where memory is short; it is not answered then.
   void Reply(std::span<const std::byte> body, Lane lane = kCommonLane);
-  /// The same, and leaves anything in `body`, so that a large one need not be copied.
-  void ReplyWith(Bytes& body, Lane lane);
+  /// Room for a Reply() in kOwnLane of `size` bytes, at least one, where it is sent from: all are
+  /// written in this thread, before it returns to the channel, and ended by EndReply(). Empty where
+  /// there is no such place: then it is as if nothing had happened. Throws like Reply().
+  [[nodiscard]] std::span<std::byte> BeginReply(std::size_t size);
+  void EndReply();
   /// Whether a Reply() in kOwnLane from this thread, before it returns to the channel, takes the
   /// shorter way of Link::Ask().
   [[nodiscard]] bool is_asked_here() const;

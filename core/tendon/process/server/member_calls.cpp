@@ -89,7 +89,8 @@ class MemberCalls::Target : private BegunCalls::Owner {
   Status Begin(std::span<const std::byte> argument, Bytes& result, NetworkThread& network,
                CommandBase*& command, std::size_t& call) {
     if (read_) {
-      return enabled_.Get() ? read_->ExecuteEncoded(argument, result) : Status(Status::kDisabled);
+      BytesSink sink(result);
+      return enabled_.Get() ? read_->ExecuteEncoded(argument, sink) : Status(Status::kDisabled);
     }
     if (!function_) return Status::kNotConnected;
     if (IsQueued(function_->kind())) return (*function_)(argument, result);

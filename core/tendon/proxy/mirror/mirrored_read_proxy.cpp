@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstddef>
+#include <vector>
 
 namespace tendon {
 namespace {
@@ -12,10 +14,14 @@ class MirroredReadCommand final : public CommandBase {
   explicit MirroredReadCommand(std::shared_ptr<const MirroredValue> value)
       : CommandBase(layout::kNone, layout::kNone), value_(std::move(value)) {}
 
-  Status ExecuteEncoded(std::span<const std::byte> /*in*/, std::vector<std::byte>& out) override {
+  Status ExecuteEncoded(std::span<const std::byte> /*in*/, AnswerSink& out) override {
+    Scratch<std::vector<std::byte>>::Use value(read_);
     SteadyTime written;
-    const Status status = value_->Read(out, written);
-    if (status) written_.Set(written.time_since_epoch());
+    const Status status = value_->Read(*value, written);
+    if (status) {
+      written_.Set(written.time_since_epoch());
+      out.Take(*value);
+    }
     return status;
   }
 
@@ -31,6 +37,7 @@ class MirroredReadCommand final : public CommandBase {
   static constexpr std::chrono::nanoseconds kNever = std::chrono::nanoseconds::max();
 
   const std::shared_ptr<const MirroredValue> value_;
+  Scratch<std::vector<std::byte>> read_;
   Published<std::chrono::nanoseconds> written_{kNever};  // the value that was read last
 };
 

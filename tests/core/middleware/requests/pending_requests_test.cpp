@@ -43,9 +43,9 @@ TEST(PendingRequests, TheFirstAnswerCountsAndTheOthersAreLate) {
   Outcomes outcomes;
   const auto request = Add(requests, outcomes.Keep());
 
-  requests.OnAnswer(request, Bytes(1));
-  requests.OnAnswer(request, Bytes(2));
-  requests.OnAnswer(12345, Bytes(3));
+  requests.OnAnswer(request, Answer(Bytes(1)));
+  requests.OnAnswer(request, Answer(Bytes(2)));
+  requests.OnAnswer(12345, Answer(Bytes(3)));
 
   ASSERT_EQ(outcomes.all.size(), 1U);
   EXPECT_EQ(*outcomes.all[0], Bytes(1));
@@ -90,8 +90,8 @@ TEST(PendingRequests, AHandlerMayAskAgain) {
   const auto first = Add(
       requests, [&](const Result<Bytes>& /*outcome*/) { second = Add(requests, outcomes.Keep()); });
 
-  requests.OnAnswer(first, Bytes());
-  requests.OnAnswer(second, Bytes());
+  requests.OnAnswer(first, Answer(Bytes()));
+  requests.OnAnswer(second, Answer(Bytes()));
 
   EXPECT_EQ(outcomes.all.size(), 1U);
 }
@@ -101,7 +101,7 @@ TEST(PendingRequests, WhatAHandlerThrowsStaysHere) {
   const auto request =
       Add(requests, [](const Result<Bytes>& /*outcome*/) { throw std::runtime_error("oh"); });
 
-  EXPECT_NO_THROW(requests.OnAnswer(request, Bytes()));
+  EXPECT_NO_THROW(requests.OnAnswer(request, Answer(Bytes())));
 }
 
 TEST(PendingRequests, AWithdrawnOneIsForgotten) {
@@ -112,7 +112,7 @@ TEST(PendingRequests, AWithdrawnOneIsForgotten) {
 
   requests.Withdraw(request);
 
-  EXPECT_FALSE(requests.Finish(request, Bytes()));
+  EXPECT_FALSE(requests.Finish(request, Answer(Bytes())));
   requests.FinishAll({ErrorCode::kUnreachable, "closed"});
   EXPECT_EQ(called, 0);
 }
@@ -126,9 +126,9 @@ TEST(PendingRequests, OneThatWaitsLongKeepsItsNumberAmongManyOthers) {
   for (int i = 0; i < 1000; ++i) {
     const auto request = Add(requests, [](const Result<Bytes>& /*outcome*/) {});
     EXPECT_TRUE(numbers.insert(request).second) << "twice the number " << request;
-    EXPECT_TRUE(requests.Finish(request, Bytes()));
+    EXPECT_TRUE(requests.Finish(request, Answer(Bytes())));
   }
-  EXPECT_TRUE(requests.Finish(patient, Bytes(5)));
+  EXPECT_TRUE(requests.Finish(patient, Answer(Bytes(5))));
 
   ASSERT_EQ(outcomes.all.size(), 1U);
   EXPECT_EQ(*outcomes.all[0], Bytes(5));
@@ -151,28 +151,44 @@ TEST(AwaitedAnswer, IsWhatTheRequestWasFinishedWith) {
   PendingRequests requests;
   AwaitedAnswer answer(requests);
   const auto peer =
-      std::async(std::launch::async, [&] { requests.OnAnswer(answer.number(), Bytes(3)); });
+      std::async(std::launch::async, [&] { requests.OnAnswer(answer.number(), Answer(Bytes(3))); });
 
   const auto outcome = answer.WaitUntil(SteadyClock().Now() + hours(1));
 
   ASSERT_TRUE(outcome.has_value());
-  EXPECT_EQ(**outcome, Bytes(3));
+  EXPECT_EQ((*outcome)->body().size(), 3U);
   EXPECT_EQ(requests.late_answers(), 0U);
 }
 
-TEST(AwaitedAnswer, HasTheMemoryThatItsCallerHadToSpare) {
-  constexpr std::size_t kLarge = 100'000;
+TEST(AwaitedAnswer, IsWhereItsBytesWereLentAndKeepsThemThere) {
   PendingRequests requests;
-  Bytes spare(kLarge);
-  const std::byte* const place = spare.data();
-  AwaitedAnswer answer(requests, std::move(spare));
+  AwaitedAnswer answer(requests);
+  auto lent = std::make_shared<Bytes>(100'000, std::byte{7});
+  const std::weak_ptr<Bytes> still = lent;
+  const std::byte* const place = lent->data();
+  const std::span<const std::byte> body = *lent;
 
-  requests.OnBorrowedAnswer(answer.number(), Bytes(kLarge - 1, std::byte{7}));
+  requests.OnAnswer(answer.number(), Answer(body, std::move(lent)));
 
-  const auto outcome = answer.WaitUntil(SteadyClock().Now() + hours(1));
+  auto outcome = answer.WaitUntil(SteadyClock().Now() + hours(1));
   ASSERT_TRUE(outcome.has_value());
-  EXPECT_EQ(**outcome, Bytes(kLarge - 1, std::byte{7}));
-  EXPECT_EQ((*outcome)->data(), place);
+  EXPECT_EQ((*outcome)->body().data(), place);
+  EXPECT_EQ((*outcome)->body().size(), body.size());
+  outcome.reset();
+  EXPECT_TRUE(still.expired());
+}
+
+TEST(PendingRequests, AHandlerGetsACopyOfWhatIsLent) {
+  PendingRequests requests;
+  Bytes heard;
+  PendingRequests::Handler handler = [&heard](Result<Bytes> answer) { heard = *std::move(answer); };
+  const std::uint64_t number = requests.Add(std::chrono::seconds(60), handler);
+  auto lent = std::make_shared<Bytes>(100, std::byte{7});
+  const std::span<const std::byte> body = *lent;
+
+  requests.OnAnswer(number, Answer(body, std::move(lent)));
+
+  EXPECT_EQ(heard, Bytes(100, std::byte{7}));
 }
 
 TEST(AwaitedAnswer, IsLateOnceItsTimeIsOver) {
@@ -180,7 +196,7 @@ TEST(AwaitedAnswer, IsLateOnceItsTimeIsOver) {
   AwaitedAnswer answer(requests);
 
   EXPECT_FALSE(answer.WaitUntil(SteadyClock().Now()).has_value());
-  requests.OnAnswer(answer.number(), Bytes(3));
+  requests.OnAnswer(answer.number(), Answer(Bytes(3)));
 
   EXPECT_EQ(requests.late_answers(), 1U);
 }
@@ -193,7 +209,7 @@ TEST(AwaitedAnswer, IsLateWhereNobodyHasWaited) {
     number = answer.number();
   }
 
-  requests.OnAnswer(number, Bytes(3));
+  requests.OnAnswer(number, Answer(Bytes(3)));
 
   EXPECT_EQ(requests.late_answers(), 1U);
 }
@@ -208,12 +224,12 @@ TEST(AwaitedAnswer, OfOneIsNotThatOfTheNextWhoWaits) {
   }
   AwaitedAnswer next(requests);
 
-  requests.OnAnswer(first, Bytes(1));
-  requests.OnAnswer(next.number(), Bytes(2));
+  requests.OnAnswer(first, Answer(Bytes(1)));
+  requests.OnAnswer(next.number(), Answer(Bytes(2)));
 
   const auto outcome = next.WaitUntil(SteadyClock().Now() + hours(1));
   ASSERT_TRUE(outcome.has_value());
-  EXPECT_EQ(**outcome, Bytes(2));
+  EXPECT_EQ((*outcome)->body().size(), 2U);
 }
 
 TEST(AwaitedAnswer, EndsWithAllOthersAndBeginsNoMore) {

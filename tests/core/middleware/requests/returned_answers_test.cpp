@@ -2,6 +2,7 @@
 #include <tendon/middleware/channel.h>
 #include <tendon/middleware/loopback.h>
 
+#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <mutex>
@@ -20,7 +21,7 @@ class Filler final : public ChannelHandler {
   void OnRequest(const std::shared_ptr<Channel>& /*channel*/, const FrameHeader& /*header*/,
                  std::span<const std::byte> body, Responder responder) override {
     Bytes answer(*DecodeBody<std::uint32_t>(body), std::byte{7});
-    responder.ReplyWith(answer, kOwnLane);
+    responder.Reply(answer, kOwnLane);
   }
 };
 
@@ -54,7 +55,7 @@ class ReturnedAnswers : public testing::Test {
     }
     const auto answer = channel.Ask(kOfSoManyBytes, 0, EncodeBody(static_cast<std::uint32_t>(size)),
                                     kVeryLong, kOwnLane);
-    EXPECT_TRUE(answer && *answer == Bytes(size, std::byte{7}));
+    EXPECT_TRUE(answer && std::ranges::equal(answer->body(), Bytes(size, std::byte{7})));
     const std::scoped_lock lock(mutex_);
     return large_;
   }

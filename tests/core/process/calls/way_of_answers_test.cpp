@@ -53,7 +53,7 @@ class WayCounter final : public tendon::Middleware {
     void OnAsked(std::span<const std::byte> frame, tendon::LeftAnswer& answer) override {
       ++ways_->asked;
       handler_->OnAsked(frame, answer);
-      if (answer.header) ++ways_->answered;
+      if (answer.is_there()) ++ways_->answered;
     }
     void OnClosed(const tendon::Error& reason) override { handler_->OnClosed(reason); }
 
