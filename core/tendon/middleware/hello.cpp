@@ -1,5 +1,6 @@
 #include <tendon/base/os/private_file.h>
 #include <tendon/base/os/process.h>
+#include <tendon/base/printable.h>
 #include <tendon/middleware/body.h>
 #include <tendon/middleware/hello.h>
 
@@ -29,7 +30,7 @@ Result<std::uint64_t> LoopbackCookie() {
 
 Error ReadRefusal(std::span<const std::byte> body, const std::string& peer) {
   Error error;
-  if (Decode(body, error)) return error;
+  if (Decode(body, error)) return {error.code, Printable(error.message)};
   return {ErrorCode::kFailed, peer + " refused, and its reason cannot be read"};
 }
 

@@ -38,7 +38,7 @@ Result<std::uint64_t> LoopbackCookie();
 /// none.
 enum class Strangers { kRefused, kAllowed, kFromElsewhere };
 
-/// The body of a kRefusal as the reason.
+/// The body of a kRefusal as the reason, in words that print.
 [[nodiscard]] Error ReadRefusal(std::span<const std::byte> body, const std::string& peer);
 
 }  // namespace tendon

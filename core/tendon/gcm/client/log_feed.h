@@ -16,7 +16,7 @@ class LogFeed {
   [[nodiscard]] message::WatchLog Wanted() const;
   /// The answer to it.
   LogBatch Begin(const message::LogWatched& watched);
-  /// The next records.
+  /// The next records. Those that were heard before are taken out.
   LogBatch Take(message::LogRecords batch);
 
  private:

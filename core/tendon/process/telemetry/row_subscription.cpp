@@ -65,6 +65,7 @@ void RowSubscription::Deliver(std::uint64_t beginning, std::span<const std::byte
   const std::scoped_lock lock(mutex_);
   if (beginning != beginnings_) return;
   if (waits_for_batch_ && !GoOnWith(*reader)) return;
+  if (!GoesForward(*reader)) return;
   ReadStamps(*reader);
   RowBatch batch;
   batch.epoch = epoch_;
@@ -83,6 +84,21 @@ void RowSubscription::Deliver(std::uint64_t beginning, std::span<const std::byte
   counts_.lost_table += batch.lost_table;
   counts_.lost_network += batch.lost_network;
   if (sink_) counts_.lost_viewer += sink_->OnRows(batch);
+}
+
+/// Whether no row of it was heard before, by its numbers. Those that jump are of rows that are
+/// lost.
+bool RowSubscription::GoesForward(const RowBatchReader& batch) const {
+  const message::RowsHeader& header = batch.header();
+  if (header.rows_before < rows_ || header.rows_before + header.rows < header.rows_before) {
+    return false;
+  }
+  std::uint64_t next = next_tick_;
+  for (std::size_t row = 0; row < header.rows; ++row) {
+    if (batch.tick(row) < next || batch.tick(row) >= header.next_tick) return false;
+    next = batch.tick(row) + 1;
+  }
+  return header.next_tick >= next;
 }
 
 /// Of a topic, which is of every row, the numbers tell: the batch that would have told may be lost.

@@ -45,6 +45,7 @@ class RowSubscription {
   void GoOn(std::uint64_t first_tick);
   /// False where the batch is of before.
   bool GoOnWith(const RowBatchReader& batch);
+  [[nodiscard]] bool GoesForward(const RowBatchReader& batch) const;
   [[nodiscard]] std::uint64_t LostInTable(const message::RowsHeader& header,
                                           std::uint64_t lost_here) const;
   void ReadStamps(const RowBatchReader& reader);

@@ -1,0 +1,178 @@
+#include <gtest/gtest.h>
+#include <tendon/gcm/catalog.h>
+#include <tendon/gcm/client/log_feed.h>
+#include <tendon/middleware/loopback.h>
+#include <tendon/middleware/parts/part_sender.h>
+#include <tendon/middleware/requests/awaited_answer.h>
+#include <tendon/process/telemetry/row_batch.h>
+#include <tendon/process/telemetry/row_subscription.h>
+#include <tests/core/gcm/samples.h>
+
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace tendon {
+namespace {
+
+constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
+
+/// Keeps which rows it was given.
+class TickRecord final : public RowSink {
+ public:
+  void OnSubscribed(const std::vector<Schema>& /*columns*/) override {}
+  std::size_t OnRows(const RowBatch& batch) override {
+    ticks.insert(ticks.end(), batch.ticks.begin(), batch.ticks.end());
+    return 0;
+  }
+  void OnStale(const Error& /*reason*/) override {}
+
+  std::vector<std::uint64_t> ticks;
+};
+
+/// A viewer of a table, and a process that may send it anything.
+class RowNumbers : public testing::Test {
+ protected:
+  /// Rows of these ticks, `before` having been sent before them.
+  void Send(std::uint64_t before, const std::vector<std::uint64_t>& ticks,
+            std::uint64_t next_tick) {
+    RowBatchWriter writer({});
+    for (const std::uint64_t tick : ticks) writer.BeginRow(tick, 0);
+    subscription_.Deliver(beginning_,
+                          writer.Finish({.rows_before = before, .next_tick = next_tick}), {});
+  }
+
+  std::shared_ptr<TickRecord> record_ = std::make_shared<TickRecord>();
+  RowSubscription subscription_{
+      {.process = "robot", .component = "arm", .table = "state", .columns = {}, .rows = {}},
+      record_};
+  const std::uint64_t beginning_ =
+      *subscription_.Begin({.handle = 1, .epoch = 1, .first_tick = 100});
+};
+
+TEST_F(RowNumbers, BadInput63NoRowIsHeardTwice) {
+  Send(0, {100, 101, 102}, 103);
+
+  Send(0, {100, 101, 102}, 103);  // all of it again
+  Send(3, {102, 103}, 104);       // or one row of it
+  Send(3, {103, 103}, 104);       // or within itself
+  Send(3, {104, 103}, 105);
+  Send(3, {103}, 103);  // behind its own end
+  Send(2, {103}, 104);  // fewer than there were
+
+  EXPECT_EQ(record_->ticks, (std::vector<std::uint64_t>{100, 101, 102}));
+  Send(3, {103}, 104);
+  EXPECT_EQ(record_->ticks.back(), 103U);
+  EXPECT_EQ(subscription_.counts(), (RowCounts{.received = 4}));
+}
+
+TEST_F(RowNumbers, BadInput63RowsThatAreJumpedOverAreLost) {
+  Send(0, {100}, 101);
+
+  Send(11, {111}, 112);
+
+  EXPECT_EQ(subscription_.counts(), (RowCounts{.received = 2, .lost_network = 10}));
+}
+
+TEST_F(RowNumbers, BadInput63WhatJumpsOverTheEndOfAllNumbersIsPassedOver) {
+  Send(kMost, {kMost - 1}, kMost);
+
+  Send(0, {100}, 101);
+  EXPECT_EQ(subscription_.counts(), (RowCounts{.received = 1}));
+}
+
+message::LogRecords Records(std::uint64_t before, const std::vector<std::string>& texts) {
+  message::LogRecords batch{before, {}};
+  for (const std::string& text : texts) batch.records.push_back({.text = text});
+  return batch;
+}
+
+std::vector<std::string> TextsOf(const LogBatch& batch) {
+  std::vector<std::string> texts;
+  for (const auto& record : batch.records) texts.push_back(record.text);
+  return texts;
+}
+
+TEST(BadInput63, NoRecordIsHeardTwiceAndThoseThatAreJumpedOverAreCounted) {
+  using Texts = std::vector<std::string>;
+  client::LogFeed feed;
+  feed.Begin({1, 100, 100});
+  EXPECT_EQ(TextsOf(feed.Take(Records(100, {"a", "b"}))), (Texts{"a", "b"}));
+
+  EXPECT_EQ(TextsOf(feed.Take(Records(100, {"a", "b"}))), Texts{});
+  EXPECT_EQ(TextsOf(feed.Take(Records(101, {"b", "c"}))), Texts{"c"});
+  EXPECT_EQ(TextsOf(feed.Take(Records(0, {"z"}))), Texts{});
+  EXPECT_EQ(TextsOf(feed.Take(Records(kMost, {"x", "y"}))), Texts{});
+
+  const LogBatch next = feed.Take(Records(105, {"d"}));
+  EXPECT_EQ(TextsOf(next), Texts{"d"});
+  EXPECT_EQ(next.lost, 2U);
+  EXPECT_EQ(feed.Wanted().after, 106U);
+}
+
+TEST(BadInput63, AChangeOfTheCatalogueThatGoesBackOrJumpsIsNotBelieved) {
+  Catalog catalog;
+  const auto change = [](std::uint64_t revision) {
+    return CatalogChange{.revision = revision,
+                         .kind = CatalogChange::Kind::kProcess,
+                         .process = "robot",
+                         .processes = {test::ProcessNamed("robot", revision)}};
+  };
+  ASSERT_TRUE(catalog.Apply(change(1)));
+  ASSERT_TRUE(catalog.Apply(change(2)));
+  const Catalog before = catalog;
+
+  for (const std::uint64_t revision :
+       {std::uint64_t{0}, std::uint64_t{1}, std::uint64_t{2}, std::uint64_t{4}, kMost}) {
+    EXPECT_FALSE(catalog.Apply(change(revision))) << revision;
+    EXPECT_EQ(catalog, before) << revision;
+  }
+
+  EXPECT_TRUE(catalog.Apply(change(3)));
+}
+
+TEST(BadInput63, AnAnswerWhoseNumberGoesBackOrJumpsIsNobodys) {
+  PendingRequests requests;
+  std::uint64_t before = 0;
+  {
+    const AwaitedAnswer answered(requests);
+    before = answered.number();
+  }
+  AwaitedAnswer answer(requests);
+
+  for (const std::uint64_t number : {std::uint64_t{0}, before, answer.number() + 1, kMost}) {
+    requests.OnAnswer(number, Error{ErrorCode::kFailed, "a lie"});
+  }
+
+  EXPECT_EQ(requests.late_answers(), 4U);
+  EXPECT_FALSE(answer.WaitUntil(SteadyClock().Now()).has_value());
+}
+
+/// Takes all that is sent.
+class Hole final : public Link {
+ public:
+  Status Send(std::span<const std::byte> /*frame*/) override { return Status::kQueued; }
+  void Admit() override {}
+  void Close() override {}
+  [[nodiscard]] std::string peer() const override { return "peer"; }
+  [[nodiscard]] std::string local() const override { return "here"; }
+};
+
+TEST(BadInput63, ACountOfPartsThatGoesBackOrJumpsIsNotBelieved) {
+  Hole link;
+  PartSender sender;
+  const Bytes body(2 * kLeastPartSize);
+  ASSERT_TRUE(
+      sender.Add(link, kCommonLane, {.size = static_cast<std::uint32_t>(body.size())}, body));
+  ASSERT_TRUE(sender.OnTaken(link, kLeastPartSize));
+
+  EXPECT_FALSE(sender.OnTaken(link, kLeastPartSize - 1));
+  EXPECT_FALSE(sender.OnTaken(link, kMost));
+
+  EXPECT_TRUE(sender.OnTaken(link, FrameHeader::kSize + body.size()));
+  EXPECT_EQ(sender.waiting(), 0U);
+}
+
+}  // namespace
+}  // namespace tendon

@@ -1,0 +1,152 @@
+#include <tendon/base/printable.h>
+#include <tests/core/gcm/bench.h>
+
+#include <algorithm>
+#include <string>
+
+namespace tendon {
+namespace {
+
+/// Renames a terminal, moves its cursor, asks a browser for a picture, goes on for 1 MB, and is no
+/// UTF-8.
+std::string Poison() {
+  return "\x1b]0;owned\x07\x1b[2J\n<img src=x onerror=alert(1)><b>bold</b>\xff" +
+         std::string(1'000'000, 'x');
+}
+
+void ExpectShortAndPrintable(const std::string& text, const std::string& what) {
+  EXPECT_FALSE(text.empty()) << what;
+  EXPECT_LT(text.size(), 5'000U) << what;
+  EXPECT_EQ(text, Printable(text)) << what;
+}
+
+void ExpectTame(const std::string& text, const std::string& what) {
+  ExpectShortAndPrintable(text, what);
+  EXPECT_NE(text.find("\\x1b"), text.npos) << what << " is not what was said";
+}
+
+/// Whatever may have any text.
+ComponentDescription PoisonedArm() {
+  ComponentDescription arm = test::Arm();
+  arm.class_name = arm.library = arm.fault = Poison();
+  for (MemberDescription& command : arm.provided.data()[0].commands) {
+    command.in_type = command.out_type = command.hazard = Poison();
+  }
+  arm.tables.data()[0].columns[0].type = Poison();
+  return arm;
+}
+
+void ExpectTame(const ComponentDescription& arm) {
+  ExpectTame(arm.class_name, "class");
+  ExpectTame(arm.library, "library");
+  ExpectTame(arm.fault, "fault");
+  for (const MemberDescription& command : arm.provided[0].commands) {
+    ExpectTame(command.in_type, "type of an argument");
+    ExpectTame(command.out_type, "type of an answer");
+    ExpectTame(command.hazard, "hazard");
+  }
+  ExpectTame(arm.tables[0].columns[0].type, "type of a column");
+}
+
+/// Keeps the records of the log that a client hears.
+class LogListener final : public test::Recorder {
+ public:
+  void OnLog(const LogBatch& batch) override {
+    const std::scoped_lock lock(mutex_);
+    records_.insert(records_.end(), batch.records.begin(), batch.records.end());
+  }
+  [[nodiscard]] std::vector<message::LogRecord> records() const {
+    const std::scoped_lock lock(mutex_);
+    return records_;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::vector<message::LogRecord> records_;
+};
+
+class BadInput61 : public test::Bench {};
+INSTANTIATE_TEST_SUITE_P(Over, BadInput61, testing::Values("loopback", "tcp"),
+                         test::NameOfParameter);
+
+TEST_P(BadInput61, ANameOfAMegabyteIsRefusedInWordsThatPrint) {
+  test::FakeProcess process(NewMiddleware(), Poison());
+
+  const auto joined = process.Join(address_);
+
+  ASSERT_FALSE(joined);
+  ExpectShortAndPrintable(joined.error().message, "refusal");
+  EXPECT_TRUE(gcm_->catalog().processes().empty());
+}
+
+TEST_P(BadInput61, DescriptionsOfAMegabyteReachViewersShortAndEscaped) {
+  const auto client = Watch();
+  const auto robot = Join("robot", {PoisonedArm()});
+  robot->Add(PoisonedArm());  // and as a report
+
+  ASSERT_TRUE(
+      EventuallyTrue([&] { return client->catalog().FindComponent("robot", "arm") != nullptr; }));
+  ExpectTame(*client->catalog().FindComponent("robot", "arm"));
+}
+
+TEST_P(BadInput61, WhereAProcessSaysItIsReachesViewersShortAndEscaped) {
+  test::FakeProcess robot(NewMiddleware(), "robot");
+  robot.Advertise(Poison());
+
+  ASSERT_TRUE(robot.Join(address_));
+
+  ExpectTame(gcm_->catalog().FindProcess("robot")->process.address, "address");
+}
+
+TEST_P(BadInput61, RecordsReachViewersShortAndEscapedAndThoseOfAMegabyteNobody) {
+  const auto listener = std::make_shared<LogListener>();
+  const auto client = Watch(listener);
+  client->WatchLog();
+  const auto robot = Join("robot", {});
+
+  const std::string shorter = Poison().substr(0, message::kLargestLogBatch / 3);
+  EXPECT_TRUE(robot->SendLog({0, {{.source = Poison(), .text = Poison()}}}));
+  EXPECT_TRUE(robot->SendLog({1, {{.source = shorter, .text = shorter}}}));
+
+  const auto poisoned = [&] {
+    const auto records = listener->records();
+    return std::ranges::count_if(
+        records, [](const auto& one) { return one.text.find("owned") != one.text.npos; });
+  };
+  ASSERT_TRUE(EventuallyTrue([&] { return poisoned() == 1; }));
+  for (const auto& record : listener->records()) {
+    EXPECT_EQ(record.text, Printable(record.text));
+    EXPECT_EQ(record.source, Printable(record.source));
+    EXPECT_LT(record.text.size(), 5'000U);
+    EXPECT_LT(record.source.size(), 500U);
+  }
+}
+
+/// Refuses everything in such words.
+class Refuser final : public ChannelHandler {
+ public:
+  void OnRequest(const std::shared_ptr<Channel>& /*channel*/, const FrameHeader& /*header*/,
+                 std::span<const std::byte> /*body*/, Responder responder) override {
+    responder.Refuse({ErrorCode::kFailed, Poison()});
+  }
+};
+
+TEST_P(BadInput61, ARefusalOfAMegabyteIsHeardShortAndEscaped) {
+  const Hello hello{.instance = 1, .name = "robot", .cookie = 7};
+  const auto server = NewMiddleware();
+  const auto listener = server->Listen(
+      "127.0.0.1:0", Channel::Acceptor(hello, [] { return std::make_shared<Refuser>(); }));
+  ASSERT_TRUE(listener);
+  const auto client = NewMiddleware();
+  const auto channel = Channel::Open(*client, (*listener)->address(), hello,
+                                     std::make_shared<ChannelHandler>(), kLong);
+  ASSERT_TRUE(channel);
+
+  const auto answer = (*channel)->Call(static_cast<MessageType>(0x101), 0, Bytes{}, kLong);
+
+  ASSERT_FALSE(answer);
+  ExpectTame(answer.error().message, "refusal");
+}
+
+}  // namespace
+}  // namespace tendon
