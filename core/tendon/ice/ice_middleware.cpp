@@ -61,16 +61,21 @@ Error WhyNotListening(const HostPort& place) {
 
 /// `tls` is null for a link without, also below.
 Error TimedOut(const HostPort& place, std::chrono::milliseconds timeout, const Tls* tls) {
-  if (IsOpeningOver()) return OpeningIsOver();
   return {ErrorCode::kTimeout, "no answer from " + ToString(place) + " within " +
                                    std::to_string(timeout.count()) + " ms" +
                                    (tls != nullptr ? "" : ": it hangs, or wants a --certificate")};
 }
 
+/// Why a link was not opened that nobody waits for any more.
+struct NobodyWaitsForIt {};
+std::exception_ptr NobodyWaits() { return std::make_exception_ptr(NobodyWaitsForIt()); }
+
 Error WhyNotOpened(const std::exception_ptr& why, const HostPort& place,
                    std::chrono::milliseconds timeout, Tls* tls) {
   try {
     std::rethrow_exception(why);
+  } catch (const NobodyWaitsForIt&) {
+    return OpeningIsOver();
   } catch (const Ice::DNSException&) {
     return {ErrorCode::kUnreachable, "host '" + place.host + "' is unknown"};
   } catch (const Ice::TimeoutException&) {
@@ -205,7 +210,7 @@ class IceMiddleware final : public Middleware {
     } catch (const Ice::Exception&) {
       connected->Give({nullptr, std::current_exception()});
     }
-    const WaitForLink wait([&connected] { connected->GiveUp(); });
+    const WaitForLink wait([&connected] { connected->Give({nullptr, NobodyWaits()}); });
     return connected->WaitUntil(deadline);
   }
 
@@ -227,7 +232,7 @@ class IceMiddleware final : public Middleware {
     } catch (const Ice::Exception&) {
       give(std::current_exception());
     }
-    const WaitForLink wait([&answered] { answered->GiveUp(); });
+    const WaitForLink wait([&answered] { answered->Give(NobodyWaits()); });
     return answered->WaitUntil(deadline);
   }
 

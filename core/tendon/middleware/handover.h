@@ -27,12 +27,6 @@ class Handover {
     return true;
   }
 
-  /// Ends the wait, without a value unless there is one already.
-  void GiveUp() {
-    given_.Set(true);
-    wakeup_.Notify();
-  }
-
   /// Waits until `deadline`; nothing, and the value refused from then on, when it has passed.
   std::optional<T> WaitUntil(SteadyTime deadline) {
     wakeup_.WaitUntil([this] { return given_.Get(); }, deadline);

@@ -61,7 +61,9 @@ TEST_P(PortContract, WhenTheProgramEndsNobodyWaitsForALinkToWhoHangs) {
   std::optional<NoMoreOpening> end(std::in_place);
 
   ASSERT_EQ(opening.wait_for(kPatience), std::future_status::ready);
-  EXPECT_FALSE(opening.get());
+  const auto opened = opening.get();
+  ASSERT_FALSE(opened);
+  EXPECT_EQ(opened.error().message, OpeningIsOver().message);
   pair_ = {};
   end.reset();
   EXPECT_FALSE(IsOpeningOver());

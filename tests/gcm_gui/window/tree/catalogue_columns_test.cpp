@@ -45,6 +45,16 @@ class CatalogueColumnsTest : public WindowFixture {
     }
     FAIL() << "there is no " << qPrintable(text);
   }
+  void Widen() {
+    auto* dock = window_.findChild<QDockWidget*>("dock.Catalogue");
+    window_.resize(1500, 800);
+    EXPECT_TRUE(QTest::qWaitFor(
+        [&] {
+          window_.resizeDocks({dock}, {620}, Qt::Horizontal);
+          return dock->width() >= 600;
+        },
+        kPatience));
+  }
   void ShowAll() const {
     for (int column = Model::kValue; column < Model::kColumnCount; ++column) {
       columns().setShown(column, true);
@@ -119,13 +129,14 @@ TEST_F(CatalogueColumnsTest, ResettingTheLayoutResetsThem) {
 }
 
 TEST_F(CatalogueColumnsTest, TheNameHasTheRoomThatIsLeftAndIsNotSqueezedOut) {
-  window_.show();
+  Widen();
   columns().setShown(Model::kRate, true);
-  const QHeaderView& header = *tree().header();
-  EXPECT_EQ(header.length(), std::max(tree().viewport()->width(), header.length()));
-  EXPECT_GE(header.sectionSize(Model::kName), 100);
+  QHeaderView& header = *tree().header();
+  EXPECT_EQ(header.length(), tree().viewport()->width());
+  header.resizeSection(Model::kRate, 120);
+  EXPECT_EQ(header.length(), tree().viewport()->width());
 
-  ShowAll();
+  header.resizeSection(Model::kRate, 1000);
   EXPECT_GE(header.sectionSize(Model::kName), 100);
   EXPECT_TRUE(
       QTest::qWaitFor([&] { return tree().horizontalScrollBar()->maximum() > 0; }, kPatience));
@@ -135,14 +146,7 @@ TEST_F(CatalogueColumnsTest, LookLikeThis) {
   Show();
   window_.show();
   ShowAll();
-  auto* dock = window_.findChild<QDockWidget*>("dock.Catalogue");
-  window_.resize(1500, 800);
-  EXPECT_TRUE(QTest::qWaitFor(
-      [&] {
-        window_.resizeDocks({dock}, {620}, Qt::Horizontal);
-        return dock->width() >= 600;
-      },
-      kPatience));
+  Widen();
   tree().reveal("robot/arm/state.Joints");
   const auto shape = std::make_shared<const std::vector<PlotChannel>>(Channels(JointSchema(3)));
   const std::int64_t now = SteadyClock().Now().time_since_epoch().count();
