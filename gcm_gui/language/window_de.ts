@@ -2918,6 +2918,14 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <comment>of a process</comment>
         <translation>gegangen</translation>
     </message>
+    <message>
+        <source>Enter</source>
+        <translation>Eingabe</translation>
+    </message>
+    <message>
+        <source>Scale, offset and axis</source>
+        <translation>Faktor, Versatz und Achse</translation>
+    </message>
 </context>
 <context>
     <name>tendon::gui::Words::Words</name>

@@ -2918,6 +2918,14 @@ Possède %1 des commandes et événements requis.</translation>
         <comment>of a process</comment>
         <translation>parti</translation>
     </message>
+    <message>
+        <source>Enter</source>
+        <translation>Entrée</translation>
+    </message>
+    <message>
+        <source>Scale, offset and axis</source>
+        <translation>Échelle, décalage et axe</translation>
+    </message>
 </context>
 <context>
     <name>tendon::gui::Words::Words</name>

@@ -64,6 +64,7 @@ std::vector<Group> OfViews() {
           {Words::tr("In a plot's legend"),
            {{Words::tr("Space"), Words::tr("Hide the curve, show it")},
             {Words::tr("Delete"), Words::tr("Remove it")},
+            {Words::tr("Enter"), Words::tr("Scale, offset and axis")},
             {"R", Words::tr("Another signal in its place")}},
            "legend"},
           {Words::tr("In a form"),

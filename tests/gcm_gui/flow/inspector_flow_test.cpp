@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <QDoubleSpinBox>
+#include <QJsonArray>
+#include <QJsonDocument>
 #include <QLabel>
+#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QToolButton>
@@ -115,6 +118,21 @@ TEST_F(InspectorFlow, WhatCanMoveIsRepeatedOnlyWhileTheButtonIsHeld) {
 
   QTest::qWait(400);  // four more would have been due
   EXPECT_EQ(LastAction().times, called);
+}
+
+TEST_F(InspectorFlow, TheFirstMoveBeginsWhereTheArmIs) {
+  MoveArm();
+  Select("robot/arm/Control.MoveTo");
+  auto& status = Find<QLabel>("call.status");
+  ASSERT_TRUE(Eventually([&] { return status.text() == "position as GetJoints says now"; }))
+      << qPrintable(status.text());
+
+  Click(Find<QToolButton>("call.asJson"));
+  const auto said =
+      QJsonDocument::fromJson(Find<QPlainTextEdit>("call.json").toPlainText().toUtf8());
+
+  ASSERT_EQ(said["position"].toArray().size(), 7);
+  EXPECT_LT(said["position"][3].toDouble(), -0.1) << "its elbow is bent";
 }
 
 TEST_F(InspectorFlow, AFavouriteWaitsForItsComponentAndHealsWhenItReturns) {

@@ -1,4 +1,5 @@
 #include <gcm_gui/graph/items/component_item.h>
+#include <gcm_gui/graph/items/process_item.h>
 #include <gcm_gui/graph/layout/layout_worker.h>
 #include <gcm_gui/graph/layout/picture_updater.h>
 #include <gcm_gui/graph/places/glide.h>
@@ -71,6 +72,27 @@ TEST(LayoutWorker, OneThatIsGoneIsToldNothing) {
   later.arrange(LargePicture(), {});
   ASSERT_TRUE(QTest::qWaitFor([&] { return arranged.count() == 1; }, kWorkerPatience));
   EXPECT_EQ(told, 0);
+}
+
+TEST(GraphScene, WhatHasNoPlaceYetIsNotShown) {
+  CatalogueStore store;
+  Selection selection;
+  RecordingActions actions;
+  ConnectMode mode{store, actions};
+  GraphScene scene(store, selection, mode);
+
+  store.replace(LookSystem(0).catalog());
+  EXPECT_TRUE(scene.isArranging());
+  EXPECT_TRUE(scene.components().empty());
+  EXPECT_TRUE(scene.processes().empty());
+
+  ASSERT_TRUE(
+      QTest::qWaitFor([&] { return !scene.isArranging() && !store.isTelling(); }, kWorkerPatience));
+  ASSERT_EQ(scene.components().size(), 7U);
+  for (const auto& [path, component] : scene.components()) {
+    const auto* process = scene.processes().at(path.section('/', 0, 0));
+    EXPECT_TRUE(process->sceneBoundingRect().contains(component->sceneRect())) << qPrintable(path);
+  }
 }
 
 /// Where the graph moves as it does for people.
