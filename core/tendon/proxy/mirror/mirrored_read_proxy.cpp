@@ -27,7 +27,7 @@ class MirroredReadCommand final : public CommandBase {
 
   [[nodiscard]] std::chrono::nanoseconds age() const override {
     const std::chrono::nanoseconds written = written_.Get();
-    if (written == kNever) return kNever;
+    if (written == kNever || value_->has_ended()) return kNever;
     // What has come from another host may seem to be of a moment later.
     const auto now = SteadyClock().Now().time_since_epoch();
     return std::max(now - written, std::chrono::nanoseconds(0));

@@ -28,6 +28,7 @@ class MirroredValue {
   void SetEnabled(bool enabled) noexcept { is_enabled_.Set(enabled); }
   /// No newer one comes: the last is not given any more.
   void End() noexcept { has_ended_.Set(true); }
+  [[nodiscard]] bool has_ended() const noexcept { return has_ended_.Get(); }
 
   /// kNoSample before the first, and where there was no value; kDisabled while it is not given;
   /// kNotConnected once it has ended. Allocates where `body` must grow.
