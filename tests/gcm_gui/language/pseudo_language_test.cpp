@@ -113,7 +113,8 @@ class PseudoLanguageTest : private Marked, public WindowFixture {
   }
 
   static constexpr auto kSaidEverywhere =
-      "GCM JSON CSV gcm gui Ctrl Esc Enter Shift write read void qualified class Hz kHz min JetBrains Mono "
+      "GCM JSON CSV gcm gui Ctrl Esc Enter Shift write read void qualified class Hz kHz min "
+      "JetBrains Mono "
       "mono dim debug info warning error serve connect lcm demo json system file";
   const QRegularExpression kWords{QStringLiteral("[A-Za-z]{3,}")};
   QSet<QString> names_;
