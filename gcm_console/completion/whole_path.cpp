@@ -46,7 +46,9 @@ std::string WholePath(const tendon::Catalog& catalog, WordKind kind, const std::
 std::string PathFrom(const tendon::Catalog& catalog, const std::string& at,
                      const std::string& typed) {
   const std::string first = typed.substr(0, typed.find_first_of(kSeparators));
-  const bool is_below = at.empty() || FindPlace(catalog, ResolvedPath(at, first));
+  const std::string below = ResolvedPath(at, first);
+  const bool is_below = at.empty() || first == typed ||
+                        FindPlace(catalog, WholePath(catalog, WordKind::kPath, below));
   return ResolvedPath(is_below || catalog.FindProcess(first) == nullptr ? at : "", typed);
 }
 

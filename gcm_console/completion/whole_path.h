@@ -11,8 +11,10 @@ namespace console {
 /// only one begins so. The path as it is where a name is that of nothing, or of several.
 std::string WholePath(const tendon::Catalog& catalog, WordKind kind, const std::string& path);
 
-/// The path of `typed` for who stands `at` another: below that, unless there is nothing of its first
-/// name while a process is called so: then it is a path from the top.
+/// The path of `typed` for who stands `at` another: below that. Several names, or one with a /
+/// behind it, are a path from the top where nothing below begins like the first while a process is
+/// called so; one name alone never is, for a verb would act on a whole process instead of what is
+/// gone.
 std::string PathFrom(const tendon::Catalog& catalog, const std::string& at,
                      const std::string& typed);
 

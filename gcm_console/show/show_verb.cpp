@@ -171,35 +171,37 @@ Result<tendon::Schema> SchemaOf(Context& context, const Place& place,
   });
 }
 
-/// What the argument may be, as JSON: as the interface says that it is now where it says it, else
-/// zeros, or what is nearest to them.
-std::string LikelyArgument(Context& context, const Place& place, const std::string& path,
-                           const tendon::Schema& schema) {
-  std::string argument = JsonSkeleton(schema);
+/// Which read commands of the interface say what the command would set, to be copied too: nothing
+/// is called by who only looks.
+void PrintReads(Context& context, const Place& place, const std::string& path,
+                const tendon::Schema& schema) {
   const std::string interface = path.substr(0, path.rfind('.') + 1);
   for (const auto& read : MatchingReads(*place.provided, *place.member)) {
-    const auto offered = read.is_whole ? schema : SchemaOf(context, place, read.type);
-    const auto fields = offered ? CommonFields(schema, *offered) : std::vector<std::string>();
-    if (fields.empty() && !read.is_whole) continue;
-    const auto now = context.Ask<std::string>([&](tendon::GcmClient& client, auto handler) {
-      client.Call(interface + read.name, "", handler);
-    });
-    if (!now) continue;
-    return read.is_whole ? *now : tendon::WithFieldsOf(argument, *now, fields);
+    std::string what = "all of it";
+    if (!read.is_whole) {
+      const auto offered = SchemaOf(context, place, read.type);
+      if (!offered) return;
+      what.clear();
+      for (const std::string& field : CommonFields(schema, *offered)) {
+        what += (what.empty() ? "" : ", ") + field;
+      }
+    }
+    if (what.empty()) continue;
+    context.out() << "gcm get " << interface << read.name << "  # as it is now: " << what << '\n';
   }
-  return argument;
 }
 
 /// How it is called, to be copied.
 void PrintCall(Context& context, const Place& place, const std::string& path) {
   const auto& member = *place.member;
-  std::string argument;
-  if (TakesArgument(member.signature)) {
-    const auto schema = SchemaOf(context, place, member.signature.in);
-    if (!schema) return;
-    argument = " '" + LikelyArgument(context, place, path, *schema) + "'";
+  if (!TakesArgument(member.signature)) {
+    context.out() << "\ngcm call " << path << '\n';
+    return;
   }
-  context.out() << "\ngcm call " << path << argument << '\n';
+  const auto schema = SchemaOf(context, place, member.signature.in);
+  if (!schema) return;
+  context.out() << "\ngcm call " << path << " '" << JsonSkeleton(*schema) << "'\n";
+  PrintReads(context, place, path, *schema);
 }
 
 void PrintPayloads(Context& context, const Place& place, const std::string& path) {

@@ -184,6 +184,7 @@ Result<ExitCode> Explain(Context& context, const Ends& ends) {
   if (!diagnosis->failure || IsTrying(*diagnosis)) {
     AddRoundTrip(*diagnosis, RoundTrip(context, provided->process));
   }
+  AddActivity(*diagnosis, catalog);
   if (!diagnosis->is_connected) AddRemainders(*diagnosis, catalog, Served(context, *diagnosis));
   if (context.settings().json) {
     context.PrintJson(ToJson(*diagnosis));

@@ -32,7 +32,7 @@ using namespace std::chrono_literals;
 struct LogOptions {
   bool follow = false;
   std::string level = "debug";  // and above
-  std::string from = "**";
+  std::string from{};           // empty: from all
 };
 
 std::vector<std::string> LevelNames() {
@@ -93,7 +93,7 @@ class LogInbox final : public tendon::GcmListener {
 
 bool IsWanted(const LogRecord& record, const LogOptions& options) {
   return record.level >= LevelOf(options.level) &&
-         (tendon::MatchesGlob(options.from, record.process) ||
+         (options.from.empty() || tendon::MatchesGlob(options.from, record.process) ||
           tendon::MatchesGlob(options.from, record.process + "/" + record.source));
 }
 
@@ -128,10 +128,14 @@ void PrintKept(std::deque<LogRecord> kept, const LogOptions& options, Context& c
   std::ranges::stable_sort(kept, {}, &LogRecord::time);
   for (const LogRecord& record : kept) Print(record, context);
   if (!kept.empty() || options.follow) return;
+  const std::string level = "at level " + options.level + " or above";
+  if (options.from.empty()) {
+    context.err() << "gcm: nothing that is kept is " << level << '\n';
+    return;
+  }
   const std::string name = options.from.substr(0, options.from.find('/'));
   const std::vector<std::string> names(processes.begin(), processes.end());
-  context.err() << "gcm: nothing that is kept is from '" << Plain(options.from) << "' at level "
-                << options.level << " or above"
+  context.err() << "gcm: nothing that is kept is from '" << Plain(options.from) << "' " << level
                 << (processes.contains(name) ? "" : tendon::DidYouMean(name, names)) << '\n';
 }
 
@@ -164,6 +168,7 @@ Result<ExitCode> ShowLog(Context& context, const LogOptions& options) {
     if (options.follow || std::chrono::steady_clock::now() - begin < context.settings().timeout) {
       continue;
     }
+    if (!kept.empty()) PrintKept(std::move(kept), options, context);
     return Error{ErrorCode::kTimeout, "the GCM has not sent all of its log in time"};
   }
 }

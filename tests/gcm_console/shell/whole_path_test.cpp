@@ -61,7 +61,8 @@ TEST_F(WholePathTest, WhatIsNothingOrAPatternStaysAsItIs) {
 TEST_F(WholePathTest, APathFromTheTopIsMeantWhereNothingIsCalledSoBelow) {
   EXPECT_EQ(PathFrom(catalog_, "robot", "arm/Control"), "robot/arm/Control");
   EXPECT_EQ(PathFrom(catalog_, "robot", "robot/arm/Control.Stop"), "robot/arm/Control.Stop");
-  EXPECT_EQ(PathFrom(catalog_, "robot/arm", "desk"), "desk");
+  EXPECT_EQ(PathFrom(catalog_, "robot/arm", "desk/"), "desk");
+  EXPECT_EQ(PathFrom(catalog_, "robot", "desk"), "robot/desk") << "what is gone is no process";
   EXPECT_EQ(PathFrom(catalog_, "robot", "nothing/arm"), "robot/nothing/arm");
   EXPECT_EQ(PathFrom(catalog_, "robot/arm", ".."), "robot");
   EXPECT_EQ(PathFrom(catalog_, "", "robot/arm"), "robot/arm");
@@ -70,6 +71,10 @@ TEST_F(WholePathTest, APathFromTheTopIsMeantWhereNothingIsCalledSoBelow) {
          .process = "robot",
          .components = {tendon::test::Arm("desk")}});
   EXPECT_EQ(PathFrom(catalog_, "robot", "desk/Control"), "robot/desk/Control");
+  Apply({.kind = tendon::CatalogChange::Kind::kProcess,
+         .process = "t",
+         .processes = {tendon::test::ProcessNamed("t", 1)}});
+  EXPECT_EQ(PathFrom(catalog_, "robot", "t/Robot"), "robot/t/Robot") << "short for tele";
 }
 
 }  // namespace

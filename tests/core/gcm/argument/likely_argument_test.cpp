@@ -74,6 +74,9 @@ TEST(CommonFields, AreThoseOfTheSameNameUnitAndShape) {
   const Schema degrees = Schema::Structure("arm.JointState", {{"position", "deg", Numbers(2)}});
   EXPECT_THAT(CommonFields(PostureSchema(), degrees), IsEmpty()) << "another unit";
   EXPECT_THAT(CommonFields(PostureSchema(), Numbers(2)), IsEmpty());
+  const Schema image = Schema::Structure(
+      "arm.Image", {{"position", "rad", Numbers(2)}, {"data", "", Schema::Sequence(Numbers(2))}});
+  EXPECT_THAT(CommonFields(PostureSchema(), image), IsEmpty()) << "it may be large";
 }
 
 TEST(CommonFields, AreTakenAndTheOthersStay) {
