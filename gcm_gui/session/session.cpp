@@ -282,6 +282,7 @@ void Session::diagnose(const message::Wire& wire, DiagnosisHandler handler) {
   const auto tell = [this, courier = courier_, handler](Diagnosis complete,
                                                         const Result<ConnectionCounts>& served) {
     courier->post([this, handler, complete, served]() mutable {
+      AddActivity(complete, store_.catalogue());
       if (complete.failure) AddRemainders(complete, store_.catalogue(), served);
       handler(complete);
     });

@@ -28,17 +28,11 @@ class Examination {
   explicit Examination(const message::Wire& wire) { diagnosis_.wire = wire; }
 
   [[nodiscard]] bool goes_on() const { return !diagnosis_.failure; }
-  [[nodiscard]] bool is_connected() const { return diagnosis_.is_connected; }
   void Good(const std::string& text) { diagnosis_.steps.push_back({Verdict::kGood, text, {}, {}}); }
   void Bad(ErrorCode code, const std::string& text, const std::string& fix,
            std::vector<std::string> details = {}) {
     diagnosis_.steps.push_back({Verdict::kBad, text, fix, std::move(details)});
     diagnosis_.failure = Error{code, text + (fix.empty() ? "" : "; " + fix)};
-  }
-  /// A step that let the way go on, so that what is behind it has been looked at too.
-  void Spoil(std::size_t step, ErrorCode code, const std::string& text, const std::string& fix) {
-    diagnosis_.steps.at(step) = {Verdict::kBad, text, fix, {}};
-    diagnosis_.failure = Error{code, text + "; " + fix};
   }
   /// Where the required side is there, which alone knows it: as the catalogue says.
   void SetConnected(const Catalog& catalog) {
@@ -156,20 +150,6 @@ void CheckConnection(const Catalog& catalog, const message::Wire& wire, Examinat
                   "disconnect it: gcm disconnect " + ToString(wire.required));
 }
 
-/// A connection that stands carries nothing while a component at one of its ends does not run.
-void CheckRunning(const Catalog& catalog, const message::Wire& wire, Examination& examination) {
-  for (const InterfaceName* end : {&wire.required, &wire.provided}) {
-    const auto& component = *catalog.FindComponent(end->process, end->component);
-    if (component.state == ComponentState::kActive) continue;
-    const std::string effect =
-        end == &wire.required ? "it asks for nothing" : "what is queued for it waits";
-    return examination.Spoil(
-        kActive, ErrorCode::kFailed,
-        component.name + " is " + std::string(ToString(component.state)) + ": " + effect,
-        "gcm start " + end->process + "/" + end->component);
-  }
-}
-
 Remainder LeftAtRequired(const Catalog& catalog, const message::Wire& wire) {
   using Kind = Remainder::Verdict;
   const std::string& process = wire.required.process;
@@ -233,9 +213,6 @@ Result<Diagnosis> Diagnose(const Catalog& catalog, const message::Wire& wire) {
   if (examination.goes_on()) CheckFree(catalog, wire, examination);
   if (examination.goes_on()) CheckSignatures(wire, **required, **provided, examination);
   if (examination.goes_on()) CheckConnection(catalog, wire, examination);
-  if (examination.goes_on() && examination.is_connected()) {
-    CheckRunning(catalog, wire, examination);
-  }
   return std::move(examination).Take();
 }
 
@@ -287,6 +264,24 @@ void AddRoundTrip(Diagnosis& diagnosis, const Result<std::chrono::microseconds>&
   DiagnosisStep& step = is_made ? diagnosis.steps.back() : diagnosis.steps.at(kReached);
   step = {Verdict::kBad, is_trying ? step.text : round_trip.error().message, fix, {}};
   diagnosis.failure = Error{round_trip.error().code, step.text + "; " + fix};
+}
+
+void AddActivity(Diagnosis& diagnosis, const Catalog& catalog) {
+  if (diagnosis.failure || !diagnosis.is_connected) return;
+  for (const InterfaceName* end : {&diagnosis.wire.required, &diagnosis.wire.provided}) {
+    const auto* component = catalog.FindComponent(end->process, end->component);
+    if (component == nullptr || component->state == ComponentState::kActive) continue;
+    const std::string effect = end == &diagnosis.wire.required
+                                   ? "it asks for nothing"
+                                   : "it refuses commands, and reads answer what was";
+    DiagnosisStep& step = diagnosis.steps.at(kActive);
+    step = {Verdict::kBad,
+            component->name + " is " + std::string(ToString(component->state)) + ": " + effect,
+            "gcm start " + end->process + "/" + end->component,
+            {}};
+    diagnosis.failure = Error{ErrorCode::kFailed, step.text + "; " + step.fix};
+    return;
+  }
 }
 
 void AddRemainders(Diagnosis& diagnosis, const Catalog& catalog,

@@ -63,6 +63,11 @@ void AddHealth(Diagnosis& diagnosis, const std::vector<ConnectionFlaw>& flaws);
 /// other. kTimeout: it is reached, and silent. Does nothing where a step is bad, unless IsTrying().
 void AddRoundTrip(Diagnosis& diagnosis, const Result<std::chrono::microseconds>& round_trip);
 
+/// Of a connection that stands and in which nothing else is wrong: whether a component at one of
+/// its ends does not run, so that it is of little use. That is of step 2, which it did not keep
+/// from being made. Does nothing where a step is bad already.
+void AddActivity(Diagnosis& diagnosis, const Catalog& catalog);
+
 /// Whether both processes are rid of a connection that was refused, or has failed: what the
 /// catalogue says of the required side, and what GcmClient::GetServed() has heard from the
 /// provider. Does nothing where the connection is wanted, so that its required side goes on trying.

@@ -45,9 +45,15 @@ TEST_F(UnhealthyTest, ItIsSaidWhatIsWrongUntilItIsNot) {
 
   ASSERT_EQ(Gcm({"suspend", "street/petitioner"}).exit_code, program::kOk);
 
-  EXPECT_TRUE(EventuallyTrue([&] {
-    return Gcm({"explain", kDesk}).exit_code == program::kOk;
-  })) << Gcm({"explain", kDesk}).out;
+  Outcome at_rest;
+  ASSERT_TRUE(EventuallyTrue([&] {
+    at_rest = Gcm({"explain", kDesk});
+    return at_rest.out.find("  6 ok  it is made") != std::string::npos;
+  })) << at_rest.out;
+  EXPECT_THAT(at_rest.out, HasSubstr("  2 BAD petitioner is suspended: it asks for nothing\n"
+                                     "         fix: gcm start street/petitioner\n"));
+  EXPECT_THAT(at_rest.out, HasSubstr("  7 ok  "));
+  EXPECT_EQ(at_rest.exit_code, program::kRefused);
 }
 
 }  // namespace
