@@ -1,5 +1,6 @@
 #include <tendon/ice/outgoing_message.h>
 
+#include <new>
 #include <utility>
 
 namespace tendon::ice {
@@ -39,8 +40,12 @@ void OutgoingMessage::handleInvokeResponse(bool /*ok*/, OutgoingAsyncBase* self)
   const auto answer = std::as_bytes(std::span(begin, static_cast<std::size_t>(size)));
   std::shared_ptr<IceInternal::Buffer> owner;
   if (answer.size() >= kLent) {
-    owner = std::make_shared<IceInternal::Buffer>();
-    owner->swapBuffer(in);  // the bytes stay where they are
+    try {
+      owner = std::make_shared<IceInternal::Buffer>();
+      owner->swapBuffer(in);           // the bytes stay where they are
+    } catch (const std::bad_alloc&) {  // it is copied then, or refused
+      owner.reset();
+    }
   }
   link_->OnAnswer(told_.size, answer, std::move(owner));
 }

@@ -65,7 +65,10 @@ std::optional<Status> StatusOfRefusal(const Error& error) {
   }
 }
 
-void AppendStatus(Status status, Bytes& answer) { answer.push_back(CodeOf(status)); }
+void AppendStatus(Status status, Bytes& answer) {
+  answer.reserve(answer.size() + 1);  // push_back() doubles what is full, and what is kept
+  answer.push_back(CodeOf(status));
+}
 
 Status TakeStatus(std::span<const std::byte>& answer) {
   if (answer.empty() || answer.back() > static_cast<std::byte>(Status::kFailed)) {

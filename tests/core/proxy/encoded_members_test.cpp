@@ -157,6 +157,14 @@ TEST(ReadProxy, KeepsTheStatusBehindTheAnswer) {
   EXPECT_EQ(answer, EncodeBody(1.0));
 }
 
+TEST(ReadProxy, ALargeAnswerTakesNoMoreMemoryForItsStatus) {
+  Bytes answer(std::size_t{1} << 20U);
+  answer.shrink_to_fit();
+  tendon::AppendStatus(Status::kDone, answer);
+
+  EXPECT_LE(answer.capacity(), (std::size_t{1} << 20U) + 64);
+}
+
 TEST(ReadProxy, RefusesAStatusThatIsNone) {
   Bytes nothing;
   Bytes unknown{std::byte{200}};

@@ -100,9 +100,11 @@ bool PendingRequests::FinishLocked(std::unique_lock<std::mutex>& lock, std::uint
     const Handler handler = std::exchange(place->handler, nullptr);
     Free(*place);
     lock.unlock();
+    Result<Bytes> taken = Error{ErrorCode::kFailed, "there is no memory for the answer"};
     CallGuarded("request", [&] {
-      handler(outcome ? Result<Bytes>((*std::move(outcome)).TakeBytes()) : outcome.error());
+      taken = outcome ? Result<Bytes>((*std::move(outcome)).TakeBytes()) : outcome.error();
     });
+    CallGuarded("request", [&] { handler(std::move(taken)); });
     return true;
   }
   place->outcome = std::move(outcome);

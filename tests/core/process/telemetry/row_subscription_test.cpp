@@ -128,6 +128,25 @@ TEST(RowSubscription, WithAPeriodDoesNotTakeWhatWasNotChosenForLost) {
   EXPECT_EQ(viewer.subscription.counts(), (RowCounts{.received = 10}));
 }
 
+TEST(RowSubscription, OfTheNewestRowBeginsWithTheOneThatIsThere) {
+  Viewer viewer({.delivery = RowDelivery::kNewest});
+  const auto send_the_row_before = [&viewer] {
+    viewer.next_tick = 99;
+    viewer.Send(1);
+  };
+  viewer.Stand(1, 100);
+  send_the_row_before();
+  EXPECT_EQ(viewer.subscription.counts(), (RowCounts{.received = 1}));
+
+  viewer.Stand(1, 100);
+  send_the_row_before();
+  EXPECT_EQ(viewer.subscription.counts(), (RowCounts{.received = 1})) << "it was heard already";
+
+  viewer.Stand(2, 100);
+  send_the_row_before();
+  EXPECT_EQ(viewer.subscription.counts(), (RowCounts{.received = 2}));
+}
+
 TEST(RowSubscription, PassesOverWhatWasOnItsWayWhenItWasMadeAgain) {
   Viewer viewer;
   viewer.Stand(1, 100);
