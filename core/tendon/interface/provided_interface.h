@@ -144,7 +144,8 @@ class ProvidedInterface {
                                 });
   }
   /// A value that is never changed once the method has handed it out: an image, a map. It is not
-  /// copied before it is sent to another process. Null: kNoSample.
+  /// copied before it is sent to another process. Null: kNoSample. Called in the caller's thread,
+  /// which may be the last to hold the value and frees it then.
   template <typename Owner, Payload Out, std::derived_from<Owner> Object>
   Offer& AddCommandRead(std::shared_ptr<const Out> (Owner::*method)() const, const Object* object,
                         PlacedName name, ThreadSafe) {

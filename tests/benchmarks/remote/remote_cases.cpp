@@ -104,6 +104,8 @@ std::vector<Case> ReadCases(const Effort& effort, const TheSystem& system) {
       {.id = "R7-filled",
        .what = "the same, which the robot copies first",
        .ratio = Ratio::kOfThroughputs,
+       .gate = 0.85,
+       .stretch = 0.95,
        .repetition = SideBySide(
            between([=](auto& both) { return ReadImages(both.desk().get_image, images); }),
            raw_images)},

@@ -12,30 +12,34 @@ namespace tendon {
 
 /// Runs `body() -> std::shared_ptr<const Out>` in the caller's thread, for a value that nobody
 /// changes any more. Whoever wants it encoded gets it from where it lies: it is not copied before.
-/// Null is kNoSample; what the body throws, kFailed.
+/// Null is kNoSample; what the body throws, kFailed. The last who holds the value frees it, which
+/// may be the caller's thread: what is large is not read in a cycle of real time.
 template <Payload Out, typename Body>
 class SharedReadCommand final : public Command<None, Out> {
  public:
   explicit SharedReadCommand(Body body) : body_(std::move(body)) {}
 
   Status Execute(const None& /*in*/, Out& out) override {
-    std::shared_ptr<const Out> value;
-    const Status status = Get(value);
-    if (status) out = *value;
-    return status;
+    return With([&out](const Out& value) -> Status {
+      out = value;
+      return Status::kDone;
+    });
   }
+  /// kFailed where the value was changed meanwhile after all, as far as its size tells.
   Status ExecuteEncoded(std::span<const std::byte> /*in*/, AnswerSink& out) override {
-    std::shared_ptr<const Out> value;
-    const Status status = Get(value);
-    if (status) EncodeTo(*value, out.Room(EncodedSize(*value)));
-    return status;
+    return With([&out](const Out& value) -> Status {
+      const std::span<std::byte> room = out.Room(EncodedSize(value));
+      const bool is_whole = room.empty() || EncodeTo(value, room) == room.size();
+      return is_whole ? Status::kDone : Status::kFailed;
+    });
   }
 
  private:
-  Status Get(std::shared_ptr<const Out>& value) {
+  template <typename Use>
+  Status With(Use use) {
     return Host::Contain(nullptr, [&]() -> Status {
-      value = body_();
-      return value ? Status::kDone : Status::kNoSample;
+      const std::shared_ptr<const Out> value = body_();
+      return value ? use(*value) : Status::kNoSample;
     });
   }
 
