@@ -371,7 +371,7 @@ class TcpMiddleware final : public Middleware {
     const auto place = ParseAllowedAddress(address, 1, exposure_);
     if (!place) return place.error();
     auto socket = os::ConnectTo(place->host, place->port, timeout, IsOpeningOver);
-    if (!socket) return socket.error();
+    if (!socket) return IsOpeningOver() ? OpeningIsOver() : socket.error();
     auto link = std::make_shared<TcpLink>(loop_, *std::move(socket), 0);
     link->Begin(std::move(handler));
     return std::shared_ptr<Link>(std::move(link));

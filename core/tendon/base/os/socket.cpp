@@ -252,6 +252,7 @@ Result<Socket> ConnectTo(const std::string& host, std::uint16_t port,
     if (failure == EINPROGRESS) failure = WaitUntilConnected(socket, deadline, is_over);
     // A connection from a free port to the same port finds itself.
     if (failure == 0 && LocalAddress(socket) == PeerAddress(socket)) failure = ECONNREFUSED;
+    if (failure == ECANCELED) break;
     if (failure != 0) continue;
     SetUp(socket);
     return socket;

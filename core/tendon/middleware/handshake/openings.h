@@ -21,8 +21,8 @@ class NoMoreOpening {
 /// Somebody who waits for a link, while it lives.
 class WaitForLink {
  public:
-  /// `give_up` ends the wait: it is called once from any thread when nobody waits any more, maybe
-  /// before this returns, and not after the destructor. Must not block.
+  /// `give_up` ends the wait: it is called once or more from any thread when nobody waits any more,
+  /// maybe before this returns, and not after the destructor. Must not block.
   explicit WaitForLink(std::function<void()> give_up);
   WaitForLink(const WaitForLink&) = delete;
   WaitForLink& operator=(const WaitForLink&) = delete;
