@@ -2770,6 +2770,10 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Faktor und Versatz von %1 müssen Zahlen sein</translation>
     </message>
     <message>
+        <source>the axis of %1 must be a text</source>
+        <translation>die Achse von %1 muss ein Text sein</translation>
+    </message>
+    <message>
         <source>it has no curves</source>
         <translation>er hat keine Kurven</translation>
     </message>

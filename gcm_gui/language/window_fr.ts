@@ -2770,6 +2770,10 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>l&apos;échelle et le décalage de %1 doivent être des nombres</translation>
     </message>
     <message>
+        <source>the axis of %1 must be a text</source>
+        <translation>l&apos;axe de %1 doit être un texte</translation>
+    </message>
+    <message>
         <source>it has no curves</source>
         <translation>il n&apos;a pas de courbes</translation>
     </message>

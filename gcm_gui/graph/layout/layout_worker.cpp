@@ -3,6 +3,7 @@
 #include <utility>
 
 namespace tendon::gui {
+
 LayoutWorker::LayoutWorker(QObject* parent)
     : QObject(parent),
       layout_(std::make_shared<GraphLayout>()),

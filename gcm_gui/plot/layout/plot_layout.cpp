@@ -71,6 +71,9 @@ QString ReadCurve(const QJsonValue& json, CurveLayout& curve) {
   if (!factor || !offset) {
     return Words::tr("scale and offset of %1 must be numbers").arg(curve.key.path);
   }
+  if (!json["axis"].isUndefined() && !json["axis"].isString()) {
+    return Words::tr("the axis of %1 must be a text").arg(curve.key.path);
+  }
   curve.look = {.scaling = {.factor = *factor, .offset = *offset}, .axis = json["axis"].toString()};
   const auto refusal = RefusalOf(curve.look);
   return refusal ? curve.key.path + QStringLiteral(": ") + *refusal : QString();

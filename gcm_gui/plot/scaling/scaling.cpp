@@ -13,9 +13,9 @@ namespace {
 constexpr double kLeastFactor = 1e-12;
 constexpr double kMostFactor = 1e12;
 constexpr double kMostOffset = 1e15;
-constexpr int kDigits = 6;
 
-QString Digits(double value) { return QString::number(value, 'g', kDigits); }
+/// All that it takes: two scalings that differ are never called the same.
+QString Digits(double value) { return QString::number(value, 'g', QLocale::FloatingPointShortest); }
 
 }  // namespace
 
