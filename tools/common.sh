@@ -79,14 +79,18 @@ must_be_preset() {
 }
 
 # tenths: of ninja's lines "[37/923] ...", one for each tenth of the work; whatever else it says, as it is.
+# Behind a pipe, whose exit code is that of its first failure with pipefail, as all scripts here set it.
 tenths() {
-  awk -F '[][/]' '
-    /^\[[0-9]+\/[0-9]+\] / {
-      if (int(10 * $2 / $3) > done && $3 >= 100) { print "  " $2 " of " $3; fflush() }
-      done = int(10 * $2 / $3)
-      next
-    }
-    $0 != "ninja: no work to do." { print; fflush() }'
+  local line tenth=0 now
+  while IFS= read -r line; do
+    if [[ ! $line =~ ^\[([0-9]+)/([0-9]+)\]\  ]]; then
+      [[ $line == "ninja: no work to do." ]] || say "$line"
+      continue
+    fi
+    now=$((10 * BASH_REMATCH[1] / BASH_REMATCH[2]))
+    ((BASH_REMATCH[2] < 100 || now <= tenth)) || say "  ${BASH_REMATCH[1]} of ${BASH_REMATCH[2]}"
+    tenth=$now
+  done
 }
 
 # build_preset PRESET [TARGET...]: configures and builds it. Says no more than how far it is, unless something is wrong

@@ -183,7 +183,7 @@ class InTheDemoSystem(unittest.TestCase):
         self.assertEqual(made["provided"], tendon.paths.parse_interface(CONTROL))
         self.system.wait_until(
             lambda system: (self.connection(system) or {}).get("state") == "active", PATIENCE)
-        with self.assertRaisesRegex(tendon.Exists, f"^{ROBOT} is connected to {CONTROL}; disc"):
+        with self.assertRaisesRegex(tendon.Exists, f"^{ROBOT} is connected to {CONTROL} already"):
             self.system.connect(ROBOT, CONTROL)
 
         self.system.disconnect(ROBOT)

@@ -55,10 +55,12 @@ TEST_F(ThemeTest, ALabelTakesTheColourOfItsRoleAndOfTheNextTheme) {
   EXPECT_EQ(label.palette().color(QPalette::WindowText), ColorOf(Token::kBad, Appearance::kLight));
 }
 
+class BadInput61InTheWindow : public ThemeTest {};
+
 /// What a stranger may have named itself.
 const QString kMarkup = QStringLiteral("<img src=x><b>bold</b> <a href=\"x\">here</a>");
 
-TEST(BadInput61InTheWindow, ALabelShowsMarkupAsItIs) {
+TEST_F(BadInput61InTheWindow, ALabelShowsMarkupAsItIs) {
   QLabel label(kMarkup);
   QLabel plain;
   plain.setTextFormat(Qt::PlainText);
@@ -70,7 +72,7 @@ TEST(BadInput61InTheWindow, ALabelShowsMarkupAsItIs) {
   EXPECT_EQ(label.text(), kMarkup);
 }
 
-TEST(BadInput61InTheWindow, AToolTipShowsMarkupAsItIs) {
+TEST_F(BadInput61InTheWindow, AToolTipShowsMarkupAsItIs) {
   QToolTip::showText(QPoint(10, 10), kMarkup);
 
   const QLabel* tip = nullptr;
