@@ -6,6 +6,7 @@
 #include <tendon/gcm/lookup.h>
 
 #include <QFileDialog>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 
@@ -35,6 +36,32 @@ class DemoFlow : public FlowFixture {
     }
     FlowFixture::TearDown();
   }
+  void BringUpDemo() {
+    Click(Find<QPushButton>("tryDemo"));
+    ASSERT_TRUE(Eventually([this] { return IsDemoRunning(); })) << gcm_->err();
+    ASSERT_TRUE(Eventually([this] { return window_->files().restore().canUndo(); }));
+  }
+  /// Ctrl+S, and the name of the file; then the page that compares.
+  void Save(const QString& file) {
+    QTest::keyClick(window_.get(), Qt::Key_S, Qt::ControlModifier);
+    ASSERT_TRUE(Eventually([this] { return window_->findChild<QFileDialog*>() != nullptr; }));
+    auto* name = window_->findChild<QFileDialog*>()->findChild<QLineEdit*>("fileNameEdit");
+    name->setText(file);
+    QTest::keyClick(name, Qt::Key_Return);
+    ASSERT_TRUE(Eventually([this] { return window_->files().document().isOpen(); }));
+    ClickTab("centre.tabs", "Diff");
+  }
+  void ClickWhenReady(const char* name) {
+    auto& button = Find<QPushButton>(name);
+    ASSERT_TRUE(Eventually([&] { return button.isVisible() && button.isEnabled(); })) << name;
+    Click(button);
+  }
+  [[nodiscard]] bool IsAsSaved() const {
+    return window_->files().document().comparison().differences.empty();
+  }
+  [[nodiscard]] QString File() const {
+    return QString::fromStdString((home_.path() / "demo.gcm.json").string());
+  }
   [[nodiscard]] bool IsEnded(const char* process) const {
     const ProcessEntry* entry = session_->store().catalogue().FindProcess(process);
     return entry == nullptr || !IsPresent(entry->process);
@@ -53,21 +80,12 @@ TEST_F(DemoFlow, OneClickBringsItUp) {
 }
 
 TEST_F(DemoFlow, WhatIsSavedOfItStartsItsProcessesAgain) {
-  Click(Find<QPushButton>("tryDemo"));
-  ASSERT_TRUE(Eventually([this] { return IsDemoRunning(); })) << gcm_->err();
-  ASSERT_TRUE(Eventually([this] { return window_->files().restore().canUndo(); }));
-  const QString file = QString::fromStdString((home_.path() / "demo.gcm.json").string());
+  ASSERT_NO_FATAL_FAILURE(BringUpDemo());
 
-  QTest::keyClick(window_.get(), Qt::Key_S, Qt::ControlModifier);
-  ASSERT_TRUE(Eventually([this] { return window_->findChild<QFileDialog*>() != nullptr; }));
-  auto* name = window_->findChild<QFileDialog*>()->findChild<QLineEdit*>("fileNameEdit");
-  name->setText(file);
-  QTest::keyClick(name, Qt::Key_Return);
-  ASSERT_TRUE(Eventually([this] { return window_->files().document().isOpen(); }));
-  ClickTab("centre.tabs", "Diff");
+  ASSERT_NO_FATAL_FAILURE(Save(File()));
   KeepPictures(*window_, "flow-saved");
 
-  const auto saved = ReadSystemFile(file.toStdString());
+  const auto saved = ReadSystemFile(File().toStdString());
   ASSERT_TRUE(saved.ok());
   for (const char* process : {"robot", "desk"}) {
     ASSERT_NE(saved->FindProcess(process), nullptr) << process;
@@ -75,10 +93,39 @@ TEST_F(DemoFlow, WhatIsSavedOfItStartsItsProcessesAgain) {
   }
 }
 
+TEST_F(DemoFlow, WhatOthersHaveChangedIsSeenAndRestoredAndThatTakenBack) {
+  ASSERT_NO_FATAL_FAILURE(BringUpDemo());
+  ASSERT_NO_FATAL_FAILURE(Save(File()));
+  ASSERT_NO_FATAL_FAILURE(ClickWhenReady("plan.back"));  // from what brought the demo up
+  ASSERT_TRUE(Eventually([this] { return IsAsSaved(); }));
+  for (const Program::Words& change :
+       {Program::Words{"disconnect", "desk/supervisor/Robot"}, {"rm", "robot/host_monitor"}}) {
+    ASSERT_EQ(StartGcmVerb(change)->Wait(), 0) << change.front();
+  }
+  const auto is_restored = [this] { return IsDemoRunning() && IsAsSaved(); };
+  ASSERT_TRUE(Eventually([&] { return !is_restored(); }));
+  EXPECT_TRUE(Eventually([this] {
+    return Find<QLabel>("diff.summary").text().contains("− 2 missing");
+  })) << Find<QLabel>("diff.summary").text().toStdString();
+  KeepPictures(*window_, "flow-diff");
+
+  ASSERT_NO_FATAL_FAILURE(ClickWhenReady("diff.restore"));
+  ASSERT_TRUE(Eventually([this] { return Find<QPushButton>("plan.carryOut").isVisible(); }));
+  KeepPictures(*window_, "flow-plan");
+  ASSERT_NO_FATAL_FAILURE(ClickWhenReady("plan.carryOut"));
+  ASSERT_TRUE(Eventually(is_restored)) << Find<QLabel>("plan.summary").text().toStdString();
+
+  ASSERT_NO_FATAL_FAILURE(ClickWhenReady("plan.undo"));
+  ASSERT_NO_FATAL_FAILURE(ClickWhenReady("plan.carryOut"));
+  EXPECT_TRUE(Eventually([this] {
+    const Catalog& catalogue = session_->store().catalogue();
+    return catalogue.FindComponent("robot", "host_monitor") == nullptr &&
+           catalogue.FindConnection({"desk", "supervisor", "Robot"}) == nullptr;
+  }));
+}
+
 TEST_F(DemoFlow, TakenBackItLeavesNoProcess) {
-  Click(Find<QPushButton>("tryDemo"));
-  ASSERT_TRUE(Eventually([this] { return IsDemoRunning(); })) << gcm_->err();
-  ASSERT_TRUE(Eventually([this] { return window_->files().restore().canUndo(); }));
+  ASSERT_NO_FATAL_FAILURE(BringUpDemo());
   ClickTab("centre.tabs", "Diff");
 
   Click(Find<QPushButton>("plan.undo"));
