@@ -152,6 +152,7 @@ QString Theme::styleSheet() const {
     sheet.replace(QStringLiteral("${%1}").arg(QLatin1String(name)), color(token).name());
   }
   return sheet.replace("${mono}", mono_.family())
+      .replace("${family}", text_.family())
       .replace("${strong}", QString::number(strong_.weight()));
 }
 
