@@ -4,6 +4,7 @@
 #include <gcm_gui/models/state_of.h>
 #include <gcm_gui/models/text.h>
 
+#include <QRegularExpression>
 #include <algorithm>
 #include <utility>
 
@@ -32,8 +33,17 @@ QString VerbText(const Action& action) {
       return QStringLiteral("call");
     case Action::Verb::kLogLevel:
       return Words::tr("log level");
+    case Action::Verb::kApply:
+      return QStringLiteral("apply");
   }
   return {};
+}
+
+/// As one word for a shell.
+QString ForShell(QString path) {
+  static const QRegularExpression plain(QStringLiteral("^[\\w@%+=:,./-]+$"));
+  if (plain.match(path).hasMatch()) return path;
+  return '\'' + path.replace('\'', QStringLiteral("'\\''")) + '\'';
 }
 
 bool IsStep(const Action& action) {
@@ -77,6 +87,7 @@ const Action& ActivityModel::action(int row) const {
 }
 
 QString ActivityModel::object(const Action& action) const {
+  if (action.verb == Action::Verb::kApply) return action.argument;
   if (!action.process.empty()) {
     return QString(ToQString(action.process) + ' ' + action.argument).trimmed();
   }
@@ -145,6 +156,9 @@ QString ActivityModel::command(int row) const {
       return CallLine(action.command, action.argument);
     case Action::Verb::kLogLevel:
       return QStringLiteral("gcm log-level %1 %2").arg(ToQString(action.process), action.argument);
+    case Action::Verb::kApply:
+      return action.file.isEmpty() ? QString()
+                                   : QStringLiteral("gcm apply ") + ForShell(action.file);
     case Action::Verb::kForget:
       break;
   }
@@ -155,6 +169,8 @@ bool ActivityModel::canUndo(int row) const { return lastStep() == &action(row); 
 
 const Action* ActivityModel::lastStep() const {
   for (auto entry = entries_.rbegin(); entry != entries_.rend(); ++entry) {
+    const bool is_plan = entry->action.verb == Action::Verb::kApply;
+    if (is_plan && entry->action.outcome != Action::Outcome::kRunning) return nullptr;
     if (IsStep(entry->action)) return &entry->action;
   }
   return nullptr;

@@ -14,7 +14,17 @@ namespace tendon::gui {
 
 /// One thing the user did to the system, and what came of it.
 struct Action {
-  enum class Verb { kConnect, kDisconnect, kReplace, kUndo, kForget, kSteer, kCall, kLogLevel };
+  enum class Verb {
+    kConnect,
+    kDisconnect,
+    kReplace,
+    kUndo,
+    kForget,
+    kSteer,
+    kCall,
+    kLogLevel,
+    kApply
+  };
   enum class Outcome { kRunning, kDone, kRefused };
 
   Verb verb = Verb::kConnect;
@@ -24,7 +34,8 @@ struct Action {
   LifeVerb life = LifeVerb::kStart;  ///< of steer
   std::string component;             ///< of steer: its path; of undo once it is known
   QString command;                   ///< of call: its path
-  QString argument;                  ///< of call: JSON; of a log level: its name
+  QString argument;  ///< of call: JSON; of a log level: its name; of apply: what it leads to
+  QString file;      ///< of apply: the system file, or empty where it is none that was saved
 
   Outcome outcome = Outcome::kRunning;
   QString refusal;        ///< why it was refused
@@ -51,7 +62,7 @@ class ActivityModel : public QAbstractTableModel {
   [[nodiscard]] const Action& action(int row) const;
   /// The line that does the same in a terminal, or empty.
   [[nodiscard]] QString command(int row) const;
-  /// Whether Undo would take back this one: the newest that stands.
+  /// Whether Undo would take back this one: the newest that stands, behind which no plan came.
   [[nodiscard]] bool canUndo(int row) const;
 
   /// The same call once more stays in its row, and is counted.

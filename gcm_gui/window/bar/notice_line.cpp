@@ -64,6 +64,8 @@ void NoticeLine::hear(const Action& finished) {
     case Action::Verb::kLogLevel:
       return tell(
           Words::tr("%1 logs %2 and above").arg(ToQString(finished.process), finished.argument));
+    case Action::Verb::kApply:
+      return;  // its page tells
   }
 }
 

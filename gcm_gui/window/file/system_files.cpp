@@ -28,6 +28,7 @@ SystemFiles::SystemFiles(const WindowParts& parts, TabPanel& centre, QWidget& wi
       centre_(centre),
       document_(parts.store, parts.reports),
       restore_(document_, parts.plans, parts.reports),
+      plans_done_(restore_, document_, parts.activity),
       panel_(new DiffPanel(document_, restore_, parts.read_only)),
       page_(centre.addPage(panel_, Words::tr("Diff"))),
       demo_(parts.demo) {

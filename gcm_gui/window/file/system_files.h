@@ -2,6 +2,7 @@
 
 #include <gcm_gui/system/restore.h>
 #include <gcm_gui/system/system_document.h>
+#include <gcm_gui/window/file/plan_activity.h>
 #include <gcm_gui/window/window_parts.h>
 
 #include <QObject>
@@ -58,6 +59,7 @@ class SystemFiles : public QObject {
   TabPanel& centre_;
   SystemDocument document_;
   Restore restore_;
+  PlanActivity plans_done_;
   DiffPanel* panel_;
   int page_;
   QString demo_;

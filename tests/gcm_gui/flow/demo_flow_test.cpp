@@ -114,6 +114,8 @@ TEST_F(DemoFlow, WhatOthersHaveChangedIsSeenAndRestoredAndThatTakenBack) {
   KeepPictures(*window_, "flow-plan");
   ASSERT_NO_FATAL_FAILURE(ClickWhenReady("plan.carryOut"));
   ASSERT_TRUE(Eventually(is_restored)) << Find<QLabel>("plan.summary").text().toStdString();
+  ASSERT_TRUE(Eventually([this] { return window_->files().restore().canUndo(); }));
+  EXPECT_EQ(session_->activity().command(0), "gcm apply " + File());
 
   ASSERT_NO_FATAL_FAILURE(ClickWhenReady("plan.undo"));
   ASSERT_NO_FATAL_FAILURE(ClickWhenReady("plan.carryOut"));

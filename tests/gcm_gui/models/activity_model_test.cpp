@@ -35,6 +35,27 @@ TEST(ActivityModel, ShowsTheNewestActionFirstWithTheLineThatDoesTheSame) {
   EXPECT_EQ(model.command(1), "gcm connect desk/teleoperation/Robot robot/controller/Control");
 }
 
+TEST(ActivityModel, APlanHasTheLineOfItsFileAndNothingBeforeItCanBeUndoneAlone) {
+  ActivityModel model;
+  model.finish(model.begin(Connecting()), 0.1, {});
+  Action apply;
+  apply.verb = Action::Verb::kApply;
+  apply.argument = "lab.gcm.json";
+  apply.file = "/home/anna/my lab's/lab.gcm.json";
+  const auto id = model.begin(apply);
+  EXPECT_TRUE(model.canUndo(1));
+  model.finish(id, 2.0, {});
+
+  EXPECT_EQ(model.command(0), R"(gcm apply '/home/anna/my lab'\''s/lab.gcm.json')");
+  EXPECT_EQ(model.data(model.index(0, 0), kObjectRole), "lab.gcm.json");
+  EXPECT_FALSE(model.canUndo(0));
+  EXPECT_FALSE(model.canUndo(1)) << "the GCM would take back a step of the plan";
+
+  apply.file.clear();
+  model.begin(apply);
+  EXPECT_EQ(model.command(0), "") << "what was before is in no file";
+}
+
 TEST(ActivityModel, OnlyTheNewestStepThatStandsCanBeUndone) {
   ActivityModel model;
   const auto first = model.begin(Connecting());

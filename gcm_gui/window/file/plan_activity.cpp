@@ -1,0 +1,34 @@
+#include <gcm_gui/models/text.h>
+#include <gcm_gui/system/restore.h>
+#include <gcm_gui/window/file/plan_activity.h>
+
+#include <QFileInfo>
+#include <utility>
+
+namespace tendon::gui {
+
+PlanActivity::PlanActivity(const Restore& restore, const SystemDocument& document,
+                           ActivityModel& activity)
+    : restore_(restore), document_(document), activity_(activity) {
+  connect(&restore, &Restore::changed, this, &PlanActivity::look);
+}
+
+void PlanActivity::look() {
+  const bool runs = restore_.phase() == Restore::Phase::kRunning;
+  if (runs && !running_) {
+    Action action;
+    action.verb = Action::Verb::kApply;
+    action.argument = restore_.goal();
+    const QString& path = document_.path();
+    if (restore_.goal() == QFileInfo(path).fileName()) action.file = path;
+    since_.start();
+    running_ = activity_.begin(std::move(action));
+  }
+  if (runs || !running_) return;
+  const auto& error = restore_.outcome().error;
+  const double seconds = static_cast<double>(since_.elapsed()) / 1000;
+  activity_.finish(*std::exchange(running_, std::nullopt), seconds,
+                   error ? ToQString(error->message) : QString());
+}
+
+}  // namespace tendon::gui

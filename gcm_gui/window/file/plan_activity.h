@@ -1,0 +1,32 @@
+#pragma once
+
+#include <gcm_gui/activity/activity_model.h>
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <optional>
+
+namespace tendon::gui {
+
+class Restore;
+class SystemDocument;
+
+/// Notes each plan that is carried out among what was done, as one action: the line that does the
+/// same is that of its file. GUI thread; all outlive this.
+class PlanActivity : public QObject {
+  Q_OBJECT
+
+ public:
+  PlanActivity(const Restore& restore, const SystemDocument& document, ActivityModel& activity);
+
+ private:
+  void look();
+
+  const Restore& restore_;
+  const SystemDocument& document_;
+  ActivityModel& activity_;
+  std::optional<ActivityModel::Id> running_;
+  QElapsedTimer since_;
+};
+
+}  // namespace tendon::gui
