@@ -24,10 +24,12 @@ struct Tracking {
 }  // namespace arm
 
 template <>
-inline constexpr auto tendon::kPayload<arm::TeleoperationConfiguration> =
-    tendon::Describe("arm.TeleoperationConfiguration",
-                     tendon::Field{"period", &arm::TeleoperationConfiguration::period, "s"},
-                     tendon::Field{"amplitude", &arm::TeleoperationConfiguration::amplitude});
+inline constexpr auto tendon::kPayload<arm::TeleoperationConfiguration> = tendon::Describe(
+    "arm.TeleoperationConfiguration",
+    tendon::Field{"period", &arm::TeleoperationConfiguration::period, "s"}.Within(4, 3600).Help(
+        "Of one round."),
+    tendon::Field{"amplitude", &arm::TeleoperationConfiguration::amplitude}.Within(0, 3).Help(
+        "How far the joints swing; over 1 it can meet the limits."));
 
 template <>
 inline constexpr auto tendon::kPayload<arm::Target> =

@@ -49,7 +49,8 @@ std::string PathFrom(const tendon::Catalog& catalog, const std::string& at,
   const std::string below = ResolvedPath(at, first);
   const bool is_below = at.empty() || first == typed ||
                         FindPlace(catalog, WholePath(catalog, WordKind::kPath, below));
-  return ResolvedPath(is_below || catalog.FindProcess(first) == nullptr ? at : "", typed);
+  const std::string process = WholePath(catalog, WordKind::kProcess, first);
+  return ResolvedPath(is_below || catalog.FindProcess(process) == nullptr ? at : "", typed);
 }
 
 }  // namespace console

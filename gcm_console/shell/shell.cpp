@@ -121,7 +121,8 @@ Result<void> Shell::GoTo(const std::string& typed) {
     if (!client) return client.error();
     if (auto watching = (*client)->WaitUntilWatching(); !watching) return watching;
     const tendon::Catalog catalog = (*client)->catalog();
-    path = PathFrom(catalog, session_.settings().at, typed + "/");
+    path =
+        WholePath(catalog, WordKind::kPath, PathFrom(catalog, session_.settings().at, typed + "/"));
     const auto place = FindPlace(catalog, path);
     if (!place) return place.error();
     if (place->member != nullptr) {

@@ -32,6 +32,8 @@ struct Health {
   std::size_t processes = 0;
   std::size_t connections = 0;
   std::size_t wrong = 0;
+  std::set<std::string>
+      at_rest{};  ///< components that do not run, though others use them or are used
   std::set<std::string> verbs{};  ///< that tell more of what is wrong, or mend it
 };
 
@@ -115,6 +117,12 @@ std::vector<StatusRow> StatusRows(const Catalog& catalog, const Waits& waits, He
     const bool is_well = connection.state == tendon::ConnectionState::kActive;
     health.wrong += is_well ? 0 : 1;
     if (!is_well) health.verbs.insert("gcm explain");
+    for (const tendon::InterfaceName* end : {&connection.required, &connection.provided}) {
+      const auto* component = catalog.FindComponent(end->process, end->component);
+      const bool rests = component != nullptr && component->fault.empty() &&
+                         component->state != tendon::ComponentState::kActive;
+      if (is_well && rests) health.at_rest.insert(end->process + "/" + end->component);
+    }
     const auto wait = waits.find(connection.required);
     const std::string& why = wait == waits.end() ? connection.reason : wait->second;
     rows.push_back({"connection", ToString(connection.required),
@@ -133,6 +141,15 @@ std::string AllOf(const std::set<std::string>& verbs) {
 std::string Count(std::size_t count, const std::string& noun) {
   const std::string end = noun.ends_with("s") ? "es" : "s";
   return std::to_string(count) + " " + noun + (count == 1 ? "" : end);
+}
+
+/// "all is well", or what is not.
+std::string Verdict(const Health& health) {
+  if (health.wrong > 0) {
+    return Count(health.wrong, "thing") + " not as it should be: see " + AllOf(health.verbs);
+  }
+  if (health.at_rest.empty()) return "all is well";
+  return "nothing is wrong, but what has connections does not run: " + AllOf(health.at_rest);
 }
 
 Result<ExitCode> Status(Context& context) {
@@ -156,11 +173,7 @@ Result<ExitCode> Status(Context& context) {
   context.Print(table);
   context.out().flush();
   context.err() << "gcm: " << Count(health.processes, "process") << ", "
-                << Count(health.connections, "connection") << "; "
-                << (health.wrong == 0 ? "all is well"
-                                      : Count(health.wrong, "thing") +
-                                            " not as it should be: see " + AllOf(health.verbs))
-                << '\n';
+                << Count(health.connections, "connection") << "; " << Verdict(health) << '\n';
   return program::kOk;
 }
 

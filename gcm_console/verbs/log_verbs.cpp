@@ -120,23 +120,32 @@ void Remark(const LogInbox::Content& content, std::ostream& err) {
   if (!content.complaint.empty()) err << "gcm: " << Plain(content.complaint) << '\n';
 }
 
+/// That nothing that is kept is wanted; kNotFound where it never could be.
+Result<void> CheckFrom(const LogOptions& options, const std::set<std::string>& processes,
+                       Context& context) {
+  const std::string level = "at level " + options.level + " or above";
+  const std::string name = options.from.substr(0, options.from.find('/'));
+  if (options.from.empty() || IsGlob(name) || processes.contains(name)) {
+    const std::string from = options.from.empty() ? "" : "from '" + Plain(options.from) + "' ";
+    context.err() << "gcm: nothing that is kept is " << from << level << '\n';
+    return {};
+  }
+  const std::vector<std::string> names(processes.begin(), processes.end());
+  std::string hint = tendon::DidYouMean(name, names);
+  for (const std::string& one : hint.empty() ? names : std::vector<std::string>()) {
+    hint += (hint.empty() ? "; there is '" : ", '") + one + "'";
+  }
+  return Error{ErrorCode::kNotFound, "no process '" + name + "' is in the log" + hint};
+}
+
 /// In the order of time: it comes in that in which the GCM has heard of it.
-void PrintKept(std::deque<LogRecord> kept, const LogOptions& options, Context& context) {
+Result<void> PrintKept(std::deque<LogRecord> kept, const LogOptions& options, Context& context) {
   std::set<std::string> processes;
   for (const LogRecord& record : kept) processes.insert(record.process);
   std::erase_if(kept, [&](const LogRecord& record) { return !IsWanted(record, options); });
   std::ranges::stable_sort(kept, {}, &LogRecord::time);
   for (const LogRecord& record : kept) Print(record, context);
-  if (!kept.empty() || options.follow) return;
-  const std::string level = "at level " + options.level + " or above";
-  if (options.from.empty()) {
-    context.err() << "gcm: nothing that is kept is " << level << '\n';
-    return;
-  }
-  const std::string name = options.from.substr(0, options.from.find('/'));
-  const std::vector<std::string> names(processes.begin(), processes.end());
-  context.err() << "gcm: nothing that is kept is from '" << Plain(options.from) << "' " << level
-                << (processes.contains(name) ? "" : tendon::DidYouMean(name, names)) << '\n';
+  return kept.empty() && !options.follow ? CheckFrom(options, processes, context) : Result<void>();
 }
 
 Result<ExitCode> ShowLog(Context& context, const LogOptions& options) {
@@ -153,8 +162,10 @@ Result<ExitCode> ShowLog(Context& context, const LogOptions& options) {
     const LogInbox::Content content = inbox->Take();
     if (!is_current) {
       kept.insert(kept.end(), content.records.begin(), content.records.end());
-      if (content.is_current || is_interrupted)
-        PrintKept(std::exchange(kept, {}), options, context);
+      if (content.is_current || is_interrupted) {
+        const auto printed = PrintKept(std::exchange(kept, {}), options, context);
+        if (!printed) return printed.error();
+      }
     } else {
       for (const LogRecord& record : content.records) {
         if (IsWanted(record, options)) Print(record, context);
@@ -168,7 +179,7 @@ Result<ExitCode> ShowLog(Context& context, const LogOptions& options) {
     if (options.follow || std::chrono::steady_clock::now() - begin < context.settings().timeout) {
       continue;
     }
-    if (!kept.empty()) PrintKept(std::move(kept), options, context);
+    if (!kept.empty()) (void)PrintKept(std::move(kept), options, context);
     return Error{ErrorCode::kTimeout, "the GCM has not sent all of its log in time"};
   }
 }

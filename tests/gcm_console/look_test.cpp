@@ -26,6 +26,10 @@ TEST_F(LookTest, StatusIsOneScreenOfWhatThereIsAndWhatIsWrong) {
               HasSubstr("connection\tdesk/supervisor/Robot\tactive\t-> robot/arm/Control\n"));
   EXPECT_EQ(well.err, "gcm: 2 processes, 1 connection; all is well\n");
   EXPECT_EQ(Gcm({"-q", "status"}).err, "");
+  ASSERT_EQ(Gcm({"suspend", "robot/arm"}).exit_code, program::kOk);
+  EXPECT_EQ(Gcm({"status"}).err,
+            "gcm: 2 processes, 1 connection; nothing is wrong, but what has connections does not "
+            "run: robot/arm\n");
 
   robot->Signal(SIGKILL);
   ASSERT_TRUE(EventuallySays({"status"}, "process\trobot\tlost\t"));

@@ -267,7 +267,9 @@ void AddRoundTrip(Diagnosis& diagnosis, const Result<std::chrono::microseconds>&
 }
 
 void AddActivity(Diagnosis& diagnosis, const Catalog& catalog) {
-  if (diagnosis.failure || !diagnosis.is_connected) return;
+  const bool stands =
+      diagnosis.is_connected && diagnosis.steps.at(kReached).verdict == Verdict::kGood;
+  if (!stands) return;
   for (const InterfaceName* end : {&diagnosis.wire.required, &diagnosis.wire.provided}) {
     const auto* component = catalog.FindComponent(end->process, end->component);
     if (component == nullptr || component->state == ComponentState::kActive) continue;

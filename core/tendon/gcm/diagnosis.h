@@ -63,9 +63,9 @@ void AddHealth(Diagnosis& diagnosis, const std::vector<ConnectionFlaw>& flaws);
 /// other. kTimeout: it is reached, and silent. Does nothing where a step is bad, unless IsTrying().
 void AddRoundTrip(Diagnosis& diagnosis, const Result<std::chrono::microseconds>& round_trip);
 
-/// Of a connection that stands and in which nothing else is wrong: whether a component at one of
-/// its ends does not run, so that it is of little use. That is of step 2, which it did not keep
-/// from being made. Does nothing where a step is bad already.
+/// Of a connection that stands: whether a component at one of its ends does not run, so that it is
+/// of little use. That is of step 2, which it did not keep from being made; what is wrong behind it
+/// may come of it.
 void AddActivity(Diagnosis& diagnosis, const Catalog& catalog);
 
 /// Whether both processes are rid of a connection that was refused, or has failed: what the

@@ -64,6 +64,7 @@ TEST_F(WholePathTest, APathFromTheTopIsMeantWhereNothingIsCalledSoBelow) {
   EXPECT_EQ(PathFrom(catalog_, "robot/arm", "desk/"), "desk");
   EXPECT_EQ(PathFrom(catalog_, "robot", "desk"), "robot/desk") << "what is gone is no process";
   EXPECT_EQ(PathFrom(catalog_, "robot", "nothing/arm"), "robot/nothing/arm");
+  EXPECT_EQ(PathFrom(catalog_, "robot/arm", "r/a/s"), "r/a/s") << "short, from the top";
   EXPECT_EQ(PathFrom(catalog_, "robot/arm", ".."), "robot");
   EXPECT_EQ(PathFrom(catalog_, "", "robot/arm"), "robot/arm");
 

@@ -3,7 +3,10 @@
 namespace tendon {
 
 bool IsKept(const Diagnosis& diagnosis) {
-  return diagnosis.is_connected && diagnosis.failure.has_value();
+  constexpr std::size_t kMade = 5;
+  const bool is_made = diagnosis.steps.size() > kMade &&
+                       diagnosis.steps[kMade].verdict != DiagnosisStep::Verdict::kNotReached;
+  return diagnosis.is_connected && diagnosis.failure.has_value() && !is_made;
 }
 
 std::vector<std::string> LeftoverTexts(const Diagnosis& diagnosis) {
