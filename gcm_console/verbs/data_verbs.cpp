@@ -268,8 +268,7 @@ class RowWriter {
 
 void Summarize(const RowWriter& writer, const tendon::RowCounts& counts, std::ostream& err) {
   const std::uint64_t lost = counts.lost_table + counts.lost_network + counts.lost_viewer;
-  err << "gcm: " << writer.printed() << (writer.printed() == 1 ? " row, " : " rows, ") << lost
-      << " lost";
+  err << "gcm: " << writer.printed() << " rows, " << lost << " lost";
   if (lost > 0) {
     err << " (" << counts.lost_table << " in the table, " << counts.lost_network
         << " on the network, " << counts.lost_viewer << " here)";
