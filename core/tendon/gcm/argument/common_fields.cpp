@@ -34,9 +34,8 @@ std::vector<std::string> CommonFields(const Schema& wanted, const Schema& offere
 
 std::string WithFieldsOf(const std::string& value, const std::string& source,
                          const std::vector<std::string>& fields) {
-  using Json = nlohmann::ordered_json;
-  Json mine = Json::parse(value, nullptr, false);
-  const Json theirs = Json::parse(source, nullptr, false);
+  auto mine = nlohmann::ordered_json::parse(value, nullptr, false);
+  const auto theirs = nlohmann::ordered_json::parse(source, nullptr, false);
   if (!mine.is_object() || !theirs.is_object()) return value;
   for (const std::string& field : fields) {
     if (theirs.contains(field)) mine[field] = theirs[field];
