@@ -49,7 +49,8 @@ bool TableFeed::Gather() {
 
 bool TableFeed::GatherBatch() {
   const std::uint64_t end = table_.next_tick();
-  const std::uint64_t first = std::clamp(table_.oldest_tick(), next_tick_, end);
+  // Before its first row a table may just be given its memory.
+  const std::uint64_t first = end == 0 ? 0 : std::clamp(table_.oldest_tick(), next_tick_, end);
   std::uint64_t lost = first - next_tick_;
   for (next_tick_ = first; next_tick_ < end && !IsBatchFull(); ++next_tick_) {
     std::int64_t time = 0;
