@@ -27,9 +27,9 @@
 namespace tendon::gui {
 namespace {
 
-constexpr double kAround = 16;       // scene units
-constexpr double kDots = 2;          // pixels to a scene unit
-constexpr double kMostPixels = 4e7;  // of an image; a larger graph has fewer to a unit
+constexpr double kAroundExport = 16;  // scene units
+constexpr double kDots = 2;           // pixels to a scene unit
+constexpr double kMostPixels = 4e7;   // of an image; a larger graph has fewer to a unit
 
 /// The graph as strokes and texts, which another thread can make an image of.
 struct Drawing {
@@ -38,7 +38,8 @@ struct Drawing {
 };
 
 Drawing DrawingOf(GraphScene& scene) {
-  const QRectF all = scene.contents().adjusted(-kAround, -kAround, kAround, kAround);
+  const QRectF all =
+      scene.contents().adjusted(-kAroundExport, -kAroundExport, kAroundExport, kAroundExport);
   const double most = std::sqrt(kMostPixels / (all.width() * all.height()));
   Drawing drawing;
   drawing.size = (all.size() * std::min(kDots, most)).toSize().expandedTo({1, 1});

@@ -20,9 +20,9 @@ namespace {
 
 using Model = CatalogueModel;
 
-constexpr int kLeastName = 176;  // pixels; with less room the columns are scrolled
-constexpr int kNarrowest = 24;   // of what was kept
-constexpr int kWidest = 2000;    // likewise
+constexpr int kLeastName = 176;       // pixels; with less room the columns are scrolled
+constexpr int kNarrowestColumn = 24;  // of what was kept
+constexpr int kWidestColumn = 2000;   // likewise
 constexpr quint32 kStateVersion = 1;
 
 struct Usual {
@@ -131,7 +131,7 @@ void CatalogueColumns::restore(const QByteArray& state) {
   for (Look& look : looks) {
     qint32 width = 0;
     stream >> look.is_shown >> width;
-    look.width = std::clamp(width, kNarrowest, kWidest);
+    look.width = std::clamp(width, kNarrowestColumn, kWidestColumn);
   }
   if (stream.status() != QDataStream::Ok) return;
   for (std::size_t i = 0; i < looks.size(); ++i) setLook(static_cast<int>(i) + 1, looks[i]);
