@@ -20,7 +20,7 @@ inline constexpr double kLargestAngle = 1e3;     // rad: beyond it is a mistake
 inline constexpr double kLeastLimit = 1e-3;      // rad/s, rad/s^2: a joint that moves at all
 inline constexpr double kGreatestLimit = 1e3;    // rad/s, rad/s^2
 inline constexpr double kLeastBandwidth = 1e-3;  // rad/s
-inline constexpr double kMostBandwidth = 500.0;  // rad/s: half a cycle of the task is 1000
+inline constexpr double kMostBandwidth = 500.0;  // rad/s: for stiffer ones 1 ms is too coarse
 inline constexpr double kMostNoise = 1.0;        // rad
 
 /// What can be said about a simulated arm. The defaults are the limits of a Franka Emika Panda:

@@ -25,11 +25,11 @@ constexpr double kTurnAgain = 0.5;  // s in which further limits belong to the s
 
 Tour CheckedTour(const TeleoperationConfiguration& configuration, const std::string& name) {
   const auto& [period, amplitude] = configuration;
-  if (!(period >= 4.0 && period <= 3600.0)) {
+  if (!(period >= kShortestTour && period <= kLongestTour)) {
     throw tendon::ConfigurationError("configuration of '" + name + "': period is " +
                                      std::to_string(period) + ", expected 4 to 3600 s");
   }
-  if (!(amplitude >= 0.0 && amplitude <= 3.0)) {
+  if (!(amplitude >= 0.0 && amplitude <= kMostAmplitude)) {
     throw tendon::ConfigurationError("configuration of '" + name + "': amplitude is " +
                                      std::to_string(amplitude) + ", expected 0 to 3");
   }

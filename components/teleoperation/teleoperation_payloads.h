@@ -4,10 +4,14 @@
 
 namespace arm {
 
+inline constexpr double kShortestTour = 4.0;    // s
+inline constexpr double kLongestTour = 3600.0;  // s
+inline constexpr double kMostAmplitude = 3.0;
+
 /// How the tour is made.
 struct TeleoperationConfiguration {
-  double period = 12.0;    ///< s for one round, 4 to 3600
-  double amplitude = 1.0;  ///< how far the joints swing, 0 to 3; over 1 it can meet the limits
+  double period = 12.0;    ///< s for one round
+  double amplitude = 1.0;  ///< how far the joints swing; over 1 it can meet the limits
 };
 
 /// Where the arm should be.
@@ -24,12 +28,14 @@ struct Tracking {
 }  // namespace arm
 
 template <>
-inline constexpr auto tendon::kPayload<arm::TeleoperationConfiguration> = tendon::Describe(
-    "arm.TeleoperationConfiguration",
-    tendon::Field{"period", &arm::TeleoperationConfiguration::period, "s"}.Within(4, 3600).Help(
-        "Of one round."),
-    tendon::Field{"amplitude", &arm::TeleoperationConfiguration::amplitude}.Within(0, 3).Help(
-        "How far the joints swing; over 1 it can meet the limits."));
+inline constexpr auto tendon::kPayload<arm::TeleoperationConfiguration> =
+    tendon::Describe("arm.TeleoperationConfiguration",
+                     tendon::Field{"period", &arm::TeleoperationConfiguration::period, "s"}
+                         .Within(arm::kShortestTour, arm::kLongestTour)
+                         .Help("Of one round."),
+                     tendon::Field{"amplitude", &arm::TeleoperationConfiguration::amplitude}
+                         .Within(0, arm::kMostAmplitude)
+                         .Help("How far the joints swing; over 1 it can meet the limits."));
 
 template <>
 inline constexpr auto tendon::kPayload<arm::Target> =

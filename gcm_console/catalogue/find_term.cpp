@@ -96,9 +96,10 @@ bool FindTerm::IsNoun(const Thing& thing) const {
 bool FindTerm::IsType(const std::string& type) const {
   constexpr std::string_view kArrow = " -> ";
   if (type.empty()) return false;
+  if (IsIn(type)) return true;
   const auto arrow = type.find(kArrow);
-  if (IsIn(type) || arrow == type.npos) return IsIn(type);
-  return IsIn(type.substr(0, arrow)) || IsIn(type.substr(arrow + kArrow.size()));
+  return arrow != type.npos &&
+         (IsIn(type.substr(0, arrow)) || IsIn(type.substr(arrow + kArrow.size())));
 }
 
 bool FindTerm::Holds(const Thing& thing) const {

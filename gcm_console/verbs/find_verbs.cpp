@@ -32,9 +32,8 @@ struct Health {
   std::size_t processes = 0;
   std::size_t connections = 0;
   std::size_t wrong = 0;
-  std::set<std::string>
-      at_rest{};  ///< components that do not run, though others use them or are used
-  std::set<std::string> verbs{};  ///< that tell more of what is wrong, or mend it
+  std::set<std::string> at_rest{};  ///< components that do not run, but have connections
+  std::set<std::string> verbs{};    ///< that tell more of what is wrong, or mend it
 };
 
 /// "3 active, 1 faulted".

@@ -4,7 +4,6 @@
 #include <gcm_gui/models/state_of.h>
 #include <gcm_gui/models/text.h>
 
-#include <QRegularExpression>
 #include <algorithm>
 #include <utility>
 
@@ -37,13 +36,6 @@ QString VerbText(const Action& action) {
       return QStringLiteral("apply");
   }
   return {};
-}
-
-/// As one word for a shell.
-QString ForShell(QString path) {
-  static const QRegularExpression plain(QStringLiteral("^[\\w@%+=:,./-]+$"));
-  if (plain.match(path).hasMatch()) return path;
-  return '\'' + path.replace('\'', QStringLiteral("'\\''")) + '\'';
 }
 
 bool IsStep(const Action& action) {
@@ -158,7 +150,7 @@ QString ActivityModel::command(int row) const {
       return QStringLiteral("gcm log-level %1 %2").arg(ToQString(action.process), action.argument);
     case Action::Verb::kApply:
       return action.file.isEmpty() ? QString()
-                                   : QStringLiteral("gcm apply ") + ForShell(action.file);
+                                   : QStringLiteral("gcm apply ") + ShellWord(action.file);
     case Action::Verb::kForget:
       break;
   }

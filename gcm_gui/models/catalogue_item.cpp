@@ -50,10 +50,15 @@ void AddColumns(CatalogueItem& interface, const TableDescription& table) {
   }
 }
 
-/// "Drives" of "arm": in short where it is in the same process.
-QString NameSeenFrom(const std::string& process, const InterfaceName& other) {
-  const QString name = ToQString(other.component) + '/' + ToQString(other.interface);
+/// "arm": with its process, "robot/arm", where that is another one.
+QString ComponentSeenFrom(const std::string& process, const InterfaceName& other) {
+  const QString name = ToQString(other.component);
   return other.process == process ? name : ToQString(other.process) + '/' + name;
+}
+
+/// "arm/Drives", likewise.
+QString NameSeenFrom(const std::string& process, const InterfaceName& other) {
+  return ComponentSeenFrom(process, other) + '/' + ToQString(other.interface);
 }
 
 void ShowConnection(CatalogueItem& item, const std::string& process,
@@ -61,7 +66,7 @@ void ShowConnection(CatalogueItem& item, const std::string& process,
   item.mark = MarkOf(connection);
   item.state = KeyOf(*item.mark);
   item.value = WordOf(*item.mark);
-  item.connected = Words::tr("nothing");
+  item.connected = QString();
   if (connection == nullptr) return;
   if (connection->state == ConnectionState::kActive) {
     item.connected = NameSeenFrom(process, connection->provided);
@@ -83,7 +88,7 @@ Item BuildProvided(const ConnectionIndex& connections, const CatalogueItem& pare
   for (const auto& client : connections.ClientsOf(name)) {
     clients << NameSeenFrom(name.process, client);
   }
-  item->connected = clients.isEmpty() ? Words::tr("nothing") : clients.join(QStringLiteral(", "));
+  item->connected = clients.join(QStringLiteral(", "));
   if (const auto* table = FindTable(component, provided.name)) {
     AddColumns(*item, *table);
   } else {
@@ -108,24 +113,20 @@ Item BuildRequired(const ConnectionIndex& connections, const CatalogueItem& pare
 QString PeersOf(const ConnectionIndex& connections, const std::string& process,
                 const ComponentDescription& component) {
   QStringList peers;
-  const auto add = [&](const InterfaceName& other) {
-    const QString name = ToQString(other.component);
-    peers << (other.process == process ? name : ToQString(other.process) + '/' + name);
-  };
   for (const auto& required : component.required) {
     const auto* connection = connections.Of({process, component.name, required.name});
     if (connection != nullptr && connection->state == ConnectionState::kActive) {
-      add(connection->provided);
+      peers << ComponentSeenFrom(process, connection->provided);
     }
   }
   for (const auto& provided : component.provided) {
     for (const auto& client : connections.ClientsOf({process, component.name, provided.name})) {
-      add(client);
+      peers << ComponentSeenFrom(process, client);
     }
   }
   peers.sort();
   peers.removeDuplicates();
-  return peers.isEmpty() ? Words::tr("nothing") : peers.join(QStringLiteral(", "));
+  return peers.join(QStringLiteral(", "));
 }
 
 /// ".position[0]" in its parts: ".position", "[0]".

@@ -37,7 +37,9 @@ struct CatalogueItem {
   QString detail;  ///< payload types, or what a required interface is connected to
   QString value;   ///< what the second column shows; of numbers the model knows it
   QString unit;
-  QString connected;  ///< of an interface: what is at the other end; of a component: whose
+  /// Of an interface what is at the other end, of a component whose; empty: nothing. Of others
+  /// none.
+  std::optional<QString> connected;
   std::optional<StateMark> mark;
   QString state;           ///< the word for filters: "active", "lost", "connected"
   bool gone = false;       ///< its process is lost or has left

@@ -319,7 +319,7 @@ void CatalogueModel::dropFresh() {
 void CatalogueModel::setNow(qint64 now) {
   now_ = now;
   dropFresh();
-  for (const QString& column : arrivals_.known()) {
+  for (const QString& column : arrivals_.dropSilent()) {
     if (CatalogueItem* item = by_path_.value(column)) emitValuesChanged(*item);
   }
   if (root_->children.empty()) return;

@@ -95,7 +95,7 @@ QVariant CatalogueModel::data(const QModelIndex& index, int role) const {
     case kStaleRole:
       return item.gone || (outdated_ && item.kind < ItemKind::kColumn);
     case Qt::ToolTipRole:
-      if (index.column() == kConnected && !item.connected.isEmpty()) return item.connected;
+      if (index.column() == kConnected && item.connected) return factText(item, kConnected);
       return item.detail.isEmpty() ? item.path : item.path + '\n' + item.detail;
     case Qt::AccessibleTextRole:
       return spokenText(item, index.column());
@@ -184,8 +184,7 @@ QVariant CatalogueModel::factData(const CatalogueItem& item, int column, int rol
     case Qt::DisplayRole:
       return factText(item, column);
     case kQuietRole:
-      return column != kConnected || item.connected.isEmpty() ||
-             item.connected == Words::tr("nothing");
+      return column != kConnected || item.connected.value_or(QString()).isEmpty();
     case kLeftRole:
       return column == kConnected;
     default:
@@ -202,7 +201,8 @@ QString CatalogueModel::factText(const CatalogueItem& item, int column) const {
     const auto age = ageOf(item);
     return age ? AgeText(*age) : kNotKnown;
   }
-  return item.connected.isEmpty() ? kNotKnown : item.connected;
+  if (!item.connected) return kNotKnown;
+  return item.connected->isEmpty() ? Words::tr("nothing") : *item.connected;
 }
 
 /// Of what holds several columns that of the fastest.

@@ -98,10 +98,13 @@ QString TypesText(const MemberDescription& member, TypeNames names) {
   return out.isEmpty() ? in : in + QStringLiteral(" → ") + out;
 }
 
+QString ShellWord(QString word) {
+  return '\'' + word.replace('\'', QStringLiteral("'\\''")) + '\'';
+}
+
 QString CallLine(const QString& path, const QString& json) {
   const QString line = QStringLiteral("gcm call ") + path;
-  if (json.isEmpty()) return line;
-  return line + QStringLiteral(" '") + QString(json).replace('\'', QStringLiteral("'\\''")) + '\'';
+  return json.isEmpty() ? line : line + ' ' + ShellWord(json);
 }
 
 std::int64_t WallClock() {

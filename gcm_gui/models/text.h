@@ -46,6 +46,9 @@ struct Quantity {
 enum class TypeNames { kShort, kWhole };
 [[nodiscard]] QString TypesText(const MemberDescription& member, TypeNames names);
 
+/// As one word of a shell: "'it'\\''s'".
+[[nodiscard]] QString ShellWord(QString word);
+
 /// The line that calls it in a terminal: "gcm call robot/arm/Control.MoveTo '{...}'".
 [[nodiscard]] QString CallLine(const QString& path, const QString& json);
 

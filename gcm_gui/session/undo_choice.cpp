@@ -36,8 +36,9 @@ Result<std::uint64_t> UndoChoice::Choose(const message::History& history, Time n
   const auto& all = history.entries;
   const auto newest = std::find_if(
       all.rbegin(), all.rend(), [](const auto& step) { return !step.undone && !step.passed_over; });
-  if (newest == all.rend())
+  if (newest == all.rend()) {
     return Error{ErrorCode::kNotFound, Words::tr("there is nothing to undo").toStdString()};
+  }
   const bool is_answered = std::exchange(asked_, 0) == newest->id && now <= until_;
   if (is_answered || (IsBy(newest->who, me_) && !IsOfLife(*newest))) return newest->id;
   asked_ = newest->id;

@@ -119,7 +119,7 @@ const SystemDifference* DiffPanel::currentLine() const {
 }
 
 void DiffPanel::previewAll() {
-  if (document_.isOpen()) restore_.preview(document_.file(), document_.path().section('/', -1));
+  if (document_.isOpen()) restore_.preview(document_.file(), document_.name());
 }
 
 void DiffPanel::previewOne() {

@@ -35,6 +35,8 @@ class SystemDocument : public QObject {
 
   [[nodiscard]] bool isOpen() const { return !path_.isEmpty(); }
   [[nodiscard]] const QString& path() const { return path_; }
+  /// "demo.gcm.json".
+  [[nodiscard]] QString name() const { return path_.section('/', -1); }
   [[nodiscard]] const SystemFile& file() const { return file_; }
   [[nodiscard]] const Catalog& catalogue() const { return store_.catalogue(); }
   /// Of the file with what runs.

@@ -1,7 +1,9 @@
 #include <gcm_gui/language/words.h>
+#include <gcm_gui/models/text.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
 #include <gcm_gui/window/empty_state.h>
+#include <tendon/process/membership/no_gcm.h>
 
 #include <QClipboard>
 #include <QGuiApplication>
@@ -14,7 +16,6 @@
 namespace tendon::gui {
 namespace {
 
-constexpr auto kUsualAddress = "127.0.0.1:10705";
 constexpr int kTextWidth = 540;
 
 /// Where the GCM starts processes they then run here, too.
@@ -106,8 +107,7 @@ QLayout* EmptyState::buildWaysOn() {
 }
 
 void EmptyState::refresh() {
-  const bool usual = link_.address() == QLatin1String(kUsualAddress);
-  const QString gcm = usual ? QString() : QStringLiteral(" --gcm ") + link_.address();
+  const QString gcm = ToQString(GcmWords(link_.address().toStdString()));
   const bool is_connected = link_.state() == GcmLink::State::kConnected;
   if (is_connected) {
     title_->setText(Words::tr("Nothing is running yet."));

@@ -43,7 +43,7 @@ TEST_F(LogTest, ShowsWhatTheProcessesHaveLogged) {
   const Outcome nobody = Gcm({"log", "--from", "robt"});
   EXPECT_EQ(nobody.exit_code, program::kNotFound);
   EXPECT_EQ(nobody.out, "");
-  EXPECT_EQ(nobody.err, "gcm: no process 'robt' is in the log; did you mean 'robot'?\n");
+  EXPECT_EQ(nobody.err, "gcm: no process 'robt'; did you mean 'robot'?\n");
   const Outcome silent = Gcm({"log", "--from", "robot/arm"});
   EXPECT_EQ(silent.exit_code, program::kOk);
   EXPECT_EQ(silent.err, "gcm: nothing that is kept is from 'robot/arm' at level debug or above\n");

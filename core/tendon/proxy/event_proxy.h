@@ -19,8 +19,10 @@ class EventProxy final : public EventBase {
   void Raise(std::span<const std::byte> value) {
     CountLostThere();
     const std::uint64_t before = lost();
-    BytesSink nothing(nothing_);
-    CallHandlers([&](CommandBase& handler) { return handler.ExecuteEncoded(value, nothing); });
+    CallHandlers([&](CommandBase& handler) {
+      BytesSink nothing(nothing_);
+      return handler.ExecuteEncoded(value, nothing);
+    });
     lost_here_.Add(lost() - before);
   }
 

@@ -17,7 +17,7 @@ bool ColumnArrivals::isLeft(const QString& column, const Arrival& arrival) const
   return !watched_.contains(column) && clock_.Now() - arrival.heard > kSilence;
 }
 
-QStringList ColumnArrivals::known() {
+QStringList ColumnArrivals::dropSilent() {
   all_.removeIf(
       [this](QHash<QString, Arrival>::iterator each) { return isLeft(each.key(), each.value()); });
   return all_.keys();

@@ -27,7 +27,7 @@ class ColumnArrivals {
   void setWatched(const QSet<QString>& columns) { watched_ = columns; }
   void forget(const QString& column) { all_.remove(column); }
   /// Forgets what is silent and not watched; the columns that are left.
-  [[nodiscard]] QStringList known();
+  QStringList dropSilent();
 
   /// Rows a second, Hz; nothing where it is not known, or where they no longer come.
   [[nodiscard]] std::optional<double> rate(const QString& column) const;

@@ -182,12 +182,7 @@ void LegendRow::contextMenuEvent(QContextMenuEvent* event) {
   menu->setObjectName("legendMenu");
   menu->setAttribute(Qt::WA_DeleteOnClose);
   const auto add = [&](const QString& text, Qt::Key key, void (LegendRow::*wish)(const QString&)) {
-    menu->addAction(text, this,
-                    [this, wish] {
-                      Q_EMIT(this->*wish)
-                      (entry_.path);
-                    })
-        ->setShortcut(key);
+    menu->addAction(text, this, [this, wish] { (this->*wish)(entry_.path); })->setShortcut(key);
   };
   add(Words::tr("Scale, offset and axis…"), Qt::Key_Return, &LegendRow::lookRequested);
   add(entry_.shown ? Words::tr("Hide") : Words::tr("Show"), Qt::Key_Space, &LegendRow::toggled);

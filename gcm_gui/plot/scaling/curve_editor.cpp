@@ -16,12 +16,6 @@ namespace tendon::gui {
 namespace {
 
 constexpr int kWidth = 300;
-constexpr int kExactDigits = 17;
-
-QString Exactly(double value) {
-  const QString brief = QString::number(value, 'g', 15);
-  return brief.toDouble() == value ? brief : QString::number(value, 'g', kExactDigits);
-}
 
 }  // namespace
 
@@ -98,8 +92,8 @@ void CurveEditor::build(const QString& name) {
 }
 
 void CurveEditor::fill(const CurveLook& look, const QStringList& axes) {
-  factor_->setText(Exactly(look.scaling.factor));
-  offset_->setText(Exactly(look.scaling.offset));
+  factor_->setText(ExactText(look.scaling.factor));
+  offset_->setText(ExactText(look.scaling.offset));
   axis_->addItem(Words::tr("That of its unit"));
   axis_->addItems(axes);
   if (look.axis.isEmpty()) {

@@ -14,15 +14,16 @@ constexpr double kLeastFactor = 1e-12;
 constexpr double kMostFactor = 1e12;
 constexpr double kMostOffset = 1e15;
 
-/// All that it takes: two scalings that differ are never called the same.
-QString Digits(double value) { return QString::number(value, 'g', QLocale::FloatingPointShortest); }
-
 }  // namespace
+
+QString ExactText(double value) {
+  return QString::number(value, 'g', QLocale::FloatingPointShortest);
+}
 
 QString TextOf(const Scaling& scaling) {
   QStringList parts;
-  if (scaling.factor != 1) parts << QStringLiteral("×") + Digits(scaling.factor);
-  if (scaling.offset != 0) parts << (scaling.offset > 0 ? "+" : "") + Digits(scaling.offset);
+  if (scaling.factor != 1) parts << QStringLiteral("×") + ExactText(scaling.factor);
+  if (scaling.offset != 0) parts << (scaling.offset > 0 ? "+" : "") + ExactText(scaling.offset);
   return parts.join(' ');
 }
 
@@ -35,10 +36,10 @@ std::optional<QString> RefusalOf(const CurveLook& look) {
   if (factor == 0) return Words::tr("A scale of 0 would make a flat line of it: take another");
   if (!(std::abs(factor) >= kLeastFactor && std::abs(factor) <= kMostFactor)) {
     return Words::tr("The scale must lie between %1 and %2, with either sign")
-        .arg(Digits(kLeastFactor), Digits(kMostFactor));
+        .arg(ExactText(kLeastFactor), ExactText(kMostFactor));
   }
   if (!(std::abs(offset) <= kMostOffset)) {
-    return Words::tr("The offset must lie between -%1 and %1").arg(Digits(kMostOffset));
+    return Words::tr("The offset must lie between -%1 and %1").arg(ExactText(kMostOffset));
   }
   if (look.axis.size() > kLongestAxis) {
     return Words::tr("The name of an axis has at most %1 letters").arg(kLongestAxis);

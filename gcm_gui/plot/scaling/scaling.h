@@ -26,6 +26,9 @@ struct CurveLook {
 
 inline constexpr qsizetype kLongestAxis = 40;  ///< letters of its name
 
+/// A number with all the digits that it takes to be read as the same.
+[[nodiscard]] QString ExactText(double value);
+
 /// "×1000 +2", "×-1", "-0.5"; empty where nothing is scaled.
 [[nodiscard]] QString TextOf(const Scaling& scaling);
 /// "rad ×1000 +2": what stands behind a scaled number.

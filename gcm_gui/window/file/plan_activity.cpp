@@ -2,7 +2,6 @@
 #include <gcm_gui/system/restore.h>
 #include <gcm_gui/window/file/plan_activity.h>
 
-#include <QFileInfo>
 #include <utility>
 
 namespace tendon::gui {
@@ -19,8 +18,7 @@ void PlanActivity::look() {
     Action action;
     action.verb = Action::Verb::kApply;
     action.argument = restore_.goal();
-    const QString& path = document_.path();
-    if (restore_.goal() == QFileInfo(path).fileName()) action.file = path;
+    if (restore_.goal() == document_.name()) action.file = document_.path();
     since_.start();
     running_ = activity_.begin(std::move(action));
   }

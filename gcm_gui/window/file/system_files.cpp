@@ -73,7 +73,7 @@ void SystemFiles::previewBringUp() {
 bool SystemFiles::isBringUpInSight() const {
   const Restore::Phase phase = restore_.phase();
   const bool is_plan = phase == Restore::Phase::kAsking || phase == Restore::Phase::kPreview;
-  return is_plan && restore_.goal() == QFileInfo(document_.path()).fileName();
+  return is_plan && restore_.goal() == document_.name();
 }
 
 void SystemFiles::startDemo() {

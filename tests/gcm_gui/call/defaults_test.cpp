@@ -1,8 +1,8 @@
 #include <gcm_gui/call/call_panel.h>
 #include <gmock/gmock.h>
+#include <tests/core/gcm/argument/samples.h>
 
 #include <QLabel>
-#include <QLineEdit>
 #include <QPushButton>
 #include <QTest>
 
@@ -11,29 +11,15 @@
 namespace tendon::gui {
 namespace {
 
-MemberDescription MemberOf(const std::string& name, CommandKind kind) {
-  MemberDescription member;
-  member.name = name;
-  member.signature.kind = kind;
-  return member;
-}
-
-Schema Numbers(std::uint32_t length) {
-  return Schema::Array(Schema(Schema::Kind::kFloat64), length);
-}
-
-Schema PostureSchema() {
-  return Schema::Structure("arm.JointGoal", {{"position", "rad", Numbers(2)},
-                                             {"duration", "s", Schema(Schema::Kind::kFloat64)}});
-}
+using test::MemberOf;
 
 /// A form whose reading has another type, as the demo's MoveTo.
 class FormDefaultsTest : public ::testing::Test {
  protected:
   FormDefaultsTest() {
-    calls_.schema = PostureSchema();
+    calls_.schema = test::JointGoalSchema(2);
     calls_.schemas[FingerprintOf<double>()] = JointSchema(2);
-    calls_.schemas[FingerprintOf<float>()] = Numbers(2);
+    calls_.schemas[FingerprintOf<float>()] = test::Numbers(2);
     panel_.resize(312, 400);
   }
 
@@ -43,7 +29,6 @@ class FormDefaultsTest : public ::testing::Test {
                         {.name = "GetJoints", .type = FingerprintOf<double>(), .is_whole = false}});
     panel_.show();
   }
-  QString Field(const char* name) { return panel_.findChild<QLineEdit*>(name)->text(); }
   QString Status() { return panel_.findChild<QLabel*>("call.status")->text(); }
 
   ScriptedCalls calls_;

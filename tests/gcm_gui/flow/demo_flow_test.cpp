@@ -115,7 +115,7 @@ TEST_F(DemoFlow, WhatOthersHaveChangedIsSeenAndRestoredAndThatTakenBack) {
   ASSERT_NO_FATAL_FAILURE(ClickWhenReady("plan.carryOut"));
   ASSERT_TRUE(Eventually(is_restored)) << Find<QLabel>("plan.summary").text().toStdString();
   ASSERT_TRUE(Eventually([this] { return window_->files().restore().canUndo(); }));
-  EXPECT_EQ(session_->activity().command(0), "gcm apply " + File());
+  EXPECT_EQ(session_->activity().command(0), "gcm apply '" + File() + "'");
 
   ASSERT_NO_FATAL_FAILURE(ClickWhenReady("plan.undo"));
   ASSERT_NO_FATAL_FAILURE(ClickWhenReady("plan.carryOut"));

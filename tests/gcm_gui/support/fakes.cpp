@@ -4,6 +4,7 @@
 #include <tendon/base/name.h>
 #include <tendon/payload/schema.h>
 #include <tendon/task/cycle_statistics.h>
+#include <tests/core/gcm/argument/samples.h>
 
 #include <utility>
 
@@ -126,11 +127,7 @@ void ScriptedSignals::sendPicture(const QString& column, const RawPicture& pictu
   Q_EMIT valuesArrived(column, {shape, {}, {}, std::make_shared<const RawPicture>(picture)});
 }
 
-Schema JointSchema(std::uint32_t joints) {
-  const Schema numbers = Schema::Array(Schema(Schema::Kind::kFloat64), joints);
-  return Schema::Structure("arm.JointState",
-                           {{"position", "rad", numbers}, {"velocity", "rad/s", numbers}});
-}
+Schema JointSchema(std::uint32_t joints) { return test::JointStateSchema(joints); }
 
 Schema CycleSchema() {
   const Schema number(Schema::Kind::kFloat64);

@@ -22,7 +22,7 @@ class ConvertingCommand final : public Command<In, Out> {
     Encode(in, bodies->in);
     Decoder answer(bodies->out, out);
     const Status status = target_.ExecuteEncoded(bodies->in, answer);
-    return status && !answer.HasDecoded() ? Status(Status::kInvalid) : status;
+    return status && !answer.Finish() ? Status(Status::kInvalid) : status;
   }
   Status Wait(const In& in, Out& out, std::chrono::nanoseconds timeout) override {
     typename Scratch<Bodies>::Use bodies(bodies_);
@@ -56,8 +56,8 @@ class ConvertingCommand final : public Command<In, Out> {
       if constexpr (std::is_same_v<Out, None>) return true;
       return tendon::Decode(answer, out_);
     }
-    /// Once the call is over.
-    [[nodiscard]] bool HasDecoded() {
+    /// Once the call is over; false where its answer does not decode.
+    [[nodiscard]] bool Finish() {
       if constexpr (std::is_same_v<Out, None>) return true;
       return is_in_room_ ? Decode(room_) : has_decoded_;
     }

@@ -2,6 +2,7 @@
 
 #include <tendon/middleware/frame.h>
 
+#include <cassert>
 #include <memory>
 #include <span>
 #include <utility>
@@ -15,7 +16,9 @@ class Answer {
   explicit Answer(Bytes own) : own_(std::move(own)) {}
   /// `body` lies there as long as anybody holds `owner`, which is not null.
   Answer(std::span<const std::byte> body, std::shared_ptr<const void> owner)
-      : lent_(body), owner_(std::move(owner)) {}
+      : lent_(body), owner_(std::move(owner)) {
+    assert(owner_);
+  }
 
   /// Valid as long as this is neither moved nor destroyed.
   [[nodiscard]] std::span<const std::byte> body() const {

@@ -1,11 +1,8 @@
 #include <tendon/process/membership/no_gcm.h>
-
-#include <string_view>
+#include <tendon/process/process.h>
 
 namespace tendon {
 namespace {
-
-constexpr std::string_view kUsualAddress = "127.0.0.1:10705";
 
 /// "nobody answers at 127.0.0.1:10705 (Connection refused)" without what is said anyway.
 std::string Briefly(const std::string& reason) {
@@ -16,10 +13,14 @@ std::string Briefly(const std::string& reason) {
 
 }  // namespace
 
+std::string GcmWords(const std::string& address) {
+  const bool is_usual = address == "127.0.0.1:" + std::to_string(kDefaultGcmPort);
+  return is_usual ? "" : " --gcm " + address;
+}
+
 Error NoGcm(const std::string& address, const std::string& reason) {
-  const std::string which = address == kUsualAddress ? "" : " --gcm " + address;
-  return {ErrorCode::kUnreachable,
-          "no GCM at " + address + " (" + Briefly(reason) + "); start one with: gcm serve" + which};
+  return {ErrorCode::kUnreachable, "no GCM at " + address + " (" + Briefly(reason) +
+                                       "); start one with: gcm serve" + GcmWords(address)};
 }
 
 }  // namespace tendon

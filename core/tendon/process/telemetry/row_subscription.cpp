@@ -44,9 +44,11 @@ void RowSubscription::GoOn(std::uint64_t first_tick) {
     lost_between_ += first_tick - std::min(next_tick_, first_tick);
   }
   // Of the newest row alone the first is the one that is there, which was written before.
-  const bool is_newest = wanted_.rows.delivery == RowDelivery::kNewest;
-  if (!is_newest) next_tick_ = first_tick;
-  if (is_newest && !goes_on_) next_tick_ = 0;
+  if (wanted_.rows.delivery != RowDelivery::kNewest) {
+    next_tick_ = first_tick;
+  } else if (!goes_on_) {
+    next_tick_ = 0;
+  }
   has_begun_ = true;
 }
 

@@ -1,16 +1,15 @@
 #include <gmock/gmock.h>
 #include <tendon/gcm/argument/common_fields.h>
 #include <tendon/gcm/argument/matching_read.h>
+#include <tests/core/gcm/argument/samples.h>
 
 namespace tendon {
 namespace {
 
-MemberDescription MemberOf(const std::string& name, CommandKind kind) {
-  MemberDescription member;
-  member.name = name;
-  member.signature.kind = kind;
-  return member;
-}
+using test::JointGoalSchema;
+using test::JointStateSchema;
+using test::MemberOf;
+using test::Numbers;
 
 std::vector<std::string> NamesOf(const std::vector<MatchingRead>& reads) {
   std::vector<std::string> names;
@@ -52,31 +51,17 @@ TEST(MatchingReads, GoOnWithThoseThatAnswerAnotherStructure) {
               testing::ElementsAre("GetJoints ~"));
 }
 
-Schema Numbers(std::uint32_t length) {
-  return Schema::Array(Schema(Schema::Kind::kFloat64), length);
-}
-
-Schema PostureSchema() {
-  return Schema::Structure("arm.JointGoal", {{"position", "rad", Numbers(2)},
-                                             {"duration", "s", Schema(Schema::Kind::kFloat64)}});
-}
-
-Schema JointSchema(std::uint32_t length) {
-  return Schema::Structure("arm.JointState", {{"position", "rad", Numbers(length)},
-                                              {"velocity", "rad/s", Numbers(length)}});
-}
-
 TEST(CommonFields, AreThoseOfTheSameNameUnitAndShape) {
   using testing::ElementsAre;
   using testing::IsEmpty;
-  EXPECT_THAT(CommonFields(PostureSchema(), JointSchema(2)), ElementsAre("position"));
-  EXPECT_THAT(CommonFields(PostureSchema(), JointSchema(3)), IsEmpty()) << "another shape";
+  EXPECT_THAT(CommonFields(JointGoalSchema(2), JointStateSchema(2)), ElementsAre("position"));
+  EXPECT_THAT(CommonFields(JointGoalSchema(2), JointStateSchema(3)), IsEmpty()) << "another shape";
   const Schema degrees = Schema::Structure("arm.JointState", {{"position", "deg", Numbers(2)}});
-  EXPECT_THAT(CommonFields(PostureSchema(), degrees), IsEmpty()) << "another unit";
-  EXPECT_THAT(CommonFields(PostureSchema(), Numbers(2)), IsEmpty());
+  EXPECT_THAT(CommonFields(JointGoalSchema(2), degrees), IsEmpty()) << "another unit";
+  EXPECT_THAT(CommonFields(JointGoalSchema(2), Numbers(2)), IsEmpty());
   const Schema image = Schema::Structure(
       "arm.Image", {{"position", "rad", Numbers(2)}, {"data", "", Schema::Sequence(Numbers(2))}});
-  EXPECT_THAT(CommonFields(PostureSchema(), image), IsEmpty()) << "it may be large";
+  EXPECT_THAT(CommonFields(JointGoalSchema(2), image), IsEmpty()) << "it may be large";
 }
 
 TEST(CommonFields, AreTakenAndTheOthersStay) {
