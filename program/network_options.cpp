@@ -8,6 +8,7 @@
 #include <tendon/ice/ice_middleware.h>
 #endif
 
+#include <CLI/CLI.hpp>
 #include <cstdlib>
 #include <functional>
 #include <utility>

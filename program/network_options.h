@@ -3,11 +3,15 @@
 #include <tendon/base/result.h>
 #include <tendon/middleware/middleware.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
+
+namespace CLI {  // NOLINT(readability-identifier-naming): the library's name
+class App;
+class Option;
+}  // namespace CLI
 
 namespace program {
 

@@ -19,7 +19,7 @@ using tendon::CertificateAuthority;
 using tendon::Result;
 
 /// Of the acts of `gcm cert`; each uses some.
-struct Arguments {
+struct CertArguments {
   std::string name;
   std::string file;
   std::string role;
@@ -69,7 +69,7 @@ Result<ExitCode> RehearseInit(Context& context) {
   return program::kOk;
 }
 
-Result<ExitCode> Init(Context& context, const Arguments& arguments) {
+Result<ExitCode> Init(Context& context, const CertArguments& arguments) {
   if (arguments.is_dry) return RehearseInit(context);
   const auto authority = CertificateAuthority::Init(Authority(context));
   if (!authority) return authority.error();
@@ -108,7 +108,7 @@ Result<ExitCode> RehearseIssue(Context& context, const CertificateAuthority& aut
   return program::kOk;
 }
 
-Result<ExitCode> Issue(Context& context, const Arguments& arguments) {
+Result<ExitCode> Issue(Context& context, const CertArguments& arguments) {
   const auto role = tendon::ParseRole(arguments.role);
   if (!role) return role.error();
   const auto authority = CertificateAuthority::Open(Authority(context));
@@ -136,7 +136,7 @@ Result<ExitCode> Issue(Context& context, const Arguments& arguments) {
   return program::kOk;
 }
 
-Result<ExitCode> Check(Context& context, const Arguments& arguments) {
+Result<ExitCode> Check(Context& context, const CertArguments& arguments) {
   const auto now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
   const auto checked = tendon::CheckCertificate(arguments.file, Authority(context), now);
   if (!checked) return checked.error();
@@ -155,7 +155,7 @@ Result<ExitCode> Check(Context& context, const Arguments& arguments) {
   return program::kOk;
 }
 
-Result<ExitCode> Revoke(Context& context, const Arguments& arguments) {
+Result<ExitCode> Revoke(Context& context, const CertArguments& arguments) {
   const auto authority = CertificateAuthority::Open(Authority(context));
   if (!authority) return authority.error();
   const bool is_dry = arguments.is_dry;
@@ -177,11 +177,11 @@ Result<ExitCode> Revoke(Context& context, const Arguments& arguments) {
   return program::kOk;
 }
 
-void AddDryRun(CLI::App& app, Arguments& arguments) {
+void AddCertDryRun(CLI::App& app, CertArguments& arguments) {
   app.add_flag("--dry-run", arguments.is_dry, "say what would be done, and do nothing");
 }
 
-void AddIssueOptions(CLI::App& app, Arguments& arguments) {
+void AddIssueOptions(CLI::App& app, CertArguments& arguments) {
   app.add_option("name", arguments.name, "whose: of a process, the name by which it joins")
       ->required();
   app.add_option("--role", arguments.role, "viewer or operator")->required();
@@ -195,37 +195,37 @@ void AddIssueOptions(CLI::App& app, Arguments& arguments) {
       ->capture_default_str();
   Names(app.add_option("--out", arguments.out, "folder of NAME.crt and NAME.key"), WordKind::kFile)
       ->capture_default_str();
-  AddDryRun(app, arguments);
+  AddCertDryRun(app, arguments);
 }
 
 /// One of `gcm cert ...`.
 struct Act {
   const char* name;
   const char* summary;
-  void (*add_options)(CLI::App& app, Arguments& arguments);
-  Result<ExitCode> (*run)(Context& context, const Arguments& arguments);
+  void (*add_options)(CLI::App& app, CertArguments& arguments);
+  Result<ExitCode> (*run)(Context& context, const CertArguments& arguments);
 };
 
 constexpr Act kActs[] = {
-    {"init", "make a CA", &AddDryRun, &Init},
+    {"init", "make a CA", &AddCertDryRun, &Init},
     {"issue", "make a key and a certificate", &AddIssueOptions, &Issue},
     {"check", "say whose a certificate is, and whether it is good",
-     [](CLI::App& app, Arguments& arguments) {
+     [](CLI::App& app, CertArguments& arguments) {
        Names(app.add_option("file", arguments.file, "NAME.crt; its key is NAME.key beside it"),
              WordKind::kFile)
            ->required();
      },
      &Check},
     {"revoke", "make all certificates of a name worthless",
-     [](CLI::App& app, Arguments& arguments) {
+     [](CLI::App& app, CertArguments& arguments) {
        app.add_option("name", arguments.name, "whose")->required();
-       AddDryRun(app, arguments);
+       AddCertDryRun(app, arguments);
      },
      &Revoke}};
 
 Verb::Run Prepare(CLI::App& app) {
   const auto chosen = std::make_shared<const Act*>(nullptr);
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<CertArguments>();
   app.require_subcommand(1);
   for (const Act& act : kActs) {
     CLI::App* part = app.add_subcommand(act.name, act.summary);

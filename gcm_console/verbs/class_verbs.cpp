@@ -28,7 +28,7 @@ using tendon::Result;
 using tendon::message::Classes;
 using tendon::message::LifeOrder;
 
-struct Arguments {
+struct ClassArguments {
   std::string process;
   std::string library;
   std::string class_name;
@@ -57,7 +57,7 @@ Result<std::string> ProcessOf(const Catalog& catalog, const std::string& named) 
 }
 
 /// From the command line or a file; empty where neither is given.
-Result<std::string> ConfigurationOf(const Arguments& arguments) {
+Result<std::string> ConfigurationOf(const ClassArguments& arguments) {
   if (arguments.file.empty()) return arguments.json;
   auto text = tendon::ReadSystemText(arguments.file);
   if (!text) return text;
@@ -111,7 +111,7 @@ Result<ExitCode> Carry(Context& context, const LifeOrder& order, const std::stri
   return program::kOk;
 }
 
-Result<ExitCode> Load(Context& context, const Arguments& arguments) {
+Result<ExitCode> Load(Context& context, const ClassArguments& arguments) {
   const auto client = context.Client();
   if (!client) return client.error();
   const auto process = ProcessOf((*client)->catalog(), arguments.process);
@@ -120,7 +120,7 @@ Result<ExitCode> Load(Context& context, const Arguments& arguments) {
   return Carry(context, order, *process + " " + arguments.library, "loaded", arguments.dry_run);
 }
 
-Result<ExitCode> Create(Context& context, const Arguments& arguments) {
+Result<ExitCode> Create(Context& context, const ClassArguments& arguments) {
   const auto client = context.Client();
   if (!client) return client.error();
   const auto path = tendon::ParsePath(arguments.component);
@@ -149,7 +149,7 @@ Result<ExitCode> Create(Context& context, const Arguments& arguments) {
   return Carry(context, order, *process + "/" + order.component, "created", arguments.dry_run);
 }
 
-Result<ExitCode> Configure(Context& context, const Arguments& arguments) {
+Result<ExitCode> Configure(Context& context, const ClassArguments& arguments) {
   const auto client = context.Client();
   if (!client) return client.error();
   const auto found = LookUpComponents((*client)->catalog(), arguments.component);
@@ -220,7 +220,7 @@ Result<void> Choose(Classes& all, const std::string& class_name) {
   return {};
 }
 
-Result<ExitCode> List(Context& context, const Arguments& arguments) {
+Result<ExitCode> List(Context& context, const ClassArguments& arguments) {
   const auto client = context.Client();
   if (!client) return client.error();
   const auto process = ProcessOf((*client)->catalog(), arguments.process);
@@ -253,7 +253,7 @@ Result<ExitCode> List(Context& context, const Arguments& arguments) {
   return program::kOk;
 }
 
-void AddConfiguration(CLI::App& app, Arguments& arguments) {
+void AddConfiguration(CLI::App& app, ClassArguments& arguments) {
   const auto check_given = [](const std::string& text) -> std::string {
     return text.empty() ? "expected a JSON object such as {}, got ''" : "";
   };
@@ -264,12 +264,12 @@ void AddConfiguration(CLI::App& app, Arguments& arguments) {
       ->excludes(json);
 }
 
-void AddProcess(CLI::App& app, Arguments& arguments) {
+void AddProcess(CLI::App& app, ClassArguments& arguments) {
   Names(app.add_option("--in", arguments.process, "the process, where there are several"),
         WordKind::kProcess);
 }
 
-void AddDryRun(CLI::App& app, Arguments& arguments) {
+void AddDryRun(CLI::App& app, ClassArguments& arguments) {
   app.add_flag("--dry-run", arguments.dry_run, "say what would be done, and do nothing");
 }
 
@@ -279,7 +279,7 @@ std::vector<Verb> ClassVerbs() {
   return {
       {"load", "load a plug-in into a process",
        [](CLI::App& app) -> Verb::Run {
-         auto arguments = std::make_shared<Arguments>();
+         auto arguments = std::make_shared<ClassArguments>();
          Names(app.add_option("library", arguments->library, "its name, without path"),
                WordKind::kPlugIn)
              ->required();
@@ -289,7 +289,7 @@ std::vector<Verb> ClassVerbs() {
        }},
       {"classes", "list the classes that a process can make components of",
        [](CLI::App& app) -> Verb::Run {
-         auto arguments = std::make_shared<Arguments>();
+         auto arguments = std::make_shared<ClassArguments>();
          Names(app.add_option("process", arguments->process, "needed where there are several"),
                WordKind::kProcess);
          Names(app.add_option("class", arguments->class_name, "show what its configuration has"),
@@ -298,7 +298,7 @@ std::vector<Verb> ClassVerbs() {
        }},
       {"create", "make a component of a class",
        [](CLI::App& app) -> Verb::Run {
-         auto arguments = std::make_shared<Arguments>();
+         auto arguments = std::make_shared<ClassArguments>();
          Names(app.add_option("class", arguments->class_name, "see: gcm classes"), WordKind::kClass)
              ->required();
          app.add_option("name", arguments->component, "process/component, or component")
@@ -313,7 +313,7 @@ std::vector<Verb> ClassVerbs() {
        }},
       {"configure", "make a component that is at rest anew, with another configuration",
        [](CLI::App& app) -> Verb::Run {
-         auto arguments = std::make_shared<Arguments>();
+         auto arguments = std::make_shared<ClassArguments>();
          Names(app.add_option("component", arguments->component, "process/component"),
                WordKind::kComponent)
              ->required();

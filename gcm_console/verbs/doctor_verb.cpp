@@ -37,7 +37,6 @@ struct Finding {
   std::string text;
   std::string fix = {};  ///< kBad: what to do
 };
-using Verdict = Finding::Verdict;
 using Findings = std::vector<Finding>;
 
 std::string Milliseconds(std::chrono::nanoseconds time) {
@@ -110,17 +109,17 @@ class Doctor {
 
  private:
   void Good(const std::string& what, const std::string& text) {
-    findings_.push_back({what, Verdict::kGood, text});
+    findings_.push_back({what, Finding::Verdict::kGood, text});
   }
   void Bad(const std::string& what, const std::string& text, const std::string& fix) {
-    findings_.push_back({what, Verdict::kBad, text, fix});
+    findings_.push_back({what, Finding::Verdict::kBad, text, fix});
   }
 
   void ExamineProgram() {
     Good("gcm", tendon::VersionText(own_) + ", over " + context_.settings().network.middleware +
                     ", on host " + tendon::os::HostName());
     if (tendon::os::RunsAsRoot()) {
-      findings_.push_back({"user", Verdict::kUnknown, "root, which nothing here needs"});
+      findings_.push_back({"user", Finding::Verdict::kUnknown, "root, which nothing here needs"});
     }
   }
   void ExamineSecrets() {
@@ -271,17 +270,19 @@ class Doctor {
   Findings findings_;
 };
 
-const char* WordOf(Verdict verdict) {
-  return verdict == Verdict::kGood ? "ok" : verdict == Verdict::kBad ? "BAD" : "-";
+const char* WordOf(Finding::Verdict verdict) {
+  return verdict == Finding::Verdict::kGood  ? "ok"
+         : verdict == Finding::Verdict::kBad ? "BAD"
+                                             : "-";
 }
 
 void Print(Context& context, const Findings& findings) {
   if (context.settings().json) {
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
     for (const auto& [what, verdict, text, fix] : findings) {
-      const char* word = verdict == Verdict::kGood  ? "good"
-                         : verdict == Verdict::kBad ? "bad"
-                                                    : "unknown";
+      const char* word = verdict == Finding::Verdict::kGood  ? "good"
+                         : verdict == Finding::Verdict::kBad ? "bad"
+                                                             : "unknown";
       all.push_back({{"what", what}, {"verdict", word}, {"text", text}, {"fix", fix}});
     }
     context.PrintJson({{"findings", std::move(all)}});
@@ -303,7 +304,7 @@ Result<ExitCode> Examine(Context& context) {
   const Findings findings = Doctor(context).Examine();
   Print(context, findings);
   const bool is_bad = std::any_of(findings.begin(), findings.end(), [](const Finding& finding) {
-    return finding.verdict == Verdict::kBad;
+    return finding.verdict == Finding::Verdict::kBad;
   });
   return is_bad ? program::kRefused : program::kOk;
 }

@@ -143,7 +143,7 @@ std::string Count(std::size_t count, const std::string& noun) {
 }
 
 /// "all is well", or what is not.
-std::string Verdict(const Health& health) {
+std::string VerdictOn(const Health& health) {
   if (health.wrong > 0) {
     return Count(health.wrong, "thing") + " not as it should be: see " + AllOf(health.verbs);
   }
@@ -172,7 +172,7 @@ Result<ExitCode> Status(Context& context) {
   context.Print(table);
   context.out().flush();
   context.err() << "gcm: " << Count(health.processes, "process") << ", "
-                << Count(health.connections, "connection") << "; " << Verdict(health) << '\n';
+                << Count(health.connections, "connection") << "; " << VerdictOn(health) << '\n';
   return program::kOk;
 }
 

@@ -25,7 +25,7 @@ using tendon::Path;
 using tendon::Result;
 using tendon::message::LifeOrder;
 
-struct Arguments {
+struct LifeArguments {
   std::vector<std::string> patterns;
   bool dry_run = false;
   bool yes = false;
@@ -60,7 +60,7 @@ LifeOrder OrderOf(LifeVerb verb, const Path& path) {
   return {.verb = verb, .process = path.process, .component = path.component};
 }
 
-Result<Targets> FindTargets(const Catalog& catalog, LifeVerb verb, const Arguments& arguments) {
+Result<Targets> FindTargets(const Catalog& catalog, LifeVerb verb, const LifeArguments& arguments) {
   Targets targets;
   for (const std::string& pattern : arguments.patterns) {
     const bool is_glob = IsGlob(pattern);
@@ -88,7 +88,7 @@ void SayWhatIsLeftOut(Context& context, const Targets& targets, std::string_view
 
 /// A person at a terminal is asked before a glob changes several; `what` is said of them.
 bool IsConfirmed(const Context& context, std::string_view infinitive, std::string_view what,
-                 const Targets& targets, const Arguments& arguments) {
+                 const Targets& targets, const LifeArguments& arguments) {
   if (!targets.has_glob || targets.paths.size() < 2 || arguments.yes || arguments.dry_run) {
     return true;
   }
@@ -98,7 +98,7 @@ bool IsConfirmed(const Context& context, std::string_view infinitive, std::strin
   return Confirm(context, question);
 }
 
-Result<ExitCode> Steer(Context& context, const Wording& wording, const Arguments& arguments) {
+Result<ExitCode> Steer(Context& context, const Wording& wording, const LifeArguments& arguments) {
   const auto client = context.Client();
   if (!client) return client.error();
   if (auto allowed = CheckRole(context); arguments.dry_run && !allowed) return allowed.error();
@@ -121,7 +121,7 @@ Result<ExitCode> Steer(Context& context, const Wording& wording, const Arguments
 
 Verb SteeringVerb(std::string name, std::string summary, Wording wording) {
   return {std::move(name), std::move(summary), [wording](CLI::App& app) -> Verb::Run {
-            auto arguments = std::make_shared<Arguments>();
+            auto arguments = std::make_shared<LifeArguments>();
             Names(app.add_option("components", arguments->patterns,
                                  "process/component, or a glob as robot/* or ** for all"),
                   WordKind::kComponent)
@@ -178,7 +178,7 @@ Result<void> Forget(Context& context, const std::string& process) {
 
 /// Names that nobody has are the GCM's to refuse.
 Result<Targets> FindProcesses(const Catalog& catalog, const ProcessWording& wording,
-                              const Arguments& arguments) {
+                              const LifeArguments& arguments) {
   Targets targets;
   for (const std::string& pattern : arguments.patterns) {
     if (!IsGlob(pattern)) {
@@ -206,7 +206,7 @@ Ours AskForOurs(Context& context) {
 }
 
 Result<ExitCode> Carry(Context& context, const ProcessWording& wording,
-                       const Arguments& arguments) {
+                       const LifeArguments& arguments) {
   const auto client = context.Client();
   if (!client) return client.error();
   if (auto allowed = CheckRole(context); arguments.dry_run && !allowed) return allowed.error();
@@ -230,7 +230,7 @@ Result<ExitCode> Carry(Context& context, const ProcessWording& wording,
 Verb ProcessVerb(std::string summary, const ProcessWording& wording) {
   return {std::string(wording.infinitive), std::move(summary),
           [wording](CLI::App& app) -> Verb::Run {
-            auto arguments = std::make_shared<Arguments>();
+            auto arguments = std::make_shared<LifeArguments>();
             Names(app.add_option("processes", arguments->patterns,
                                  "names of processes, or a glob as desk*"),
                   WordKind::kProcess)
