@@ -8,6 +8,7 @@
 #include <string>
 
 #include "components/arm_client.h"
+#include "support/build_folder.h"
 
 namespace tendon {
 namespace {
@@ -42,7 +43,7 @@ class DemoSystem : public testing::Test {
   }
 
   nlohmann::json system_;
-  ComponentLoader loader_{{TENDON_PLUGINS}};
+  ComponentLoader loader_{{Built("lib/tendon/components")}};
   LocalManager manager_;
 };
 

@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "support/build_folder.h"
+
 namespace tendon {
 namespace {
 
@@ -13,7 +15,7 @@ struct Plugin {
 
 class PluginTest : public testing::TestWithParam<Plugin> {
  protected:
-  ComponentLoader loader_{{TENDON_PLUGINS}};
+  ComponentLoader loader_{{Built("lib/tendon/components")}};
 };
 
 TEST_P(PluginTest, IsLoadedAndMakesAComponentOfItsClass) {
@@ -43,13 +45,13 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return test.param.library + test.param.class_name; });
 
 TEST(SimulatedArmPlugin, TakesAConfigurationThatNamesWhatDiffersFromTheDefaults) {
-  ComponentLoader loader({TENDON_PLUGINS});
+  ComponentLoader loader({Built("lib/tendon/components")});
 
   EXPECT_TRUE(loader.Create("simulated_arm", "SimulatedArm", "arm", R"({"noise": 0.001})"));
 }
 
 TEST(SimulatedArmPlugin, SaysWhatIsWrongWithItsConfiguration) {
-  ComponentLoader loader({TENDON_PLUGINS});
+  ComponentLoader loader({Built("lib/tendon/components")});
 
   const auto refusal = [&loader](const std::string& configuration) {
     const auto arm = loader.Create("simulated_arm", "SimulatedArm", "arm", configuration);

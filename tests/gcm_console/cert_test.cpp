@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "support/build_folder.h"
 #include "support/folder.h"
 #include "support/program.h"
 
@@ -20,7 +21,7 @@ using testing::HasSubstr;
 class CertTest : public testing::Test {
  protected:
   Outcome Cert(Program::Words words) const {
-    words.insert(words.begin(), {std::string(TENDON_BIN) + "/gcm", "cert"});
+    words.insert(words.begin(), {Built("bin/gcm"), "cert"});
     return RunProgram(words, {{"XDG_STATE_HOME", home.path().string()}});
   }
   /// One that must succeed.

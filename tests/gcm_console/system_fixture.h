@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "support/build_folder.h"
 #include "support/folder.h"
 #include "support/program.h"
 #include "support/wait.h"
@@ -12,9 +13,7 @@
 /// A GCM and, on demand, LCMs of the demo system, as real processes that know only each other.
 class SystemFixture : public testing::Test {
  protected:
-  static std::string Binary(const std::string& name) {
-    return std::string(TENDON_BIN) + "/" + name;
-  }
+  static std::string Binary(const std::string& name) { return Built("bin/" + name); }
 
   /// Runs `gcm WORDS...` against the fixture's GCM, as patient as a loaded machine needs.
   Outcome Gcm(Program::Words words) const {

@@ -11,6 +11,7 @@
 #include <csignal>
 
 #include "gcm_console/system_fixture.h"
+#include "support/build_folder.h"
 
 namespace {
 
@@ -156,7 +157,7 @@ TEST_F(LcmTest, EndsWhenToldWhileItStartsItsComponents) {
         {"name": "next", "class": "Switch", "library": "lamps"}]}]})");
   Program lcm({Binary("lcm"), "--name", "robot", "--gcm", address, "--timeout", kPatience,
                "--system", system},
-              {{"TENDON_COMPONENTS", TENDON_TEST_PLUGINS}});
+              {{"TENDON_COMPONENTS", Built("tests/core/process/life/built")}});
   ASSERT_TRUE(EventuallySays({"ls"}, "robot\talive")) << lcm.err();
 
   lcm.Signal(SIGTERM);

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "gcm_console/system_fixture.h"
+#include "support/build_folder.h"
 
 namespace {
 
@@ -23,8 +24,8 @@ class CompletionFiles : public SystemFixture {
     words.insert(words.end(), shell.begin(), shell.end());
     words.push_back(script);
     const char* path = std::getenv("PATH");  // NOLINT(concurrency-mt-unsafe): read only
-    return RunProgram(words, {{"TENDON_GCM", address},
-                              {"PATH", std::string(TENDON_BIN) + ":" + (path ? path : "")}});
+    return RunProgram(words,
+                      {{"TENDON_GCM", address}, {"PATH", Built("bin") + ":" + (path ? path : "")}});
   }
 };
 

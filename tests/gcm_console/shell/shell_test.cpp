@@ -8,6 +8,7 @@
 
 #include "gcm_console/demo_fixture.h"
 #include "gcm_console/terminal.h"
+#include "support/build_folder.h"
 
 namespace {
 
@@ -237,7 +238,7 @@ TEST_F(ShellTest, ALastLineWithoutItsEndIsALineToo) {
 
 TEST_F(ShellTest, BashCompletesWithTheFileThatGcmPrints) {
   const auto completed_line = [&](const std::string& line, const std::string& words, int index) {
-    const std::string script = "PATH=" + std::string(TENDON_BIN) +
+    const std::string script = "PATH=" + Built("bin") +
                                ":$PATH; source <(gcm completion bash); compopt() { :; }; "
                                "COMP_WORDS=(" +
                                words + "); COMP_CWORD=" + std::to_string(index) + "; COMP_LINE='" +

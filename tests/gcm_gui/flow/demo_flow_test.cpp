@@ -11,6 +11,7 @@
 #include <QPushButton>
 
 #include "flow/flow_fixture.h"
+#include "support/build_folder.h"
 #include "support/pictures.h"
 
 namespace tendon::gui {
@@ -29,9 +30,9 @@ class DemoFlow : public FlowFixture {
   void TearDown() override {
     for (const char* process : {"robot", "desk"}) {
       if (IsEnded(process)) continue;
-      const Outcome ended = RunProgram({std::string(TENDON_BIN) + "/gcm", "--gcm", address_,
-                                        "--timeout", "20000", "kill", process},
-                                       FlowEnvironment());
+      const Outcome ended =
+          RunProgram({Built("bin/gcm"), "--gcm", address_, "--timeout", "20000", "kill", process},
+                     FlowEnvironment());
       EXPECT_EQ(ended.exit_code, 0) << ended.err;
     }
     FlowFixture::TearDown();

@@ -6,6 +6,7 @@
 #include <QTabBar>
 #include <utility>
 
+#include "support/build_folder.h"
 #include "support/wait.h"
 
 namespace tendon::gui {
@@ -23,21 +24,20 @@ std::map<std::string, std::string> FlowFixture::FlowEnvironment() const {
 std::unique_ptr<Program> FlowFixture::StartLcm(const std::string& name,
                                                const std::string& system) const {
   return std::make_unique<Program>(
-      Program::Words{std::string(TENDON_BIN) + "/lcm", "--name", name, "--gcm", address_,
-                     "--timeout", kTimeout, "--system", system},
+      Program::Words{Built("bin/lcm"), "--name", name, "--gcm", address_, "--timeout", kTimeout,
+                     "--system", system},
       FlowEnvironment());
 }
 
 std::unique_ptr<Program> FlowFixture::StartGcmVerb(const Program::Words& words) const {
-  Program::Words all{std::string(TENDON_BIN) + "/gcm", "--gcm", address_};
+  Program::Words all{Built("bin/gcm"), "--gcm", address_};
   all.insert(all.end(), words.begin(), words.end());
   return std::make_unique<Program>(all, FlowEnvironment());
 }
 
 void FlowFixture::StartGcm() {
-  gcm_ = std::make_unique<Program>(
-      Program::Words{std::string(TENDON_BIN) + "/gcm", "--gcm", address_, "serve"},
-      FlowEnvironment());
+  gcm_ = std::make_unique<Program>(Program::Words{Built("bin/gcm"), "--gcm", address_, "serve"},
+                                   FlowEnvironment());
   ASSERT_TRUE(EventuallyTrue([this] { return gcm_->out().starts_with("GCM at "); })) << gcm_->err();
 }
 
@@ -50,8 +50,8 @@ void FlowFixture::OpenWindow() {
   parts.console.network = network;
   parts.console.timeout = std::chrono::seconds(20);
   parts.console.color = console::ColorChoice::kNever;
-  parts.gcm = {QStringLiteral(TENDON_BIN "/gcm")};
-  parts.demo = QStringLiteral(TENDON_BIN "/../share/tendon/systems/demo.json");
+  parts.gcm = {QString::fromStdString(Built("bin/gcm"))};
+  parts.demo = QString::fromStdString(Built("share/tendon/systems/demo.json"));
   window_ = std::make_unique<MainWindow>(parts);
   window_->show();
   window_->activateWindow();

@@ -4,12 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
-#include <QDir>
 #include <QLabel>
 #include <QRegularExpression>
 #include <QTest>
 #include <QTranslator>
 
+#include "support/picture_file.h"
 #include "window/window_fixture.h"
 
 namespace tendon::gui {
@@ -73,8 +73,7 @@ class WindowInLanguage : private Speaking, public WindowFixture {
     window_.selection().select("robot/arm");
     EXPECT_TRUE(QTest::qWaitFor([this] { return cutOff().isEmpty(); }, kPatience))
         << cutOff().join('\n').toStdString();
-    QDir().mkpath(PICTURE_FOLDER);
-    EXPECT_TRUE(window_.grab().save(QStringLiteral(PICTURE_FOLDER "/%1.png").arg(name)));
+    EXPECT_TRUE(window_.grab().save(PictureFile(name)));
   }
 };
 

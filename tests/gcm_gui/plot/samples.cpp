@@ -1,7 +1,8 @@
 #include "samples.h"
 
-#include <QDir>
 #include <QTest>
+
+#include "gcm_gui/support/picture_file.h"
 
 namespace tendon::gui {
 
@@ -27,9 +28,6 @@ QImage Painted(PlotView& view) {
   return view.grab().toImage();
 }
 
-void KeepPicture(const QImage& image, const QString& name) {
-  QDir().mkpath(PICTURE_FOLDER);
-  image.save(QString("%1/%2.png").arg(PICTURE_FOLDER, name));
-}
+void KeepPicture(const QImage& image, const QString& name) { image.save(PictureFile(name)); }
 
 }  // namespace tendon::gui

@@ -24,7 +24,7 @@ void ShowView(PlotView& view);
 /// Refreshes and paints it as the timer would.
 QImage Painted(PlotView& view);
 
-/// Writes PICTURE_FOLDER/name.png.
+/// For people, see PictureFile().
 void KeepPicture(const QImage& image, const QString& name);
 
 }  // namespace tendon::gui

@@ -1,8 +1,8 @@
 #include <gcm_gui/theme/theme.h>
 #include <gtest/gtest.h>
+#include <support/picture_file.h>
 #include <support/pictures.h>
 
-#include <QDir>
 #include <QImage>
 #include <QTest>
 #include <QWidget>
@@ -11,8 +11,6 @@
 namespace tendon::gui {
 
 void KeepPictures(QWidget& window, const QString& name) {
-  const QDir folder(QStringLiteral(PICTURE_FOLDER));
-  EXPECT_TRUE(folder.mkpath("."));
   for (const auto& [choice, look] :
        {std::pair{Theme::Choice::kDark, "dark"}, std::pair{Theme::Choice::kLight, "light"}}) {
     Theme::instance().choose(choice);
@@ -22,8 +20,8 @@ void KeepPictures(QWidget& window, const QString& name) {
       image.setDevicePixelRatio(dots);
       image.fill(Qt::transparent);
       window.render(&image);
-      const auto file = QStringLiteral("%1-%2-%3x.png").arg(name, QString::fromLatin1(look));
-      EXPECT_TRUE(image.save(folder.filePath(file.arg(dots))));
+      const QString file = QStringLiteral("%1-%2-%3x").arg(name, QString::fromLatin1(look));
+      EXPECT_TRUE(image.save(PictureFile(file.arg(dots))));
     }
   }
 }

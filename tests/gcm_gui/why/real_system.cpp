@@ -9,6 +9,8 @@
 #include <map>
 #include <utility>
 
+#include "support/build_folder.h"
+
 namespace tendon::gui {
 namespace {
 
@@ -27,7 +29,7 @@ RealSystem::RealSystem() {
   Environment own = SharedWithTest();
   own["XDG_STATE_HOME"] = home_.path().string();
   gcm_ =
-      std::make_unique<Program>(Program::Words{TENDON_BIN "/gcm", "--gcm", address_, "serve"}, own);
+      std::make_unique<Program>(Program::Words{Built("bin/gcm"), "--gcm", address_, "serve"}, own);
   EXPECT_TRUE(Eventually([this] { return gcm_->out().starts_with("GCM at "); })) << gcm_->err();
   session_ = std::make_unique<Session>(*program::MakeMiddleware({}), address_, false,
                                        Role::kOperator, std::chrono::seconds(20));
@@ -43,7 +45,7 @@ RealSystem::~RealSystem() { Theme::instance().choose(Theme::Choice::kSystem); }
 
 void RealSystem::StartLcm(const std::string& process) {
   lcms_[process] = std::make_unique<Program>(
-      Program::Words{TENDON_BIN "/lcm", "--name", process, "--gcm", address_, "--timeout", "20000",
+      Program::Words{Built("bin/lcm"), "--name", process, "--gcm", address_, "--timeout", "20000",
                      "--system", TENDON_DEMO_SYSTEM},
       SharedWithTest());
   const std::string last = process == "robot" ? "host_monitor" : "old_arm";
@@ -54,7 +56,7 @@ void RealSystem::StartLcm(const std::string& process) {
 }
 
 Outcome RealSystem::Gcm(Program::Words words) const {
-  words.insert(words.begin(), {TENDON_BIN "/gcm", "--gcm", address_, "--timeout", "20000"});
+  words.insert(words.begin(), {Built("bin/gcm"), "--gcm", address_, "--timeout", "20000"});
   return RunProgram(words, SharedWithTest());
 }
 

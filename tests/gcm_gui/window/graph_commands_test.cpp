@@ -15,7 +15,6 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QContextMenuEvent>
-#include <QDir>
 #include <QFile>
 #include <QFileDialog>
 #include <QImage>
@@ -24,6 +23,7 @@
 #include <QTest>
 
 #include "support/folder.h"
+#include "support/picture_file.h"
 #include "window/window_fixture.h"
 
 namespace tendon::gui {
@@ -190,8 +190,7 @@ TEST_F(GraphCommandsTest, APngHasAllOfTheGraphHoweverLittleIsSeen) {
   ASSERT_FALSE(image.isNull());
   EXPECT_GE(image.width(), 2 * all.width());
   EXPECT_GE(image.height(), 2 * all.height());
-  QDir().mkpath(PICTURE_FOLDER);
-  EXPECT_TRUE(image.save(QStringLiteral(PICTURE_FOLDER "/graph-export.png")));
+  EXPECT_TRUE(image.save(PictureFile("graph-export")));
 }
 
 TEST_F(GraphCommandsTest, ThePictureCanBeCopied) {

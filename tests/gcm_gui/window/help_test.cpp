@@ -11,7 +11,6 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QDialog>
-#include <QDir>
 #include <QGuiApplication>
 #include <QLabel>
 #include <QLineEdit>
@@ -21,6 +20,7 @@
 #include <QPushButton>
 #include <QTest>
 
+#include "support/picture_file.h"
 #include "window/window_fixture.h"
 
 namespace tendon::gui {
@@ -42,8 +42,7 @@ class HelpTest : public WindowFixture {
     return window_.findChild<QDialog*>("about");
   }
   static void Keep(QWidget& widget, const QString& name) {
-    QDir().mkpath(PICTURE_FOLDER);
-    EXPECT_TRUE(widget.grab().save(QStringLiteral(PICTURE_FOLDER "/%1.png").arg(name)));
+    EXPECT_TRUE(widget.grab().save(PictureFile(name)));
   }
 };
 

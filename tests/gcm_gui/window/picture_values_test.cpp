@@ -3,10 +3,10 @@
 #include <gcm_gui/theme/theme.h>
 #include <gtest/gtest.h>
 
-#include <QDir>
 #include <QTabBar>
 #include <QTest>
 
+#include "support/picture_file.h"
 #include "window/window_fixture.h"
 
 namespace tendon::gui {
@@ -51,13 +51,11 @@ TEST_F(PictureValuesTest, AnImageIsShownBelowTheNumbersAndGoesWithItsComponent) 
   };
   ASSERT_TRUE(QTest::qWaitFor([&] { return shown() != nullptr; }, kPatience));
   EXPECT_EQ(shown()->words(), "Joints · 640 × 480 rgb8");
-  QDir().mkpath(PICTURE_FOLDER);
   for (const auto& [choice, name] :
        {std::pair{Theme::Choice::kDark, "dark"}, std::pair{Theme::Choice::kLight, "light"}}) {
     Theme::instance().choose(choice);
     QCoreApplication::processEvents();
-    EXPECT_TRUE(
-        window_.grab().save(QStringLiteral(PICTURE_FOLDER "/image-value-%1.png").arg(name)));
+    EXPECT_TRUE(window_.grab().save(PictureFile(QStringLiteral("image-value-") + name)));
   }
 
   window_.selection().select("robot/controller");

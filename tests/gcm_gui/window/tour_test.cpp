@@ -9,7 +9,6 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
-#include <QDir>
 #include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
@@ -18,6 +17,7 @@
 #include <QPushButton>
 #include <QTest>
 
+#include "support/picture_file.h"
 #include "window/window_fixture.h"
 
 namespace tendon::gui {
@@ -204,7 +204,6 @@ TEST_F(TourTest, ItIsSpoken) {
 }
 
 TEST_F(TourTest, Pictures) {
-  QDir().mkpath(PICTURE_FOLDER);
   for (const auto& [choice, name] :
        {std::pair{Theme::Choice::kDark, "dark"}, std::pair{Theme::Choice::kLight, "light"}}) {
     Theme::instance().choose(choice);
@@ -212,8 +211,7 @@ TEST_F(TourTest, Pictures) {
     for (int step = 1; tour().isRunning(); ++step) {
       QCoreApplication::processEvents();  // what has been laid out anew
       const QImage image = window_.grab().toImage();
-      const QString file = QStringLiteral(PICTURE_FOLDER "/tour-%1-%2.png").arg(step).arg(name);
-      EXPECT_TRUE(image.save(file));
+      EXPECT_TRUE(image.save(PictureFile(QStringLiteral("tour-%1-%2").arg(step).arg(name))));
       // Bright in the hole, dimmed beside it.
       EXPECT_EQ(image.pixelColor(QPoint(3, 3) * image.devicePixelRatio()) ==
                     Theme::instance().color(Token::kPanel),

@@ -7,12 +7,12 @@
 #include <gtest/gtest.h>
 #include <tendon/base/clock.h>
 
-#include <QDir>
 #include <QImage>
 #include <QPixmap>
 #include <QTest>
 #include <cmath>
 
+#include "support/picture_file.h"
 #include "window/window_fixture.h"
 
 namespace tendon::gui {
@@ -66,8 +66,7 @@ class WindowPicturesTest : public WindowFixture {
     // Timers that lay out and draw have had their turn.
     QTest::qWait(400);
     const QImage image = window_.grab().toImage();
-    QDir().mkpath(PICTURE_FOLDER);
-    EXPECT_TRUE(image.save(QStringLiteral(PICTURE_FOLDER "/%1.png").arg(name)));
+    EXPECT_TRUE(image.save(PictureFile(name)));
     return image;
   }
 };

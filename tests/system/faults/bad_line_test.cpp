@@ -1,3 +1,4 @@
+#include "support/build_folder.h"
 #include "system/faults/harness/fault_test.h"
 #include "system/faults/harness/islands.h"
 
@@ -81,7 +82,7 @@ TEST_P(BadLine, WhenItIsSlowAndLosesSomeNobodyIsTakenForLost) {
   const auto run_proxy = [&](const std::string& port, const std::string& target) {
     Words command = islands_.Here();
     for (const std::string& word :
-         {std::string(TENDON_TEST_LOSSY_PROXY), here + ":" + port, here + ":" + target}) {
+         {Built("tests/fault_lossy_proxy"), here + ":" + port, here + ":" + target}) {
       command.push_back(word);
     }
     return std::make_unique<Program>(command);

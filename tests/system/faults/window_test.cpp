@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "support/build_folder.h"
 #include "system/faults/harness/fault_test.h"
 #include "system/faults/harness/footprint.h"
 
@@ -67,7 +68,7 @@ class WindowFault : public FaultTest {
     auto with_platform = environment();
     with_platform["QT_QPA_PLATFORM"] = "offscreen";
     return std::make_unique<Window>(
-        Words{TENDON_BIN "/gcm-gui", "--gcm", gcm_address_, "--middleware", GetParam(), "--no-tour",
+        Words{Built("bin/gcm-gui"), "--gcm", gcm_address_, "--middleware", GetParam(), "--no-tour",
               "--layout", home_.path() / "plots.json", "--describe-ui", description},
         with_platform, description);
   }

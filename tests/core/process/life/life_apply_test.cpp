@@ -5,6 +5,7 @@
 #include <tendon/payload/json.h>
 
 #include "core/process/life/life_fixture.h"
+#include "support/build_folder.h"
 
 namespace {
 
@@ -64,7 +65,7 @@ class LifeApply : public LifeFixture {
   void RestartEmpty() {
     tendon::ProcessOptions options = Options();
     options.loader = std::make_shared<tendon::ComponentLoader>(
-        std::vector<std::filesystem::path>{TENDON_TEST_PLUGINS});
+        std::vector<std::filesystem::path>{Built("tests/core/process/life/built")});
     robot_.reset();
     robot_ = std::make_unique<tendon::Process>("robot", options);
     ASSERT_TRUE(robot_->WaitUntilJoined(kLong).ok());

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "support/build_folder.h"
 #include "support/network_test.h"
 
 /// A process that makes components of the plug-in `lamps`, its GCM, and somebody who orders them.
@@ -19,7 +20,7 @@ class LifeFixture : public NetworkTest {
   void SetUp() override {
     tendon::ProcessOptions options = Options();
     options.loader = std::make_shared<tendon::ComponentLoader>(
-        std::vector<std::filesystem::path>{TENDON_TEST_PLUGINS});
+        std::vector<std::filesystem::path>{Built("tests/core/process/life/built")});
     robot_ = std::make_unique<tendon::Process>("robot", options);
     ASSERT_TRUE(robot_->WaitUntilJoined(kLong).ok());
     client_ = NewClient(tendon::Role::kOperator);

@@ -7,6 +7,7 @@
 #include <mutex>
 
 #include "core/process/life/life_fixture.h"
+#include "support/build_folder.h"
 #include "support/plant.h"
 
 namespace {
@@ -320,10 +321,11 @@ TEST_P(Life, TheProviderOfAConnectionTellsWhomItServes) {
 
 TEST(LifeCycle, AnOrderMadeFromAnotherConfigurationIsRefusedByTheProcessItself) {
   tendon::LocalManager manager;
-  tendon::LifeCycle life({.manager = manager,
-                          .process = "robot",
-                          .loader = std::make_shared<tendon::ComponentLoader>(
-                              std::vector<std::filesystem::path>{TENDON_TEST_PLUGINS})});
+  tendon::LifeCycle life(
+      {.manager = manager,
+       .process = "robot",
+       .loader = std::make_shared<tendon::ComponentLoader>(
+           std::vector<std::filesystem::path>{Built("tests/core/process/life/built")})});
   const auto obey = [&life](tendon::message::LifeOrder order) {
     order.process = "robot";
     order.component = "lamp";

@@ -7,7 +7,6 @@
 #include <tendon/base/clock.h>
 
 #include <QAction>
-#include <QDir>
 #include <QDockWidget>
 #include <QHeaderView>
 #include <QMenu>
@@ -15,6 +14,7 @@
 #include <QScrollBar>
 #include <QTest>
 
+#include "support/picture_file.h"
 #include "window/window_fixture.h"
 
 namespace tendon::gui {
@@ -160,13 +160,11 @@ TEST_F(CatalogueColumnsTest, LookLikeThis) {
                                   now + static_cast<std::int64_t>(second - 2) * 1'000'000'000});
   }
   tree().reveal("robot/arm/state.Joints.position[2]");
-  QDir().mkpath(PICTURE_FOLDER);
   for (const auto choice : {Theme::Choice::kLight, Theme::Choice::kDark}) {
     Theme::instance().choose(choice);
     QCoreApplication::processEvents();
-    const auto* name = choice == Theme::Choice::kLight ? "light" : "dark";
-    EXPECT_TRUE(
-        window_.grab().save(QStringLiteral(PICTURE_FOLDER "/catalogue-columns-%1.png").arg(name)));
+    const QString name = choice == Theme::Choice::kLight ? "light" : "dark";
+    EXPECT_TRUE(window_.grab().save(PictureFile("catalogue-columns-" + name)));
   }
 }
 

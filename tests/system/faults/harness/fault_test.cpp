@@ -9,6 +9,8 @@
 #include <fstream>
 #include <iostream>
 
+#include "support/build_folder.h"
+
 namespace faults {
 namespace {
 
@@ -93,14 +95,19 @@ FaultTest::Environment FaultTest::environment() const {
   const std::string home = home_.path();
   Environment all{{"XDG_RUNTIME_DIR", home},
                   {"XDG_STATE_HOME", home},
-                  {"TENDON_COMPONENTS", TENDON_TEST_INSTRUMENTS}};
+                  {"TENDON_COMPONENTS", Built("tests/system/faults/instruments")}};
   all.insert(more_environment_.begin(), more_environment_.end());
   return all;
 }
 
 FaultTest::Words FaultTest::Command(const std::string& program, const Words& words) const {
-  Words command{TENDON_BIN "/" + program,           "--gcm",        gcm_address_, "--timeout",
-                std::to_string(Patience().count()), "--middleware", GetParam()};
+  Words command{Built("bin/" + program),
+                "--gcm",
+                gcm_address_,
+                "--timeout",
+                std::to_string(Patience().count()),
+                "--middleware",
+                GetParam()};
   command.insert(command.end(), words.begin(), words.end());
   return command;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "support/build_folder.h"
 #include "support/program.h"
 
 namespace faults {
@@ -19,7 +20,7 @@ double Slowness() {
     constexpr double kCalm = 30.0;  // ms a start
     constexpr double kSlowest = 6.0;
     const Stopwatch watch;
-    for (int i = 0; i < kRuns; ++i) RunProgram({TENDON_BIN "/lcm", "--help"});
+    for (int i = 0; i < kRuns; ++i) RunProgram({Built("bin/lcm"), "--help"});
     return std::clamp(static_cast<double>(watch.milliseconds()) / kRuns / kCalm, 1.0, kSlowest);
   }();
   return slowness;
