@@ -123,7 +123,7 @@ void Remark(const LogInbox::Content& content, std::ostream& err) {
 Result<void> CheckFrom(const LogOptions& options, const std::set<std::string>& processes,
                        Context& context) {
   const std::string name = options.from.substr(0, options.from.find('/'));
-  if (!name.empty() && !IsGlob(name) && !processes.contains(name)) {
+  if (!options.from.empty() && !IsGlob(name) && !processes.contains(name)) {
     const auto client = context.Client();
     if (!client) return client.error();
     const tendon::Catalog catalog = (*client)->catalog();

@@ -46,7 +46,7 @@ struct Quantity {
 enum class TypeNames { kShort, kWhole };
 [[nodiscard]] QString TypesText(const MemberDescription& member, TypeNames names);
 
-/// As one word of a shell: "'it'\\''s'".
+/// As one word of a shell: 'it'\''s' for "it's".
 [[nodiscard]] QString ShellWord(QString word);
 
 /// The line that calls it in a terminal: "gcm call robot/arm/Control.MoveTo '{...}'".

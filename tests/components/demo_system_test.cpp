@@ -8,7 +8,7 @@
 #include <string>
 
 #include "components/arm_client.h"
-#include "support/build_folder.h"
+#include "support/program.h"
 
 namespace tendon {
 namespace {

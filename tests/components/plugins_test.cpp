@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "support/build_folder.h"
+#include "support/program.h"
 
 namespace tendon {
 namespace {

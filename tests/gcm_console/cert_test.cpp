@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "support/build_folder.h"
 #include "support/folder.h"
 #include "support/program.h"
 

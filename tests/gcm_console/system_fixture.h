@@ -5,7 +5,6 @@
 #include <memory>
 #include <string>
 
-#include "support/build_folder.h"
 #include "support/folder.h"
 #include "support/program.h"
 #include "support/wait.h"

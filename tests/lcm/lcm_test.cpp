@@ -11,7 +11,7 @@
 #include <csignal>
 
 #include "gcm_console/system_fixture.h"
-#include "support/build_folder.h"
+#include "support/program.h"
 
 namespace {
 

@@ -1,10 +1,18 @@
 #pragma once
 
+#include <tendon/base/os/process.h>
+
 #include <chrono>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
+
+/// "bin/gcm": where that is in the build this test program lies in. Not told by the compiler:
+/// presets share what it makes.
+inline std::string Built(const std::string& place) {
+  return tendon::os::ProgramFolder().parent_path() / place;
+}
 
 /// A program run as a process of its own, as a user would. State, cache and run-time folders are
 /// not the user's: the programs of a test share theirs, which go with it. Killed when the object

@@ -58,8 +58,9 @@ class ReadReply final : public AnswerSink {
   /// Once; without an answer it is the status alone.
   void Finish(Status status) {
     if (reply_.empty()) Begin(0);
+    if (is_refused_) status = Status::kFailed;
     if (!status) std::ranges::fill(reply_, std::byte{0});  // what was not written is of others
-    reply_.back() = CodeOf(is_refused_ ? Status(Status::kFailed) : status);
+    reply_.back() = CodeOf(status);
     if (is_in_place_) return responder_.EndReply();
     responder_.Reply(reply_, kOwnLane);
   }

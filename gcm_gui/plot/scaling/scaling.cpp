@@ -17,7 +17,9 @@ constexpr double kMostOffset = 1e15;
 }  // namespace
 
 QString ExactText(double value) {
-  return QString::number(value, 'g', QLocale::FloatingPointShortest);
+  const QString brief = QString::number(value, 'g', 15);
+  return brief.toDouble() == value ? brief
+                                   : QString::number(value, 'g', QLocale::FloatingPointShortest);
 }
 
 QString TextOf(const Scaling& scaling) {
@@ -36,10 +38,10 @@ std::optional<QString> RefusalOf(const CurveLook& look) {
   if (factor == 0) return Words::tr("A scale of 0 would make a flat line of it: take another");
   if (!(std::abs(factor) >= kLeastFactor && std::abs(factor) <= kMostFactor)) {
     return Words::tr("The scale must lie between %1 and %2, with either sign")
-        .arg(ExactText(kLeastFactor), ExactText(kMostFactor));
+        .arg(QString::number(kLeastFactor), QString::number(kMostFactor));
   }
   if (!(std::abs(offset) <= kMostOffset)) {
-    return Words::tr("The offset must lie between -%1 and %1").arg(ExactText(kMostOffset));
+    return Words::tr("The offset must lie between -%1 and %1").arg(QString::number(kMostOffset));
   }
   if (look.axis.size() > kLongestAxis) {
     return Words::tr("The name of an axis has at most %1 letters").arg(kLongestAxis);

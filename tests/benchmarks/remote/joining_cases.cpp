@@ -10,10 +10,6 @@
 namespace tendon::benchmark {
 namespace {
 
-using namespace std::chrono_literals;
-
-constexpr auto kPatience = 30s;
-
 double Since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count();
 }

@@ -12,8 +12,6 @@
 namespace tendon::benchmark {
 namespace {
 
-constexpr std::chrono::seconds kPatience(10);
-
 class Pipeline {
  public:
   Pipeline(std::uint64_t calls, const BeginCall& begin) : calls_(calls), begin_(begin) {}

@@ -14,8 +14,6 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto kPatience = 30s;
-
 struct Audience {
   int processes = 20;
   int watchers = 500;

@@ -8,7 +8,6 @@
 namespace tendon::benchmark {
 namespace {
 
-constexpr std::chrono::seconds kPatience(10);
 constexpr std::uint64_t kBatch = 100;
 constexpr std::uint64_t kWindow = 64;
 

@@ -11,11 +11,6 @@
 #include <utility>
 
 namespace tendon::benchmark {
-namespace {
-
-constexpr std::chrono::seconds kPatience(30);
-
-}  // namespace
 
 RemoteSystem::RemoteSystem() {
   for (const auto& [name, value] : environment()) setenv(name.c_str(), value.c_str(), 1);

@@ -10,12 +10,16 @@
 #include <tendon/middleware/hello.h>
 #include <tendon/process/process.h>
 
+#include <chrono>
 #include <functional>
 #include <map>
 #include <memory>
 #include <string>
 
 namespace tendon::benchmark {
+
+/// With whoever answers late on a machine that stalls.
+inline constexpr std::chrono::seconds kPatience(30);
 
 /// A robot in a process of its own, and a desk here that is connected to it; and raw Ice between
 /// the same two processes. All threads sit where the thread sat that made it: on one processor,

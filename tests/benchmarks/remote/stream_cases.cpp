@@ -10,9 +10,6 @@
 namespace tendon::benchmark {
 namespace {
 
-using namespace std::chrono_literals;
-
-constexpr auto kPatience = 10s;
 /// Of a row on its way: 7 doubles, tick and time.
 constexpr std::size_t kRowBytes = sizeof(Argument) + 2 * sizeof(std::uint64_t);
 constexpr std::uint64_t kRowsInAMessage = 100;

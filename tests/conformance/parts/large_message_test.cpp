@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <sys/mman.h>
 
+#include <algorithm>
 #include <atomic>
 #include <condition_variable>
 #include <cstring>
@@ -19,12 +20,19 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// A body of which no part is like another.
+/// A body of which no part is like another: they begin at other places of a pattern whose length is
+/// prime.
 Bytes Patterned(std::size_t size) {
-  std::vector<std::uint64_t> words(size / sizeof(std::uint64_t) + 1);
-  std::iota(words.begin(), words.end(), 1);
+  constexpr std::size_t kPeriod = 65'521;
+  static const std::vector<std::uint32_t> words = [] {
+    std::vector<std::uint32_t> all(kPeriod / sizeof(std::uint32_t) + 1);
+    std::iota(all.begin(), all.end(), 1);
+    return all;
+  }();
   Bytes body(size);
-  std::memcpy(body.data(), words.data(), size);
+  for (std::size_t begin = 0; begin < size; begin += kPeriod) {
+    std::memcpy(body.data() + begin, words.data(), std::min(kPeriod, size - begin));
+  }
   return body;
 }
 

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "gcm_console/system_fixture.h"
-#include "support/build_folder.h"
+#include "support/program.h"
 
 namespace {
 

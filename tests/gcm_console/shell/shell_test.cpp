@@ -8,7 +8,7 @@
 
 #include "gcm_console/demo_fixture.h"
 #include "gcm_console/terminal.h"
-#include "support/build_folder.h"
+#include "support/program.h"
 
 namespace {
 

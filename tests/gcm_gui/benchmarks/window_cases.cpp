@@ -75,9 +75,9 @@ class LargeWindow {
 };
 
 /// One window for all cases but the first.
-class Desk {
+class WindowDesk {
  public:
-  explicit Desk(int components) : components_(components) {}
+  explicit WindowDesk(int components) : components_(components) {}
 
   LargeWindow& window() {
     if (!window_) {
@@ -102,7 +102,7 @@ Pair Milliseconds(Action action) {
 
 std::vector<Case> WindowCases(const Effort& effort) {
   const int components = effort.is_tiny ? 20 : 1000;
-  const auto desk = std::make_shared<Desk>(components);
+  const auto desk = std::make_shared<WindowDesk>(components);
   return {{.id = "W1",
            .what = "window over 1000 components, 100 k members: start",
            .unit = "ms",

@@ -41,6 +41,7 @@ class CloseFlow : public FlowFixture {
 TEST_F(CloseFlow, AProcessThatHangsKeepsNoWindowThatIsClosed) {
   const ProcessDescription robot =
       session_->store().catalogue().FindProcess("robot")->process;  // as it was before it stopped
+  std::optional<Result<std::string>> answer;  // outlives the session, which fills it
   // Patient beyond any test: who waits for the handshake is seen to.
   auto session = std::make_unique<Session>(*program::MakeMiddleware({}), address_, false,
                                            Role::kOperator, 10min);
@@ -49,7 +50,6 @@ TEST_F(CloseFlow, AProcessThatHangsKeepsNoWindowThatIsClosed) {
   const int before = ConnectionsTo(robot.address);
   ASSERT_GE(before, 0);
 
-  std::optional<Result<std::string>> answer;
   session->readValue("robot/arm/Control.GetJoints", [&](const auto& heard) { answer = heard; });
   session->liveSignals().subscribe("robot/arm/state.Joints.position[0]");
   ASSERT_TRUE(Eventually([&] { return ConnectionsTo(robot.address) > before + 1; }))
@@ -57,6 +57,7 @@ TEST_F(CloseFlow, AProcessThatHangsKeepsNoWindowThatIsClosed) {
   const NoMoreOpening end;  // as the program does behind its window
 
   ASSERT_TRUE(Eventually([&] { return answer.has_value(); }));
+  ASSERT_FALSE(*answer);
   EXPECT_THAT(answer->error().message, testing::HasSubstr(OpeningIsOver().message))
       << "it was waited for all the same";
   session.reset();

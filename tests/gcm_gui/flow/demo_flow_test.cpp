@@ -11,8 +11,8 @@
 #include <QPushButton>
 
 #include "flow/flow_fixture.h"
-#include "support/build_folder.h"
 #include "support/pictures.h"
+#include "support/program.h"
 
 namespace tendon::gui {
 namespace {

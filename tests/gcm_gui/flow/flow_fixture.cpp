@@ -6,7 +6,7 @@
 #include <QTabBar>
 #include <utility>
 
-#include "support/build_folder.h"
+#include "support/program.h"
 #include "support/wait.h"
 
 namespace tendon::gui {

@@ -9,7 +9,7 @@
 #include <map>
 #include <utility>
 
-#include "support/build_folder.h"
+#include "support/program.h"
 
 namespace tendon::gui {
 namespace {

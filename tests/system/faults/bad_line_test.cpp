@@ -1,4 +1,4 @@
-#include "support/build_folder.h"
+#include "support/program.h"
 #include "system/faults/harness/fault_test.h"
 #include "system/faults/harness/islands.h"
 

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "support/build_folder.h"
+#include "support/program.h"
 #include "system/faults/harness/fault_test.h"
 #include "system/faults/harness/footprint.h"
 

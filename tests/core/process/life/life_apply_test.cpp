@@ -5,7 +5,7 @@
 #include <tendon/payload/json.h>
 
 #include "core/process/life/life_fixture.h"
-#include "support/build_folder.h"
+#include "support/program.h"
 
 namespace {
 

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "support/build_folder.h"
 #include "support/network_test.h"
+#include "support/program.h"
 
 /// A process that makes components of the plug-in `lamps`, its GCM, and somebody who orders them.
 class LifeFixture : public NetworkTest {

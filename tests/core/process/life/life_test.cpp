@@ -7,8 +7,8 @@
 #include <mutex>
 
 #include "core/process/life/life_fixture.h"
-#include "support/build_folder.h"
 #include "support/plant.h"
+#include "support/program.h"
 
 namespace {
 

@@ -9,7 +9,7 @@
 #include <fstream>
 #include <iostream>
 
-#include "support/build_folder.h"
+#include "support/program.h"
 
 namespace faults {
 namespace {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "support/build_folder.h"
 #include "support/program.h"
 
 namespace faults {
