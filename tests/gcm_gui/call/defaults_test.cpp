@@ -18,7 +18,7 @@ class FormDefaultsTest : public ::testing::Test {
  protected:
   FormDefaultsTest() {
     calls_.schema = test::JointGoalSchema(2);
-    calls_.schemas[FingerprintOf<double>()] = JointSchema(2);
+    calls_.schemas[FingerprintOf<double>()] = test::JointStateSchema(2);
     calls_.schemas[FingerprintOf<float>()] = test::Numbers(2);
     panel_.resize(312, 400);
   }

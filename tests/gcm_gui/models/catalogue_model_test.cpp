@@ -129,7 +129,7 @@ TEST_F(CatalogueModelTest, AValueOpensItsColumnIntoFieldsAndElements) {
 
   ScriptedSignals source;
   QObject::connect(&source, &SignalSource::valuesArrived, &model_, &CatalogueModel::showValues);
-  source.send("robot/arm/state.Joints", JointSchema(2), {0.2013, -0.3987, 0, 1});
+  source.send("robot/arm/state.Joints", test::JointStateSchema(2), {0.2013, -0.3987, 0, 1});
 
   EXPECT_EQ(Value("robot/arm/state.Joints.position[0]"), "0.2013");
   EXPECT_EQ(Value("robot/arm/state.Joints.position[1]"), "-0.3987");
@@ -163,11 +163,11 @@ TEST_F(CatalogueModelTest, NewValuesChangeRowsButInsertNone) {
   Show(system);
   ScriptedSignals source;
   QObject::connect(&source, &SignalSource::valuesArrived, &model_, &CatalogueModel::showValues);
-  source.send("robot/arm/state.Joints", JointSchema(2), {1, 2, 3, 4});
+  source.send("robot/arm/state.Joints", test::JointStateSchema(2), {1, 2, 3, 4});
   QSignalSpy inserted(&model_, &QAbstractItemModel::rowsInserted);
   QSignalSpy changed(&model_, &QAbstractItemModel::dataChanged);
 
-  source.send("robot/arm/state.Joints", JointSchema(2), {5, 6, 7, 8});
+  source.send("robot/arm/state.Joints", test::JointStateSchema(2), {5, 6, 7, 8});
 
   EXPECT_EQ(inserted.count(), 0);
   EXPECT_GT(changed.count(), 0);
@@ -253,10 +253,10 @@ TEST_F(CatalogueModelTest, FollowsRandomChangesAndEndsLikeAFreshModel) {
       }
     }
     if (pick(3) == 0) Show(system);
-    const ColumnValues values{
-        std::make_shared<const std::vector<PlotChannel>>(Channels(JointSchema(1 + step % 3))),
-        {},
-        {}};
+    const ColumnValues values{std::make_shared<const std::vector<PlotChannel>>(
+                                  Channels(test::JointStateSchema(1 + step % 3))),
+                              {},
+                              {}};
     model_.showValues(QString::fromStdString(process() + "/" + component() + "/state.x1"), values);
   }
   Show(system);

@@ -30,7 +30,7 @@ TEST(ValuesModel, ShowsEveryNumberOfTheComponentOnceItHasCome) {
   EXPECT_EQ(model.columns(), (QSet<QString>{"robot/arm/state.Joints", "robot/arm/state.Cycle",
                                             "robot/arm/state.CycleSummary"}));
 
-  source.send("robot/arm/state.Joints", JointSchema(3), {0.5, 0, 0, 1, 0, 0});
+  source.send("robot/arm/state.Joints", test::JointStateSchema(3), {0.5, 0, 0, 1, 0, 0});
 
   EXPECT_EQ(model.rowCount(), 8);
   EXPECT_EQ(model.index(0, 0).data(), "Joints.position[0]");
@@ -69,7 +69,7 @@ class ValuesInTime : public ::testing::Test {
 
   const QString kJoints = "robot/arm/state.Joints";
   const ChannelList shape_ =
-      std::make_shared<const std::vector<PlotChannel>>(Channels(JointSchema(1)));
+      std::make_shared<const std::vector<PlotChannel>>(Channels(test::JointStateSchema(1)));
   const Catalog catalogue_ = LookSystem(0).catalog();
   ManualClock clock_;
   std::int64_t time_ = 1'000'000'000;

@@ -1,5 +1,7 @@
 #include "samples.h"
 
+#include <gtest/gtest.h>
+
 #include <QTest>
 
 #include "gcm_gui/support/picture_file.h"
@@ -28,6 +30,8 @@ QImage Painted(PlotView& view) {
   return view.grab().toImage();
 }
 
-void KeepPicture(const QImage& image, const QString& name) { image.save(PictureFile(name)); }
+void KeepPicture(const QImage& image, const QString& name) {
+  EXPECT_TRUE(image.save(PictureFile(name)));
+}
 
 }  // namespace tendon::gui

@@ -4,7 +4,6 @@
 #include <tendon/base/name.h>
 #include <tendon/payload/schema.h>
 #include <tendon/task/cycle_statistics.h>
-#include <tests/core/gcm/argument/samples.h>
 
 #include <utility>
 
@@ -126,8 +125,6 @@ void ScriptedSignals::sendPicture(const QString& column, const RawPicture& pictu
   if (shape == nullptr) shape = std::make_shared<const std::vector<PlotChannel>>();
   Q_EMIT valuesArrived(column, {shape, {}, {}, std::make_shared<const RawPicture>(picture)});
 }
-
-Schema JointSchema(std::uint32_t joints) { return test::JointStateSchema(joints); }
 
 Schema CycleSchema() {
   const Schema number(Schema::Kind::kFloat64);

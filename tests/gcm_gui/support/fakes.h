@@ -7,6 +7,7 @@
 #include <gcm_gui/session/signal_source.h>
 #include <gcm_gui/session/system_actions.h>
 #include <gcm_gui/system/plan_runner.h>
+#include <tests/core/gcm/argument/samples.h>
 
 #include <QMap>
 #include <QSet>
@@ -146,8 +147,6 @@ class ScriptedReports final : public SystemReports {
   QMap<const QObject*, QStringList> wanted_;
 };
 
-/// position and velocity of so many joints, in rad and rad/s.
-Schema JointSchema(std::uint32_t joints);
 /// period, lateness, compute in s, overruns.
 Schema CycleSchema();
 /// A summary of `CycleSummary`'s type; all times in s.

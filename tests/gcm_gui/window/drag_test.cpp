@@ -20,7 +20,7 @@ const QString kValue = "robot/arm/state.Joints.position[1]";
 class DragTest : public WindowFixture {
  protected:
   DragTest() {
-    source_.send("robot/arm/state.Joints", JointSchema(2), {1, 2, 3, 4});
+    source_.send("robot/arm/state.Joints", test::JointStateSchema(2), {1, 2, 3, 4});
     window_.catalogue().tree().reveal(kValue);
   }
 

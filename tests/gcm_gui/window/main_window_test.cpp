@@ -91,7 +91,7 @@ TEST_F(MainWindowTest, WithoutItsGcmTheWindowSaysThatWhatItShowsIsOld) {
 }
 
 TEST_F(MainWindowTest, ValuesGoOnWithoutTheGcm) {
-  source_.send("robot/arm/state.Joints", JointSchema(2), {1, 2, 3, 4});
+  source_.send("robot/arm/state.Joints", test::JointStateSchema(2), {1, 2, 3, 4});
 
   link_.setUnreachable("127.0.0.1:10705 refused");
 
@@ -261,7 +261,7 @@ TEST_F(MainWindowTest, TheInspectorDisconnectsToo) {
 }
 
 TEST_F(MainWindowTest, PPlotsWhatIsSelectedAndRowsReachTheCurve) {
-  source_.send("robot/arm/state.Joints", JointSchema(2), {1, 2, 3, 4});
+  source_.send("robot/arm/state.Joints", test::JointStateSchema(2), {1, 2, 3, 4});
   window_.selection().select("robot/arm/state.Joints.position");
 
   QTest::keyClick(&window_, Qt::Key_P);
@@ -276,7 +276,7 @@ TEST_F(MainWindowTest, PPlotsWhatIsSelectedAndRowsReachTheCurve) {
 }
 
 TEST_F(MainWindowTest, ADoubleClickOnAValuePlotsIt) {
-  source_.send("robot/arm/state.Joints", JointSchema(2), {1, 2, 3, 4});
+  source_.send("robot/arm/state.Joints", test::JointStateSchema(2), {1, 2, 3, 4});
   CatalogueTree& tree = window_.catalogue().tree();
   tree.reveal("robot/arm/state.Joints.position[1]");
   const QRect row = tree.visibleRows().value("robot/arm/state.Joints.position[1]");

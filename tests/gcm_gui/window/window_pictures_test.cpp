@@ -28,7 +28,8 @@ class WindowPicturesTest : public WindowFixture {
   ~WindowPicturesTest() override { Theme::instance().choose(Theme::Choice::kSystem); }
 
   void FillPlot() {
-    source_.send("robot/arm/state.Joints", JointSchema(3), {0.2013, -0.3987, 0.0004, 0, 0, 0});
+    source_.send("robot/arm/state.Joints", test::JointStateSchema(3),
+                 {0.2013, -0.3987, 0.0004, 0, 0, 0});
     window_.catalogue().tree().reveal("robot/arm/state.Joints.position[2]");
     window_.selection().select("robot/arm/state.Joints.position");
     QTest::keyClick(&window_, Qt::Key_P);

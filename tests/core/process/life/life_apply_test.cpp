@@ -5,7 +5,6 @@
 #include <tendon/payload/json.h>
 
 #include "core/process/life/life_fixture.h"
-#include "support/program.h"
 
 namespace {
 
@@ -64,8 +63,7 @@ class LifeApply : public LifeFixture {
   }
   void RestartEmpty() {
     tendon::ProcessOptions options = Options();
-    options.loader = std::make_shared<tendon::ComponentLoader>(
-        std::vector<std::filesystem::path>{Built("tests/core/process/life/built")});
+    options.loader = LoaderOfLamps();
     robot_.reset();
     robot_ = std::make_unique<tendon::Process>("robot", options);
     ASSERT_TRUE(robot_->WaitUntilJoined(kLong).ok());

@@ -12,6 +12,11 @@
 #include "support/network_test.h"
 #include "support/program.h"
 
+inline std::shared_ptr<tendon::ComponentLoader> LoaderOfLamps() {
+  const std::vector<std::filesystem::path> folders{Built("tests/core/process/life/built")};
+  return std::make_shared<tendon::ComponentLoader>(folders);
+}
+
 /// A process that makes components of the plug-in `lamps`, its GCM, and somebody who orders them.
 class LifeFixture : public NetworkTest {
  protected:
@@ -19,8 +24,7 @@ class LifeFixture : public NetworkTest {
 
   void SetUp() override {
     tendon::ProcessOptions options = Options();
-    options.loader = std::make_shared<tendon::ComponentLoader>(
-        std::vector<std::filesystem::path>{Built("tests/core/process/life/built")});
+    options.loader = LoaderOfLamps();
     robot_ = std::make_unique<tendon::Process>("robot", options);
     ASSERT_TRUE(robot_->WaitUntilJoined(kLong).ok());
     client_ = NewClient(tendon::Role::kOperator);

@@ -8,7 +8,6 @@
 
 #include "core/process/life/life_fixture.h"
 #include "support/plant.h"
-#include "support/program.h"
 
 namespace {
 
@@ -321,11 +320,7 @@ TEST_P(Life, TheProviderOfAConnectionTellsWhomItServes) {
 
 TEST(LifeCycle, AnOrderMadeFromAnotherConfigurationIsRefusedByTheProcessItself) {
   tendon::LocalManager manager;
-  tendon::LifeCycle life(
-      {.manager = manager,
-       .process = "robot",
-       .loader = std::make_shared<tendon::ComponentLoader>(
-           std::vector<std::filesystem::path>{Built("tests/core/process/life/built")})});
+  tendon::LifeCycle life({.manager = manager, .process = "robot", .loader = LoaderOfLamps()});
   const auto obey = [&life](tendon::message::LifeOrder order) {
     order.process = "robot";
     order.component = "lamp";
