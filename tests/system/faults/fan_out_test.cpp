@@ -4,18 +4,15 @@
 #include <sstream>
 #include <utility>
 
+#include "support/machine/sanitized.h"
 #include "system/faults/harness/footprint.h"
 
 namespace faults {
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kIsSanitized = true;
-constexpr std::uint64_t kRows = 200;
-#else
-constexpr bool kIsSanitized = false;
-constexpr std::uint64_t kRows = 1000;
-#endif
+using tendon::test::kIsSanitized;
+
+constexpr std::uint64_t kRows = kIsSanitized ? 200 : 1000;
 
 INSTANTIATE_TEST_SUITE_P(Over, FanOutTest, testing::Values("ice"), NameOfMiddleware);
 
