@@ -141,7 +141,7 @@ class IceMiddleware final : public Middleware {
       adapter->add(servant, EndpointIdentity());
       adapter->activate();
       const std::uint16_t port = PortOf(*adapter);
-      os::KeepFromPrograms(port, 0);
+      os::AdoptSocket(port, 0);
       return MakeListener(ToString(HostPort{place->host, port}), [adapter, servant] {
         servant->Stop();
         adapter->destroy();
@@ -160,7 +160,7 @@ class IceMiddleware final : public Middleware {
     auto connection = Connect(*place, deadline);
     if (!connection) return TimedOut(*place, timeout, tls_.get());
     if (connection->why) return WhyNotOpened(connection->why, *place, timeout, tls_.get());
-    KeepFromPrograms(*connection->connection);
+    AdoptSocket(*connection->connection);
     std::shared_ptr<IceLink> link;
     try {
       link = std::make_shared<IceLink>(connection->connection, 0);

@@ -70,12 +70,12 @@ Ends EndsOf(const Ice::IPConnectionInfo& address) {
           .peer = Place(address.remoteAddress, address.remotePort)};
 }
 
-void KeepFromPrograms(const Ice::Connection& connection) {
+void AdoptSocket(const Ice::Connection& connection) {
   try {
     const auto address = AddressIn(connection.getInfo());
     if (!address) return;
-    os::KeepFromPrograms(static_cast<std::uint16_t>(address->localPort),
-                         static_cast<std::uint16_t>(address->remotePort));
+    os::AdoptSocket(static_cast<std::uint16_t>(address->localPort),
+                    static_cast<std::uint16_t>(address->remotePort));
   } catch (const Ice::Exception&) {
     // It is closed already.
   }

@@ -138,9 +138,10 @@ class Links {
 std::shared_ptr<Ice::IPConnectionInfo> AddressIn(std::shared_ptr<Ice::ConnectionInfo> info);
 Ends EndsOf(const Ice::IPConnectionInfo& address);
 
-/// Ice leaves its sockets to whatever programs this one starts, which would hold their ports: not
-/// that of this connection any more. Takes longer the more sockets there are.
-void KeepFromPrograms(const Ice::Connection& connection);
+/// Ice leaves its sockets to whatever programs this one starts, which would hold their ports, and
+/// lets the kernel pace them: not that of this connection any more (os::AdoptSocket()). Takes
+/// longer the more sockets there are.
+void AdoptSocket(const Ice::Connection& connection);
 
 /// The identity of the endpoint at both ends.
 Ice::Identity EndpointIdentity();

@@ -116,7 +116,7 @@ std::shared_ptr<IceLink> EndpointServant::LinkOf(
 std::shared_ptr<IceLink> AcceptingServant::LinkOf(
     const std::shared_ptr<Ice::Connection>& connection) {
   if (auto known = links()->Find(connection)) return known;
-  KeepFromPrograms(*connection);
+  AdoptSocket(*connection);
   const std::scoped_lock lock(mutex_);
   if (!accept_) return nullptr;
   auto link = std::make_shared<IceLink>(connection, door_);

@@ -58,16 +58,6 @@ void Set(const Socket& socket, int level, int option, int value = 1) {
   setsockopt(socket.descriptor(), level, option, &value, sizeof(value));
 }
 
-/// Of a connection: nothing waits for more to send, and a peer that vanished while all was quiet is
-/// noticed within 4 s.
-void SetUp(const Socket& connection) {
-  Set(connection, IPPROTO_TCP, TCP_NODELAY);
-  Set(connection, SOL_SOCKET, SO_KEEPALIVE);
-  Set(connection, IPPROTO_TCP, TCP_KEEPIDLE, 1);   // s
-  Set(connection, IPPROTO_TCP, TCP_KEEPINTVL, 1);  // s
-  Set(connection, IPPROTO_TCP, TCP_KEEPCNT, 2);
-}
-
 /// 0, or why the connection did not come about.
 int WaitUntilConnected(const Socket& socket, std::chrono::steady_clock::time_point deadline,
                        const std::function<bool()>& is_over) {
@@ -102,23 +92,58 @@ std::uint16_t PortOf(int descriptor, Query query) {
   return is_ipv6 ? ntohs(reinterpret_cast<const sockaddr_in6&>(address).sin6_port) : 0;
 }
 
-template <typename Query>
-std::string AddressOf(int descriptor, Query query) {
-  sockaddr_storage address{};
-  socklen_t size = sizeof(address);
+/// One end of a connection, as numbers.
+struct End {
   std::array<char, NI_MAXHOST> host{};
   std::array<char, NI_MAXSERV> port{};
+};
+
+/// Nothing where the kernel does not know it any more.
+template <typename Query>
+std::optional<End> EndOf(int descriptor, Query query) {
+  sockaddr_storage address{};
+  socklen_t size = sizeof(address);
   auto* const raw = reinterpret_cast<sockaddr*>(&address);
+  End end;
   if (query(descriptor, raw, &size) != 0 ||
-      getnameinfo(raw, size, host.data(), host.size(), port.data(), port.size(),
+      getnameinfo(raw, size, end.host.data(), end.host.size(), end.port.data(), end.port.size(),
                   NI_NUMERICHOST | NI_NUMERICSERV) != 0) {
-    return "unknown";
+    return std::nullopt;
   }
+  return end;
+}
+
+template <typename Query>
+std::string AddressOf(int descriptor, Query query) {
+  const auto end = EndOf(descriptor, query);
+  if (!end) return "unknown";
   constexpr std::string_view kMapped = "::ffff:";  // IPv4 on a socket of IPv6
-  const std::string_view number = host.data();
+  const std::string_view number = end->host.data();
   const bool is_mapped = number.starts_with(kMapped) && number.find('.') != number.npos;
   const std::string text(is_mapped ? number.substr(kMapped.size()) : number);
-  return (text.find(':') != text.npos ? "[" + text + "]:" : text + ":") + port.data();
+  return (text.find(':') != text.npos ? "[" + text + "]:" : text + ":") + end->port.data();
+}
+
+/// Between two ends on one machine there is no line to spare: a congestion control with a pace, as
+/// that of BBR, has large messages wait for a timer and nothing else. Reno has none, and is in
+/// every kernel.
+void DoNotPaceOnOneMachine(int descriptor) {
+  constexpr std::string_view kWithoutPace = "reno";
+  const auto local = EndOf(descriptor, getsockname);
+  const auto peer = EndOf(descriptor, getpeername);
+  if (!local || !peer || local->host != peer->host) return;
+  setsockopt(descriptor, IPPROTO_TCP, TCP_CONGESTION, kWithoutPace.data(), kWithoutPace.size());
+}
+
+/// Of a connection: nothing waits for more to send, and a peer that vanished while all was quiet is
+/// noticed within 4 s.
+void SetUp(const Socket& connection) {
+  Set(connection, IPPROTO_TCP, TCP_NODELAY);
+  Set(connection, SOL_SOCKET, SO_KEEPALIVE);
+  Set(connection, IPPROTO_TCP, TCP_KEEPIDLE, 1);   // s
+  Set(connection, IPPROTO_TCP, TCP_KEEPINTVL, 1);  // s
+  Set(connection, IPPROTO_TCP, TCP_KEEPCNT, 2);
+  DoNotPaceOnOneMachine(connection.descriptor());
 }
 
 /// A line of the kernel's on a socket that listens, as far as we want to know it, as text.
@@ -339,9 +364,11 @@ std::string PeerAddress(const Socket& socket) {
   return AddressOf(socket.descriptor(), getpeername);
 }
 
-void KeepFromPrograms(std::uint16_t local_port, std::uint16_t peer_port) {
-  ForEachBetween(local_port, peer_port,
-                 [](int descriptor) { fcntl(descriptor, F_SETFD, FD_CLOEXEC); });
+void AdoptSocket(std::uint16_t local_port, std::uint16_t peer_port) {
+  ForEachBetween(local_port, peer_port, [](int descriptor) {
+    fcntl(descriptor, F_SETFD, FD_CLOEXEC);
+    DoNotPaceOnOneMachine(descriptor);
+  });
 }
 
 bool IsHeldByUser(std::uint16_t port) {

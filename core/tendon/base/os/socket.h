@@ -12,8 +12,8 @@
 
 namespace tendon::os {
 
-/// Owns one descriptor of a stream socket over TCP; never blocks and is not inherited by child
-/// processes.
+/// Owns one descriptor of a stream socket over TCP; never blocks, is not inherited by child
+/// processes, and sends to this machine without a pace.
 class Socket {
  public:
   Socket() = default;
@@ -77,9 +77,10 @@ void ShutDown(const std::string& local, const std::string& peer);
 [[nodiscard]] std::string LocalAddress(const Socket& socket);
 [[nodiscard]] std::string PeerAddress(const Socket& socket);
 
-/// Programs that this one starts no longer inherit the socket between these ports of this end and
-/// the peer's; 0 for the peer of one that listens. For libraries that do not see to it themselves.
-void KeepFromPrograms(std::uint16_t local_port, std::uint16_t peer_port);
+/// For a socket of a library, between these ports of this end and the peer's, 0 for the peer of one
+/// that listens: from now on it is not inherited by programs that this one starts, and what it
+/// sends to this machine is not paced, as those of Socket.
+void AdoptSocket(std::uint16_t local_port, std::uint16_t peer_port);
 
 /// Whether all who listen at a port of this machine are this user's programs.
 [[nodiscard]] bool IsHeldByUser(std::uint16_t port);

@@ -26,7 +26,7 @@ Result<std::shared_ptr<Ice::ObjectPrx>> BrokerDoor::Reach(
   constexpr int kLongest = 3000;  // ms, for an answer
   const auto connection = object->ice_connectionId("fan-out")->ice_getConnection();
   if (auto good = Judge(*connection); !good) return good.error();
-  KeepFromPrograms(*connection);
+  AdoptSocket(*connection);
   return connection->createProxy(object->ice_getIdentity())->ice_invocationTimeout(kLongest);
 }
 
