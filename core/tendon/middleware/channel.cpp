@@ -392,6 +392,10 @@ void Channel::Close() {
   Fail({ErrorCode::kUnreachable, "the connection was closed by this program"});
 }
 
+void Channel::CutOff(const std::string& what) {
+  Fail({ErrorCode::kInvalid, PeerName() + " was cut off: it " + what});
+}
+
 std::string Channel::peer_address() const {
   const std::scoped_lock lock(mutex_);
   return link_ ? link_->peer() : std::string();

@@ -104,6 +104,8 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
 
   /// Idempotent; may be called from a handler, which hears OnClosed() later.
   void Close();
+  /// The same, for the peer cannot be believed: `what` it did is part of the reason.
+  void CutOff(const std::string& what);
 
   /// Wait-free.
   [[nodiscard]] bool is_open() const { return is_open_.Get(); }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <string>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -270,9 +271,12 @@ std::size_t Outbox::Send(std::size_t limit) {
   const Turn turn(sending_, std::try_to_lock);
   has_waited_ = !turn;
   if (!turn) return 0;
-  const std::size_t sent = SendTaken(std::min(limit, Room()), &Channel::TryRequest);
-  sent_ += sent;
-  return sent;
+  if (executed_.Get() > sent_) {
+    channel_->CutOff("told that " + std::to_string(executed_.Get()) + " calls were executed, of " +
+                     std::to_string(sent_) + " that were sent to it");
+    return 0;
+  }
+  return SendTaken(std::min(limit, Room()), &Channel::TryRequest);
 }
 
 Outbox::Turn Outbox::TakeTurn() {
@@ -284,28 +288,29 @@ Outbox::Turn Outbox::TakeTurn() {
 std::uint64_t Outbox::SendAtOnce([[maybe_unused]] const Turn& turn, Question question) {
   assert(turn.mutex() == &sending_ && turn.owns_lock() && !has_taken());
   question_ = std::move(question);
-  sent_ += SendTaken(1, &Channel::TryAsk);
+  SendTaken(1, &Channel::TryAsk);
   if (!has_taken()) return sent_;
   wakeup_.Notify();
   return 0;
 }
 
-/// And what waits in the inbox, if there is more that may be sent.
+/// And what waits in the inbox, if there is more that may be sent. Each is counted as it leaves.
 std::size_t Outbox::SendTaken(std::size_t limit, Manner manner) {
   const Status no_room = Status::kQueueFull;
-  std::size_t sent = 0;
+  const std::uint64_t before = sent_;
   while (true) {
+    const std::uint64_t sent = sent_ - before;
     if (!has_taken() && sent < limit) Collect(limit - sent);
     if (!has_taken()) return sent;
     if (!batch_.empty()) {
       if (channel_->Notify(type_, 0, batch_.body(), lane_) == no_room) return sent;
-      sent += batch_.calls();
+      sent_ += batch_.calls();
       batch_.Clear();
     }
     if (!question_) continue;
     const Status asked = Ask(*question_, manner);
-    if (asked == no_room) return sent;
-    if (asked) ++sent;
+    if (asked == no_room) return sent_ - before;
+    if (asked) ++sent_;
     question_.reset();
   }
 }

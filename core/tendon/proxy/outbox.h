@@ -52,7 +52,8 @@ class Outbox {
   void RefusePayload(std::uint32_t handle, std::size_t size) noexcept;
   [[nodiscard]] RefusedPayloads& refused_payloads() { return refused_payloads_; }
 
-  /// Any thread: at least so many of the calls that were sent have been executed.
+  /// Any thread: at least so many of the calls that were sent have been executed. A peer that says
+  /// so of more than were sent is cut off by the next Send().
   void SetExecuted(std::uint64_t calls);
 
   /// The right to send, of a caller's thread: while it is held, nothing else is sent here.

@@ -34,9 +34,21 @@ struct ClientEnd final : ChannelHandler {
       });
     }
   }
+  void OnClosed(const std::shared_ptr<Channel>& /*channel*/, const Error& reason) override {
+    const std::scoped_lock lock(mutex_);
+    why_closed_ = reason.message;
+  }
+  std::string why_closed() {
+    const std::scoped_lock lock(mutex_);
+    return why_closed_;
+  }
   std::atomic<bool> is_deaf{false};        // to credit
   std::atomic<std::uint64_t> executed{0};  // as was told last
   std::shared_ptr<ProvidedInterfaceProxy> proxy;
+
+ private:
+  std::mutex mutex_;
+  std::string why_closed_;
 };
 
 /// The server's.
@@ -78,6 +90,26 @@ struct ServerEnd final : ChannelHandler {
   std::shared_ptr<RequiredInterfaceProxy> proxy;
 };
 
+/// A read that asks for room, and fails before it has written anything there.
+class TornRead final : public Offer {
+ public:
+  using Offer::Offer;
+
+  std::unique_ptr<CommandBase> Bind(Mailbox* /*mailbox*/) const override {
+    return std::make_unique<Command>();
+  }
+
+ private:
+  class Command final : public CommandBase {
+   public:
+    Command() : CommandBase(layout::kNone, layout::kNone) {}
+    Status ExecuteEncoded(std::span<const std::byte> /*in*/, AnswerSink& out) override {
+      (void)out.Room(sizeof(int));
+      return Status::kFailed;
+    }
+  };
+};
+
 /// A required and a provided interface, and between them the two proxies and a channel. The test
 /// executes what waits in the inboxes.
 class InterfaceProxies : public testing::Test {
@@ -91,6 +123,8 @@ class InterfaceProxies : public testing::Test {
         .SetOverflow(Overflow::kLatestOnly);  // which it disregards
     provided.AddCommandWrite(&InterfaceProxies::Follow, this, "Follow")
         .SetOverflow(Overflow::kLatestOnly);
+    provided.AddOffer(
+        std::make_unique<TornRead>(DescribeMember<None, int>("Torn", CommandKind::kRead)));
     provided.AddEvent(pushed, "Pushed");
     provided.AddEvent(moved, "Moved");
     required.AddFunction(push, "Push");
@@ -98,6 +132,7 @@ class InterfaceProxies : public testing::Test {
     required.AddFunction(count, "Count");
     required.AddFunction(missing, "Missing", Need::kOptional);
     required.AddFunction(follow, "Follow");
+    required.AddFunction(torn, "Torn");
     required.AddEventHandlerWrite(&InterfaceProxies::OnPushed, this, "Pushed");
     required.AddEventHandlerWrite(&InterfaceProxies::OnMoved, this, "Moved")
         .SetOverflow(Overflow::kLatestOnly);
@@ -182,6 +217,7 @@ class InterfaceProxies : public testing::Test {
   ReadFunction<int> count;
   VoidFunction missing;
   WriteFunction<int> follow;
+  ReadFunction<int> torn;
 
   std::shared_ptr<LoopbackNetwork> network = std::make_shared<LoopbackNetwork>();
   LoopbackMiddleware server{network};

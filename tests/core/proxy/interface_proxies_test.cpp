@@ -1,5 +1,7 @@
 #include "core/proxy/interface_proxies.h"
 
+#include <tendon/proxy/read_proxy.h>
+
 #include <thread>
 
 #include "support/wait.h"
@@ -112,6 +114,19 @@ TEST_F(InterfaceProxies, AnswerReadsAtOnce) {
   int answer = 0;
   EXPECT_EQ(count(answer), Status(Status::kDone));
   EXPECT_EQ(answer, 17);
+}
+
+TEST_F(InterfaceProxies, AReadThatFailedTellsNothingOfAnother) {
+  int answer = 0;
+  ASSERT_EQ(count(answer), Status(Status::kDone));
+
+  const auto torn_answer = channel->Call(message::kRead, kServerHandle + 6, EncodeBody(None{}),
+                                         std::chrono::seconds(20));
+
+  ASSERT_TRUE(torn_answer.ok()) << torn_answer.error().message;
+  Bytes failed(sizeof(int));
+  AppendStatus(Status::kFailed, failed);
+  EXPECT_EQ(*torn_answer, failed);
 }
 
 TEST_F(InterfaceProxies, LeaveAnOptionalFunctionWithoutACommand) {
@@ -265,6 +280,33 @@ class Executor {
   std::jthread thread_;
 };
 
+TEST_F(InterfaceProxies, BadInput63CreditThatGoesBackTakesNothingAway) {
+  for (int number = 0; number < 4; ++number) EXPECT_TRUE(push(number));
+  ASSERT_TRUE(EventuallyTrue([this] {
+    server_inbox.ExecuteQueued();
+    return client_end->executed == 4;
+  }));
+
+  client_end->proxy->OnCredit({.executed = 1, .accepting = true, .fault = {}});
+
+  for (int number = 0; number < 4; ++number) EXPECT_TRUE(push(number));
+  EXPECT_TRUE(EventuallyTrue([this] { return server_inbox.size() == 4; }));
+  EXPECT_TRUE(channel->is_open());
+}
+
+TEST_F(InterfaceProxies, BadInput63CreditForMoreThanWasSentEndsTheChannel) {
+  EXPECT_TRUE(push(1));
+  ASSERT_TRUE(EventuallyTrue([this] { return server_inbox.size() == 1; }));
+
+  client_end->proxy->OnCredit({.executed = 2, .accepting = true, .fault = {}});
+
+  EXPECT_TRUE(EventuallyTrue([this] { return !channel->is_open(); }));
+  EXPECT_TRUE(EventuallyTrue([this] {
+    return client_end->why_closed() ==
+           "test was cut off: it told that 2 calls were executed, of 1 that were sent to it";
+  })) << client_end->why_closed();
+}
+
 TEST_F(InterfaceProxies, WhatAnswersMayNotHaveToldIsToldAllTheSame) {
   constexpr std::uint64_t kWaits = 100;
   const Executor executor(server_inbox);
@@ -349,6 +391,7 @@ TEST_F(InterfaceProxies, AWaitIsNotEndedByAWordThatTheCallIsQueued) {
 }
 
 TEST_F(InterfaceProxies, AWaitThatALinkHasNoRoomForIsSentWholeOnceThereIs) {
+  client_end->is_deaf = true;  // to credit for what it has not sent itself
   Wakeup<> wakeup;
   Outbox outbox(channel, message::kCommands, wakeup, "server");
   const QueuedOfferProxy offer(provided.description().commands[1], outbox, kServerHandle + 2);
