@@ -1,4 +1,5 @@
 #include <benchmarks/measurement.h>
+#include <benchmarks/memory.h>
 #include <benchmarks/report.h>
 
 #include <CLI/CLI.hpp>
@@ -75,6 +76,7 @@ int Main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
     if (options.effort.is_tiny) options.effort.repetitions = 1;
+    KeepMemory();
     const auto cases = Choose(AllCases(options.effort), options.only);
     if (Report(cases, options)) return 0;
     std::cerr << "report: cannot write '" << *options.json << "'" << '\n';

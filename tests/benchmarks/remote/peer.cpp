@@ -2,6 +2,7 @@
 // it, and raw Ice. Prints where they are reached, in the order of RemoteSystem::Addresses, and runs
 // until it is killed. At SIGUSR1 it begins the middlewares of others and prints where those are.
 
+#include <benchmarks/memory.h>
 #include <benchmarks/remote/rivals/rival.h>
 #include <benchmarks/remote/robot.h>
 #include <tendon/gcm/global_manager.h>
@@ -17,6 +18,7 @@
 
 int main() {
   using namespace tendon;
+  benchmark::KeepMemory();
   sigset_t begin_rivals;
   sigemptyset(&begin_rivals);
   sigaddset(&begin_rivals, SIGUSR1);

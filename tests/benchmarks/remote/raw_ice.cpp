@@ -1,6 +1,7 @@
 #include <Ice/Ice.h>
 #include <Ice/Incoming.h>
 #include <benchmarks/remote/raw_ice.h>
+#include <tendon/ice/links.h>
 #include <tendon/ice/settings.h>
 
 #include <chrono>
@@ -42,16 +43,23 @@ class Servant final : public Ice::Object {
     const Ice::Byte* parameter = nullptr;
     Ice::Int size = 0;
     incoming.readParamEncaps(parameter, size);
-    const auto& answer = current.operation == "get"     ? message_
-                         : current.operation == "image" ? image_
-                                                        : nothing_;
+    const auto& answer = AnswerTo(current);
     incoming.writeParamEncaps(answer.data(), static_cast<Ice::Int>(answer.size()), true);
     return true;  // it is answered
   }
 
  private:
+  const std::vector<Ice::Byte>& AnswerTo(const Ice::Current& current) {
+    if (current.operation == "get") return message_;
+    if (current.operation == "image") return image_;
+    if (current.operation == "copied image") return copied_ = image_;
+    if (current.operation == "adopt") ice::AdoptSocket(*current.con);
+    return nothing_;
+  }
+
   const std::vector<Ice::Byte> message_ = Encapsulate(std::vector<std::byte>(sizeof(Message)));
   const std::vector<Ice::Byte> image_ = Encapsulate(std::vector<std::byte>(kImageBytes));
+  std::vector<Ice::Byte> copied_;  // who asks for it does so one at a time
   const std::vector<Ice::Byte> nothing_ = Encapsulate({});
 };
 
@@ -90,7 +98,9 @@ class RawIce::Parts {
  public:
   explicit Parts(const std::string& address)
       : two_way_(communicator_->stringToProxy("floor:tcp -h 127.0.0.1 -p " + address)) {
-    two_way_->ice_ping();
+    std::vector<Ice::Byte> nothing;
+    two_way_->ice_invoke("adopt", Ice::OperationMode::Normal, Range{}, nothing);
+    ice::AdoptSocket(*two_way_->ice_getCachedConnection());
   }
   ~Parts() { communicator_->destroy(); }
 
@@ -143,9 +153,10 @@ void RawIce::BeginRead(std::function<void(bool ok)> done) {
       [done](const std::exception_ptr&) { done(false); });
 }
 
-std::size_t RawIce::ReadImage() {
+std::size_t RawIce::ReadImage(Image image) {
+  const char* const operation = image == Image::kThere ? "image" : "copied image";
   std::vector<Ice::Byte> bytes;
-  parts_->two_way()->ice_invoke("image", Ice::OperationMode::Normal, Range{}, bytes);
+  parts_->two_way()->ice_invoke(operation, Ice::OperationMode::Normal, Range{}, bytes);
   return bytes.size();
 }
 

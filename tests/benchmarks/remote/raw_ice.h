@@ -12,7 +12,8 @@
 namespace tendon::benchmark {
 
 /// What we are compared with between processes: ZeroC Ice by itself, with the settings of our own
-/// communicators, used as its generated code uses it. Knows nothing of frames, handles or credits.
+/// communicators and sockets, used as its generated code uses it. Knows nothing of frames, handles
+/// or credits.
 class RawIceServer {
  public:
   RawIceServer();
@@ -47,8 +48,11 @@ class RawIce {
   void WriteBatches(std::span<const std::byte> parameter, std::uint64_t times, std::uint64_t size);
   /// Two-way, without waiting: `done` is called in a thread of Ice.
   void BeginRead(std::function<void(bool ok)> done);
+  /// Where the bytes of a large answer are when it is asked for: where they stay, or where the
+  /// servant has to copy them first into memory that it keeps.
+  enum class Image { kThere, kCopiedFirst };
   /// A two-way call that is answered with 1 MiB; returns how many bytes came.
-  std::size_t ReadImage();
+  std::size_t ReadImage(Image image);
   /// Makes a new connection, and one call on it; returns the nanoseconds that took.
   double Connect();
 

@@ -30,17 +30,18 @@ double ReadRaw(RawIce& raw, std::uint64_t reads) {
   });
 }
 
-double ReadImages(ReadFunction<Image>& get, std::uint64_t images) {
-  Image image;
+/// Each into the same image, as a component keeps it.
+double ReadImages(Desk& desk, ReadFunction<Image> Desk::*get, std::uint64_t images) {
   return NanosecondsEach(images, [&](std::uint64_t) {
-    const bool is_read = static_cast<bool>(get(image));
-    Require(is_read && image.size() * sizeof(double) == kImageBytes, "no image is read");
+    const bool is_read = static_cast<bool>((desk.*get)(desk.image));
+    Require(is_read && desk.image.size() * sizeof(double) == kImageBytes, "no image is read");
   });
 }
 
-double ReadRawImages(RawIce& raw, std::uint64_t images) {
-  return NanosecondsEach(
-      images, [&](std::uint64_t) { Require(raw.ReadImage() > kImageBytes, "no image is read"); });
+double ReadRawImages(RawIce& raw, std::uint64_t images, RawIce::Image image) {
+  return NanosecondsEach(images, [&](std::uint64_t) {
+    Require(raw.ReadImage(image) > kImageBytes, "no image is read");
+  });
 }
 
 double MoveAndWait(RemoteSystem& system, std::uint64_t moves) {
@@ -80,7 +81,9 @@ std::vector<Case> ReadCases(const Effort& effort, const TheSystem& system) {
   const std::uint64_t images = effort.Times(8);
   const auto between = [&](const Run& run) { return Between(system, run); };
   const auto read = between([=](auto& both) { return ReadJoints(both, reads); });
-  const auto raw_images = between([=](auto& both) { return ReadRawImages(both.raw(), images); });
+  const auto raw_images = [=](RawIce::Image image) {
+    return between([=](auto& both) { return ReadRawImages(both.raw(), images, image); });
+  };
   return {
       {.id = "R1",
        .what = "remote read / raw Ice two-way, 64 B",
@@ -97,17 +100,18 @@ std::vector<Case> ReadCases(const Effort& effort, const TheSystem& system) {
        .ratio = Ratio::kOfThroughputs,
        .gate = 0.85,
        .stretch = 0.95,
-       .repetition = SideBySide(
-           between([=](auto& both) { return ReadImages(both.desk().get_shared_image, images); }),
-           raw_images)},
+       .repetition = SideBySide(between([=](auto& both) {
+                                  return ReadImages(both.desk(), &Desk::get_shared_image, images);
+                                }),
+                                raw_images(RawIce::Image::kThere))},
       {.id = "R7-filled",
-       .what = "the same, which the robot copies first",
+       .what = "read of 1 MiB that is copied first / raw Ice that copies it first",
        .ratio = Ratio::kOfThroughputs,
        .gate = 0.85,
        .stretch = 0.95,
        .repetition = SideBySide(
-           between([=](auto& both) { return ReadImages(both.desk().get_image, images); }),
-           raw_images)},
+           between([=](auto& both) { return ReadImages(both.desk(), &Desk::get_image, images); }),
+           raw_images(RawIce::Image::kCopiedFirst))},
   };
 }
 

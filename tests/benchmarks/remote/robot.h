@@ -47,6 +47,8 @@ class Desk final : public Component {
   ReadFunction<Message> get_joints;
   ReadFunction<Image> get_image;
   ReadFunction<Image> get_shared_image;
+
+  Image image;  ///< that it read last
 };
 
 }  // namespace tendon::benchmark
