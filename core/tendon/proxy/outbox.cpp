@@ -32,14 +32,9 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
 
   Status ExecuteEncoded(std::span<const std::byte> in, AnswerSink& /*out*/) override {
     if (must_wait_) return Status::kUnsupported;
-    std::byte* room = nullptr;
-    const Status claimed = Claim(in, room);
-    if (claimed) {
-      mailbox_.Publish(room, *this);
-    } else {
-      refused_.Add();
-    }
-    return claimed;
+    const Status posted = Post(in);
+    if (!posted) refused_.Add();
+    return posted;
   }
 
   Status WaitEncoded(std::span<const std::byte> in, std::vector<std::byte>& out,
@@ -82,6 +77,7 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
     void ExecuteSlot(std::byte* /*argument*/, std::size_t slot) override {
       const auto call = command_.callers_->Start(RecordOf(slot));
       if (call) command_.Hand(*call, command_.pool_[slot]);
+      command_.FreeIfLarge(slot);
     }
     void DropSlot(std::size_t slot) noexcept override { command_.callers_->Drop(RecordOf(slot)); }
 
@@ -121,6 +117,21 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
     const Status status = Await(*record, call, deadline, out);
     if (status == Status(Status::kDone)) outbox_.OnExecuted(sent, mailbox_);
     return status;
+  }
+
+  Status Post(std::span<const std::byte> in) {
+    if (!outbox_.waiting_bytes().Take(in.size())) {
+      mailbox_.CountRefused();
+      return Status::kQueueFull;
+    }
+    std::byte* room = nullptr;
+    const Status claimed = Claim(in, room);
+    if (claimed) {
+      mailbox_.Publish(room, *this);
+    } else {
+      outbox_.waiting_bytes().Give(in.size());
+    }
+    return claimed;
   }
 
   /// kQueued, and room with the argument; or why not.
@@ -165,7 +176,19 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
   void Hand(std::uint64_t call, const Bytes& argument) { outbox_.Take(QuestionOf(call, argument)); }
 
   void ExecuteSlot(std::byte* /*argument*/, std::size_t slot) override {
+    outbox_.waiting_bytes().Give(pool_[slot].size());
     outbox_.Take(handle_, pool_[slot]);
+    FreeIfLarge(slot);
+  }
+  void DropSlot(std::size_t slot) noexcept override {
+    outbox_.waiting_bytes().Give(pool_[slot].size());
+  }
+
+  /// A buffer is kept where all slots may keep one of its size: a call that allocates nothing is
+  /// not worth any amount of memory.
+  void FreeIfLarge(std::size_t slot) noexcept {
+    constexpr std::size_t kMostKept = std::size_t{64} << 20U;
+    if (pool_[slot].capacity() * pool_.size() > kMostKept) Bytes().swap(pool_[slot]);
   }
 
   Outbox& outbox_;
@@ -175,7 +198,7 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
   Mailbox& mailbox_;
   const std::shared_ptr<AwaitedCalls<>> callers_;
   Awaited awaited_{*this};
-  std::vector<Bytes> pool_;  // of arguments, by slot
+  std::vector<Bytes> pool_;  // of arguments, by slot; see FreeIfLarge()
 };
 
 /// As a LatestCommand: a newer call replaces an older one that still waits to be sent, and at the
@@ -230,14 +253,15 @@ class LatestCommandProxy final : public CommandBase, private Mailbox::Entry {
 }  // namespace
 
 Outbox::Outbox(std::shared_ptr<Channel> channel, MessageType type, Wakeup<>& wakeup,
-               std::string interface, std::uint64_t credit)
+               std::string interface, const OutboxLimits& limits)
     : channel_(std::move(channel)),
       type_(type),
       lane_(channel_->NewLane()),
       wakeup_(wakeup),
       refused_payloads_(std::move(interface)),
+      waiting_bytes_(limits.waiting_bytes),
       inbox_(&wakeup),
-      credit_(credit) {
+      credit_(limits.credit) {
   inbox_.SetAccepting(true);
 }
 

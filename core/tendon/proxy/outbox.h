@@ -3,6 +3,7 @@
 #include <tendon/interface/inbox.h>
 #include <tendon/interface/offer.h>
 #include <tendon/interface/required_interface.h>
+#include <tendon/lockfree/budget.h>
 #include <tendon/lockfree/counter.h>
 #include <tendon/lockfree/flag.h>
 #include <tendon/middleware/channel.h>
@@ -21,6 +22,13 @@
 
 namespace tendon {
 
+struct OutboxLimits {
+  std::uint64_t credit = Budget<>::kNoLimit;  ///< calls that may be under way
+  /// Bytes of arguments that may wait here, but for one alone that may be larger; of calls for
+  /// whose end nobody waits.
+  std::uint64_t waiting_bytes = Budget<>::kNoLimit;
+};
+
 /// Calls that wait to be sent on a channel: posted in the thread of a component, sent in order by
 /// the network thread, as many in one frame as wait, and those whose callers want an answer as
 /// requests between them. Who wants an answer while nothing waits sends its call itself. What finds
@@ -30,10 +38,9 @@ class Outbox {
  public:
   static constexpr std::uint64_t kAnyNumber = std::numeric_limits<std::uint64_t>::max();
 
-  /// `interface` is whose members are called, for the log; `credit` how many calls may be under way
-  /// at most.
+  /// `interface` is whose members are called, for the log.
   Outbox(std::shared_ptr<Channel> channel, MessageType type, Wakeup<>& wakeup,
-         std::string interface, std::uint64_t credit = kAnyNumber);
+         std::string interface, const OutboxLimits& limits = {});
 
   /// Before the first call: each is sent with the time of the event that `source` handles by it.
   void SendTimesOf(const RequiredInterface& source) { times_of_ = &source; }
@@ -51,6 +58,9 @@ class Outbox {
   /// Any thread, that of a caller too: a value of a member was refused, for it is too large.
   void RefusePayload(std::uint32_t handle, std::size_t size) noexcept;
   [[nodiscard]] RefusedPayloads& refused_payloads() { return refused_payloads_; }
+
+  /// Of the bytes that may wait here. Any thread.
+  [[nodiscard]] Budget<>& waiting_bytes() { return waiting_bytes_; }
 
   /// Any thread: at least so many of the calls that were sent have been executed. A peer that says
   /// so of more than were sent is cut off by the next Send().
@@ -115,6 +125,7 @@ class Outbox {
   RefusedPayloads refused_payloads_;
   const RequiredInterface* times_of_ = nullptr;
   Flag is_open_{true};
+  Budget<> waiting_bytes_;
   Inbox inbox_;
   const std::uint64_t credit_;
   std::mutex raising_;  // executed_, which never falls: who learns of less may come later

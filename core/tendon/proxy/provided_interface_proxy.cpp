@@ -26,7 +26,7 @@ ProvidedInterfaceProxy::ProvidedInterfaceProxy(std::shared_ptr<NetworkThread> th
       handle_(remote.opened.handle),
       mirrored_(remote.mirrored),
       outbox_(remote.channel, message::kCommands, thread_->wakeup(), ToString(remote.name),
-              remote.opened.credit),
+              {.credit = remote.opened.credit}),
       loss_report_(remote.channel, handle_),
       interface_(remote.opened.description.name, &outbox_.inbox(), &host_) {
   AddCommands(remote, required, read_deadline);

@@ -21,6 +21,9 @@ constexpr std::uint8_t kQuickInARow = 8;
 /// the call where the machine is a virtual one.
 constexpr std::chrono::milliseconds kPatience(5);
 
+/// Of events that wait for a peer, which says how many may; beyond them they are lost, and counted.
+constexpr std::size_t kMostEventBytes = std::size_t{64} << 20U;
+
 /// The right of a thread of the middleware to wait for a component. Few may at a time, in this
 /// process: the others serve whoever else asks.
 class Waiter {
@@ -96,7 +99,7 @@ RequiredInterfaceProxy::RequiredInterfaceProxy(std::shared_ptr<NetworkThread> th
       handle_(open.handle),
       capacity_(open.capacity),
       outbox_(channel_, events == Events::kTimed ? message::kTimedEvents : message::kEvents,
-              thread_->wakeup(), ToString(open.provided)),
+              thread_->wakeup(), ToString(open.provided), {.waiting_bytes = kMostEventBytes}),
       loss_report_(channel_, handle_),
       interface_(open.description.name, &outbox_.inbox()),
       quick_in_a_row_(

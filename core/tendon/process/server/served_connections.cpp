@@ -13,12 +13,7 @@ void ServedConnections::Open(const std::shared_ptr<Client>& client,
                              const std::shared_ptr<Responder>& responder) {
   const message::OpenInterface& open = wanted.open;
   const auto lock = context_.host.LockStructure();
-  if (IsFull(use)) {
-    return responder->Refuse(
-        {ErrorCode::kFailed, "process '" + context_.name + "' has " +
-                                 std::to_string(kMostListeners) +
-                                 " listeners to its events already, which is the most: end some"});
-  }
+  if (const auto may = CheckListeners(*client, use); !may) return responder->Refuse(may.error());
   const auto server = LookUp(open.provided);
   if (!server) return responder->Refuse(server.error());
   auto made = Make(client, wanted, use, **server);
@@ -48,9 +43,21 @@ void ServedConnections::Open(const std::shared_ptr<Client>& client,
   context_.proxies.Add(entry.required, entry.proxy);  // only now it sends
 }
 
-bool ServedConnections::IsFull(Use use) const {
-  return use == Use::kEventsOnly &&
-         std::ranges::count(entries_, use, &Entry::use) >= kMostListeners;
+Result<void> ServedConnections::CheckListeners(const Client& client, Use use) const {
+  if (use != Use::kEventsOnly) return {};
+  std::ptrdiff_t all = 0;
+  std::ptrdiff_t own = 0;
+  for (const Entry& entry : entries_) {
+    if (entry.use != use) continue;
+    ++all;
+    if (entry.client.get() == &client) ++own;
+  }
+  if (own < kMostListenersOfOne && all < kMostListeners) return {};
+  const bool is_own = own >= kMostListenersOfOne;
+  return Error{ErrorCode::kFailed, "process '" + context_.name + "' has " +
+                                       std::to_string(is_own ? own : all) +
+                                       " listeners to its events" + (is_own ? " from here" : "") +
+                                       " already, which is the most: end some"};
 }
 
 Result<ProvidedInterface*> ServedConnections::LookUp(const InterfaceName& provided) const {

@@ -28,10 +28,12 @@ class ServedConnections {
  public:
   explicit ServedConnections(ProcessContext& context) : context_(context) {}
 
-  /// Whoever only listens may be a viewer: there are so many of them at most, and nobody waits
-  /// until one has taken what it was sent. Who knows marks is answered with a MarkedOpened.
+  /// Whoever only listens may be a viewer: a client has so many of them at most, all clients
+  /// together some more, and nobody waits until one has taken what it was sent. Who knows marks is
+  /// answered with a MarkedOpened.
   enum class Use { kAll, kAllMarked, kEventsOnly };
-  static constexpr std::ptrdiff_t kMostListeners = 64;
+  static constexpr std::ptrdiff_t kMostListenersOfOne = 64;
+  static constexpr std::ptrdiff_t kMostListeners = 512;
 
   /// Connects, and answers before anything else is sent about the connection. Refusals: kNotFound
   /// with a suggestion, kIncompatible with the first difference, kInvalid for a mailbox that is too
@@ -60,7 +62,7 @@ class ServedConnections {
   };
 
   Result<ProvidedInterface*> LookUp(const InterfaceName& provided) const;
-  [[nodiscard]] bool IsFull(Use use) const;
+  [[nodiscard]] Result<void> CheckListeners(const Client& client, Use use) const;
   static Result<void> CheckSize(const message::OpenInterface& open, std::size_t bytes);
   Result<Entry> Make(const std::shared_ptr<Client>& client, const message::OpenMarked& wanted,
                      Use use, ProvidedInterface& provided);

@@ -1,0 +1,112 @@
+#include <gtest/gtest.h>
+#include <tendon/base/os/process.h>
+#include <tendon/process/messages.h>
+#include <tendon/proxy/messages.h>
+
+#include <chrono>
+#include <mutex>
+#include <vector>
+
+#include "support/network_test.h"
+
+namespace tendon {
+namespace {
+
+constexpr std::chrono::seconds kPatience(20);
+
+/// Sees a cloud of points whenever the test says so.
+class Camera final : public Component {
+ public:
+  explicit Camera(std::string name) : Component(std::move(name)) {
+    AddProvidedInterface("Camera").AddEvent(seen, "Seen");
+  }
+  WriteEvent<std::vector<double>> seen;
+};
+
+/// Takes nothing that is sent to it while the gate is locked.
+struct StuckHandler final : ChannelHandler {
+  void OnNotice(const std::shared_ptr<Channel>& /*channel*/, const FrameHeader& /*header*/,
+                std::span<const std::byte> /*body*/) override {
+    const std::scoped_lock lock(gate);
+  }
+  std::mutex gate;
+};
+
+/// Process robot has a camera, and is asked by programs that are none of ours.
+class HostileListener : public NetworkTest {
+ protected:
+  void SetUp() override {
+    robot = Start("robot");
+    camera = &robot->Add<Camera>("camera");
+    ASSERT_TRUE(robot->StartAll().ok());
+  }
+
+  std::shared_ptr<Channel> Open(std::shared_ptr<ChannelHandler> handler) {
+    auto opened = Channel::Open(
+        *middleware, robot->address(),
+        {.instance = os::RandomNumber(), .name = "viewer", .cookie = *LoopbackCookie()},
+        std::move(handler), kPatience);
+    EXPECT_TRUE(opened.ok()) << opened.error().message;
+    return opened ? *opened : nullptr;
+  }
+  static Result<message::InterfaceOpened> Listen(Channel& channel, std::uint32_t handle,
+                                                 std::uint32_t capacity) {
+    const message::OpenInterface open{
+        .required = {"viewer", "events", "Camera"},
+        .provided = {"robot", "camera", "Camera"},
+        .description = {.name = "Camera",
+                        .event_handlers = {DescribeMember<std::vector<double>, None>(
+                            "Seen", CommandKind::kWrite)}},
+        .handle = handle,
+        .capacity = capacity};
+    return channel.Call<message::InterfaceOpened>(message::kListen, 0, open, kPatience);
+  }
+
+  std::shared_ptr<Middleware> middleware = NewMiddleware();
+  std::unique_ptr<Process> robot;
+  Camera* camera = nullptr;
+};
+
+TEST_P(HostileListener, ThatStopsReadingHoldsNoMoreThanItsShareOfLargeEvents) {
+  constexpr std::uint32_t kMostCapacity = 65536;
+  constexpr std::size_t kMebibyte = std::size_t{1} << 20U;
+  constexpr int kShare = 64 + 32;  // MiB that may wait, and what a line may hold
+  const auto stuck = std::make_shared<StuckHandler>();
+  const auto channel = Open(stuck);
+  ASSERT_TRUE(Listen(*channel, 1, kMostCapacity).ok());
+  std::unique_lock closed(stuck->gate);
+
+  const std::vector<double> cloud(kMebibyte / sizeof(double));
+  int raised = 0;
+  for (; raised < 4 * kShare && camera->seen.lost() == 0; ++raised) camera->seen(cloud);
+
+  EXPECT_LE(raised, kShare) << "none was lost of so many MiB";
+  closed.unlock();
+  EXPECT_TRUE(EventuallyTrue([&] {
+    const auto lost = camera->seen.lost();
+    camera->seen(cloud);
+    return camera->seen.lost() == lost;
+  })) << "who reads again is sent events again";
+  channel->Close();
+}
+
+TEST_P(HostileListener, ThatTakesAllItMayLeavesRoomForOthers) {
+  const auto greedy = Open(std::make_shared<ChannelHandler>());
+  std::uint32_t listeners = 0;
+  Result<message::InterfaceOpened> listened = Listen(*greedy, ++listeners, 1);
+  while (listened && listeners < 1000) listened = Listen(*greedy, ++listeners, 1);
+
+  ASSERT_FALSE(listened.ok());
+  EXPECT_EQ(listened.error().message,
+            "process 'robot' has 64 listeners to its events from here already, which is the most: "
+            "end some");
+  const auto modest = Open(std::make_shared<ChannelHandler>());
+  EXPECT_TRUE(Listen(*modest, 1, 1).ok());
+  greedy->Close();
+  modest->Close();
+}
+
+INSTANTIATE_TEST_SUITE_P(Over, HostileListener, testing::ValuesIn(NetworkKinds()), NameOfNetwork);
+
+}  // namespace
+}  // namespace tendon

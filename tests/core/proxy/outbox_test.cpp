@@ -1,0 +1,59 @@
+#include <thread>
+
+#include "core/proxy/interface_proxies.h"
+#include "support/wait.h"
+
+namespace tendon {
+namespace {
+
+/// Bytes of what is loaded, and how many may wait.
+constexpr std::size_t kLoad = 1000;
+constexpr std::uint64_t kMost = 3 * kLoad;
+
+/// An outbox in which little may wait, and a command that goes there.
+class NarrowOutbox : public InterfaceProxies {
+ protected:
+  NarrowOutbox() { client_end->is_deaf = true; }  // to credit for what it has not sent itself
+
+  Status Post(std::size_t size) { return command->ExecuteEncoded(Bytes(size), nothing); }
+
+  Wakeup<> wakeup;
+  Outbox outbox{channel, message::kCommands, wakeup, "server", {.waiting_bytes = kMost}};
+  const QueuedOfferProxy offer{provided.description().commands[1], outbox, kServerHandle + 2};
+  Mailbox& mailbox = outbox.inbox().Open(1000, {}, Callers::kManyThreads);
+  const std::unique_ptr<CommandBase> command = offer.Bind(&mailbox);
+  Bytes bytes;
+  BytesSink nothing{bytes};
+};
+
+TEST_F(NarrowOutbox, RefusesWhatWouldBeMoreThanMayWait) {
+  for (int i = 0; i < 3; ++i) ASSERT_EQ(Post(kLoad), Status(Status::kQueued)) << i;
+
+  EXPECT_EQ(Post(kLoad), Status(Status::kQueueFull));
+  EXPECT_EQ(Post(0), Status(Status::kQueued)) << "it has room for what takes none";
+
+  EXPECT_EQ(offer.refused(), 1U);
+  EXPECT_EQ(mailbox.refused(), 1U);
+  EXPECT_EQ(outbox.Send(), 4U);
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(Post(kLoad), Status(Status::kQueued)) << i;
+}
+
+TEST_F(NarrowOutbox, LetsOneAloneBeLarger) {
+  EXPECT_EQ(Post(10 * kLoad), Status(Status::kQueued));
+  EXPECT_EQ(Post(kLoad), Status(Status::kQueueFull));
+
+  EXPECT_EQ(outbox.Send(), 1U);
+
+  EXPECT_EQ(Post(kLoad), Status(Status::kQueued));
+}
+
+TEST_F(NarrowOutbox, GivesBackWhatIsDropped) {
+  for (int i = 0; i < 3; ++i) ASSERT_EQ(Post(kLoad), Status(Status::kQueued)) << i;
+  while (mailbox.DropOne()) {
+  }
+
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(Post(kLoad), Status(Status::kQueued)) << i;
+}
+
+}  // namespace
+}  // namespace tendon
