@@ -65,6 +65,10 @@ Verb::Run PrepareServe(CLI::App& app) {
   return [fan_out](Context& context) { return Serve(context, *fan_out); };
 }
 
+/// Of memory. Ice believes whoever claims a message with 2^31 facets, and asks for 64 GiB; with a
+/// limit it gets none, refuses the message, and goes on.
+constexpr std::size_t kMostOfBroker = std::size_t{8} << 30U;
+
 /// A file of this user alone: what the broker's objects are called by is a secret.
 tendon::Result<std::filesystem::path> WriteSettings(const std::string& address,
                                                     const std::string& settings) {
@@ -87,7 +91,7 @@ tendon::Result<program::ExitCode> RunFanOut(Context& context, const std::string&
   if (!settings) return settings.error();
   const auto file = WriteSettings(address, *settings);
   if (!file) return file.error();
-  tendon::os::BecomeProgram({"icebox", "--Ice.Config=" + file->string()});
+  tendon::os::BecomeProgram({"icebox", "--Ice.Config=" + file->string()}, kMostOfBroker);
   return tendon::Error{tendon::ErrorCode::kNotFound,
                        "icebox is not installed: apt-get install zeroc-icebox "
                        "libzeroc-icestorm3.7, as tools/setup does"};

@@ -1,9 +1,13 @@
 #include "system/faults/harness/fan_out.h"
 
+#include <sys/resource.h>
+#include <tendon/base/os/socket.h>
+
 #include <algorithm>
 #include <sstream>
 #include <utility>
 
+#include "core/ice/attacks.h"
 #include "support/machine/sanitized.h"
 #include "system/faults/harness/footprint.h"
 
@@ -13,6 +17,11 @@ namespace {
 using tendon::test::kIsSanitized;
 
 constexpr std::uint64_t kRows = kIsSanitized ? 200 : 1000;
+
+bool HasMemoryLimit(pid_t process) {
+  rlimit limit{};
+  return prlimit(process, RLIMIT_AS, nullptr, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+}
 
 INSTANTIATE_TEST_SUITE_P(Over, FanOutTest, testing::Values("ice"), NameOfMiddleware);
 
@@ -67,6 +76,29 @@ TEST_P(FanOutTest, OneOfSixteenThatStopsHarmsNobodyButItself) {
   told << "others: " << ToString(streams.front()->verdict()) << ", at most " << most_missing
        << " missing; process: " << robot << "; broker: " << broker;
   Tell(told.str());
+}
+
+/// The broker is a program of Ice: what kills such is refused there, too, for want of memory.
+TEST_P(FanOutTest, TheMessagesThatKillProgramsOfIceDoNotKillTheBroker) {
+  ASSERT_NO_FATAL_FAILURE(Watch(stream_));
+  ASSERT_TRUE(AllGetMore({stream_}, 100)) << robot_->err();
+  ASSERT_TRUE(HasMemoryLimit(broker_->pid())) << "this machine would have no memory left";
+  const auto place = tendon::ParseAddress(broker_address_, 1);
+
+  for (const auto& [name, attack] : tendon::ice::Attacks()) {
+    const auto socket = tendon::os::ConnectTo(place->host, place->port, Patience());
+    ASSERT_TRUE(socket) << name << ": " << socket.error().message;
+    (void)tendon::os::SendSome(*socket, attack);
+  }
+
+  EXPECT_TRUE(AllGetMore({stream_}, kRows));
+  const auto later = std::make_shared<StreamChecker>();
+  ASSERT_NO_FATAL_FAILURE(Watch(later));
+  EXPECT_TRUE(AllGetMore({stream_, later}, 100));
+  EXPECT_EQ(stream_->verdict().stale, 0U) << "it came by the broker all the time";
+  const std::uint64_t stale = later->verdict().stale;
+  broker_->Signal(SIGKILL);
+  EXPECT_TRUE(Eventually([&] { return later->verdict().stale > stale; })) << "it was of no use";
 }
 
 /// Without the broker, viewers are told that there are no rows, and get them directly.

@@ -1,8 +1,10 @@
 #include <pwd.h>
 #include <sys/random.h>
+#include <sys/resource.h>
 #include <tendon/base/os/process.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <ctime>
@@ -92,12 +94,19 @@ fs::path ProgramFolder() {
   return fs::read_symlink("/proc/self/exe", ignored).parent_path();
 }
 
-void BecomeProgram(const std::vector<std::string>& words) {
+void BecomeProgram(const std::vector<std::string>& words, std::size_t most_memory) {
   std::vector<std::string> copies = words;
   std::vector<char*> arguments;
   for (std::string& word : copies) arguments.push_back(word.data());
   arguments.push_back(nullptr);
+  rlimit before{};
+  getrlimit(RLIMIT_AS, &before);
+  rlimit limit = before;
+  limit.rlim_cur = std::min<rlim_t>(before.rlim_max, most_memory);
+  setrlimit(RLIMIT_AS, &limit);
+  setenv("MALLOC_ARENA_MAX", "4", 0);  // each takes addresses that it may never use
   execvp(arguments.front(), arguments.data());
+  setrlimit(RLIMIT_AS, &before);
 }
 
 }  // namespace tendon::os

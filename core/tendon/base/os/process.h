@@ -39,8 +39,8 @@ struct Usage {
 /// Where this program lies, without its own name.
 [[nodiscard]] std::filesystem::path ProgramFolder();
 
-/// This process goes on as another program, which is looked for in $PATH. Returns only where there
-/// is none.
-void BecomeProgram(const std::vector<std::string>& words);
+/// This process goes on as another program, which is looked for in $PATH, and gets no more than
+/// `most_memory` bytes of addresses. Returns only where there is none.
+void BecomeProgram(const std::vector<std::string>& words, std::size_t most_memory);
 
 }  // namespace tendon::os

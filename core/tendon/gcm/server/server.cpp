@@ -376,8 +376,8 @@ void Server::Report(const Peer& peer, std::span<const std::byte> body) {
     const auto reported =
         report ? registry_.Report(peer.session, *std::move(report)) : Result<void>(report.error());
     if (reported) return;
-    outbox_.Add([text = reported.error().message] {
-      Log(LogLevel::kWarning, "gcm", "a report was not understood: " + text);
+    outbox_.Add([this, text = reported.error().message] {
+      not_understood_.Add("a report was not understood: " + text);
     });
   });
 }

@@ -9,6 +9,7 @@
 #include <tendon/gcm/server/watchers.h>
 #include <tendon/gcm/supervisor/supervisor.h>
 #include <tendon/middleware/channel.h>
+#include <tendon/middleware/complaints.h>
 #include <tendon/process/access/audit_log.h>
 #include <tendon/process/log/log_queue.h>
 #include <tendon/process/log/log_tap.h>
@@ -120,6 +121,7 @@ class Server final : public std::enable_shared_from_this<Server> {
 
   const Options options_;
   History history_;
+  Complaints not_understood_{"gcm"};
   Outbox outbox_;
   Watchers watchers_;  // only in actions of the outbox
   LogBook log_book_;   // likewise

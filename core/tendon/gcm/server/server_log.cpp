@@ -69,7 +69,7 @@ void Server::SetLogLevel(const Request& request) {
 void Server::TakeLog(const Session& session, std::span<const std::byte> body) {
   if (body.size() > message::kLargestLogBatch) return;
   auto batch = DecodeBody<message::LogRecords>(body);
-  if (!batch) return Log(LogLevel::kWarning, "gcm", "not understood: " + batch.error().message);
+  if (!batch) return not_understood_.Add("records were not understood: " + batch.error().message);
   TakeIn(*batch);
   Locked([&] {
     const ProcessDescription* process = registry_.FindMember(session);
