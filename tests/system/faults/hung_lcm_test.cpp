@@ -48,6 +48,9 @@ TEST_P(HungLcm, OneThatIsStoppedIsLostAndFindsItsWayBack) {
   Tell(std::to_string(rounds) + " times stopped until lost; a member again after " +
        std::to_string(longest) + " ms at most; " + ToString(stream_->verdict()));
   EXPECT_THAT(watch_->double_holders(), testing::IsEmpty());
+  if (!MachineStoodStill()) {
+    EXPECT_GE(watch_->Count("robot", ProcessState::kSuspect), rounds) << "it was lost unsuspected";
+  }
   EXPECT_EQ(stream_->verdict().ledgers, 1U);
   EXPECT_EQ(stream_->verdict().repeated, 0U);
   EXPECT_EQ(stream_->verdict().damaged, 0U);
