@@ -82,6 +82,8 @@ std::string Nearest(std::string_view name, std::span<const std::string> candidat
   std::string best;
   std::size_t best_distance = limit + 1;
   for (const std::string& candidate : candidates) {
+    const auto [shorter, longer] = std::minmax({name.size(), candidate.size()});
+    if (longer - shorter > limit) continue;  // of a name from outside, which may have megabytes
     const std::size_t distance = EditDistance(name, candidate);
     if (distance < best_distance) {
       best = candidate;

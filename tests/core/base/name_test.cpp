@@ -38,6 +38,12 @@ TEST(Name, TheNearestIsSuggestedWhenItIsNear) {
   EXPECT_EQ(tendon::DidYouMean("gripper", known), "");
 }
 
+TEST(Name, OneOfMegabytesIsLikeNoneAndIsNotComparedLetterByLetter) {
+  const std::vector<std::string> known(1000, std::string(64, 'x'));
+
+  EXPECT_EQ(tendon::DidYouMean(std::string(std::size_t{64} << 20U, 'x'), known), "");
+}
+
 TEST(InterfaceName, IsReadAndWritten) {
   const auto name = ParseInterfaceName("robot/arm/Control");
 
