@@ -281,16 +281,17 @@ void RowSource::OnNotice(const std::shared_ptr<Channel>& channel, const FrameHea
 void RowSource::OnRows(Channel& channel, std::uint32_t handle, std::span<const std::byte> body) {
   std::unique_lock lock(mutex_);
   const auto found = standing_.find({&channel, handle});
-  const bool is_known = found != standing_.end();  // or its answer is yet to come, or it has ended
-  const Standing standing = is_known ? found->second : Standing{};
+  if (found == standing_.end()) {  // it has ended, or its answer came after we had given it up
+    lock.unlock();
+    (void)channel.Notify(message::kUnsubscribe, handle, Bytes());
+    return;
+  }
+  const Standing standing = found->second;
   const ClockOffset clock = clock_;
   lock.unlock();
-  bool must_tell = true;
-  if (is_known) {
-    standing.subscription->Deliver(standing.beginning, body, clock);
-    must_tell = standing.subscription->wanted().rows.delivery == RowDelivery::kNewest;
-  }
+  standing.subscription->Deliver(standing.beginning, body, clock);
   // Not told, the process would send no more; on a new channel it is asked again.
+  const bool must_tell = standing.subscription->wanted().rows.delivery == RowDelivery::kNewest;
   if (must_tell && !channel.Notify(message::kRowTaken, handle, Bytes())) channel.Close();
 }
 

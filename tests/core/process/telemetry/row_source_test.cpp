@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 #include <tendon/process/messages.h>
+#include <tendon/process/telemetry/row_batch.h>
 #include <tendon/process/telemetry_client.h>
 
 #include "core/process/telemetry/listening.h"
@@ -23,6 +24,22 @@ class Confused final : public Listening {
   }
 };
 
+/// Sends rows of what nobody has heard an answer about.
+class Forgotten final : public Listening {
+ public:
+  static constexpr std::uint32_t kHandle = 6;
+
+ private:
+  void OnRequest(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
+                 std::span<const std::byte> body, Responder responder) override {
+    if (header.type != message::kSubscribe) {
+      return ChannelHandler::OnRequest(channel, header, body, std::move(responder));
+    }
+    RowBatchWriter rows({});
+    EXPECT_TRUE(channel->Notify(message::kRows, kHandle, rows.Finish({})));
+  }
+};
+
 class DeafSink final : public RowSink {
  public:
   void OnSubscribed(const std::vector<Schema>& /*columns*/) override {}
@@ -30,12 +47,13 @@ class DeafSink final : public RowSink {
   void OnStale(const Error& /*reason*/) override {}
 };
 
-TEST(RowSource, ASubscriptionWhoseAnswerMakesNoSenseIsEndedThere) {
+/// Whether a viewer that has subscribed ends what `process` says something of.
+template <typename Process>
+bool EndsThere(const std::shared_ptr<Process>& process) {
   const auto network = std::make_shared<LoopbackNetwork>();
-  LoopbackMiddleware process(network);
-  const auto confused = std::make_shared<Confused>();
-  const auto listener =
-      *process.Listen("127.0.0.1:0", Channel::Acceptor(HelloOf("robot"), [&] { return confused; }));
+  LoopbackMiddleware middleware(network);
+  const auto listener = *middleware.Listen(
+      "127.0.0.1:0", Channel::Acceptor(HelloOf("robot"), [&] { return process; }));
   const auto viewer = MakeTelemetryClient(
       std::make_shared<LoopbackMiddleware>(network),
       [&](const std::string& /*process*/) { return Result<std::string>(listener->address()); },
@@ -43,8 +61,15 @@ TEST(RowSource, ASubscriptionWhoseAnswerMakesNoSenseIsEndedThere) {
 
   viewer->Subscribe({"robot", "plant", "state", {"Move"}}, std::make_shared<DeafSink>());
 
-  EXPECT_TRUE(
-      EventuallyTrue([&] { return confused->HasHeard(message::kUnsubscribe, Confused::kHandle); }));
+  return EventuallyTrue([&] { return process->HasHeard(message::kUnsubscribe, Process::kHandle); });
+}
+
+TEST(RowSource, ASubscriptionWhoseAnswerMakesNoSenseIsEndedThere) {
+  EXPECT_TRUE(EndsThere(std::make_shared<Confused>()));
+}
+
+TEST(RowSource, ASubscriptionWhoseAnswerWasNotHeardIsEndedThere) {
+  EXPECT_TRUE(EndsThere(std::make_shared<Forgotten>()));
 }
 
 }  // namespace
