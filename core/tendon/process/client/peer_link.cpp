@@ -73,6 +73,7 @@ void PeerLink::OnNotice(const std::shared_ptr<Channel>& channel, const FrameHead
 Result<PeerLink::Mirrored> PeerLink::Receive(const message::Mirrored& mirrored) {
   Mirrored values;
   const std::scoped_lock lock(mutex_);
+  EndUnread();
   for (const message::MirroredColumn& column : mirrored.columns) {
     if (column.capacity > StateTable::kMaximumRowBytes) {
       return Error{ErrorCode::kInvalid, channel_->peer().name + " offers copies of " +
@@ -83,6 +84,15 @@ Result<PeerLink::Mirrored> PeerLink::Receive(const message::Mirrored& mirrored) 
     if (column.handle != 0) mirrored_[column.handle] = values.back();
   }
   return values;
+}
+
+/// Copies that nobody reads any more: without a new row the process would not learn it.
+void PeerLink::EndUnread() {
+  std::erase_if(mirrored_, [this](const auto& one) {
+    if (!one.second.expired()) return false;
+    (void)channel_->Notify(message::kUnsubscribe, one.first, Bytes());
+    return true;
+  });
 }
 
 void PeerLink::OnRows(const std::shared_ptr<Channel>& channel, const FrameHeader& header,

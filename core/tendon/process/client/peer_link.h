@@ -66,6 +66,7 @@ class PeerLink final : public ChannelHandler, public std::enable_shared_from_thi
   /// Of kRows and kRowsEnded. Whoever has no use for a copy any more is asked to send no others.
   void OnRows(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
               std::span<const std::byte> body);
+  void EndUnread();
   void OnMirrorTurned(std::uint32_t handle, std::span<const std::byte> body);
   void TellTaken(const std::shared_ptr<Channel>& channel, std::uint32_t handle);
   void Put(MirroredValue& value, std::int64_t time, std::span<const std::byte> body);

@@ -1,6 +1,9 @@
 #include <gmock/gmock.h>
+#include <tendon/middleware/loopback.h>
+#include <tendon/process/messages.h>
 #include <tendon/state/state_table.h>
 
+#include <atomic>
 #include <chrono>
 #include <memory>
 #include <string>
@@ -249,5 +252,35 @@ TEST_P(MirroredRead, InOneProcessReadsTheRowItself) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Over, MirroredRead, testing::ValuesIn(NetworkKinds()), NameOfNetwork);
+
+std::atomic<int> ended{0};
+
+/// Counts the subscriptions that are ended.
+NetworkKind CountingLoopback() {
+  return {.name = "loopback", .make = [] {
+            const auto network = std::make_shared<tendon::LoopbackNetwork>();
+            network->SetJudge([](const tendon::loopback::Frame& frame) {
+              const auto header = tendon::ReadFrameHeader(frame.bytes);
+              if (header && header->type == tendon::message::kUnsubscribe) ++ended;
+              return tendon::loopback::kPass;
+            });
+            return [network] { return std::make_shared<tendon::LoopbackMiddleware>(network); };
+          }};
+}
+
+using EndedMirror = MirroredRead;
+
+TEST_P(EndedMirror, IsNotSentForEverThoughNoRowIsWritten) {
+  Connect();
+  ASSERT_TRUE(desk->Disconnect(kReader).ok());
+  ASSERT_TRUE(EventuallyTrue([&] { return desk->connections().empty(); }));
+  ended = 0;
+
+  Connect();
+
+  EXPECT_TRUE(EventuallyTrue([] { return ended == 2; })) << "GetMove and GetNote";
+}
+
+INSTANTIATE_TEST_SUITE_P(Over, EndedMirror, testing::Values(CountingLoopback()), NameOfNetwork);
 
 }  // namespace
