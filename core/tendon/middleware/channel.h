@@ -163,8 +163,8 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   std::span<std::byte> BeginReply(std::uint64_t request, std::size_t size);
   void EndReply(std::uint64_t request);
   bool Return(std::uint64_t request, std::span<const std::byte> body);
-  void SendReply(std::uint64_t request, std::span<const std::byte> body, Lane lane);
-  void SendReplyAlone(std::uint64_t request, std::span<const std::byte> body, Lane lane);
+  bool SendReply(std::uint64_t request, std::span<const std::byte> body, Lane lane);
+  bool SendReplyAlone(std::uint64_t request, std::span<const std::byte> body, Lane lane);
   void SendReplies(const ReplyBatch& batch);
   void SendRefusal(std::uint64_t request, const Error& error);
   Status TryStart(MessageType type, std::uint32_t handle, std::span<const std::byte> body,

@@ -79,7 +79,8 @@ struct Called {
   std::vector<std::byte> answer;  ///< the result's body; empty where there is none
 };
 
-/// Rows of one state table from now on, until kUnsubscribe or the channel's end.
+/// Rows of one state table from now on, until kUnsubscribe or the channel's end. No column twice;
+/// how many there may be of these says TelemetryServer.
 struct Subscribe {
   std::string component;
   std::string table;  ///< "state" or "state-NAME"

@@ -82,6 +82,9 @@ class TelemetryClient {
  public:
   virtual ~TelemetryClient() = default;
   using Id = std::uint64_t;
+  /// A process gives each client at most 4096 subscriptions, and reads for it of one table at most
+  /// 32 times as many values as a row has; what is of the same columns and rows is read once. It
+  /// refuses what is more, and a column named twice, which the sink hears as OnStale().
   virtual Id Subscribe(const TableSubscription& subscription, std::shared_ptr<RowSink> sink) = 0;
   /// After it returns the sink hears nothing more. Not from a sink's function.
   virtual void Unsubscribe(Id id) = 0;

@@ -39,18 +39,22 @@ bool Channel::Return(std::uint64_t request, std::span<const std::byte> body) {
   return true;
 }
 
-void Channel::SendReply(std::uint64_t request, std::span<const std::byte> body, Lane lane) {
+/// False where it was not sent.
+bool Channel::SendReply(std::uint64_t request, std::span<const std::byte> body, Lane lane) {
   const bool is_alone = lane == kOwnLane;
-  if (is_alone && (Return(request, body) || GatheredReplies::Keep(*this, request, body))) return;
-  SendReplyAlone(request, body, lane);
+  if (is_alone && (Return(request, body) || GatheredReplies::Keep(*this, request, body))) {
+    return true;
+  }
+  return SendReplyAlone(request, body, lane);
 }
 
-void Channel::SendReplyAlone(std::uint64_t request, std::span<const std::byte> body, Lane lane) {
+bool Channel::SendReplyAlone(std::uint64_t request, std::span<const std::byte> body, Lane lane) {
   const Status sent = Send(MessageType::kReply, request, 0, body, lane);
-  if (sent || sent == Status::kNotConnected) return;
+  if (sent || sent == Status::kNotConnected) return bool(sent);
   const Error why = WhyNotSent(sent, PeerName(), body.size());
   Log(LogLevel::kWarning, "channel", "an answer was lost: " + why.message);
   SendRefusal(request, why);
+  return false;
 }
 
 /// Where the link has no room for all, some may find it.

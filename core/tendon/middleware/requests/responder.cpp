@@ -23,11 +23,12 @@ Responder::~Responder() {
   });
 }
 
-void Responder::Reply(std::span<const std::byte> body, Lane lane) {
+bool Responder::TryReply(std::span<const std::byte> body, Lane lane) {
   const auto channel = channel_.lock();
-  if (!channel) return;
-  channel->SendReply(request_, body, lane);
+  if (!channel) return false;
+  const bool is_sent = channel->SendReply(request_, body, lane);
   channel_.reset();  // not where that has thrown: then it is refused
+  return is_sent;
 }
 
 std::span<std::byte> Responder::BeginReply(std::size_t size) {

@@ -24,7 +24,11 @@ class Responder {
   ~Responder();
 
   /// Throws std::bad_alloc where memory is short; it is not answered then.
-  void Reply(std::span<const std::byte> body, Lane lane = kCommonLane);
+  void Reply(std::span<const std::byte> body, Lane lane = kCommonLane) {
+    (void)TryReply(body, lane);
+  }
+  /// The same; false where it cannot be sent: then the peer is refused, if it is there.
+  [[nodiscard]] bool TryReply(std::span<const std::byte> body, Lane lane = kCommonLane);
   /// Room for a Reply() in kOwnLane of `size` bytes, at least one, where it is sent from: all are
   /// written in this thread, before it returns to the channel, and ended by EndReply(). Empty where
   /// there is no such place: then it is as if nothing had happened. Throws like Reply().

@@ -25,6 +25,12 @@ RowStream::RowStream(const StateTable& table, std::vector<std::size_t> columns, 
       rows_(rows),
       batch_(CellSizes(table_, columns_)) {}
 
+std::size_t RowStream::SubscriptionsOf(const Channel& viewer) const {
+  const auto count = std::ranges::count_if(
+      viewers_, [&](const Viewer& one) { return one.channel.get() == &viewer; });
+  return static_cast<std::size_t>(count) + (topic_ ? topic_->SubscriptionsOf(viewer) : 0);
+}
+
 void RowStream::Add(std::shared_ptr<Channel> channel, std::uint32_t handle, Lane lane) {
   Viewer viewer;
   viewer.lane = lane;

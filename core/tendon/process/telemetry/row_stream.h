@@ -7,6 +7,8 @@
 #include <tendon/process/telemetry/row_topic.h>
 #include <tendon/state/state_table.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -28,6 +30,10 @@ class RowStream {
   [[nodiscard]] bool IsOf(const std::vector<std::size_t>& columns, const RowChoice& rows) const {
     return columns_ == columns && rows_ == rows;
   }
+
+  /// Cells that are read of each row: at least one, for the row itself.
+  [[nodiscard]] std::size_t width() const { return std::max<std::size_t>(1, columns_.size()); }
+  [[nodiscard]] std::size_t SubscriptionsOf(const Channel& viewer) const;
 
   /// `lane` is of its rows alone: nothing else waits for them.
   void Add(std::shared_ptr<Channel> channel, std::uint32_t handle, Lane lane);

@@ -1,6 +1,7 @@
 #include <tendon/process/messages.h>
 #include <tendon/process/telemetry/row_topic.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace tendon {
@@ -17,6 +18,12 @@ void RowTopic::Remove(const Channel& channel, std::uint32_t handle) {
 
 void RowTopic::RemoveClosed() {
   std::erase_if(viewers_, [](const Viewer& viewer) { return !viewer.channel->is_open(); });
+}
+
+std::size_t RowTopic::SubscriptionsOf(const Channel& viewer) const {
+  const auto count = std::ranges::count_if(
+      viewers_, [&](const Viewer& one) { return one.channel.get() == &viewer; });
+  return static_cast<std::size_t>(count);
 }
 
 void RowTopic::Send(RowBatchWriter& batch, std::uint64_t lost, std::uint64_t next_tick) {

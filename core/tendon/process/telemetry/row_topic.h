@@ -4,6 +4,7 @@
 #include <tendon/middleware/fan_out/fan_out.h>
 #include <tendon/process/telemetry/row_batch.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -28,6 +29,7 @@ class RowTopic {
   void Remove(const Channel& channel, std::uint32_t handle);
   void RemoveClosed();
   [[nodiscard]] bool has_viewers() const { return !viewers_.empty(); }
+  [[nodiscard]] std::size_t SubscriptionsOf(const Channel& viewer) const;
 
   /// As RowStream::Send(). A batch without rows goes out now and then, though there is nothing new.
   void Send(RowBatchWriter& batch, std::uint64_t lost, std::uint64_t next_tick);

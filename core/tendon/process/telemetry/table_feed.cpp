@@ -37,6 +37,21 @@ void TableFeed::OnRowTaken(const Channel& channel, std::uint32_t handle) {
   for (RowStream& stream : streams_) stream.OnRowTaken(channel, handle);
 }
 
+std::size_t TableFeed::SubscriptionsOf(const Channel& viewer) const {
+  std::size_t count = 0;
+  for (const RowStream& stream : streams_) count += stream.SubscriptionsOf(viewer);
+  return count;
+}
+
+std::size_t TableFeed::CellsFor(const Channel& viewer, const std::vector<std::size_t>& columns,
+                                const RowChoice& rows) const {
+  std::size_t cells = std::max<std::size_t>(1, columns.size());
+  for (const RowStream& stream : streams_) {
+    if (!stream.IsOf(columns, rows) && stream.SubscriptionsOf(viewer) > 0) cells += stream.width();
+  }
+  return cells;
+}
+
 bool TableFeed::Gather() {
   constexpr int kBatchesInARow = 8;
   for (RowStream& stream : streams_) stream.RemoveClosed();

@@ -4,6 +4,7 @@
 #include <tendon/process/telemetry/row_stream.h>
 #include <tendon/state/state_table.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <list>
 #include <memory>
@@ -34,6 +35,11 @@ class TableFeed {
   void Remove(const Channel& channel, std::uint32_t handle);
   void OnRowTaken(const Channel& channel, std::uint32_t handle);
   [[nodiscard]] bool has_viewers() const { return !streams_.empty(); }
+  [[nodiscard]] std::size_t SubscriptionsOf(const Channel& viewer) const;
+  /// Cells that are read of each row for a viewer, once it has this subscription besides. What its
+  /// subscriptions have in common is read once where they are of the same columns and rows.
+  [[nodiscard]] std::size_t CellsFor(const Channel& viewer, const std::vector<std::size_t>& columns,
+                                     const RowChoice& rows) const;
 
   /// Sends what has been written since; true when it stopped half-way.
   bool Gather();

@@ -3,6 +3,8 @@
 #include <tendon/process/telemetry/telemetry_server.h>
 
 #include <algorithm>
+#include <set>
+#include <string_view>
 #include <utility>
 
 namespace tendon {
@@ -47,11 +49,14 @@ void TelemetryServer::Subscribe(const std::shared_ptr<Channel>& channel,
   if (!source) return responder.Refuse(source.error());
   message::Subscribed subscribed = Describe(*source);
   const std::scoped_lock lock(mutex_);
+  if (auto room = HasRoomFor(*source, wanted, *channel); !room) {
+    return responder.Refuse(room.error());
+  }
   TableFeed& feed = FeedOf(wanted.component, *source->table);
   subscribed.handle = ++last_handle_;
   subscribed.first_tick = feed.next_tick();
   const Lane lane = channel->NewLane();
-  responder.Reply(EncodeBody(subscribed), lane);  // rows must not pass it
+  if (!responder.TryReply(EncodeBody(subscribed), lane)) return;  // which rows must not pass
   feed.Add(source->columns, wanted.rows, channel, subscribed.handle, lane);
   context_.network->Notify();
 }
@@ -72,6 +77,9 @@ void TelemetryServer::JoinTopic(const std::shared_ptr<Channel>& channel,
   if (!source) return responder.Refuse(source.error());
   const std::scoped_lock lock(mutex_);
   if (auto fits = FitsTopic(wanted, *source); !fits) return responder.Refuse(fits.error());
+  if (auto room = HasRoomFor(*source, wanted, *channel); !room) {
+    return responder.Refuse(room.error());
+  }
   message::TopicJoined joined{.subscribed = Describe(*source), .topic = {}};
   TableFeed& feed = FeedOf(wanted.component, *source->table);
   joined.subscribed.handle = ++last_handle_;
@@ -82,8 +90,40 @@ void TelemetryServer::JoinTopic(const std::shared_ptr<Channel>& channel,
     return std::make_unique<RowTopic>(std::move(name), std::move(topic));
   };
   joined.topic = feed.AddToTopic(source->columns, make, channel, joined.subscribed.handle);
-  responder.Reply(EncodeBody(joined));
+  bool is_sent = false;
+  CallGuarded("joins a topic", [&] { is_sent = responder.TryReply(EncodeBody(joined)); });
+  if (!is_sent) return feed.Remove(*channel, joined.subscribed.handle);
   context_.network->Notify();
+}
+
+/// With the mutex.
+Result<void> TelemetryServer::HasRoomFor(std::size_t subscriptions, const Channel& viewer) const {
+  std::size_t count = 0;
+  for (const TableFeed& feed : feeds_) count += feed.SubscriptionsOf(viewer);
+  if (count + subscriptions <= kMostSubscriptions) return {};
+  return Error{ErrorCode::kFailed,
+               "process '" + context_.name + "' gives one viewer at most " +
+                   std::to_string(kMostSubscriptions) + " subscriptions, and " +
+                   viewer.peer().name + " has " + std::to_string(count) +
+                   " already: end some, or ask for several columns of a table at once"};
+}
+
+/// With the mutex.
+Result<void> TelemetryServer::HasRoomFor(const Source& source, const message::Subscribe& wanted,
+                                         const Channel& viewer) const {
+  if (auto room = HasRoomFor(1, viewer); !room) return room;
+  const auto feed =
+      std::ranges::find_if(feeds_, [&](const TableFeed& one) { return one.IsOf(*source.table); });
+  if (feed == feeds_.end()) return {};
+  const std::size_t cells = feed->CellsFor(viewer, source.columns, wanted.rows);
+  const std::size_t most = kMostReadings * std::max<std::size_t>(1, source.table->columns().size());
+  if (cells <= most) return {};
+  return Error{ErrorCode::kFailed,
+               "the subscriptions of " + viewer.peer().name + " to " + context_.name + "/" +
+                   wanted.component + "/" + wanted.table + " would read " + std::to_string(cells) +
+                   " values of each row, but at most " + std::to_string(most) +
+                   " are read for one viewer: end some, or let several have the same columns and "
+                   "the same period"};
 }
 
 /// With the mutex.
@@ -124,6 +164,7 @@ Result<TelemetryServer::Source> TelemetryServer::LookUp(const message::Subscribe
   }
   Source source{.table = *table, .columns = {}, .enabled = nullptr};
   const auto columns = (*table)->columns();
+  std::vector<bool> is_named(columns.size());
   for (const std::string& name : wanted.columns) {
     const auto column = std::find_if(columns.begin(), columns.end(),
                                      [&](const auto& one) { return one->name() == name; });
@@ -131,17 +172,28 @@ Result<TelemetryServer::Source> TelemetryServer::LookUp(const message::Subscribe
       return Error{ErrorCode::kNotFound, where + "/" + wanted.table + " has no column '" + name +
                                              "'" + DidYouMean(name, NamesOf(columns))};
     }
-    source.columns.push_back(static_cast<std::size_t>(column - columns.begin()));
+    const auto place = static_cast<std::size_t>(column - columns.begin());
+    if (is_named[place]) {
+      return Error{ErrorCode::kInvalid, "a subscription to " + where + "/" + wanted.table +
+                                            " names column '" + name +
+                                            "' twice, but brings each once: name it once"};
+    }
+    is_named[place] = true;
+    source.columns.push_back(place);
   }
   return source;
 }
 
 void TelemetryServer::Mirror(const std::shared_ptr<Channel>& channel, const message::Mirror& wanted,
                              Responder& responder) {
+  std::unique_lock lock(mutex_);
+  const auto room = HasRoomFor(wanted.commands.size(), *channel);
+  lock.unlock();
+  if (!room) return responder.Refuse(room.error());
   const auto structure = context_.host.LockStructure();
   const auto sources = LookUp(wanted);
   if (!sources) return responder.Refuse(sources.error());
-  const std::scoped_lock lock(mutex_);
+  lock.lock();
   message::Mirrored mirrored;
   for (const Source& source : *sources) {
     if (source.table == nullptr) {
@@ -153,7 +205,7 @@ void TelemetryServer::Mirror(const std::shared_ptr<Channel>& channel, const mess
     column.handle = ++last_handle_;
   }
   const Lane lane = channel->NewLane();
-  responder.Reply(EncodeBody(mirrored), lane);  // rows must not pass it
+  if (!responder.TryReply(EncodeBody(mirrored), lane)) return;  // which rows must not pass
   const RowChoice newest{.delivery = RowDelivery::kNewest};
   for (std::size_t i = 0; i < sources->size(); ++i) {
     const Source& source = (*sources)[i];
@@ -174,8 +226,14 @@ Result<std::vector<TelemetryServer::Source>> TelemetryServer::LookUp(
     const message::Mirror& wanted) const {
   const auto provided = context_.host.LookUpProvided(wanted.provided);
   if (!provided) return provided.error();
+  std::set<std::string_view> named;
   std::vector<Source> sources;
   for (const std::string& name : wanted.commands) {
+    if (!named.insert(name).second) {
+      return Error{ErrorCode::kInvalid, "a mirror names '" + name + "' of " +
+                                            ToString(wanted.provided) +
+                                            " twice, but copies each once: name it once"};
+    }
     const Offer* command = (*provided)->FindCommand(name);
     if (command == nullptr) {  // whether that is right is said when the interface is opened
       sources.emplace_back();

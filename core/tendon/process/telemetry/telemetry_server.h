@@ -8,6 +8,7 @@
 #include <tendon/process/telemetry/table_feed.h>
 #include <tendon/proxy/mirror/messages.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <list>
 #include <memory>
@@ -26,8 +27,17 @@ class TelemetryServer final : public NetworkJob {
   explicit TelemetryServer(ProcessContext& context);
   ~TelemetryServer() override;
 
-  /// Answers before the first row is sent. Refusals: kNotFound with a suggestion; kInvalid for a
-  /// period below zero.
+  /// What one viewer may have, by one channel, so that it is in nobody's way: so many
+  /// subscriptions, columns that it mirrors among them; and of one table so much that for each row
+  /// all columns are read so often. Subscriptions of the same columns and rows are read once.
+  ///
+  /// All viewers together have no bound: a few could use it up.
+  static constexpr std::size_t kMostSubscriptions = 4096;
+  static constexpr std::size_t kMostReadings = 32;
+
+  /// Answers before the first row is sent; where the answer cannot be sent there is no
+  /// subscription. Refusals: kNotFound with a suggestion; kInvalid for a period below zero, or a
+  /// column named twice; kFailed for more than one viewer may have.
   void Subscribe(const std::shared_ptr<Channel>& channel, const message::Subscribe& wanted,
                  Responder& responder);
   /// The rows come by a topic of the broker. Refusals: also kNotFound where there is none, or the
@@ -35,7 +45,8 @@ class TelemetryServer final : public NetworkJob {
   void JoinTopic(const std::shared_ptr<Channel>& channel, const message::Subscribe& wanted,
                  Responder& responder);
   /// Sends copies of what read commands answer with. Refusals: kNotFound; kIncompatible for a
-  /// command that does not answer with the newest value of a column.
+  /// command that does not answer with the newest value of a column; kInvalid for one named twice;
+  /// kFailed for more than one viewer may have.
   void Mirror(const std::shared_ptr<Channel>& channel, const message::Mirror& wanted,
               Responder& responder);
   /// Of topics that are made from now on; empty where there is none.
@@ -55,6 +66,9 @@ class TelemetryServer final : public NetworkJob {
     const Flag* enabled = nullptr;  // of the command that reads it, if it is one
   };
 
+  [[nodiscard]] Result<void> HasRoomFor(std::size_t subscriptions, const Channel& viewer) const;
+  [[nodiscard]] Result<void> HasRoomFor(const Source& source, const message::Subscribe& wanted,
+                                        const Channel& viewer) const;
   [[nodiscard]] Result<void> FitsTopic(const message::Subscribe& wanted,
                                        const Source& source) const;
   [[nodiscard]] static message::Subscribed Describe(const Source& source);

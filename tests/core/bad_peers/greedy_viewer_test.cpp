@@ -1,0 +1,296 @@
+#include <gmock/gmock.h>
+#include <tendon/process/messages.h>
+#include <tendon/proxy/mirror/messages.h>
+#include <tendon/task/periodic_task.h>
+
+#include <array>
+#include <chrono>
+#include <memory>
+#include <mutex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/process/telemetry/viewing.h"
+#include "support/wait.h"
+
+namespace {
+
+/// Eight of a kind. Of eights of eights there is much to say.
+template <typename T>
+struct Eight {
+  T a{}, b{}, c{}, d{}, e{}, f{}, g{}, h{};
+};
+using Words = Eight<std::uint8_t>;
+using Pages = Eight<Words>;
+using Book = Eight<Pages>;
+
+template <typename T>
+consteval auto DescribeEight(std::string_view name) {
+  constexpr std::string_view kHelp =
+      "At length, as somebody has found out who wanted to know, and to say so in all of its parts, "
+      "where it will be read over and over again.";
+  using tendon::Field;
+  using E = Eight<T>;
+  return tendon::Describe(name, Field{"a", &E::a}.Help(kHelp), Field{"b", &E::b}.Help(kHelp),
+                          Field{"c", &E::c}.Help(kHelp), Field{"d", &E::d}.Help(kHelp),
+                          Field{"e", &E::e}.Help(kHelp), Field{"f", &E::f}.Help(kHelp),
+                          Field{"g", &E::g}.Help(kHelp), Field{"h", &E::h}.Help(kHelp));
+}
+
+}  // namespace
+
+template <>
+inline constexpr auto tendon::kPayload<Words> = DescribeEight<std::uint8_t>("test.Words");
+template <>
+inline constexpr auto tendon::kPayload<Pages> = DescribeEight<Words>("test.Pages");
+template <>
+inline constexpr auto tendon::kPayload<Book> = DescribeEight<Pages>("test.Book");
+
+namespace {
+
+using namespace std::chrono_literals;
+using tendon::Bytes;
+using tendon::Channel;
+using tendon::ErrorCode;
+using tendon::Result;
+using tendon::RowDelivery;
+using testing::HasSubstr;
+namespace message = tendon::message;
+
+constexpr auto kLong = 60s;
+constexpr std::size_t kMostSubscriptions = 4096;  // of one viewer
+constexpr std::size_t kMostReadings = 32;         // of all columns of a table, for one viewer
+
+/// Writes a row of two columns each millisecond, and can be mirrored.
+class Meter final : public tendon::PeriodicTask {
+ public:
+  explicit Meter(std::string name) : PeriodicTask(std::move(name), 1ms) {
+    auto& table = AddStateTable("level");
+    table.Add(level_, "Level");
+    table.Add(slope_, "Slope");
+    auto& control = AddProvidedInterface("Level");
+    control.AddCommandReadState(table, level_, "GetLevel");
+    control.AddCommandReadState(table, slope_, "GetSlope");
+  }
+  ~Meter() override { Join(); }
+  void Run() override { level_ += 1.0; }
+
+ private:
+  double level_ = 0.0;
+  double slope_ = 0.0;
+};
+
+/// So many columns that their schemas fit into no message.
+class Library final : public tendon::PeriodicTask {
+ public:
+  explicit Library(std::string name) : PeriodicTask(std::move(name), 50ms) {
+    auto& table = AddStateTable("books");
+    for (std::size_t i = 0; i < books_.size(); ++i) {
+      names.push_back("Book" + std::to_string(i));
+      table.Add(books_.at(i), names.back());
+    }
+  }
+  ~Library() override { Join(); }
+  void Run() override {}
+
+  std::vector<std::string> names;
+
+ private:
+  std::array<Book, 800> books_{};
+};
+
+/// Notes down of which subscriptions it hears rows.
+class Listener final : public tendon::ChannelHandler {
+ public:
+  void OnNotice(const std::shared_ptr<Channel>& /*channel*/, const tendon::FrameHeader& header,
+                std::span<const std::byte> /*body*/) override {
+    if (header.type != message::kRows) return;
+    const std::scoped_lock lock(mutex_);
+    handles_.insert(header.handle);
+    ++batches_;
+  }
+  [[nodiscard]] std::set<std::uint32_t> handles() const {
+    const std::scoped_lock lock(mutex_);
+    return handles_;
+  }
+  [[nodiscard]] std::size_t batches() const {
+    const std::scoped_lock lock(mutex_);
+    return batches_;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::set<std::uint32_t> handles_;
+  std::size_t batches_ = 0;
+};
+
+/// One that asks for more than it can mean, by a channel of its own.
+class Viewer {
+ public:
+  Viewer(std::shared_ptr<tendon::Middleware> middleware, const std::string& process)
+      : middleware_(std::move(middleware)) {
+    const auto cookie = tendon::LoopbackCookie();
+    EXPECT_TRUE(cookie.ok());
+    const tendon::Hello hello{
+        .instance = tendon::os::RandomNumber(), .name = "viewer", .cookie = *cookie};
+    auto opened = Channel::Open(*middleware_, process, hello, listener, kLong);
+    EXPECT_TRUE(opened.ok());
+    channel_ = *std::move(opened);
+  }
+  Viewer(const Viewer&) = delete;
+  Viewer& operator=(const Viewer&) = delete;
+  ~Viewer() { channel_->Close(); }
+
+  Result<message::Subscribed> Subscribe(const message::Subscribe& wanted) {
+    return channel_->Call<message::Subscribed>(message::kSubscribe, 0, wanted, kLong);
+  }
+  Result<message::Mirrored> Mirror(const message::Mirror& wanted) {
+    return channel_->Call<message::Mirrored>(message::kMirror, 0, wanted, kLong);
+  }
+  void Unsubscribe(std::uint32_t handle) {
+    EXPECT_TRUE(channel_->Notify(message::kUnsubscribe, handle, Bytes()));
+  }
+
+  const std::shared_ptr<Listener> listener = std::make_shared<Listener>();
+
+ private:
+  const std::shared_ptr<tendon::Middleware> middleware_;
+  std::shared_ptr<Channel> channel_;
+};
+
+class GreedyViewer : public ViewingTest {
+ protected:
+  GreedyViewer() : robot(Start("robot")) {
+    robot->Add<Meter>("meter");
+    EXPECT_TRUE(robot->StartAll().ok());
+  }
+
+  static message::Subscribe Wanting(std::vector<std::string> columns, tendon::RowChoice rows = {}) {
+    return {
+        .component = "meter", .table = "state-level", .columns = std::move(columns), .rows = rows};
+  }
+  /// The newest row, which is sent once to who does not say that he has taken it.
+  static message::Subscribe WantingNewest() {
+    return Wanting({"Level"}, {.delivery = RowDelivery::kNewest});
+  }
+  /// A number is a period that no other has.
+  static message::Subscribe WantingEach(std::size_t period) {
+    return Wanting({"Level"}, {.period = 1s + std::chrono::nanoseconds(period)});
+  }
+
+  std::unique_ptr<tendon::Process> robot;
+  Viewer greedy{NewMiddleware(), robot->address()};
+  Viewer modest{NewMiddleware(), robot->address()};
+};
+
+TEST_P(GreedyViewer, ThatNamesAColumnTwiceIsRefused) {
+  const auto refused = greedy.Subscribe(Wanting({"Level", "Slope", "Level"}));
+
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().code, ErrorCode::kInvalid);
+  EXPECT_THAT(refused.error().message, HasSubstr("robot/meter/state-level names column 'Level' "
+                                                 "twice"));
+}
+
+TEST_P(GreedyViewer, ThatNamesAColumnAMillionTimesHoldsNobodyUp) {
+  ASSERT_TRUE(modest.Subscribe(Wanting({"Level"})).ok());
+
+  const auto refused = greedy.Subscribe(Wanting(std::vector<std::string>(1'000'000, "Level")));
+
+  EXPECT_FALSE(refused.ok());
+  const std::size_t before = modest.listener->batches();
+  EXPECT_TRUE(EventuallyTrue([&] { return modest.listener->batches() > before + 10; }));
+}
+
+TEST_P(GreedyViewer, ThatMirrorsACommandTwiceIsRefused) {
+  const tendon::InterfaceName level("robot", "meter", "Level");
+
+  const auto refused = greedy.Mirror({level, {"GetLevel", "GetSlope", "GetLevel"}});
+
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().code, ErrorCode::kInvalid);
+  EXPECT_THAT(refused.error().message, HasSubstr("'GetLevel' of robot/meter/Level twice"));
+}
+
+TEST_P(GreedyViewer, HasSoManySubscriptionsAtMost) {
+  std::uint32_t last = 0;
+  for (std::size_t i = 0; i < kMostSubscriptions; ++i) {
+    const auto subscribed = greedy.Subscribe(WantingNewest());
+    ASSERT_TRUE(subscribed.ok()) << "at " << i << ": " << subscribed.error().message;
+    last = subscribed->handle;
+  }
+
+  const auto refused = greedy.Subscribe(WantingNewest());
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().code, ErrorCode::kFailed);
+  EXPECT_THAT(refused.error().message, HasSubstr("4096 subscriptions"));
+  EXPECT_TRUE(modest.Subscribe(WantingNewest()).ok());
+
+  greedy.Unsubscribe(last);
+  EXPECT_TRUE(greedy.Subscribe(WantingNewest()).ok());
+}
+
+TEST_P(GreedyViewer, HasItsMirroredCommandsCountedAmongThem) {
+  const tendon::InterfaceName level("robot", "meter", "Level");
+  for (std::size_t i = 1; i < kMostSubscriptions; ++i) {
+    ASSERT_TRUE(greedy.Subscribe(WantingNewest()).ok());
+  }
+
+  const auto refused = greedy.Mirror({level, {"GetLevel", "GetSlope"}});
+  const auto mirrored = greedy.Mirror({level, {"GetLevel"}});
+
+  ASSERT_FALSE(refused.ok());
+  EXPECT_THAT(refused.error().message, HasSubstr("4096 subscriptions"));
+  EXPECT_TRUE(mirrored.ok());
+}
+
+TEST_P(GreedyViewer, HasColumnsReadInSoManyWaysAtMost) {
+  constexpr std::size_t kColumns = 2;
+  std::uint32_t last = 0;
+  for (std::size_t i = 0; i < kMostReadings * kColumns; ++i) {
+    const auto subscribed = greedy.Subscribe(WantingEach(i));
+    ASSERT_TRUE(subscribed.ok()) << "at " << i << ": " << subscribed.error().message;
+    last = subscribed->handle;
+  }
+
+  const auto refused = greedy.Subscribe(WantingEach(10'000));
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().code, ErrorCode::kFailed);
+  EXPECT_THAT(refused.error().message, HasSubstr("robot/meter/state-level"));
+  EXPECT_TRUE(greedy.Subscribe(WantingEach(0)).ok()) << "it is read already";
+  EXPECT_TRUE(modest.Subscribe(WantingEach(10'000)).ok());
+  EXPECT_FALSE(greedy.Subscribe(WantingEach(20'000)).ok());
+
+  greedy.Unsubscribe(last);
+  EXPECT_TRUE(greedy.Subscribe(WantingEach(20'000)).ok());
+}
+
+TEST_P(GreedyViewer, HasEachColumnOfATablePlottedAloneBesides) {
+  for (const char* column : {"Level", "Slope"}) {
+    EXPECT_TRUE(greedy.Subscribe(Wanting({column})).ok());
+  }
+
+  EXPECT_TRUE(greedy.Subscribe(Wanting({"Level", "Slope"})).ok());
+  EXPECT_TRUE(greedy.Subscribe(Wanting({})).ok());
+}
+
+TEST_P(GreedyViewer, WhoseAnswerCannotBeSentHasNoSubscription) {
+  const auto& library = robot->Add<Library>("library");
+  ASSERT_TRUE(robot->StartAll().ok());
+
+  const auto refused =
+      greedy.Subscribe({.component = "library", .table = "state-books", .columns = library.names});
+  const auto subscribed = greedy.Subscribe(
+      {.component = "library", .table = "state-books", .columns = {library.names.front()}});
+
+  ASSERT_FALSE(refused.ok());
+  EXPECT_THAT(refused.error().message, HasSubstr("exceeds max_payload"));
+  ASSERT_TRUE(subscribed.ok()) << subscribed.error().message;
+  EXPECT_TRUE(EventuallyTrue([&] { return greedy.listener->batches() > 10; }));
+  EXPECT_EQ(greedy.listener->handles(), std::set{subscribed->handle});
+}
+
+INSTANTIATE_TEST_SUITE_P(Over, GreedyViewer, testing::ValuesIn(PlainNetworkKinds()), NameOfNetwork);
+
+}  // namespace
