@@ -4,11 +4,14 @@
 #include <tendon/task/periodic_task.h>
 
 #include <array>
+#include <atomic>
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/process/telemetry/viewing.h"
@@ -148,6 +151,14 @@ class Viewer {
   Result<message::Mirrored> Mirror(const message::Mirror& wanted) {
     return channel_->Call<message::Mirrored>(message::kMirror, 0, wanted, kLong);
   }
+  /// Does not wait for the answer.
+  void Ask(const message::Subscribe& wanted,
+           const std::function<void(Result<message::Subscribed>)>& hear) {
+    channel_->Request<message::Subscribed>(message::kSubscribe, 0, wanted, kLong, hear);
+  }
+  [[nodiscard]] bool is_open() const { return channel_->is_open(); }
+  /// Whether it could be sent.
+  bool EndAny() { return bool(channel_->Notify(message::kUnsubscribe, 0, Bytes())); }
   void Unsubscribe(std::uint32_t handle) {
     EXPECT_TRUE(channel_->Notify(message::kUnsubscribe, handle, Bytes()));
   }
@@ -158,6 +169,14 @@ class Viewer {
   const std::shared_ptr<tendon::Middleware> middleware_;
   std::shared_ptr<Channel> channel_;
 };
+
+/// While the lock lives, the process comes to no request that has to do with its components.
+std::unique_lock<std::recursive_mutex> HoldUp(const tendon::Process& process) {
+  struct Opened : tendon::LocalManager {
+    using LocalManager::Lock;
+  };
+  return (process.*(&Opened::Lock))();
+}
 
 class GreedyViewer : public ViewingTest {
  protected:
@@ -289,6 +308,43 @@ TEST_P(GreedyViewer, WhoseAnswerCannotBeSentHasNoSubscription) {
   ASSERT_TRUE(subscribed.ok()) << subscribed.error().message;
   EXPECT_TRUE(EventuallyTrue([&] { return greedy.listener->batches() > 10; }));
   EXPECT_EQ(greedy.listener->handles(), std::set{subscribed->handle});
+}
+
+TEST_P(GreedyViewer, ThatAsksFasterThanItIsServedIsRefused) {
+  constexpr int kMany = 100'000;
+  const auto refused = std::make_shared<std::atomic<int>>(0);  // answers come until the end
+  const auto hear = [refused](const Result<message::Subscribed>& answer) {
+    constexpr std::string_view kWhy = "keeps at most 16384 requests";
+    if (!answer && answer.error().message.find(kWhy) != std::string::npos) ++*refused;
+  };
+
+  auto held = HoldUp(*robot);
+  for (int asked = 0; asked < kMany && *refused == 0; ++asked) greedy.Ask(WantingNewest(), hear);
+  EXPECT_TRUE(EventuallyTrue([&] { return *refused > 0; }));
+  held.unlock();
+
+  EXPECT_TRUE(modest.Subscribe(WantingNewest()).ok());
+}
+
+TEST_P(GreedyViewer, ThatSendsMoreThanIsLookedAtIsCutOff) {
+  constexpr int kMany = 100'000;
+
+  const auto held = HoldUp(*robot);
+  greedy.Ask(WantingNewest(), [](const auto& /*answer*/) {});  // the worker waits with this one
+  for (int sent = 0; sent < kMany && greedy.is_open();) sent += greedy.EndAny() ? 1 : 0;
+
+  EXPECT_TRUE(EventuallyTrue([&] { return !greedy.is_open(); }));
+  EXPECT_TRUE(modest.is_open());
+}
+
+TEST_P(GreedyViewer, ThatAsksInAMessageTooLongToWaitIsRefused) {
+  const std::string name(std::size_t{9} << 20U, 'x');
+
+  const auto refused = greedy.Subscribe(Wanting({name}));
+
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().code, ErrorCode::kFailed);
+  EXPECT_THAT(refused.error().message, HasSubstr("of 8388608 bytes together"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Over, GreedyViewer, testing::ValuesIn(PlainNetworkKinds()), NameOfNetwork);

@@ -56,17 +56,15 @@ void Session::OnAllowedNotice(const SharedChannel& channel, const FrameHeader& h
     const auto events = DecodeBody<message::EventsLost>(body);
     if (proxy && offset == 0 && events) proxy->OnEventsLost(*events);
   } else if (header.type == message::kCloseInterface) {
-    services_.context.worker->Post([&services = services_, client = client_, handle] {
+    PostNotice(channel, [&services = services_, client = client_, handle] {
       services.connections.Close(client, handle);
     });
   } else if (header.type == message::kUnsubscribe) {
-    services_.context.worker->Post([&services = services_, channel, handle] {
+    PostNotice(channel, [&services = services_, channel, handle] {
       services.telemetry.Unsubscribe(channel, handle);
     });
   } else if (header.type == message::kRowTaken) {
-    services_.context.worker->Post([&services = services_, channel, handle] {
-      services.telemetry.OnRowTaken(channel, handle);
-    });
+    services_.telemetry.OnRowTaken(channel, handle);
   }
 }
 
@@ -118,15 +116,17 @@ void Session::OpenMarked(Body body, Responder responder) {
 
 /// Who listens may be a viewer, to whom calls are denied.
 void Session::Listen(Body body, Responder responder) {
-  const auto open = DecodeBody<message::OpenInterface>(body);
-  if (!open) return responder.Refuse(open.error());
-  if (!open->description.functions.empty()) {
-    return responder.Refuse(
-        {ErrorCode::kInvalid,
-         "who listens to the events of " + ToString(open->provided) + " calls no functions of it"});
-  }
-  Open({.open = *open, .latest_only = {}}, ServedConnections::Use::kEventsOnly,
-       std::move(responder));
+  Post<message::OpenInterface>(
+      body, std::move(responder),
+      [&services = services_, client = client_](const auto& open, const auto& answer) {
+        if (!open.description.functions.empty()) {
+          return answer->Refuse({ErrorCode::kInvalid, "who listens to the events of " +
+                                                          ToString(open.provided) +
+                                                          " calls no functions of it"});
+        }
+        services.connections.Open(client, {.open = open, .latest_only = {}},
+                                  ServedConnections::Use::kEventsOnly, answer);
+      });
 }
 
 void Session::Open(const message::OpenMarked& wanted, ServedConnections::Use use,
@@ -137,28 +137,46 @@ void Session::Open(const message::OpenMarked& wanted, ServedConnections::Use use
   });
 }
 
-/// What takes the manager's lock is looked up on the worker.
-template <typename Answer>
-void Session::LookUp(std::function<Result<Answer>(const ProcessHost&)> look, Responder responder) {
+/// What may wait for the manager's lock is done on the worker. Before it is decoded, where it takes
+/// more memory, it must have found its place.
+template <typename Wanted>
+void Session::Post(Body body, Responder responder,
+                   std::function<void(const Wanted&, const std::shared_ptr<Responder>&)> serve) {
+  const auto place = backlog_->Enter(body.size());
+  if (!place) {
+    return responder.Refuse(
+        {ErrorCode::kFailed, "process '" + services_.context.name + "' keeps at most " +
+                                 std::to_string(Backlog::kMostTasks) + " requests, of " +
+                                 std::to_string(Backlog::kMostBytes) +
+                                 " bytes together, of one peer until it comes to them: ask for "
+                                 "less at once, or wait for answers"});
+  }
+  auto wanted = DecodeBody<Wanted>(body);
+  if (!wanted) return responder.Refuse(wanted.error());
   services_.context.worker->Post(
-      [&host = services_.context.host, look = std::move(look),
-       shared = std::make_shared<Responder>(std::move(responder))] { shared->Answer(look(host)); });
+      [place, serve = std::move(serve), wanted = *std::move(wanted),
+       answer = std::make_shared<Responder>(std::move(responder))] { serve(wanted, answer); });
+}
+
+/// Who is not answered cannot be refused.
+void Session::PostNotice(const SharedChannel& channel, std::function<void()> serve) {
+  const auto place = backlog_->Enter(0);
+  if (!place) return channel->CutOff("sends more than this process comes to");
+  services_.context.worker->Post([place, serve = std::move(serve)] { serve(); });
 }
 
 void Session::GetCounts(Body body, Responder responder) {
-  const auto asked = DecodeBody<message::GetCounts>(body);
-  if (!asked) return responder.Refuse(asked.error());
-  LookUp<ConnectionCounts>(
-      [required = asked->required](const ProcessHost& host) { return host.LookUpCounts(required); },
-      std::move(responder));
+  Post<message::GetCounts>(body, std::move(responder),
+                           [&host = services_.context.host](const auto& asked, const auto& answer) {
+                             answer->Answer(host.LookUpCounts(asked.required));
+                           });
 }
 
 void Session::GetFill(Body body, Responder responder) {
-  const auto asked = DecodeBody<message::GetFill>(body);
-  if (!asked) return responder.Refuse(asked.error());
-  LookUp<MailboxFill>([component = asked->component](
-                          const ProcessHost& host) { return host.LookUpFill(component); },
-                      std::move(responder));
+  Post<message::GetFill>(body, std::move(responder),
+                         [&host = services_.context.host](const auto& asked, const auto& answer) {
+                           answer->Answer(host.LookUpFill(asked.component));
+                         });
 }
 
 void Session::CallMember(Body body, Responder responder) {
@@ -170,23 +188,21 @@ void Session::CallMember(Body body, Responder responder) {
 
 void Session::Subscribe(MessageType type, const SharedChannel& channel, Body body,
                         Responder responder) {
-  const auto wanted = DecodeBody<message::Subscribe>(body);
-  if (!wanted) return responder.Refuse(wanted.error());
   if (channel->protocol_version() >= ViewerWatch::kOldestPunctual) watch_->Begin(channel);
-  services_.context.worker->Post([&services = services_, type, channel, wanted = *wanted,
-                                  shared = std::make_shared<Responder>(std::move(responder))] {
-    if (type == message::kJoinTopic) return services.telemetry.JoinTopic(channel, wanted, *shared);
-    services.telemetry.Subscribe(channel, wanted, *shared);
-  });
+  Post<message::Subscribe>(
+      body, std::move(responder),
+      [&telemetry = services_.telemetry, type, channel](const auto& wanted, const auto& answer) {
+        if (type == message::kJoinTopic) return telemetry.JoinTopic(channel, wanted, *answer);
+        telemetry.Subscribe(channel, wanted, *answer);
+      });
 }
 
 void Session::Mirror(const SharedChannel& channel, Body body, Responder responder) {
-  const auto wanted = DecodeBody<message::Mirror>(body);
-  if (!wanted) return responder.Refuse(wanted.error());
-  services_.context.worker->Post([&services = services_, channel, wanted = *wanted,
-                                  shared = std::make_shared<Responder>(std::move(responder))] {
-    services.telemetry.Mirror(channel, wanted, *shared);
-  });
+  Post<message::Mirror>(
+      body, std::move(responder),
+      [&telemetry = services_.telemetry, channel](const auto& wanted, const auto& answer) {
+        telemetry.Mirror(channel, wanted, *answer);
+      });
 }
 
 }  // namespace tendon

@@ -2,6 +2,7 @@
 
 #include <tendon/middleware/channel.h>
 #include <tendon/process/access/guarded_handler.h>
+#include <tendon/process/server/backlog.h>
 #include <tendon/process/server/member_calls.h>
 #include <tendon/process/server/served_connections.h>
 #include <tendon/process/server/viewer_watch.h>
@@ -44,8 +45,10 @@ class Session final : public GuardedHandler {
   void OpenMarked(Body body, Responder responder);
   void Listen(Body body, Responder responder);
   void Open(const message::OpenMarked& wanted, ServedConnections::Use use, Responder responder);
-  template <typename Answer>
-  void LookUp(std::function<Result<Answer>(const ProcessHost&)> look, Responder responder);
+  template <typename Wanted>
+  void Post(Body body, Responder responder,
+            std::function<void(const Wanted&, const std::shared_ptr<Responder>&)> serve);
+  void PostNotice(const SharedChannel& channel, std::function<void()> serve);
   void GetCounts(Body body, Responder responder);
   void GetFill(Body body, Responder responder);
   void CallMember(Body body, Responder responder);
@@ -57,6 +60,7 @@ class Session final : public GuardedHandler {
   const std::shared_ptr<Client> client_ = std::make_shared<Client>();
   const std::shared_ptr<ViewerWatch> watch_ =
       std::make_shared<ViewerWatch>(services_.context.worker);
+  const std::shared_ptr<Backlog> backlog_ = std::make_shared<Backlog>();
 };
 
 }  // namespace tendon

@@ -55,11 +55,10 @@ void RowStream::Remove(const Channel& channel, std::uint32_t handle) {
   if (!topic_->has_viewers()) topic_ = nullptr;
 }
 
-void RowStream::OnRowTaken(const Channel& channel, std::uint32_t handle) {
-  const auto viewer = std::find_if(viewers_.begin(), viewers_.end(), [&](const Viewer& one) {
-    return one.channel.get() == &channel && one.handle == handle;
-  });
-  if (viewer != viewers_.end()) viewer->is_busy = false;
+void RowStream::OnRowsTaken(const RowReceipts& receipts) {
+  for (Viewer& viewer : viewers_) {
+    if (viewer.is_busy && Includes(receipts, viewer.channel, viewer.handle)) viewer.is_busy = false;
+  }
 }
 
 void RowStream::RemoveClosed() {

@@ -2,6 +2,7 @@
 
 #include <tendon/base/error.h>
 #include <tendon/middleware/channel.h>
+#include <tendon/process/server/row_receipts.h>
 #include <tendon/process/telemetry/row_batch.h>
 #include <tendon/process/telemetry/row_choice.h>
 #include <tendon/process/telemetry/row_topic.h>
@@ -41,8 +42,8 @@ class RowStream {
   const std::string& AddToTopic(const MakeRowTopic& make, std::shared_ptr<Channel> channel,
                                 std::uint32_t handle);
   void Remove(const Channel& channel, std::uint32_t handle);
-  /// The viewer has taken the newest row, and may have the next.
-  void OnRowTaken(const Channel& channel, std::uint32_t handle);
+  /// These viewers have taken the newest row, and may have the next.
+  void OnRowsTaken(const RowReceipts& receipts);
   void RemoveClosed();
   [[nodiscard]] bool has_viewers() const { return !viewers_.empty() || topic_; }
 

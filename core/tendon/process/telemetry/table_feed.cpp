@@ -33,8 +33,8 @@ void TableFeed::Remove(const Channel& channel, std::uint32_t handle) {
   RemoveUnwatched();
 }
 
-void TableFeed::OnRowTaken(const Channel& channel, std::uint32_t handle) {
-  for (RowStream& stream : streams_) stream.OnRowTaken(channel, handle);
+void TableFeed::OnRowsTaken(const RowReceipts& receipts) {
+  for (RowStream& stream : streams_) stream.OnRowsTaken(receipts);
 }
 
 std::size_t TableFeed::SubscriptionsOf(const Channel& viewer) const {

@@ -266,11 +266,6 @@ void TelemetryServer::Unsubscribe(const std::shared_ptr<Channel>& channel, std::
   mirrored_.Remove(*channel, handle);
 }
 
-void TelemetryServer::OnRowTaken(const std::shared_ptr<Channel>& channel, std::uint32_t handle) {
-  const std::scoped_lock lock(mutex_);
-  for (TableFeed& feed : feeds_) feed.OnRowTaken(*channel, handle);
-}
-
 void TelemetryServer::RemoveComponent(const std::string& component) {
   const Error reason{ErrorCode::kNotFound,
                      "component " + context_.name + "/" + component + " was removed"};
@@ -285,10 +280,17 @@ void TelemetryServer::RemoveComponent(const std::string& component) {
 
 bool TelemetryServer::Work(SteadyTime now, SteadyTime& next) {
   const std::scoped_lock lock(mutex_);
-  if (feeds_.empty()) return false;
+  if (feeds_.empty()) {
+    (void)receipts_.TakeAll();
+    return false;
+  }
   bool more = false;
   if (now >= next_gathering_) {
-    for (TableFeed& feed : feeds_) more = feed.Gather() || more;
+    const RowReceipts receipts = receipts_.TakeAll();
+    for (TableFeed& feed : feeds_) {
+      if (!receipts.empty()) feed.OnRowsTaken(receipts);
+      more = feed.Gather() || more;
+    }
     feeds_.remove_if([](const TableFeed& feed) { return !feed.has_viewers(); });
     mirrored_.Tell();
     if (!more) next_gathering_ = now + kBetweenBatches;

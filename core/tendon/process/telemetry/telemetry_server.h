@@ -52,7 +52,10 @@ class TelemetryServer final : public NetworkJob {
   /// Of topics that are made from now on; empty where there is none.
   void SetBroker(const std::string& address);
   void Unsubscribe(const std::shared_ptr<Channel>& channel, std::uint32_t handle);
-  void OnRowTaken(const std::shared_ptr<Channel>& channel, std::uint32_t handle);
+  /// Any thread.
+  void OnRowTaken(const std::shared_ptr<Channel>& channel, std::uint32_t handle) {
+    receipts_.Add(channel, handle);
+  }
 
   /// Any thread: before the component goes; its viewers are told.
   void RemoveComponent(const std::string& component);
@@ -80,6 +83,7 @@ class TelemetryServer final : public NetworkJob {
   std::mutex mutex_;  // taken after the manager's lock
   std::list<TableFeed> feeds_;
   MirroredCommands mirrored_;
+  ReceiptBox receipts_;
   std::string broker_;
   std::uint32_t last_handle_ = 0;
   SteadyTime next_gathering_{};

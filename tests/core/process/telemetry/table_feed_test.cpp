@@ -167,14 +167,14 @@ TEST_F(TableFeedTest, SendsTheNewestRowOnlyWhenTheOneBeforeWasTaken) {
   Gather();
   EXPECT_EQ(TicksOf(1), (Ticks{9}));
 
-  feed->OnRowTaken(*ends.channel, 1);
+  feed->OnRowsTaken({{ends.channel, {1}}});
   Gather();
   EXPECT_EQ(TicksOf(1), (Ticks{9, 19}));
   EXPECT_EQ(LastHeader(1).rows_before, 1U);
   EXPECT_EQ(LastHeader(1).lost_table, 0U);
   EXPECT_EQ(TicksOf(2).size(), 20U);
 
-  feed->OnRowTaken(*ends.channel, 1);
+  feed->OnRowsTaken({{ends.channel, {1}}});
   Gather();
   EXPECT_EQ(TicksOf(1).size(), 2U);  // there is none that it does not know
 }
