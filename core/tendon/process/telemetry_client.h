@@ -82,7 +82,7 @@ class TelemetryClient {
  public:
   virtual ~TelemetryClient() = default;
   using Id = std::uint64_t;
-  /// A process gives each client at most 4096 subscriptions, and reads for it of one table at most
+  /// A process gives each client at most 2048 subscriptions, and reads for it of one table at most
   /// 32 times as many values as a row has; what is of the same columns and rows is read once. It
   /// refuses what is more, and a column named twice, which the sink hears as OnStale().
   virtual Id Subscribe(const TableSubscription& subscription, std::shared_ptr<RowSink> sink) = 0;

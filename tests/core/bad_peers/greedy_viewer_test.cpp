@@ -62,7 +62,7 @@ using testing::HasSubstr;
 namespace message = tendon::message;
 
 constexpr auto kLong = 60s;
-constexpr std::size_t kMostSubscriptions = 4096;  // of one viewer
+constexpr std::size_t kMostSubscriptions = 2048;  // of one viewer
 constexpr std::size_t kMostReadings = 32;         // of all columns of a table, for one viewer
 
 /// Writes a row of two columns each millisecond, and can be mirrored.
@@ -314,7 +314,7 @@ TEST_P(GreedyViewer, ThatAsksFasterThanItIsServedIsRefused) {
   constexpr int kMany = 100'000;
   const auto refused = std::make_shared<std::atomic<int>>(0);  // answers come until the end
   const auto hear = [refused](const Result<message::Subscribed>& answer) {
-    constexpr std::string_view kWhy = "keeps at most 16384 requests";
+    constexpr std::string_view kWhy = "keeps at most 8192 requests";
     if (!answer && answer.error().message.find(kWhy) != std::string::npos) ++*refused;
   };
 

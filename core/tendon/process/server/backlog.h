@@ -12,7 +12,7 @@ namespace tendon {
 class Backlog : public std::enable_shared_from_this<Backlog> {
  public:
   /// Four times what a viewer may have of subscriptions.
-  static constexpr std::size_t kMostTasks = 16384;
+  static constexpr std::size_t kMostTasks = 8192;
   /// Of messages; one alone may not be larger either.
   static constexpr std::size_t kMostBytes = std::size_t{8} << 20U;
 

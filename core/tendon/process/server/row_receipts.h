@@ -23,7 +23,7 @@ using RowReceipts = std::map<std::shared_ptr<Channel>, std::set<std::uint32_t>>;
 class ReceiptBox {
  public:
   /// That wait of one viewer: twice as many as it has subscriptions, which may just have ended.
-  static constexpr std::size_t kMostOfOneViewer = 8192;
+  static constexpr std::size_t kMostOfOneViewer = 4096;
 
   /// Cuts off a viewer that sends more.
   void Add(const std::shared_ptr<Channel>& channel, std::uint32_t handle);

@@ -32,7 +32,7 @@ class TelemetryServer final : public NetworkJob {
   /// all columns are read so often. Subscriptions of the same columns and rows are read once.
   ///
   /// All viewers together have no bound: a few could use it up.
-  static constexpr std::size_t kMostSubscriptions = 4096;
+  static constexpr std::size_t kMostSubscriptions = 2048;
   static constexpr std::size_t kMostReadings = 32;
 
   /// Answers before the first row is sent; where the answer cannot be sent there is no
