@@ -1,3 +1,4 @@
+#include <tendon/base/printable.h>
 #include <tendon/proxy/function_proxy.h>
 #include <tendon/proxy/mirror/mirrored_read_proxy.h>
 #include <tendon/proxy/provided_interface_proxy.h>
@@ -87,12 +88,13 @@ bool ProvidedInterfaceProxy::OnCredit(const message::Credit& credit) {
   outbox_.SetExecuted(credit.executed);
   outbox_.inbox().SetAccepting(credit.accepting);
   thread_->Notify();
+  const std::string fault = Printable(credit.fault);
+  const bool is_faulted = !fault.empty();
   bool is_news = false;
   {
     const std::scoped_lock lock(mutex_);
-    is_news = std::exchange(fault_, credit.fault) != credit.fault;
+    is_news = std::exchange(fault_, fault) != fault;
   }
-  const bool is_faulted = !credit.fault.empty();
   if (is_faulted != host_.is_faulted()) {
     host_.SetFaulted(is_faulted);
     interface_.SetSourceFaulted(is_faulted);

@@ -1,7 +1,9 @@
 #include "core/proxy/interface_proxies.h"
 
+#include <tendon/base/printable.h>
 #include <tendon/proxy/read_proxy.h>
 
+#include <string>
 #include <thread>
 
 #include "support/wait.h"
@@ -292,6 +294,16 @@ TEST_F(InterfaceProxies, BadInput63CreditThatGoesBackTakesNothingAway) {
   for (int number = 0; number < 4; ++number) EXPECT_TRUE(push(number));
   EXPECT_TRUE(EventuallyTrue([this] { return server_inbox.size() == 4; }));
   EXPECT_TRUE(channel->is_open());
+}
+
+TEST_F(InterfaceProxies, BadInput61AFaultOfAMegabyteIsKeptShortAndEscaped) {
+  const std::string poison = "\x1b]0;owned\x07" + std::string(1'000'000, 'x');
+  const message::Credit credit{.executed = 0, .accepting = true, .fault = poison};
+
+  EXPECT_TRUE(client_end->proxy->OnCredit(credit));
+
+  EXPECT_EQ(client_end->proxy->fault(), Printable(poison));
+  EXPECT_FALSE(client_end->proxy->OnCredit(credit)) << "it is no news";
 }
 
 TEST_F(InterfaceProxies, BadInput63CreditForMoreThanWasSentEndsTheChannel) {
