@@ -1,8 +1,11 @@
 #include <gtest/gtest.h>
 #include <support/allocation_guard.h>
+#include <support/scarce_memory.h>
 
+#include <atomic>
 #include <cstddef>
 #include <cstdlib>
+#include <limits>
 #include <new>
 
 namespace {
@@ -10,9 +13,13 @@ namespace {
 // Constant-initialised, so that reading it in a new thread allocates nothing.
 constinit thread_local std::uint64_t allocations_of_thread = 0;
 
+constexpr std::size_t kNever = std::numeric_limits<std::size_t>::max();
+constinit std::atomic<std::size_t> too_much = kNever;
+
 // Null where there is no memory.
 void* TryAllocate(std::size_t size) noexcept {
   ++allocations_of_thread;
+  if (size >= too_much.load(std::memory_order_relaxed)) return nullptr;
   return std::malloc(size == 0 ? 1 : size);
 }
 
@@ -65,6 +72,10 @@ AllocationGuard::~AllocationGuard() {
   const std::uint64_t count = allocations();
   EXPECT_EQ(count, 0U) << "allocations in this thread while none were allowed";
 }
+
+ScarceMemory::ScarceMemory(std::size_t size) noexcept { too_much = size; }
+
+ScarceMemory::~ScarceMemory() { too_much = kNever; }
 
 std::uint64_t AllocationGuard::allocations() const noexcept {
   return allocations_of_thread - before_;

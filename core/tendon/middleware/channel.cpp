@@ -1,4 +1,5 @@
 #include <tendon/middleware/channel.h>
+#include <tendon/middleware/complaints.h>
 #include <tendon/middleware/handshake/openings.h>
 #include <tendon/middleware/parts/large_in_hand.h>
 #include <tendon/middleware/parts/repeated_sign.h>
@@ -6,6 +7,7 @@
 #include <tendon/middleware/requests/awaited_answer.h>
 
 #include <cassert>
+#include <new>
 #include <utility>
 
 namespace tendon {
@@ -32,6 +34,15 @@ bool IsOnThisMachine(const Link& link) {
 Hello For(const Link& link, Hello mine) {
   if (link.certificate() != nullptr || !IsOnThisMachine(link)) mine.cookie = 0;
   return mine;
+}
+
+/// An answer is lost for which there is no memory, and nothing else.
+Result<Answer> CopyOf(std::span<const std::byte> answer) {
+  try {
+    return Answer(Bytes(answer.begin(), answer.end()));
+  } catch (const std::bad_alloc&) {
+    return Error{ErrorCode::kFailed, "there is no memory for the answer"};
+  }
 }
 
 }  // namespace
@@ -68,11 +79,14 @@ AcceptLink Channel::Acceptor(Hello mine, std::function<std::shared_ptr<ChannelHa
   return [mine = std::move(mine), choose = std::move(choose),
           strangers](const std::shared_ptr<Link>& link) -> std::shared_ptr<LinkHandler> {
     const CallFromMiddleware mark;
-    std::shared_ptr<ChannelHandler> handler;
-    CallGuarded(link->peer(), [&] { handler = choose(); });
-    if (!handler) return nullptr;
-    return std::make_shared<Channel>(Key{}, mine, std::move(handler), link, strangers)
-        ->AsLinkHandler();
+    std::shared_ptr<LinkHandler> made;
+    CallGuarded(link->peer(), [&] {
+      auto handler = choose();
+      if (!handler) return;
+      made = std::make_shared<Channel>(Key{}, mine, std::move(handler), link, strangers)
+                 ->AsLinkHandler();
+    });
+    return made;
   };
 }
 
@@ -117,8 +131,23 @@ void Channel::OnLentFrame(std::span<const std::byte> frame, std::shared_ptr<cons
   assert(header);
   const auto body = frame.subspan(FrameHeader::kSize);
   if (!is_open()) return OnFirst(*header, body);
-  OnMessage(*header, body, std::move(owner));
-  Resume();
+  try {
+    OnMessage(*header, body, std::move(owner));
+    Resume();
+  } catch (const std::bad_alloc&) {
+    OnOutOfMemory(frame.size());
+  }
+}
+
+/// A message is lost, and its link with it; all others are not.
+void Channel::OnOutOfMemory(std::size_t size) {
+  static Complaints complaints("channel");
+  CallGuarded("channel", [&] {
+    const std::string what =
+        "out of memory (ulimit -v): a message of " + std::to_string(size) + " bytes is refused";
+    complaints.Add(what);
+    Fail({ErrorCode::kFailed, what});
+  });
 }
 
 /// Of what comes before the peer is known, and of what comes too late.
@@ -183,7 +212,7 @@ void Channel::OnMessage(const FrameHeader& header, std::span<const std::byte> bo
   switch (header.type) {
     case MessageType::kReply:
       if (owner) return requests_.OnAnswer(header.request, Answer(body, std::move(owner)));
-      return requests_.OnAnswer(header.request, Answer(Bytes(body.begin(), body.end())));
+      return requests_.OnAnswer(header.request, CopyOf(body));
     case MessageType::kReplies:
       return OnReplies(body);
     case MessageType::kRefusal:
@@ -213,7 +242,7 @@ void Channel::OnReplies(std::span<const std::byte> body) {
     return Fail({ErrorCode::kInvalid, peer_.name + " sent answers that are malformed"});
   }
   while (const auto one = TakeReply(body)) {
-    requests_.OnAnswer(one->request, Answer(Bytes(one->answer.begin(), one->answer.end())));
+    requests_.OnAnswer(one->request, CopyOf(one->answer));
   }
 }
 

@@ -135,6 +135,7 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   void OnLentFrame(std::span<const std::byte> frame, std::shared_ptr<const void> owner) override;
   void OnAsked(std::span<const std::byte> frame, LeftAnswer& answer) override;
   void OnClosed(const Error& reason) override;
+  void OnOutOfMemory(std::size_t size);
 
   Result<void> Greet(const std::shared_ptr<Link>& link, SteadyTime deadline);
   void OnFirst(const FrameHeader& header, std::span<const std::byte> body);

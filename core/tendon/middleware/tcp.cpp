@@ -9,6 +9,7 @@
 #include <future>
 #include <map>
 #include <mutex>
+#include <new>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -18,12 +19,16 @@ namespace {
 
 using Watch = os::Poller::Watch;
 
+constexpr const char* kOutOfMemory = "out of memory (ulimit -v): ";
+
 /// Something with a socket, served in the loop's thread.
 class Served {
  public:
   virtual ~Served() = default;
   virtual void OnReady(bool readable, bool writable) = 0;
   virtual void OnTick(SteadyTime now) = 0;
+  /// One of these has thrown std::bad_alloc.
+  virtual void OnOutOfMemory() = 0;
   virtual void Shut() = 0;
   /// The key of the listener that accepted it, or 0.
   [[nodiscard]] virtual std::uint64_t door() const { return 0; }
@@ -93,13 +98,32 @@ class Loop {
     SteadyTime next_tick = SteadyClock().Now() + kTick;
     while (RunTasks()) {
       for (const auto& event : poller_.Wait(kTick)) {
-        if (const auto one = Find(event.key)) one->OnReady(event.readable, event.writable);
+        const auto one = Find(event.key);
+        if (one) Serve(*one, [&] { one->OnReady(event.readable, event.writable); });
       }
       const SteadyTime now = SteadyClock().Now();
       if (now < next_tick) continue;
       next_tick = now + kTick;
-      for (const auto& [key, one] : served()) one->OnTick(now);
+      Guarded([&] {
+        for (const auto& [key, one] : served()) Serve(*one, [&, &it = *one] { it.OnTick(now); });
+      });
     }
+  }
+
+  /// What there is no memory for is left undone.
+  template <typename Function>
+  static bool Guarded(const Function& function) {
+    try {
+      function();
+      return true;
+    } catch (const std::bad_alloc&) {
+      return false;
+    }
+  }
+  /// All others are served whatever memory this one needs.
+  template <typename Function>
+  static void Serve(Served& one, const Function& function) {
+    if (!Guarded(function)) Guarded([&one] { one.OnOutOfMemory(); });
   }
 
   bool RunTasks() {
@@ -149,7 +173,12 @@ class TcpLink final : public Link, public Served, public std::enable_shared_from
   /// In the loop's thread.
   void BeginAccepted(const AcceptLink& accept) {
     Begin(nullptr);
-    handler_ = accept(shared_from_this());
+    try {
+      handler_ = accept(shared_from_this());
+    } catch (...) {
+      Shut();
+      throw;
+    }
     if (!handler_) Shut();
   }
 
@@ -159,14 +188,21 @@ class TcpLink final : public Link, public Served, public std::enable_shared_from
     if (!is_open()) return Status::kNotConnected;
     const std::size_t unsent = unsent_.size() - sent_;
     if (unsent != 0 && unsent + frame.size() > kSendWindow) return Status::kQueueFull;
+    bool has_begun = false;
     if (unsent == 0) {
       const auto size = os::SendSome(socket_, frame);
       if (!size) return Status::kNotConnected;
       frame = frame.subspan(*size);
       if (frame.empty()) return Status::kQueued;
+      has_begun = *size != 0;
       loop_->poller().Change(socket_, key_, Watch::kReadsAndWrites);
     }
-    unsent_.insert(unsent_.end(), frame.begin(), frame.end());
+    try {
+      unsent_.insert(unsent_.end(), frame.begin(), frame.end());
+    } catch (const std::bad_alloc&) {
+      if (has_begun) BreakOff();
+      throw;
+    }
     return Status::kQueued;
   }
 
@@ -206,6 +242,11 @@ class TcpLink final : public Link, public Served, public std::enable_shared_from
     Reject({ErrorCode::kTimeout, peer_ + " connected and did not say who it is for 3 s"});
   }
 
+  void OnOutOfMemory() override {
+    rest_ = {};
+    Reject({ErrorCode::kFailed, kOutOfMemory + peer_ + " needed more"});
+  }
+
   void Shut() override {
     Finish({ErrorCode::kUnreachable, "the connection to " + peer_ + " was closed here"});
   }
@@ -218,6 +259,13 @@ class TcpLink final : public Link, public Served, public std::enable_shared_from
     return state_;
   }
   [[nodiscard]] bool is_open() const { return state_ < State::kClosing; }  // with the lock held
+
+  /// With the lock held: the peer must not take anything for the rest of what it has got half of.
+  void BreakOff() {
+    state_ = State::kClosing;
+    deadline_ = SteadyTime::min();
+    os::ShutDown(socket_.descriptor());
+  }
 
   void Flush() {
     const std::scoped_lock lock(mutex_);
@@ -327,6 +375,10 @@ class Door final : public Served, public std::enable_shared_from_this<Door> {
 
   void OnTick(SteadyTime /*now*/) override {
     loop_->poller().Change(socket_, key_, Watch::kReads);  // it may have had to wait
+  }
+
+  void OnOutOfMemory() override {
+    loop_->complaints().Add(std::string(kOutOfMemory) + "a new connection is refused");
   }
 
   void Shut() override {
