@@ -1,8 +1,6 @@
 #include <tendon/middleware/channel.h>
 #include <tendon/middleware/complaints.h>
 #include <tendon/middleware/handshake/openings.h>
-#include <tendon/middleware/parts/large_in_hand.h>
-#include <tendon/middleware/parts/repeated_sign.h>
 #include <tendon/middleware/requests/asked.h>
 #include <tendon/middleware/requests/awaited_answer.h>
 
@@ -53,6 +51,7 @@ Channel::Channel(Key /*only from here*/, Hello mine, std::shared_ptr<ChannelHand
       version_(mine_.oldest_version),
       is_acceptor_(link != nullptr),
       handler_(std::move(handler)),
+      assembly_([this](const FrameHeader& header) { return IsWanted(header); }),
       link_(std::move(link)) {
   if (!link_) return;
   handshake_.emplace(Handshake::Role::kAcceptor, For(*link_, mine_), link_->local(),
@@ -135,16 +134,16 @@ void Channel::OnLentFrame(std::span<const std::byte> frame, std::shared_ptr<cons
     OnMessage(*header, body, std::move(owner));
     Resume();
   } catch (const std::bad_alloc&) {
-    OnOutOfMemory(frame.size());
+    OnNoRoom("out of memory (ulimit -v)", frame.size());
   }
 }
 
 /// A message is lost, and its link with it; all others are not.
-void Channel::OnOutOfMemory(std::size_t size) {
+void Channel::OnNoRoom(const char* limit, std::size_t size) {
   static Complaints complaints("channel");
   CallGuarded("channel", [&] {
     const std::string what =
-        "out of memory (ulimit -v): a message of " + std::to_string(size) + " bytes is refused";
+        std::string(limit) + ": a message of " + std::to_string(size) + " bytes is refused";
     complaints.Add(what);
     Fail({ErrorCode::kFailed, what});
   });
@@ -246,60 +245,6 @@ void Channel::OnReplies(std::span<const std::byte> body) {
   }
 }
 
-void Channel::OnPart(const FrameHeader& header, std::span<const std::byte> part) {
-  using Progress = PartAssembly::Progress;
-  PartAssembly::Frame frame;
-  Progress progress = Progress::kNonsense;
-  CallGuarded(peer_.name, [&] { progress = assembly_.Add(header.handle, part, frame); });
-  taken_.Set(assembly_.taken());
-  last_part_.Set(SteadyClock().Now());
-  if (progress == Progress::kMoreToCome) return;
-  if (progress == Progress::kNonsense) {
-    return Fail({ErrorCode::kInvalid, peer_.name + " sent parts of what is no message"});
-  }
-  TellTaken();
-  HandleLarge(std::move(frame));
-}
-
-/// Who handles it may take a while: the peer, which this thread does not answer meanwhile, is told
-/// again and again how much was taken. An answer is left to who has asked, and not copied again.
-void Channel::HandleLarge(PartAssembly::Frame frame) {
-  std::optional<LargeInHand> mark;
-  std::optional<RepeatedSign> sign;
-  if (frame.body.size() >= LargeInHand::kLeast) {
-    mark.emplace();
-    sign.emplace(peer_.name, [this] { SendTaken(); });
-  }
-  const FrameHeader& header = frame.header;
-  if (header.type != MessageType::kReply) return OnMessage(header, frame.body);
-  if (IsInAgreedVersion(header)) requests_.OnAnswer(header.request, Answer(std::move(frame.body)));
-}
-
-void Channel::OnPartsTaken(std::span<const std::byte> body) {
-  const auto taken = DecodeBody<std::uint64_t>(body);
-  last_part_.Set(SteadyClock().Now());
-  if (taken && parts_.OnTaken(*link_, *taken)) return;
-  Fail({ErrorCode::kInvalid, peer_.name + " has taken more than was sent to it"});
-}
-
-void Channel::TellTaken() {
-  if (taken_.Get() != told_taken_.Get()) SendTaken();
-}
-
-void Channel::SendTaken() {
-  const std::scoped_lock lock(telling_);  // the numbers must arrive in order
-  const std::uint64_t taken = taken_.Get();
-  const Bytes body = EncodeBody(taken);
-  const FrameHeader header = HeaderOf(MessageType::kPartsTaken, 0, 0, body.size());
-  if (SendPiece(header, body)) told_taken_.Set(taken);
-}
-
-/// With whatever is sent or arrives, and in time: what found no room on the link may have it now.
-void Channel::Resume() {
-  TellTaken();
-  parts_.Resume(*link_);
-}
-
 void Channel::OnClosed(const Error& reason) {
   const CallFromMiddleware mark;
   const std::string peer = PeerName();
@@ -310,6 +255,7 @@ void Channel::OnClosed(const Error& reason) {
   changed_.notify_all();
   lock.unlock();
   assembly_.Clear();
+  given_up_.Set(assembly_.given_up());
   parts_.Close();
   requests_.FinishAll(
       {ErrorCode::kUnreachable, peer + " did not answer: " + why.message + "; outcome unknown"});
@@ -414,7 +360,9 @@ Result<Answer> Channel::Await(MessageType type, std::uint32_t handle,
 
 void Channel::Expire(SteadyTime now) {
   requests_.Expire(now, PeerName());
-  if (is_open()) Resume();
+  if (!is_open()) return;
+  if (IsUnfinishedTooLong(now)) return CutOff("began a message and did not go on with it");
+  Resume();
 }
 
 void Channel::Close() {

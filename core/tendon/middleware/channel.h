@@ -98,8 +98,9 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   Result<Reply> Call(MessageType type, std::uint32_t handle, const T& value,
                      std::chrono::milliseconds timeout);
 
-  /// Ends the requests whose time has come; the owner calls it every 20 ms or so. Call() needs
-  /// none.
+  /// Ends the requests whose time has come, and the channel where the peer began a large message
+  /// and does not go on with it; the owner calls it now and then, as WatchOver() and KeepExpiring()
+  /// do. Call() needs none.
   void Expire(SteadyTime now);
 
   /// Idempotent; may be called from a handler, which hears OnClosed() later.
@@ -135,7 +136,7 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   void OnLentFrame(std::span<const std::byte> frame, std::shared_ptr<const void> owner) override;
   void OnAsked(std::span<const std::byte> frame, LeftAnswer& answer) override;
   void OnClosed(const Error& reason) override;
-  void OnOutOfMemory(std::size_t size);
+  void OnNoRoom(const char* limit, std::size_t size);
 
   Result<void> Greet(const std::shared_ptr<Link>& link, SteadyTime deadline);
   void OnFirst(const FrameHeader& header, std::span<const std::byte> body);
@@ -145,6 +146,8 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
                  std::shared_ptr<const void> owner = nullptr);
   void OnReplies(std::span<const std::byte> body);
   void OnPart(const FrameHeader& header, std::span<const std::byte> part);
+  [[nodiscard]] bool IsWanted(const FrameHeader& header);
+  [[nodiscard]] bool IsUnfinishedTooLong(SteadyTime now) const;
   void OnPartsTaken(std::span<const std::byte> body);
   void TellTaken();
   void SendTaken();
@@ -186,6 +189,7 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   Published<std::uint64_t> taken_{0};  // bytes of parts
   Published<std::uint64_t> told_taken_{0};
   Published<SteadyTime> last_part_;
+  Published<SteadyTime> given_up_{SteadyTime::max()};  // of the assembly_
   std::mutex telling_;
 
   Flag is_open_;  // from the end of the handshake on, while there is no reason_

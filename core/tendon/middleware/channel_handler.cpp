@@ -17,6 +17,11 @@ void ChannelHandler::OnRequest(const std::shared_ptr<Channel>& /*channel*/,
 void ChannelHandler::OnNotice(const std::shared_ptr<Channel>& /*channel*/,
                               const FrameHeader& /*header*/, std::span<const std::byte> /*body*/) {}
 
+std::optional<Error> ChannelHandler::WhyNotTaken(const Channel& /*channel*/,
+                                                 const FrameHeader& /*header*/) {
+  return std::nullopt;
+}
+
 void ChannelHandler::OnClosed(const std::shared_ptr<Channel>& /*channel*/,
                               const Error& /*reason*/) {}
 

@@ -6,6 +6,7 @@
 #include <tendon/middleware/requests/responder.h>
 
 #include <memory>
+#include <optional>
 #include <span>
 
 namespace tendon {
@@ -31,6 +32,10 @@ class ChannelHandler {
   /// Unless overridden, does nothing. The body is valid during the call.
   virtual void OnNotice(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
                         std::span<const std::byte> body);
+
+  /// Why a large message is refused that begins now, of which there is nothing but the header:
+  /// nothing of it is kept then, and a request is refused so. Unless overridden, all are taken.
+  virtual std::optional<Error> WhyNotTaken(const Channel& channel, const FrameHeader& header);
 
   /// Exactly once, last, also when the handshake failed: for every link that stood. The channel
   /// forgets the handler afterwards.

@@ -36,4 +36,14 @@ void WatchOver(const std::shared_ptr<Worker>& worker, const std::shared_ptr<Chan
   });
 }
 
+void KeepExpiring(Worker& worker, const std::weak_ptr<Channel>& channel) {
+  constexpr std::chrono::milliseconds kBetween(1000);
+  worker.PostAfter(kBetween, [&worker, channel] {
+    const auto still_there = channel.lock();
+    if (!still_there || !still_there->is_open()) return;
+    still_there->Expire(SteadyClock().Now());
+    KeepExpiring(worker, channel);
+  });
+}
+
 }  // namespace tendon

@@ -28,4 +28,8 @@ using HearTime = std::function<void(SteadyTime sent, SteadyTime there, SteadyTim
 void WatchOver(const std::shared_ptr<Worker>& worker, const std::shared_ptr<Channel>& channel,
                const HearTime& hear_time = nullptr);
 
+/// For who has accepted a channel and asks nothing on it: each second, on `worker`, what must end
+/// in time does (Channel::Expire()), as long as the channel is open.
+void KeepExpiring(Worker& worker, const std::weak_ptr<Channel>& channel);
+
 }  // namespace tendon

@@ -304,8 +304,9 @@ TEST_P(Strangers, OutOfMemoryTheOldAreKeptAndALargeMessageIsRefused) {
     const auto channel = Channel::Open(*middleware, gcm_address_, hello,
                                        std::make_shared<ChannelHandler>(), Patience());
     if (!channel) return channel.error();
-    constexpr auto kNobodys = static_cast<tendon::MessageType>(0x3ff);
-    return (*channel)->Ask(kNobodys, 0, Bytes(tendon::kMaxPayload), Patience()).error();
+    return (*channel)
+        ->Ask(tendon::message::kJoin, 0, Bytes(tendon::kMaxPayload), Patience())
+        .error();
   };
   rlimit limit{};
   ASSERT_EQ(prlimit(gcm_->pid(), RLIMIT_AS, nullptr, &limit), 0);
@@ -323,7 +324,7 @@ TEST_P(Strangers, OutOfMemoryTheOldAreKeptAndALargeMessageIsRefused) {
 
   limit.rlim_cur = usual;
   ASSERT_EQ(prlimit(gcm_->pid(), RLIMIT_AS, &limit, nullptr), 0);
-  EXPECT_EQ(ask().code, tendon::ErrorCode::kDenied) << "there is room again, and it is nobody's";
+  EXPECT_EQ(ask().code, tendon::ErrorCode::kInvalid) << "there is room again, and it is no Join";
   ExpectNoRowLost();
   ExpectHonestCommands();
 }

@@ -7,6 +7,7 @@
 #include <tendon/process/access/guarded_handler.h>
 #include <tendon/process/program_messages.h>
 #include <tendon/process/telemetry/fan_out_messages.h>
+#include <tendon/process/watch_over.h>
 
 #include <map>
 #include <utility>
@@ -27,6 +28,10 @@ auto AnswerOf(const std::shared_ptr<Responder>& responder) {
 class Server::Peer final : public GuardedHandler {
  public:
   explicit Peer(std::shared_ptr<Server> server) : server_(std::move(server)) {}
+
+  void OnOpen(const std::shared_ptr<Channel>& channel, const Hello& /*peer*/) override {
+    KeepExpiring(server_->worker_, channel);
+  }
 
   void OnAllowedRequest(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
                         std::span<const std::byte> body, Responder responder) override {

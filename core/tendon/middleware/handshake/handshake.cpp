@@ -81,7 +81,7 @@ Error VersionsDiffer(const std::string& acceptor, const Versions& its, const Ver
                                         (its.newest > openers.newest ? "this program" : acceptor)};
 }
 
-Handshake::Step Answer(MessageType type, Bytes body) {
+Handshake::Step StepWith(MessageType type, Bytes body) {
   return {.type = type, .body = std::move(body), .has_answer = true, .peer = std::nullopt};
 }
 
@@ -132,7 +132,7 @@ Result<Handshake::Step> Handshake::OnHello(const FrameHeader& header,
   acceptor_ = MyGreeting();
   stage_ = Stage::kProof;
   const Challenge challenge{.greeting = acceptor_, .proof = ProofOf(Role::kAcceptor, 0)};
-  return Answer(MessageType::kChallenge, EncodeBody(challenge));
+  return StepWith(MessageType::kChallenge, EncodeBody(challenge));
 }
 
 Result<Handshake::Step> Handshake::OnChallenge(const FrameHeader& header,
@@ -149,7 +149,7 @@ Result<Handshake::Step> Handshake::OnChallenge(const FrameHeader& header,
   if (const auto checked = CheckAcceptor(); !checked) return checked.error();
   stage_ = Stage::kWelcome;
   const Proof proof{.proof = ProofOf(Role::kOpener, mine_.session), .session = mine_.session};
-  return Answer(MessageType::kProof, EncodeBody(proof));
+  return StepWith(MessageType::kProof, EncodeBody(proof));
 }
 
 Result<Handshake::Step> Handshake::OnProof(const FrameHeader& header,
@@ -159,7 +159,7 @@ Result<Handshake::Step> Handshake::OnProof(const FrameHeader& header,
     return Error{ErrorCode::kInvalid, mine_.name + " expects a proof after the Hello"};
   }
   if (!IsWelcome(*proof)) return NotKnown();
-  Step step = Answer(MessageType::kWelcome, EncodeBody(None{}));
+  Step step = StepWith(MessageType::kWelcome, EncodeBody(None{}));
   step.peer = Peer(proof->session);
   return step;
 }

@@ -1,69 +1,117 @@
-#include <tendon/middleware/complaints.h>
 #include <tendon/middleware/parts/part_assembly.h>
 #include <tendon/middleware/parts/part_sender.h>
 #include <tendon/middleware/parts/payload_limit.h>
 
 #include <algorithm>
 #include <new>
-#include <string>
 #include <utility>
 
 namespace tendon {
 namespace {
 
 constexpr std::size_t kMaxWholeSize = kMaxBodySize + FrameHeader::kSize;
-/// What one sender lets on its way: one huge frame, and a window of others.
-constexpr std::size_t kMaxClaimed = kMaxWholeSize + kSendWindow;
 
-/// A message about parts does not come in parts.
-bool IsOfParts(MessageType type) {
-  return type == MessageType::kPart || type == MessageType::kPartsTaken;
+/// Whether a message of that type may come in parts.
+bool MayBeLarge(MessageType type) {
+  switch (type) {
+    case MessageType::kHello:
+    case MessageType::kWelcome:
+    case MessageType::kChallenge:
+    case MessageType::kProof:
+    case MessageType::kPart:
+    case MessageType::kPartsTaken:
+    case MessageType::kReplies:
+      return false;
+    default:
+      return true;
+  }
+}
+
+/// Room for `more` bytes of a body of `size`. What has come is copied seldom, and whoever claims
+/// much gets 1 MiB, or eight times what he has sent.
+void MakeRoom(Bytes& body, std::size_t more, std::size_t size) {
+  constexpr std::size_t kAtFirst = std::size_t{1} << 20U;
+  const std::size_t needed = body.size() + more;
+  if (body.capacity() >= needed) return;
+  body.reserve(std::min(size, std::max(kAtFirst, 8 * needed)));
 }
 
 }  // namespace
 
 PartAssembly::Progress PartAssembly::Add(std::uint32_t number, std::span<const std::byte> part,
                                          Frame& frame) {
-  const auto found = begun_.find(number);
+  auto found = begun_.find(number);
   const bool is_first = found == begun_.end();
-  Frame* const begun = is_first ? Begin(number, part) : &found->second;
-  if (begun == nullptr) return Progress::kNonsense;
-  const std::size_t left = begun->header.size - begun->body.size();
+  if (is_first) found = Begin(number, part);
+  if (found == begun_.end()) return Progress::kNonsense;
+  Begun& begun = found->second;
+  const std::size_t left = begun.header.size - begun.come;
   const auto more = is_first ? part.subspan(FrameHeader::kSize) : part;
   const std::size_t least = std::min(kLeastPartSize - (part.size() - more.size()), left);
   // None but the last is smaller than the least, so that nobody has us work for next to nothing.
   if (more.size() > left || more.size() < least) return Progress::kNonsense;
   taken_ += part.size();
-  begun->body.insert(begun->body.end(), more.begin(), more.end());
-  if (more.size() < left) return Progress::kMoreToCome;
-  claimed_ -= FrameHeader::kSize + begun->header.size;
-  frame = std::move(*begun);
-  begun_.erase(number);
-  return Progress::kWhole;
+  begun.last_part = clock_.Now();
+  const bool is_last = more.size() == left;
+  if (is_first && !is_last && is_wanted_) begun.is_wanted = is_wanted_(begun.header);
+  const Progress progress = begun.is_wanted ? Keep(begun, more, is_last) : Progress::kMoreToCome;
+  begun.come += more.size();
+  if (progress != Progress::kMoreToCome) frame = {begun.header, std::move(begun.body)};
+  if (!is_last) return progress;
+  const std::size_t size = FrameHeader::kSize + begun.header.size;
+  ClaimsFor(size) -= size;
+  begun_.erase(found);
+  return progress;
 }
 
-/// The frame of that number, which begins with this part; null where it cannot.
-PartAssembly::Frame* PartAssembly::Begin(std::uint32_t number, std::span<const std::byte> part) {
-  const auto header = ReadFrameHeader(part, kMaxWholeSize);
-  if (!header || IsOfParts(header->type)) return nullptr;
-  const std::size_t size = FrameHeader::kSize + header->size;
-  if (size > kMaxClaimed - claimed_) return nullptr;
-  Frame begun{.header = *header, .body = {}};
-  try {
-    begun.body.reserve(header->size);
-  } catch (const std::bad_alloc&) {  // this message is lost, with its link; all others are not
-    static Complaints complaints("channel");
-    complaints.Add("out of memory (ulimit -v): a message of " + std::to_string(size) +
-                   " bytes is refused");
-    return nullptr;
+PartAssembly::Progress PartAssembly::Keep(Begun& begun, std::span<const std::byte> more,
+                                          bool is_last) {
+  if (is_last) {
+    budget_.GiveBack(begun.come);
+    kept_ -= begun.come;
+  } else if (!budget_.Take(more.size())) {
+    return Progress::kTooMuch;
+  } else {
+    kept_ += more.size();
   }
-  claimed_ += size;
-  return &(begun_[number] = std::move(begun));
+  try {
+    MakeRoom(begun.body, more.size(), begun.header.size);
+  } catch (const std::bad_alloc&) {
+    return Progress::kOutOfMemory;
+  }
+  begun.body.insert(begun.body.end(), more.begin(), more.end());
+  return is_last ? Progress::kWhole : Progress::kMoreToCome;
+}
+
+/// One frame of those that are huge, and a window of others: what one sender lets on its way.
+std::size_t& PartAssembly::ClaimsFor(std::size_t size) {
+  return size > kSendWindow ? claimed_.of_huge : claimed_.of_others;
+}
+
+/// The frame of that number, which begins with this part; none where it cannot.
+PartAssembly::Frames::iterator PartAssembly::Begin(std::uint32_t number,
+                                                   std::span<const std::byte> part) {
+  const auto header = ReadFrameHeader(part, kMaxWholeSize);
+  if (!header || !MayBeLarge(header->type)) return begun_.end();
+  const std::size_t size = FrameHeader::kSize + header->size;
+  std::size_t& claimed = ClaimsFor(size);
+  if (claimed != 0 && claimed + size > kSendWindow) return begun_.end();
+  const auto begun = begun_.emplace(number, Begun{.header = *header, .body = {}}).first;
+  claimed += size;
+  return begun;
+}
+
+SteadyTime PartAssembly::given_up() const {
+  if (begun_.empty()) return SteadyTime::max();
+  const auto oldest =
+      std::ranges::min_element(begun_, {}, [](const auto& one) { return one.second.last_part; });
+  return oldest->second.last_part + kPatience + begun_.size() * PartSender::kPartTime;
 }
 
 void PartAssembly::Clear() {
   begun_.clear();
-  claimed_ = 0;
+  claimed_ = {};
+  budget_.GiveBack(std::exchange(kept_, 0));
 }
 
 }  // namespace tendon

@@ -119,6 +119,14 @@ void PendingRequests::OnAnswer(std::uint64_t request, Result<Answer> answer) {
   if (!FinishLocked(lock, request, std::move(answer))) ++late_;
 }
 
+bool PendingRequests::IsAwaited(std::uint64_t request) {
+  const std::scoped_lock lock(mutex_);
+  const Place* const place = by_number_.empty() ? nullptr : EntryOf(request);
+  const bool is_awaited = place != nullptr && place->request == request;
+  if (!is_awaited) ++late_;
+  return is_awaited;
+}
+
 void PendingRequests::Expire(SteadyTime now, const std::string& peer) {
   std::vector<std::pair<std::uint64_t, std::chrono::milliseconds>> due;
   {

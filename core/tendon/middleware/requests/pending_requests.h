@@ -38,6 +38,9 @@ class PendingRequests {
   /// Finish() for what came from the peer; counts what came too late.
   void OnAnswer(std::uint64_t request, Result<Answer> answer);
 
+  /// Whether an answer to it would not come too late; counts one that does.
+  bool IsAwaited(std::uint64_t request);
+
   /// Finishes the requests whose time has come: `peer` gave no answer. Who waits sees to that.
   void Expire(SteadyTime now, const std::string& peer);
 

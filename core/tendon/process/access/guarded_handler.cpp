@@ -33,11 +33,28 @@ void GuardedHandler::OnNotice(const std::shared_ptr<Channel>& channel, const Fra
   if (!Refusal(*channel, header, body)) OnAllowedNotice(channel, header, body);
 }
 
+Role GuardedHandler::RoleOf(const Channel& channel) const {
+  return std::min(role_, channel.peer().role);
+}
+
+std::optional<Error> GuardedHandler::WhyNotTaken(const Channel& channel,
+                                                 const FrameHeader& header) {
+  constexpr std::uint32_t kMostOfViewers = std::uint32_t{1} << 20U;
+  const Right* const right = FindRight(static_cast<std::uint16_t>(header.type));
+  if (right == nullptr || !Includes(RoleOf(channel), right->role)) {
+    return Refusal(channel, header, {});
+  }
+  if (right->role != Role::kViewer || header.size <= kMostOfViewers) return std::nullopt;
+  return Error{ErrorCode::kInvalid, "'" + std::string(right->act) + "' takes a message of " +
+                                        std::to_string(kMostOfViewers) + " bytes at most, not of " +
+                                        std::to_string(header.size)};
+}
+
 /// Nothing where it may go on.
 std::optional<Error> GuardedHandler::Refusal(const Channel& channel, const FrameHeader& header,
                                              std::span<const std::byte> body) {
   const Right* right = FindRight(static_cast<std::uint16_t>(header.type));
-  const Role role = std::min(role_, channel.peer().role);
+  const Role role = RoleOf(channel);
   const bool is_allowed = right != nullptr && Includes(role, right->role);
   if (is_allowed && right->audit == Audit::kRefusals) return std::nullopt;
   const std::string who = Printable(channel.peer().name, 64);

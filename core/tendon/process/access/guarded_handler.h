@@ -22,6 +22,8 @@ inline constexpr auto kLowerRole = static_cast<MessageType>(0x210);
 /// process that serves others, LCM or GCM, for every message. What kRights does not allow to its
 /// role never reaches the functions below.
 ///
+/// What viewers may send is small: more than 1 MiB of it is refused, whoever sends it.
+///
 /// Under TLS a program has the role of its certificate. Who is let in on this machine without one
 /// knows the user's cookie, and is an operator. Either may ask to be less. The audit log has a line
 /// for each request that changes something and for each refusal.
@@ -31,6 +33,7 @@ class GuardedHandler : public ChannelHandler {
                  std::span<const std::byte> body, Responder responder) final;
   void OnNotice(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
                 std::span<const std::byte> body) final;
+  std::optional<Error> WhyNotTaken(const Channel& channel, const FrameHeader& header) final;
 
  private:
   virtual void OnAllowedRequest(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
@@ -42,6 +45,7 @@ class GuardedHandler : public ChannelHandler {
   [[nodiscard]] virtual std::string ObjectOf(const FrameHeader& header,
                                              std::span<const std::byte> body) const = 0;
 
+  [[nodiscard]] Role RoleOf(const Channel& channel) const;
   std::optional<Error> Refusal(const Channel& channel, const FrameHeader& header,
                                std::span<const std::byte> body);
 

@@ -1,6 +1,7 @@
 #include <tendon/process/program_messages.h>
 #include <tendon/process/schema_exchange.h>
 #include <tendon/process/server/session.h>
+#include <tendon/process/watch_over.h>
 
 #include <utility>
 
@@ -17,6 +18,7 @@ std::string EndsOf(const message::OpenInterface& open) {
 
 void Session::OnOpen(const SharedChannel& channel, const Hello& /*peer*/) {
   client_->channel = channel;
+  KeepExpiring(*services_.context.worker, channel);
 }
 
 void Session::OnAllowedRequest(const SharedChannel& channel, const FrameHeader& header, Body body,

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <support/scarce_memory.h>
 #include <tendon/middleware/parts/part_assembly.h>
 #include <tendon/middleware/parts/part_sender.h>
 #include <tendon/middleware/parts/payload_limit.h>
@@ -74,8 +75,11 @@ TEST(PartAssembly, RefusesWhatIsNoPart) {
   EXPECT_EQ(PartAssembly().Add(1, std::span(frame).first(kLeastPartSize - 1), whole),
             Progress::kNonsense);
   EXPECT_EQ(PartAssembly().Add(1, Bytes(), whole), Progress::kNonsense);
-  EXPECT_EQ(PartAssembly().Add(1, FrameOfSize(100, std::byte{1}, MessageType::kPartsTaken), whole),
-            Progress::kNonsense);
+  for (const MessageType type : {MessageType::kPartsTaken, MessageType::kHello, MessageType::kProof,
+                                 MessageType::kReplies}) {
+    EXPECT_EQ(PartAssembly().Add(1, FrameOfSize(100, std::byte{1}, type), whole),
+              Progress::kNonsense);
+  }
   PartAssembly begun;
   ASSERT_EQ(begun.Add(1, PartOf(frame, 0), whole), Progress::kMoreToCome);
   EXPECT_EQ(begun.Add(1, Bytes(3), whole), Progress::kNonsense);
@@ -106,6 +110,103 @@ TEST(PartAssembly, KeepsNoMoreThanOneSenderLetsOnItsWay) {
   EXPECT_EQ(assembly.Add(3, FrameOfSize(FrameHeader::kSize), whole), Progress::kNonsense);
   EXPECT_EQ(PartAssembly().Add(1, PartOf(FrameOfSize(largest.size() + 1), 0), whole),
             Progress::kNonsense);
+}
+
+TEST(PartAssembly, KeepsOneHugeFrameAndAWindowOfOthers) {
+  PartAssembly huge;
+  PartAssembly assembly;
+  PartAssembly::Frame whole;
+  const Bytes giant = FrameOfSize(kSendWindow + 1);
+  const Bytes half = FrameOfSize(kSendWindow / 2);
+
+  EXPECT_EQ(huge.Add(1, PartOf(giant, 0), whole), Progress::kMoreToCome);
+  EXPECT_EQ(huge.Add(2, PartOf(giant, 0), whole), Progress::kNonsense);
+  EXPECT_EQ(assembly.Add(1, PartOf(half, 0), whole), Progress::kMoreToCome);
+  EXPECT_EQ(assembly.Add(2, PartOf(half, 0), whole), Progress::kMoreToCome);
+  EXPECT_EQ(assembly.Add(3, PartOf(half, 0), whole), Progress::kNonsense);
+}
+
+TEST(PartAssembly, KeepsNothingOfWhatIsNotWanted) {
+  const Bytes frame = FrameOfSize(2 * kPartSize);
+  const Bytes other = FrameOfSize(100);
+  PartBudget none(0);
+  PartAssembly assembly([](const FrameHeader& /*header*/) { return false; }, none);
+  PartAssembly::Frame whole;
+
+  EXPECT_EQ(assembly.Add(1, PartOf(frame, 0), whole), Progress::kMoreToCome);
+  EXPECT_EQ(assembly.Add(1, PartOf(frame, 1), whole), Progress::kMoreToCome);
+  EXPECT_EQ(assembly.claimed(), 0U) << "it is over";
+  EXPECT_EQ(assembly.Add(2, other, whole), Progress::kWhole) << "what is small is not asked for";
+  EXPECT_EQ(assembly.taken(), frame.size() + other.size());
+}
+
+TEST(PartAssembly, AllThatShareABudgetKeepNoMoreThanThat) {
+  PartBudget budget(2 * kPartSize);
+  PartAssembly first(nullptr, budget);
+  const Bytes frame = FrameOfSize(4 * kPartSize);
+  PartAssembly::Frame whole;
+  ASSERT_EQ(first.Add(1, PartOf(frame, 0), whole), Progress::kMoreToCome);
+  ASSERT_EQ(first.Add(1, PartOf(frame, 1), whole), Progress::kMoreToCome);
+  {
+    PartAssembly second(nullptr, budget);
+    EXPECT_EQ(second.Add(1, PartOf(frame, 0), whole), Progress::kTooMuch);
+    EXPECT_EQ(whole.header.size, frame.size() - FrameHeader::kSize);
+  }
+
+  first.Clear();
+
+  PartAssembly third(nullptr, budget);
+  EXPECT_EQ(third.Add(1, PartOf(frame, 0), whole), Progress::kMoreToCome);
+}
+
+TEST(PartAssembly, WhatIsWholeCountsInNoBudget) {
+  PartBudget budget(kPartSize);
+  PartAssembly assembly(nullptr, budget);
+  const Bytes frame = FrameOfSize(2 * kPartSize);
+  PartAssembly::Frame whole;
+
+  for (std::uint32_t number = 1; number < 4; ++number) {
+    EXPECT_EQ(assembly.Add(number, PartOf(frame, 0), whole), Progress::kMoreToCome);
+    EXPECT_EQ(assembly.Add(number, PartOf(frame, 1), whole), Progress::kWhole);
+  }
+}
+
+TEST(PartAssembly, TakesMemoryForWhatHasComeAndNotForWhatIsClaimed) {
+  PartAssembly assembly;
+  PartAssembly::Frame whole;
+  const Bytes frame = FrameOfSize(kMaxBodySize + FrameHeader::kSize);
+  const ScarceMemory scarce(kMaxBodySize);
+
+  EXPECT_EQ(assembly.Add(1, PartOf(frame, 0), whole), Progress::kMoreToCome);
+  auto progress = Progress::kMoreToCome;
+  for (std::size_t place = 1; progress == Progress::kMoreToCome; ++place) {
+    progress = assembly.Add(1, PartOf(frame, place), whole);
+  }
+
+  EXPECT_EQ(progress, Progress::kOutOfMemory);
+  EXPECT_EQ(whole.header.size, kMaxBodySize);
+}
+
+TEST(PartAssembly, WaitsForTheNextPartOfEachFrameAndNotForEver) {
+  ManualClock clock;
+  PartAssembly assembly(nullptr, PartBudget::OfProcess(), clock);
+  const Bytes frame = FrameOfSize(3 * kPartSize);
+  PartAssembly::Frame whole;
+  EXPECT_EQ(assembly.given_up(), SteadyTime::max());
+
+  ASSERT_EQ(assembly.Add(1, PartOf(frame, 0), whole), Progress::kMoreToCome);
+  const SteadyTime first = clock.Now();
+  EXPECT_EQ(assembly.given_up(), first + PartAssembly::kPatience + PartSender::kPartTime);
+  clock.Advance(std::chrono::seconds(1));
+  ASSERT_EQ(assembly.Add(2, PartOf(frame, 0), whole), Progress::kMoreToCome);
+  EXPECT_EQ(assembly.given_up(), first + PartAssembly::kPatience + 2 * PartSender::kPartTime);
+  ASSERT_EQ(assembly.Add(1, PartOf(frame, 1), whole), Progress::kMoreToCome);
+  EXPECT_EQ(assembly.given_up(), clock.Now() + PartAssembly::kPatience + 2 * PartSender::kPartTime);
+  ASSERT_EQ(assembly.Add(1, PartOf(frame, 2), whole), Progress::kWhole);
+  ASSERT_EQ(assembly.Add(2, PartOf(frame, 1), whole), Progress::kMoreToCome);
+  ASSERT_EQ(assembly.Add(2, PartOf(frame, 2), whole), Progress::kWhole);
+
+  EXPECT_EQ(assembly.given_up(), SteadyTime::max());
 }
 
 TEST(PartAssembly, FreesWhatHasBegun) {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "conformance/parts/halting_middleware.h"
 #include "support/log/log_record.h"
 #include "support/network_test.h"
 #include "support/plant.h"
@@ -70,7 +71,11 @@ class GuardedTest : public NetworkTest {
 
   /// A channel to robot that has said these bytes of kLowerRole.
   [[nodiscard]] std::shared_ptr<Channel> Lowered(const std::vector<tendon::Bytes>& said) {
-    const auto channel = Channel::Open(*middleware, robot->address(),
+    return Lowered(said, *middleware);
+  }
+  [[nodiscard]] std::shared_ptr<Channel> Lowered(const std::vector<tendon::Bytes>& said,
+                                                 tendon::Middleware& way) {
+    const auto channel = Channel::Open(way, robot->address(),
                                        {.instance = tendon::os::RandomNumber(),
                                         .name = "looker",
                                         .cookie = *tendon::LoopbackCookie()},
@@ -222,6 +227,39 @@ TEST_P(GuardedTest, AMessageThatIsInNoTableIsDeniedToAll) {
   ASSERT_FALSE(answer.ok());
   EXPECT_EQ(answer.error().code, ErrorCode::kDenied);
   EXPECT_EQ(answer.error().message, "message 1023 is not allowed to anybody");
+  EXPECT_TRUE(Stop(*channel).ok());
+  channel->Close();
+}
+
+TEST_P(GuardedTest, ALargeMessageIsDeniedWhenItBegins) {
+  const tendon::Bytes large(3 * tendon::kMaxPieceSize);
+  tendon::conformance::HaltingMiddleware way(*middleware, 1);
+  const tendon::Bytes viewer = tendon::EncodeBody(static_cast<std::uint8_t>(Role::kViewer));
+  const auto channel = Lowered({viewer}, way);
+
+  const auto answer =
+      channel->Call(tendon::message::kCallMember, 0, large, kPatience, tendon::kOwnLane);
+
+  ExpectDenied(answer, "call a command");
+  EXPECT_THAT(audit.lines(), Contains(HasSubstr("call a command: refused")));
+  EXPECT_FALSE(Stop(*channel).ok());
+  EXPECT_TRUE(channel->is_open());
+  channel->Close();
+}
+
+TEST_P(GuardedTest, NobodySendsMuchOfWhatViewersMaySend) {
+  const tendon::Bytes large((std::size_t{1} << 20U) + 1);
+  tendon::conformance::HaltingMiddleware way(*middleware, 1);
+  const auto channel = Lowered({}, way);
+
+  const auto answer =
+      channel->Call(tendon::message::kGetSchemas, 0, large, kPatience, tendon::kOwnLane);
+
+  ASSERT_FALSE(answer.ok());
+  EXPECT_EQ(answer.error(),
+            (tendon::Error{ErrorCode::kInvalid,
+                           "'read schemas' takes a message of 1048576 bytes at most, not of "
+                           "1048577"}));
   EXPECT_TRUE(Stop(*channel).ok());
   channel->Close();
 }

@@ -1,0 +1,91 @@
+#include <tendon/middleware/channel.h>
+#include <tendon/middleware/parts/large_in_hand.h>
+#include <tendon/middleware/parts/repeated_sign.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace tendon {
+
+void Channel::OnPart(const FrameHeader& header, std::span<const std::byte> part) {
+  using Progress = PartAssembly::Progress;
+  PartAssembly::Frame frame;
+  const Progress progress = assembly_.Add(header.handle, part, frame);
+  taken_.Set(assembly_.taken());
+  given_up_.Set(assembly_.given_up());
+  last_part_.Set(SteadyClock().Now());
+  switch (progress) {
+    case Progress::kMoreToCome:
+      return;
+    case Progress::kNonsense:
+      return Fail({ErrorCode::kInvalid, peer_.name + " sent parts of what is no message"});
+    case Progress::kOutOfMemory:
+      return OnNoRoom("out of memory (ulimit -v)", FrameHeader::kSize + frame.header.size);
+    case Progress::kTooMuch:
+      return OnNoRoom("512 MiB of unfinished messages are kept already",
+                      FrameHeader::kSize + frame.header.size);
+    case Progress::kWhole:
+      break;
+  }
+  TellTaken();
+  HandleLarge(std::move(frame));
+}
+
+/// Of a frame that is not whole with its first part: before anything of it is kept. Nobody need
+/// send 64 MiB to be refused.
+bool Channel::IsWanted(const FrameHeader& header) {
+  if (header.type == MessageType::kReply || header.type == MessageType::kRefusal) {
+    return requests_.IsAwaited(header.request);
+  }
+  std::optional<Error> refusal = Error{ErrorCode::kFailed, "it cannot be said who may send it"};
+  CallGuarded(peer_.name, [&] { refusal = handler_->WhyNotTaken(*this, header); });
+  if (refusal && header.request != 0) SendRefusal(header.request, *refusal);
+  return !refusal;
+}
+
+/// Whoever sends parts may be held up for as long as a large message is handled there, and so may
+/// we, who do not hear them then.
+bool Channel::IsUnfinishedTooLong(SteadyTime now) const {
+  return now >= std::max(given_up_.Get(), LargeInHand::Last(now) + PartAssembly::kPatience);
+}
+
+/// Who handles it may take a while: the peer, which this thread does not answer meanwhile, is told
+/// again and again how much was taken. An answer is left to who has asked, and not copied again.
+void Channel::HandleLarge(PartAssembly::Frame frame) {
+  std::optional<LargeInHand> mark;
+  std::optional<RepeatedSign> sign;
+  if (frame.body.size() >= LargeInHand::kLeast) {
+    mark.emplace();
+    sign.emplace(peer_.name, [this] { SendTaken(); });
+  }
+  const FrameHeader& header = frame.header;
+  if (header.type != MessageType::kReply) return OnMessage(header, frame.body);
+  if (IsInAgreedVersion(header)) requests_.OnAnswer(header.request, Answer(std::move(frame.body)));
+}
+
+void Channel::OnPartsTaken(std::span<const std::byte> body) {
+  const auto taken = DecodeBody<std::uint64_t>(body);
+  last_part_.Set(SteadyClock().Now());
+  if (taken && parts_.OnTaken(*link_, *taken)) return;
+  Fail({ErrorCode::kInvalid, peer_.name + " has taken more than was sent to it"});
+}
+
+void Channel::TellTaken() {
+  if (taken_.Get() != told_taken_.Get()) SendTaken();
+}
+
+void Channel::SendTaken() {
+  const std::scoped_lock lock(telling_);  // the numbers must arrive in order
+  const std::uint64_t taken = taken_.Get();
+  const Bytes body = EncodeBody(taken);
+  const FrameHeader header = HeaderOf(MessageType::kPartsTaken, 0, 0, body.size());
+  if (SendPiece(header, body)) told_taken_.Set(taken);
+}
+
+/// With whatever is sent or arrives, and in time: what found no room on the link may have it now.
+void Channel::Resume() {
+  TellTaken();
+  parts_.Resume(*link_);
+}
+
+}  // namespace tendon
