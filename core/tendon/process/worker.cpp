@@ -1,5 +1,6 @@
 #include <tendon/base/log.h>
 #include <tendon/base/os/thread.h>
+#include <tendon/middleware/handshake/openings.h>
 #include <tendon/process/worker.h>
 
 #include <condition_variable>
@@ -96,7 +97,10 @@ void Worker::PostAfter(std::chrono::milliseconds delay, Task task) {
 
 void Worker::Stop() {
   queue_->Stop();
-  if (thread_.joinable()) thread_.join();
+  if (thread_.joinable()) {
+    const NoMoreOpening end(thread_.get_id());
+    thread_.join();
+  }
   queue_->Clear();
 }
 

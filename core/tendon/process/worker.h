@@ -38,8 +38,8 @@ class Worker {
   void Post(Task task);
   void PostAfter(std::chrono::milliseconds delay, Task task);
 
-  /// Waits for the running task; the others are dropped, as are those posted later. Not from a
-  /// task.
+  /// Waits for the running task, and ends its wait for a link; the others are dropped, as are those
+  /// posted later. Not from a task.
   void Stop();
 
  private:

@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 #include <support/wait.h>
 #include <tendon/base/log.h>
+#include <tendon/middleware/handshake/openings.h>
 #include <tendon/process/worker.h>
 
+#include <atomic>
 #include <future>
 #include <latch>
 #include <memory>
@@ -116,6 +118,28 @@ TEST(Worker, StopWaitsForTheRunningTaskAndDropsTheOthers) {
 
   EXPECT_FALSE(ran_second);
   EXPECT_EQ(dropped.use_count(), 1);
+}
+
+TEST(Worker, StopEndsTheWaitForALinkOfTheRunningTaskAlone) {
+  Worker worker("test");
+  std::latch running(1);
+  std::atomic<bool> is_other_given_up = false;
+  const WaitForLink other([&] { is_other_given_up = true; });
+  worker.Post([&] {
+    std::atomic<bool> is_given_up = false;
+    const WaitForLink wait([&] {
+      is_given_up = true;
+      is_given_up.notify_all();
+    });
+    running.count_down();
+    is_given_up.wait(false);
+  });
+  running.wait();
+
+  worker.Stop();
+
+  EXPECT_FALSE(is_other_given_up);
+  EXPECT_FALSE(IsOpeningOver());
 }
 
 TEST(Worker, MayBeDestroyedByATaskOfItsOwn) {

@@ -2,16 +2,27 @@
 
 #include <map>
 #include <mutex>
+#include <set>
 #include <utility>
 
 namespace tendon {
 namespace {
 
+struct Wait {
+  std::thread::id thread;
+  std::function<void()> give_up;
+};
+
 struct Waits {
+  /// In that thread; with the mutex held.
+  [[nodiscard]] bool AreOver(std::thread::id thread) const {
+    return ended.contains(std::thread::id()) || ended.contains(thread);
+  }
+
   std::mutex mutex;
-  int enders = 0;
+  std::multiset<std::thread::id> ended;  // none: all threads
   std::uint64_t last_number = 0;
-  std::map<std::uint64_t, std::function<void()>> all;  // how each is ended
+  std::map<std::uint64_t, Wait> all;
 };
 
 /// Lives longer than any thread that may wait.
@@ -22,25 +33,28 @@ Waits& TheWaits() {
 
 }  // namespace
 
-NoMoreOpening::NoMoreOpening() {
+NoMoreOpening::NoMoreOpening(std::thread::id thread) : thread_(thread) {
   Waits& waits = TheWaits();
   const std::scoped_lock lock(waits.mutex);
-  ++waits.enders;
-  for (const auto& [number, give_up] : waits.all) give_up();
+  waits.ended.insert(thread_);
+  for (const auto& [number, wait] : waits.all) {
+    if (waits.AreOver(wait.thread)) wait.give_up();
+  }
 }
 
 NoMoreOpening::~NoMoreOpening() {
   Waits& waits = TheWaits();
   const std::scoped_lock lock(waits.mutex);
-  --waits.enders;
+  waits.ended.erase(waits.ended.find(thread_));
 }
 
 WaitForLink::WaitForLink(std::function<void()> give_up) {
   Waits& waits = TheWaits();
   const std::scoped_lock lock(waits.mutex);
-  if (waits.enders > 0) give_up();
+  const auto thread = std::this_thread::get_id();
+  if (waits.AreOver(thread)) give_up();
   number_ = ++waits.last_number;
-  waits.all.emplace(number_, std::move(give_up));
+  waits.all.emplace(number_, Wait{thread, std::move(give_up)});
 }
 
 WaitForLink::~WaitForLink() {
@@ -52,7 +66,7 @@ WaitForLink::~WaitForLink() {
 bool IsOpeningOver() {
   Waits& waits = TheWaits();
   const std::scoped_lock lock(waits.mutex);
-  return waits.enders > 0;
+  return waits.AreOver(std::this_thread::get_id());
 }
 
 Error OpeningIsOver() {

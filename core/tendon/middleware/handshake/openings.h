@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <thread>
 
 namespace tendon {
 
@@ -12,13 +13,18 @@ namespace tendon {
 /// of opening a link to a process that hangs. Thread-safe.
 class NoMoreOpening {
  public:
-  NoMoreOpening();
+  NoMoreOpening() : NoMoreOpening(std::thread::id()) {}
+  /// The same for one thread, which ends before the program does.
+  explicit NoMoreOpening(std::thread::id thread);
   NoMoreOpening(const NoMoreOpening&) = delete;
   NoMoreOpening& operator=(const NoMoreOpening&) = delete;
   ~NoMoreOpening();
+
+ private:
+  const std::thread::id thread_;  // none: all
 };
 
-/// Somebody who waits for a link, while it lives.
+/// Somebody who waits for a link in this thread, while it lives.
 class WaitForLink {
  public:
   /// `give_up` ends the wait: it is called once or more from any thread when nobody waits any more,
@@ -32,7 +38,7 @@ class WaitForLink {
   std::uint64_t number_ = 0;
 };
 
-/// Whether nobody waits for links.
+/// Whether nobody waits for links in this thread.
 [[nodiscard]] bool IsOpeningOver();
 /// The refusal then, of code kUnreachable.
 [[nodiscard]] Error OpeningIsOver();
