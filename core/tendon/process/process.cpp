@@ -39,6 +39,7 @@ class Process::Parts final : public MembershipDelegate {
                  .middleware = options.middleware,
                  .hello = MakeHello(name),
                  .worker = std::make_shared<Worker>("process", name),
+                 .opener = std::make_shared<Worker>("opener", name),
                  .network = network_,
                  .proxies = ComponentProxies(network_)},
         services_{.context = context_,
@@ -64,7 +65,8 @@ class Process::Parts final : public MembershipDelegate {
 
   /// While the process still knows them.
   void Close() {
-    life_.Stop();             // while the worker can do what it may wait for
+    life_.Stop();  // while the worker can do what it may wait for
+    context_.opener->Stop();
     context_.worker->Stop();  // from now on the structure is changed here alone
     if (membership_) membership_->Leave();
     connections_.Close();

@@ -328,7 +328,10 @@ class Lease : public testing::Test {
     const auto joined = member_->WaitUntilJoined(kLongEnough);
     EXPECT_TRUE(joined.ok()) << joined.error().message;
   }
-  ~Lease() override { context_.worker->Stop(); }
+  ~Lease() override {
+    context_.opener->Stop();
+    context_.worker->Stop();
+  }
 
   bool EventuallyRenewed(int times) {
     const int before = renewals_;
@@ -353,6 +356,7 @@ class Lease : public testing::Test {
       .middleware = std::make_shared<LoopbackMiddleware>(network_),
       .hello = {.instance = 1, .name = "robot", .cookie = *tendon::LoopbackCookie()},
       .worker = std::make_shared<Worker>("process", "robot"),
+      .opener = std::make_shared<Worker>("opener", "robot"),
       .network = std::make_shared<tendon::NetworkThread>(),
       .proxies = tendon::ComponentProxies(nullptr)};
   std::unique_ptr<tendon::Membership> member_;

@@ -1,3 +1,7 @@
+#include <tendon/base/os/process.h>
+#include <tendon/middleware/channel.h>
+#include <tendon/process/messages.h>
+
 #include <algorithm>
 #include <csignal>
 #include <filesystem>
@@ -8,6 +12,7 @@
 namespace faults {
 namespace {
 
+using tendon::Channel;
 using tendon::ProcessState;
 using testing::HasSubstr;
 
@@ -97,6 +102,47 @@ TEST_P(HungLcm, WhatItHasNotBegunInTimeItDoesNotDoOnceItIsAwake) {
   })) << robot_->err();
   EXPECT_TRUE(Flows());
   Tell(stopped.error().message);
+}
+
+/// Rows 1 and 4.
+TEST_P(HungLcm, OneThatIsStoppedAndAGcmThatIsKeepNobodyWaitingForTheOthers) {
+  ASSERT_NO_FATAL_FAILURE(StartSystem());
+  const auto middleware = NewMiddleware();
+  const auto desk = Channel::Open(*middleware, AddressOf("desk"),
+                                  {.instance = tendon::os::RandomNumber(),
+                                   .name = "asker",
+                                   .cookie = *tendon::LoopbackCookie()},
+                                  std::make_shared<tendon::ChannelHandler>(), Patience());
+  ASSERT_TRUE(desk) << desk.error().message;
+  const tendon::InterfaceName client("desk", "client", "Ledger");
+  const auto says = [&](const std::string& words) {
+    const auto counts = (*desk)->Call<tendon::ConnectionCounts>(
+        tendon::message::kGetCounts, 0, tendon::message::GetCounts{client}, Patience());
+    return !counts && counts.error().message.find(words) != std::string::npos;
+  };
+  gcm_->Signal(SIGSTOP);
+  robot_->Signal(SIGSTOP);
+  ASSERT_TRUE(Eventually([&] { return says("cannot be reached"); })) << desk_->err();
+
+  long longest = 0;  // ms
+  const Stopwatch all;
+  while (all.milliseconds() < Size(5000, 60000)) {
+    const Stopwatch one;
+    ASSERT_TRUE(says("is pending"));
+    longest = std::max(longest, one.milliseconds());
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+
+  Tell("the desk answered within " + std::to_string(longest) + " ms");
+  if (!MachineStoodStill()) {
+    EXPECT_LT(longest, 400) << "half of what it waits for a link";
+  }
+  robot_->Signal(SIGCONT);
+  gcm_->Signal(SIGCONT);
+  ASSERT_TRUE(Eventually([&] { return !says(""); })) << desk_->err();
+  ASSERT_TRUE(EventuallyIs("robot", ProcessState::kAlive)) << robot_->err();
+  ASSERT_TRUE(Flows());
+  ExpectHonestCommands();
 }
 
 /// Row 4: fencing.

@@ -1,3 +1,4 @@
+#include <tendon/process/client/channel_opening.h>
 #include <tendon/process/client/peer_link.h>
 #include <tendon/process/schema_exchange.h>
 #include <tendon/process/telemetry/row_batch.h>
@@ -6,32 +7,40 @@
 #include <tendon/state/state_table.h>
 
 #include <string>
+#include <utility>
 
 namespace tendon {
 
-Result<std::shared_ptr<PeerLink>> PeerLink::Open(const ProcessContext& context,
-                                                 PeerListener& listener, const std::string& process,
-                                                 const std::string& address) {
+void PeerLink::Open(const ProcessContext& context, PeerListener& listener,
+                    const std::string& process, const std::string& address, Opened opened) {
   constexpr std::chrono::milliseconds kOpenTimeout(800);
-  auto link = std::make_shared<PeerLink>(context.worker, listener);
-  Hello hello = context.hello;
-  hello.wanted = process;
-  hello.session = 0;  // it is for the GCM alone
-  auto channel = Channel::Open(*context.middleware, address, hello, link, kOpenTimeout);
-  if (!channel) {
-    return Error{channel.error().code, "process '" + process + "' cannot be reached at " + address +
-                                           ": " + channel.error().message};
-  }
-  link->channel_ = *std::move(channel);
-  WatchOver(context.worker, link->channel_,
-            [weak = std::weak_ptr(link)](SteadyTime sent, SteadyTime there, SteadyTime arrived) {
+  const auto link = std::make_shared<PeerLink>(context.worker, listener);
+  WantedChannel wanted{
+      .address = address, .hello = context.hello, .handler = link, .timeout = kOpenTimeout};
+  wanted.hello.wanted = process;
+  wanted.hello.session = 0;  // it is for the GCM alone
+  OpenChannel(context, wanted,
+              [link, process, address, opened = std::move(opened)](const OpenedChannel& channel) {
+                if (channel) {
+                  link->Begin(*channel);
+                  return opened(link);
+                }
+                const Error& error = channel.error();
+                opened(Error{error.code, "process '" + process + "' cannot be reached at " +
+                                             address + ": " + error.message});
+              });
+}
+
+void PeerLink::Begin(const std::shared_ptr<Channel>& channel) {
+  channel_ = channel;
+  WatchOver(worker_, channel_,
+            [weak = weak_from_this()](SteadyTime sent, SteadyTime there, SteadyTime arrived) {
               const auto measured = weak.lock();
               if (!measured) return;
               measured->round_trip_.Set(arrived - sent);
               const std::scoped_lock lock(measured->mutex_);
               measured->clock_.Add(sent, there, arrived);
             });
-  return link;
 }
 
 void PeerLink::OnRequest(const std::shared_ptr<Channel>& channel, const FrameHeader& header,

@@ -10,6 +10,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -37,10 +38,11 @@ class PeerListener {
 /// it. Closes by itself when the peer hangs.
 class PeerLink final : public ChannelHandler, public std::enable_shared_from_this<PeerLink> {
  public:
-  /// On the worker; blocks for at most a second. kUnreachable when another process is found there.
-  static Result<std::shared_ptr<PeerLink>> Open(const ProcessContext& context,
-                                                PeerListener& listener, const std::string& process,
-                                                const std::string& address);
+  using Opened = std::function<void(const Result<std::shared_ptr<PeerLink>>&)>;
+
+  /// As OpenChannel(), within a second. kUnreachable when another process is found there.
+  static void Open(const ProcessContext& context, PeerListener& listener,
+                   const std::string& process, const std::string& address, Opened opened);
 
   PeerLink(std::shared_ptr<Worker> worker, PeerListener& listener)
       : worker_(std::move(worker)), listener_(listener) {}
@@ -58,6 +60,8 @@ class PeerLink final : public ChannelHandler, public std::enable_shared_from_thi
   [[nodiscard]] HandleTable<ProvidedInterfaceProxy>& handles() { return handles_; }
 
  private:
+  /// On the worker.
+  void Begin(const std::shared_ptr<Channel>& channel);
   void OnRequest(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
                  std::span<const std::byte> body, Responder responder) override;
   void OnNotice(const std::shared_ptr<Channel>& channel, const FrameHeader& header,

@@ -1,12 +1,23 @@
 #include <tendon/process/client/peers.h>
 
+#include <algorithm>
+#include <utility>
+
 namespace tendon {
+namespace {
+
+Error NotThere(const std::string& process) {
+  return {ErrorCode::kNotFound, "process '" + process + "' is not there"};
+}
+
+}  // namespace
 
 void Peers::Update(const std::vector<ProcessDescription>& processes) {
   places_.clear();
   for (const ProcessDescription& process : processes) {
     Learn(process.name, process.address, process.instance);
   }
+  std::erase_if(silences_, [this](const auto& one) { return !places_.contains(one.first); });
 }
 
 void Peers::Learn(const std::string& process, const std::string& address, std::uint64_t instance) {
@@ -25,37 +36,74 @@ std::optional<std::uint64_t> Peers::InstanceOf(const std::string& process) const
   return found->second.instance;
 }
 
-Result<std::shared_ptr<PeerLink>> Peers::LinkTo(const std::string& process) {
-  std::shared_ptr<PeerLink>& link = links_[process];
-  if (link && link->channel()->is_open()) return link;
+void Peers::LinkTo(const std::string& process, Done done) {
+  const auto link = links_.find(process);
+  if (link != links_.end() && link->second->channel()->is_open()) return done(link->second);
   const auto place = places_.find(process);
-  if (place == places_.end()) {
-    return Error{ErrorCode::kNotFound, "process '" + process + "' is not there"};
+  if (place == places_.end()) return done(NotThere(process));
+  const auto silence = silences_.find(process);
+  const bool was_silent = silence != silences_.end() && silence->second.place == place->second;
+  if (was_silent && SteadyClock().Now() < silence->second.until) return done(silence->second.error);
+  std::vector<Done>& waiting = openings_[process];
+  waiting.push_back(std::move(done));
+  if (waiting.size() > 1) return;
+  if (!was_silent) return Open(process);
+  silent_.push_back(process);
+  if (silent_.size() == 1) Open(process);
+}
+
+void Peers::Open(const std::string& process) {
+  const auto place = places_.find(process);
+  if (place == places_.end()) return Finish(process, {}, NotThere(process));
+  PeerLink::Open(context_, listener_, process, place->second.address,
+                 [this, process, tried = place->second](const auto& opened) {
+                   Finish(process, tried, opened);
+                 });
+}
+
+void Peers::Finish(const std::string& process, const Place& tried,
+                   const Result<std::shared_ptr<PeerLink>>& opened) {
+  Remember(process, tried, opened);
+  const auto place = places_.find(process);
+  const bool has_moved = place != places_.end() && place->second != tried;
+  if (has_moved && !(opened && (*opened)->instance() == place->second.instance)) {
+    if (opened) (*opened)->channel()->Close();
+    Open(process);
+  } else {
+    if (opened) links_[process] = *opened;
+    const auto ended = openings_.extract(process);
+    for (const Done& done : ended.mapped()) done(opened);
   }
-  constexpr std::chrono::milliseconds kPause(1000);
-  const std::string& address = place->second.address;
+  if (silent_.empty() || silent_.front() != process) return;
+  silent_.pop_front();
+  if (silent_.empty()) return;
+  const std::string next = silent_.front();  // which may be gone before Open() returns
+  Open(next);
+}
+
+void Peers::Remember(const std::string& process, const Place& tried,
+                     const Result<std::shared_ptr<PeerLink>>& opened) {
+  constexpr std::chrono::milliseconds kShortestRest(500);
+  constexpr std::chrono::milliseconds kLongestRest(1500);  // no longer than connections pause
+  if (opened || opened.error().code != ErrorCode::kTimeout) {
+    silences_.erase(process);
+    return;
+  }
   Silence& silence = silences_[process];
-  if (silence.address == address && SteadyClock().Now() < silence.until) return silence.error;
-  auto opened = PeerLink::Open(context_, listener_, process, address);
-  if (opened) {
-    link = *opened;
-  } else if (opened.error().code == ErrorCode::kTimeout) {
-    silence = {address, SteadyClock().Now() + kPause, opened.error()};
-  }
-  return opened;
+  const auto last = silence.place == tried ? silence.rest : std::chrono::milliseconds(0);
+  const auto rest = std::clamp(2 * last, kShortestRest, kLongestRest);
+  silence = {tried, opened.error(), rest, SteadyClock().Now() + rest};
 }
 
 void Peers::CloseOutdated() {
   for (const auto& [process, link] : links_) {
     const auto instance = InstanceOf(process);
-    if (link && instance && link->instance() != *instance) link->channel()->Close();
+    if (instance && link->instance() != *instance) link->channel()->Close();
   }
 }
 
 void Peers::CloseAll() {
-  for (const auto& [process, link] : links_) {
-    if (link) link->channel()->Close();
-  }
+  for (const auto& [process, link] : links_) link->channel()->Close();
   links_.clear();
 }
 

@@ -77,25 +77,46 @@ void RemoteConnections::TryPossible() {
 
 void RemoteConnections::Try(ConnectionId id) {
   std::string process;
+  std::uint64_t attempt = 0;
   bool is_first = false;
+  bool is_there = false;
   {
     const auto lock = context_.host.LockStructure();
     const auto found = entries_.find(id);
     if (found == entries_.end() || found->second.connection || found->second.is_opening) return;
-    ++found->second.attempt;
-    process = found->second.description.provided.process;
-    is_first = found->second.done != nullptr;
+    Entry& entry = found->second;
+    attempt = ++entry.attempt;
+    process = entry.description.provided.process;
+    is_first = entry.done != nullptr;
+    is_there = entry.is_opening = peers_.InstanceOf(process).has_value();
   }
-  if (!peers_.InstanceOf(process)) {  // UpdatePeers() will try again
+  if (!is_there) {  // UpdatePeers() will try again
     if (is_first) {
       Postpone(id, "process '" + process + "' is not there; the connection is made when it comes" +
                        DidYouMean(process, peers_.names()));
     }
     return;
   }
-  const auto link = peers_.LinkTo(process);
-  if (!link) return Postpone(id, link.error().message);
-  Request(id, *link);
+  peers_.LinkTo(process, [this, id, attempt](const auto& link) {
+    if (!IsNewest(id, attempt)) return;
+    link ? Request(id, *link) : Postpone(id, link.error().message);
+  });
+  if (!is_first) return;
+  context_.worker->PostAfter(kOpenTimeout, [this, id, attempt] { TellWaiting(id, attempt); });
+}
+
+/// Links that hang may go before: who asks is not to wait for those.
+void RemoteConnections::TellWaiting(ConnectionId id, std::uint64_t attempt) {
+  Done done;
+  ConnectionDescription description;
+  {
+    const auto lock = context_.host.LockStructure();
+    const auto found = entries_.find(id);
+    if (found == entries_.end() || found->second.attempt != attempt || found->second.link) return;
+    done = std::exchange(found->second.done, nullptr);
+    description = found->second.description;
+  }
+  if (done) done(description);
 }
 
 void RemoteConnections::Request(ConnectionId id, const std::shared_ptr<PeerLink>& link) {
@@ -117,7 +138,6 @@ void RemoteConnections::Request(ConnectionId id, const std::shared_ptr<PeerLink>
               .read_deadline = (*required)->read_deadline(),
               .mirrored = (*required)->mirrored()};
     wanted.open.handle = link->handles().Reserve(wanted.open.description.event_handlers.size());
-    entry.is_opening = true;
     entry.link = link;
     entry.handle = attempt.handle = wanted.open.handle;
     attempt.number = entry.attempt;

@@ -78,6 +78,7 @@ class RemoteConnections final : private PeerListener {
   Result<ConnectionId> Enter(const message::Wire& wire, const Done& done);
   void TryPossible();
   void Try(ConnectionId id);
+  void TellWaiting(ConnectionId id, std::uint64_t attempt);
   void Request(ConnectionId id, const std::shared_ptr<PeerLink>& link);
   void GiveUp(ConnectionId id, std::uint64_t attempt, const Error& reason);
   void Finish(const Attempt& attempt, const OpenedInterface& opened);

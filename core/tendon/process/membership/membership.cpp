@@ -2,6 +2,7 @@
 #include <tendon/base/os/process.h>
 #include <tendon/middleware/parts/large_in_hand.h>
 #include <tendon/process/ask.h>
+#include <tendon/process/client/channel_opening.h>
 #include <tendon/process/log/messages.h>
 #include <tendon/process/membership/membership.h>
 #include <tendon/process/membership/no_gcm.h>
@@ -148,20 +149,21 @@ bool Membership::is_joined() const {
 }
 
 void Membership::Try() {
-  auto handler = std::make_shared<GcmHandler>(context_.worker, *this);
-  Hello hello = context_.hello;
-  hello.wanted = kGcmName;
-  auto channel =
-      Channel::Open(*context_.middleware, options_.gcm, hello, std::move(handler), kGcmOpenTimeout);
-  if (!channel) {
-    Error error = channel.error();
-    if (error.code == ErrorCode::kUnreachable || error.code == ErrorCode::kTimeout) {
-      error = NoGcm(options_.gcm, error.message);
-    }
-    return Fail(error);
-  }
-  candidate_ = *channel;
-  AskForFanOut(*channel);
+  WantedChannel wanted{.address = options_.gcm,
+                       .hello = context_.hello,
+                       .handler = std::make_shared<GcmHandler>(context_.worker, *this),
+                       .timeout = kGcmOpenTimeout};
+  wanted.hello.wanted = kGcmName;
+  OpenChannel(context_, wanted, [this](const OpenedChannel& channel) {
+    if (!channel) return Fail(WhyNotThere(channel.error()));
+    candidate_ = *channel;
+    AskForFanOut(*channel);
+  });
+}
+
+Error Membership::WhyNotThere(const Error& error) const {
+  const bool is_away = error.code == ErrorCode::kUnreachable || error.code == ErrorCode::kTimeout;
+  return is_away ? NoGcm(options_.gcm, error.message) : error;
 }
 
 /// Before the GCM shows us to viewers, who then ask for rows.

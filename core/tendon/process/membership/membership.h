@@ -71,6 +71,7 @@ class Membership final : private NetworkJob {
   class GcmHandler;
 
   void Try();
+  [[nodiscard]] Error WhyNotThere(const Error& error) const;
   void AskForFanOut(const std::shared_ptr<Channel>& channel);
   void Join(const std::shared_ptr<Channel>& channel);
   void Finish(const std::shared_ptr<Channel>& channel, ProcessContent reported,

@@ -1,0 +1,49 @@
+#include <tendon/process/client/channel_opening.h>
+
+#include <exception>
+#include <utility>
+
+namespace tendon {
+namespace {
+
+OpenedChannel Open(Middleware& middleware, const WantedChannel& wanted) {
+  try {
+    return Channel::Open(middleware, wanted.address, wanted.hello, wanted.handler, wanted.timeout);
+  } catch (const std::exception& failure) {  // there may be no memory, or no further thread
+    return Error{ErrorCode::kFailed, failure.what()};
+  }
+}
+
+/// What was opened, on its way to the worker, who may have stopped.
+class Delivery {
+ public:
+  Delivery(Middleware& middleware, const WantedChannel& wanted)
+      : channel_(Open(middleware, wanted)) {}
+  Delivery(const Delivery&) = delete;
+  Delivery& operator=(const Delivery&) = delete;
+  ~Delivery() {
+    if (channel_ && !is_taken_) (*channel_)->Close();
+  }
+
+  [[nodiscard]] const OpenedChannel& Take() {
+    is_taken_ = true;
+    return channel_;
+  }
+
+ private:
+  const OpenedChannel channel_;
+  bool is_taken_ = false;
+};
+
+}  // namespace
+
+void OpenChannel(const ProcessContext& context, const WantedChannel& wanted,
+                 std::function<void(const OpenedChannel&)> done) {
+  context.opener->Post(
+      [middleware = context.middleware, worker = context.worker, wanted, done = std::move(done)] {
+        const auto delivery = std::make_shared<Delivery>(*middleware, wanted);
+        worker->Post([delivery, done] { done(delivery->Take()); });
+      });
+}
+
+}  // namespace tendon

@@ -1,0 +1,93 @@
+#pragma once
+
+#include <tendon/middleware/handshake/openings.h>
+#include <tendon/middleware/middleware.h>
+
+#include <algorithm>
+#include <condition_variable>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "support/wait.h"
+
+/// A middleware to some of whose places no link comes about, as where a process hangs, but for as
+/// long as the test wants.
+class HoldingMiddleware final : public tendon::Middleware {
+ public:
+  explicit HoldingMiddleware(std::shared_ptr<tendon::Middleware> below)
+      : below_(std::move(below)) {}
+
+  /// Whoever opens a link to there waits from now on.
+  void Hold(const std::string& address) {
+    const std::scoped_lock lock(mutex_);
+    held_[address] = 0;
+  }
+  /// The other end goes on.
+  void Release(const std::string& address) {
+    const std::scoped_lock lock(mutex_);
+    held_.erase(address);
+    changed_.notify_all();
+  }
+  /// Who waits for a link to there has waited for too long; the next waits again.
+  void TimeOut(const std::string& address) {
+    const std::scoped_lock lock(mutex_);
+    ++held_[address];
+    changed_.notify_all();
+  }
+
+  /// Where somebody waits for a link to, one for each who waits.
+  [[nodiscard]] std::vector<std::string> waiting() const {
+    const std::scoped_lock lock(mutex_);
+    return waiting_;
+  }
+  [[nodiscard]] bool IsWaitedFor(const std::string& address) const {
+    const auto all = waiting();
+    return std::ranges::find(all, address) != all.end();
+  }
+  bool EventuallyWaitedFor(const std::string& address) const {
+    return EventuallyTrue([&] { return IsWaitedFor(address); });
+  }
+
+  [[nodiscard]] std::string_view name() const override { return below_->name(); }
+  tendon::Result<std::unique_ptr<tendon::Listener>> Listen(const std::string& address,
+                                                           tendon::AcceptLink accept) override {
+    return below_->Listen(address, std::move(accept));
+  }
+  tendon::Result<std::shared_ptr<tendon::Link>> Open(const std::string& address,
+                                                     std::shared_ptr<tendon::LinkHandler> handler,
+                                                     std::chrono::milliseconds timeout) override {
+    if (auto waited = Wait(address); !waited) return waited.error();
+    return below_->Open(address, std::move(handler), timeout);
+  }
+
+ private:
+  tendon::Result<void> Wait(const std::string& address) {
+    bool is_over = false;
+    const tendon::WaitForLink wait([&] {
+      const std::scoped_lock lock(mutex_);
+      is_over = true;
+      changed_.notify_all();
+    });
+    std::unique_lock lock(mutex_);
+    const auto begun = held_.find(address);
+    if (begun == held_.end()) return {};
+    const int timeouts = begun->second;
+    waiting_.push_back(address);
+    changed_.wait(
+        lock, [&] { return is_over || !held_.contains(address) || held_.at(address) != timeouts; });
+    waiting_.erase(std::ranges::find(waiting_, address));
+    if (is_over) return tendon::OpeningIsOver();
+    if (!held_.contains(address)) return {};
+    return tendon::Error{tendon::ErrorCode::kTimeout, address + " does not answer"};
+  }
+
+  const std::shared_ptr<tendon::Middleware> below_;
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  std::map<std::string, int> held_;  // how many times somebody has waited for too long
+  std::vector<std::string> waiting_;
+};
