@@ -38,6 +38,12 @@ void MakeRoom(Bytes& body, std::size_t more, std::size_t size) {
 
 }  // namespace
 
+Budget<>& PartAssembly::BudgetOfProcess() {
+  constexpr std::size_t kMost = std::size_t{512} << 20U;
+  static auto& budget = *new Budget<>(kMost);  // for ever: threads may end after all else
+  return budget;
+}
+
 PartAssembly::Progress PartAssembly::Add(std::uint32_t number, std::span<const std::byte> part,
                                          Frame& frame) {
   auto found = begun_.find(number);
@@ -67,7 +73,7 @@ PartAssembly::Progress PartAssembly::Add(std::uint32_t number, std::span<const s
 PartAssembly::Progress PartAssembly::Keep(Begun& begun, std::span<const std::byte> more,
                                           bool is_last) {
   if (is_last) {
-    budget_.GiveBack(begun.come);
+    budget_.Give(begun.come);
     kept_ -= begun.come;
   } else if (!budget_.Take(more.size())) {
     return Progress::kTooMuch;
@@ -111,7 +117,7 @@ SteadyTime PartAssembly::given_up() const {
 void PartAssembly::Clear() {
   begun_.clear();
   claimed_ = {};
-  budget_.GiveBack(std::exchange(kept_, 0));
+  budget_.Give(std::exchange(kept_, 0));
 }
 
 }  // namespace tendon

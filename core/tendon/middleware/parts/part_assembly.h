@@ -1,9 +1,9 @@
 #pragma once
 
 #include <tendon/base/clock.h>
+#include <tendon/lockfree/budget.h>
 #include <tendon/middleware/frame.h>
 #include <tendon/middleware/parts/large_in_hand.h>
-#include <tendon/middleware/parts/part_budget.h>
 
 #include <chrono>
 #include <cstddef>
@@ -24,8 +24,11 @@ class PartAssembly {
   /// is not wanted, and nobody hears of it.
   using IsWanted = std::function<bool(const FrameHeader&)>;
 
+  /// Bytes that all links of a process together keep of messages that are not whole: 512 MiB.
+  [[nodiscard]] static Budget<>& BudgetOfProcess();
+
   /// `budget` and `clock` live as long as this.
-  explicit PartAssembly(IsWanted is_wanted = nullptr, PartBudget& budget = PartBudget::OfProcess(),
+  explicit PartAssembly(IsWanted is_wanted = nullptr, Budget<>& budget = BudgetOfProcess(),
                         const Clock& clock = SteadyClock())
       : is_wanted_(std::move(is_wanted)), budget_(budget), clock_(clock) {}
   PartAssembly(const PartAssembly&) = delete;
@@ -81,7 +84,7 @@ class PartAssembly {
   Progress Keep(Begun& begun, std::span<const std::byte> more, bool is_last);
 
   const IsWanted is_wanted_;
-  PartBudget& budget_;
+  Budget<>& budget_;
   const Clock& clock_;
   Frames begun_;
   Claims claimed_;

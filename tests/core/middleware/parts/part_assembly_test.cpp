@@ -129,7 +129,8 @@ TEST(PartAssembly, KeepsOneHugeFrameAndAWindowOfOthers) {
 TEST(PartAssembly, KeepsNothingOfWhatIsNotWanted) {
   const Bytes frame = FrameOfSize(2 * kPartSize);
   const Bytes other = FrameOfSize(100);
-  PartBudget none(0);
+  Budget<> none(0);
+  ASSERT_TRUE(none.Take(1));
   PartAssembly assembly([](const FrameHeader& /*header*/) { return false; }, none);
   PartAssembly::Frame whole;
 
@@ -141,7 +142,7 @@ TEST(PartAssembly, KeepsNothingOfWhatIsNotWanted) {
 }
 
 TEST(PartAssembly, AllThatShareABudgetKeepNoMoreThanThat) {
-  PartBudget budget(2 * kPartSize);
+  Budget<> budget(2 * kPartSize);
   PartAssembly first(nullptr, budget);
   const Bytes frame = FrameOfSize(4 * kPartSize);
   PartAssembly::Frame whole;
@@ -160,7 +161,7 @@ TEST(PartAssembly, AllThatShareABudgetKeepNoMoreThanThat) {
 }
 
 TEST(PartAssembly, WhatIsWholeCountsInNoBudget) {
-  PartBudget budget(kPartSize);
+  Budget<> budget(kPartSize);
   PartAssembly assembly(nullptr, budget);
   const Bytes frame = FrameOfSize(2 * kPartSize);
   PartAssembly::Frame whole;
@@ -189,7 +190,7 @@ TEST(PartAssembly, TakesMemoryForWhatHasComeAndNotForWhatIsClaimed) {
 
 TEST(PartAssembly, WaitsForTheNextPartOfEachFrameAndNotForEver) {
   ManualClock clock;
-  PartAssembly assembly(nullptr, PartBudget::OfProcess(), clock);
+  PartAssembly assembly(nullptr, PartAssembly::BudgetOfProcess(), clock);
   const Bytes frame = FrameOfSize(3 * kPartSize);
   PartAssembly::Frame whole;
   EXPECT_EQ(assembly.given_up(), SteadyTime::max());
