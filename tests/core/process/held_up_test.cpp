@@ -16,6 +16,7 @@
 #include <thread>
 #include <vector>
 
+#include "core/process/client/empty_host.h"
 #include "support/folder.h"
 #include "support/machine/stall_meter.h"
 #include "support/wait.h"
@@ -213,33 +214,8 @@ TEST(LargeInHand, WhatIsDoneSoonExcusesNobody) {
 }
 
 /// A process without components; or with one that has always got another large configuration.
-class Empty final : public tendon::ProcessHost, public tendon::MembershipDelegate {
+class Empty final : public EmptyHost, public tendon::MembershipDelegate {
  public:
-  using Lock = std::unique_lock<std::recursive_mutex>;
-
-  [[nodiscard]] Lock LockStructure() const override { return Lock(mutex_); }
-  [[nodiscard]] tendon::Result<tendon::RequiredInterface*> LookUpRequired(
-      const tendon::InterfaceName& /*name*/) const override {
-    return Nothing();
-  }
-  [[nodiscard]] tendon::Result<tendon::ProvidedInterface*> LookUpProvided(
-      const tendon::InterfaceName& /*name*/) const override {
-    return Nothing();
-  }
-  [[nodiscard]] tendon::Component* LookUpComponent(const std::string& /*name*/) const override {
-    return nullptr;
-  }
-  [[nodiscard]] tendon::Result<tendon::ConnectionCounts> LookUpCounts(
-      const tendon::InterfaceName& /*name*/) const override {
-    return Nothing();
-  }
-  [[nodiscard]] tendon::Result<tendon::MailboxFill> LookUpFill(
-      const std::string& /*component*/) const override {
-    return Nothing();
-  }
-  tendon::ConnectionId NewConnectionId() override { return {}; }
-  void StructureChanged() const override {}
-
   [[nodiscard]] tendon::ProcessContent content() const override {
     if (!is_large) return {};
     tendon::ComponentDescription component;
@@ -270,11 +246,6 @@ class Empty final : public tendon::ProcessHost, public tendon::MembershipDelegat
 
   std::atomic<bool> is_large = false;
   mutable std::atomic<int> asked = 0;
-
- private:
-  static tendon::Error Nothing() { return {tendon::ErrorCode::kNotFound, "there is nothing"}; }
-
-  mutable std::recursive_mutex mutex_;
 };
 
 /// Takes all of its thread's time until it is told to go on.

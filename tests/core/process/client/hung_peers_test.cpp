@@ -66,14 +66,6 @@ class HungPeers : public RemoteConnection {
     KillGcm();  // it would say that they have left
     for (const auto& peer : peers) Hold(peer->address());
   }
-  /// The next whose link is waited for is so no more.
-  std::string TimeOutOne() {
-    EXPECT_TRUE(EventuallyTrue([this] { return IsSomebodyWaitedFor(); }));
-    const std::string address = links_->waiting().front();
-    links_->TimeOut(address);
-    EXPECT_TRUE(EventuallyTrue([&] { return !links_->IsWaitedFor(address); }));
-    return address;
-  }
   [[nodiscard]] bool IsSomebodyWaitedFor() const { return !links_->waiting().empty(); }
 
   /// What desk does on its worker for who asks for it.
@@ -153,20 +145,6 @@ TEST_P(HungPeers, LeaveTheOthersWaitingTheirTurn) {
   EXPECT_EQ(found->reason, "process 'robot' is being asked");
 
   links_->TimeOut(hung->address());
-  EXPECT_TRUE(
-      EventuallyTrue([&] { return user->stop() == tendon::Status(tendon::Status::kQueued); }));
-}
-
-TEST_P(HungPeers, ThatWereSilentTheLastTimeGoBehindTheOthers) {
-  StartRobot();
-  ASSERT_NO_FATAL_FAILURE(LetPeersHang(2));
-  const std::string first = TimeOutOne();
-  ASSERT_NE(TimeOutOne(), first);
-  ASSERT_TRUE(EventuallyTrue([this] { return IsSomebodyWaitedFor(); }));
-
-  ASSERT_TRUE(desk->Connect(kRobot, kControl).ok());
-  TimeOutOne();
-
   EXPECT_TRUE(
       EventuallyTrue([&] { return user->stop() == tendon::Status(tendon::Status::kQueued); }));
 }
