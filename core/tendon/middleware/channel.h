@@ -137,6 +137,7 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   void OnAsked(std::span<const std::byte> frame, LeftAnswer& answer) override;
   void OnClosed(const Error& reason) override;
   void OnNoRoom(const char* limit, std::size_t size);
+  void OnTooMuch(const FrameHeader& header);
 
   Result<void> Greet(const std::shared_ptr<Link>& link, SteadyTime deadline);
   void OnFirst(const FrameHeader& header, std::span<const std::byte> body);

@@ -36,15 +36,16 @@ class ProcessHost {
 ///
 /// Threads: the structure (which connections there are, to what) is changed on the worker, or under
 /// the manager's lock by who removes a component or disconnects; threads of the middleware post to
-/// the worker what might block. It waits for no other process: links are opened by the opener,
-/// which posts to the worker what has come of it.
+/// the worker what might block. It waits for no other process: links are opened by the openers,
+/// which post to the worker what has come of it.
 struct ProcessContext {
   std::string name;
   ProcessHost& host;
   std::shared_ptr<Middleware> middleware;
   Hello hello;  ///< of channels that are opened; its session belongs to the worker
   std::shared_ptr<Worker> worker;
-  std::shared_ptr<Worker> opener;
+  std::shared_ptr<Worker> opener;      ///< of links to peers
+  std::shared_ptr<Worker> gcm_opener;  ///< of that to the GCM, which no peer that hangs delays
   std::shared_ptr<NetworkThread> network;
   ComponentProxies proxies;
 };

@@ -40,6 +40,7 @@ class Process::Parts final : public MembershipDelegate {
                  .hello = MakeHello(name),
                  .worker = std::make_shared<Worker>("process", name),
                  .opener = std::make_shared<Worker>("opener", name),
+                 .gcm_opener = std::make_shared<Worker>("gcm opener", name),
                  .network = network_,
                  .proxies = ComponentProxies(network_)},
         services_{.context = context_,
@@ -66,7 +67,7 @@ class Process::Parts final : public MembershipDelegate {
   /// While the process still knows them.
   void Close() {
     life_.Stop();  // while the worker can do what it may wait for
-    context_.opener->Stop();
+    for (Worker* const opener : {&*context_.opener, &*context_.gcm_opener}) opener->Stop();
     context_.worker->Stop();  // from now on the structure is changed here alone
     if (membership_) membership_->Leave();
     connections_.Close();

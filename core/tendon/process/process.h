@@ -41,7 +41,7 @@ struct ProcessOptions {
 /// Through the GCM, its components can be started, suspended and stopped; those of plug-ins also be
 /// made and removed, where its options have a loader.
 ///
-/// Thread safety: as LocalManager. Threads: four of its own, one for each order from afar that is
+/// Thread safety: as LocalManager. Threads: five of its own, one for each order from afar that is
 /// under way, and the middleware's.
 class Process final : public LocalManager, private ProcessHost {
  public:

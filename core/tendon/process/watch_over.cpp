@@ -38,10 +38,12 @@ void WatchOver(const std::shared_ptr<Worker>& worker, const std::shared_ptr<Chan
 
 void KeepExpiring(Worker& worker, const std::weak_ptr<Channel>& channel) {
   constexpr std::chrono::milliseconds kBetween(1000);
-  worker.PostAfter(kBetween, [&worker, channel] {
+  worker.PostAfter(kBetween, [&worker, channel, due = SteadyClock().Now() + kBetween] {
     const auto still_there = channel.lock();
     if (!still_there || !still_there->is_open()) return;
-    still_there->Expire(SteadyClock().Now());
+    const SteadyTime now = SteadyClock().Now();
+    const bool has_stood_still = now - due > kBetween;  // what has come meanwhile is not heard yet
+    if (!has_stood_still) still_there->Expire(now);
     KeepExpiring(worker, channel);
   });
 }

@@ -77,7 +77,7 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
     void ExecuteSlot(std::byte* /*argument*/, std::size_t slot) override {
       const auto call = command_.callers_->Start(RecordOf(slot));
       if (call) command_.Hand(*call, command_.pool_[slot]);
-      command_.FreeIfLarge(slot);
+      command_.FreeIfMany(slot);
     }
     void DropSlot(std::size_t slot) noexcept override { command_.callers_->Drop(RecordOf(slot)); }
 
@@ -120,6 +120,7 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
   }
 
   Status Post(std::span<const std::byte> in) {
+    if (const Status can = Check(in); !can) return can;
     if (!outbox_.waiting_bytes().Take(in.size())) {
       mailbox_.CountRefused();
       return Status::kQueueFull;
@@ -134,17 +135,24 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
     return claimed;
   }
 
+  /// kQueued, or why it could not be sent.
+  Status Check(std::span<const std::byte> in) {
+    if (!outbox_.is_open()) return Status::kNotConnected;
+    if (in.size() <= kMaxPayload) return Status::kQueued;
+    outbox_.RefusePayload(handle_, in.size());
+    return Status::kInvalid;
+  }
+
   /// kQueued, and room with the argument; or why not.
   Status Claim(std::span<const std::byte> in, std::byte*& room) {
-    if (!outbox_.is_open()) return Status::kNotConnected;
-    if (in.size() > kMaxPayload) {
-      outbox_.RefusePayload(handle_, in.size());
-      return Status::kInvalid;
-    }
+    if (const Status can = Check(in); !can) return can;
     room = mailbox_.Claim();
     if (room == nullptr) return mailbox_.refusal();
     const Status copied = Host::Contain(nullptr, [&]() -> Status {  // memory may be short
-      pool_[mailbox_.SlotOf(room)].assign(in.begin(), in.end());
+      Bytes& argument = pool_[mailbox_.SlotOf(room)];
+      const std::size_t before = argument.capacity();
+      argument.assign(in.begin(), in.end());
+      if (argument.capacity() != before) grown_.Add(argument.capacity() - before);
       return Status::kQueued;
     });
     if (!copied) mailbox_.GiveUp(room);
@@ -178,17 +186,18 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
   void ExecuteSlot(std::byte* /*argument*/, std::size_t slot) override {
     outbox_.waiting_bytes().Give(pool_[slot].size());
     outbox_.Take(handle_, pool_[slot]);
-    FreeIfLarge(slot);
+    FreeIfMany(slot);
   }
   void DropSlot(std::size_t slot) noexcept override {
     outbox_.waiting_bytes().Give(pool_[slot].size());
   }
 
-  /// A buffer is kept where all slots may keep one of its size: a call that allocates nothing is
-  /// not worth any amount of memory.
-  void FreeIfLarge(std::size_t slot) noexcept {
-    constexpr std::size_t kMostKept = std::size_t{64} << 20U;
-    if (pool_[slot].capacity() * pool_.size() > kMostKept) Bytes().swap(pool_[slot]);
+  /// Buffers are kept up to a sum: that a call allocates nothing is not worth any amount of memory.
+  void FreeIfMany(std::size_t slot) noexcept {
+    constexpr std::uint64_t kMostKept = std::uint64_t{64} << 20U;
+    if (grown_.value() - freed_.value() <= kMostKept) return;
+    freed_.Add(pool_[slot].capacity());
+    Bytes().swap(pool_[slot]);
   }
 
   Outbox& outbox_;
@@ -198,7 +207,9 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
   Mailbox& mailbox_;
   const std::shared_ptr<AwaitedCalls<>> callers_;
   Awaited awaited_{*this};
-  std::vector<Bytes> pool_;  // of arguments, by slot; see FreeIfLarge()
+  SharedCounter<> grown_;    // bytes by which the buffers of the pool have grown
+  SharedCounter<> freed_;    // of those, freed again
+  std::vector<Bytes> pool_;  // of arguments, by slot; see FreeIfMany()
 };
 
 /// As a LatestCommand: a newer call replaces an older one that still waits to be sent, and at the

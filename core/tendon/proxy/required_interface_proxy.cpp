@@ -23,6 +23,8 @@ constexpr std::chrono::milliseconds kPatience(5);
 
 /// Of events that wait for a peer, which says how many may; beyond them they are lost, and counted.
 constexpr std::size_t kMostEventBytes = std::size_t{64} << 20U;
+/// The same for one that only listens, of which there may be many.
+constexpr std::size_t kMostHeardBytes = std::size_t{8} << 20U;
 
 /// The right of a thread of the middleware to wait for a component. Few may at a time, in this
 /// process: the others serve whoever else asks.
@@ -99,7 +101,8 @@ RequiredInterfaceProxy::RequiredInterfaceProxy(std::shared_ptr<NetworkThread> th
       handle_(open.handle),
       capacity_(open.capacity),
       outbox_(channel_, events == Events::kTimed ? message::kTimedEvents : message::kEvents,
-              thread_->wakeup(), ToString(open.provided), {.waiting_bytes = kMostEventBytes}),
+              thread_->wakeup(), ToString(open.provided),
+              {.waiting_bytes = events == Events::kTimed ? kMostHeardBytes : kMostEventBytes}),
       loss_report_(channel_, handle_),
       interface_(open.description.name, &outbox_.inbox()),
       quick_in_a_row_(

@@ -70,7 +70,7 @@ class HostileListener : public NetworkTest {
 TEST_P(HostileListener, ThatStopsReadingHoldsNoMoreThanItsShareOfLargeEvents) {
   constexpr std::uint32_t kMostCapacity = 65536;
   constexpr std::size_t kMebibyte = std::size_t{1} << 20U;
-  constexpr int kShare = 64 + 32;  // MiB that may wait, and what a line may hold
+  constexpr int kShare = 8 + 32;  // MiB that may wait, and what a line may hold
   const auto stuck = std::make_shared<StuckHandler>();
   const auto channel = Open(stuck);
   ASSERT_TRUE(Listen(*channel, 1, kMostCapacity).ok());

@@ -100,13 +100,13 @@ void BecomeProgram(const std::vector<std::string>& words, std::size_t most_memor
   for (std::string& word : copies) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   rlimit before{};
-  getrlimit(RLIMIT_AS, &before);
+  const bool is_known = getrlimit(RLIMIT_AS, &before) == 0;
   rlimit limit = before;
-  limit.rlim_cur = std::min<rlim_t>(before.rlim_max, most_memory);
-  setrlimit(RLIMIT_AS, &limit);
+  limit.rlim_cur = std::min<rlim_t>(before.rlim_cur, most_memory);
+  if (is_known) setrlimit(RLIMIT_AS, &limit);
   setenv("MALLOC_ARENA_MAX", "4", 0);  // each takes addresses that it may never use
   execvp(arguments.front(), arguments.data());
-  setrlimit(RLIMIT_AS, &before);
+  if (is_known) setrlimit(RLIMIT_AS, &before);
 }
 
 }  // namespace tendon::os

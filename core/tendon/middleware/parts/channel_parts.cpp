@@ -22,13 +22,19 @@ void Channel::OnPart(const FrameHeader& header, std::span<const std::byte> part)
     case Progress::kOutOfMemory:
       return OnNoRoom("out of memory (ulimit -v)", FrameHeader::kSize + frame.header.size);
     case Progress::kTooMuch:
-      return OnNoRoom("512 MiB of unfinished messages are kept already",
-                      FrameHeader::kSize + frame.header.size);
+      return OnTooMuch(frame.header);
     case Progress::kWhole:
       break;
   }
   TellTaken();
   HandleLarge(std::move(frame));
+}
+
+/// Who asks is told. A notice is not lost in silence: its link ends with it.
+void Channel::OnTooMuch(const FrameHeader& header) {
+  constexpr const char* kWhy = "512 MiB of unfinished messages are kept already";
+  if (header.request == 0) return OnNoRoom(kWhy, FrameHeader::kSize + header.size);
+  CallGuarded(peer_.name, [&] { SendRefusal(header.request, {ErrorCode::kFailed, kWhy}); });
 }
 
 /// Of a frame that is not whole with its first part: before anything of it is kept. Nobody need

@@ -27,6 +27,11 @@ bool MayBeLarge(MessageType type) {
   }
 }
 
+/// Of what was asked for here: whoever asks knows how much he asks for.
+bool IsAnswer(MessageType type) {
+  return type == MessageType::kReply || type == MessageType::kRefusal;
+}
+
 /// Room for `more` bytes of a body of `size`. What has come is copied seldom, and whoever claims
 /// much gets 1 MiB, or eight times what he has sent.
 void MakeRoom(Bytes& body, std::size_t more, std::size_t size) {
@@ -73,11 +78,15 @@ PartAssembly::Progress PartAssembly::Add(std::uint32_t number, std::span<const s
 PartAssembly::Progress PartAssembly::Keep(Begun& begun, std::span<const std::byte> more,
                                           bool is_last) {
   if (is_last) {
-    budget_.Give(begun.come);
-    kept_ -= begun.come;
-  } else if (!budget_.Take(more.size())) {
-    return Progress::kTooMuch;
-  } else {
+    GiveBack(begun);
+  } else if (!IsAnswer(begun.header.type)) {
+    if (!budget_.Take(more.size())) {
+      GiveBack(begun);
+      Bytes().swap(begun.body);
+      begun.is_wanted = false;
+      return Progress::kTooMuch;
+    }
+    begun.kept += more.size();
     kept_ += more.size();
   }
   try {
@@ -87,6 +96,11 @@ PartAssembly::Progress PartAssembly::Keep(Begun& begun, std::span<const std::byt
   }
   begun.body.insert(begun.body.end(), more.begin(), more.end());
   return is_last ? Progress::kWhole : Progress::kMoreToCome;
+}
+
+void PartAssembly::GiveBack(Begun& begun) {
+  budget_.Give(begun.kept);
+  kept_ -= std::exchange(begun.kept, 0);
 }
 
 /// One frame of those that are huge, and a window of others: what one sender lets on its way.

@@ -24,7 +24,8 @@ class PartAssembly {
   /// is not wanted, and nobody hears of it.
   using IsWanted = std::function<bool(const FrameHeader&)>;
 
-  /// Bytes that all links of a process together keep of messages that are not whole: 512 MiB.
+  /// Bytes that all links of a process together keep of messages that are not whole, answers aside:
+  /// 512 MiB.
   [[nodiscard]] static Budget<>& BudgetOfProcess();
 
   /// `budget` and `clock` live as long as this.
@@ -35,13 +36,13 @@ class PartAssembly {
   PartAssembly& operator=(const PartAssembly&) = delete;
   ~PartAssembly() { Clear(); }
 
-  /// What a part has led to; the link is to be closed but for the first two.
+  /// What a part has led to; the link is to be closed for nonsense, and where memory is out.
   enum class Progress {
     kMoreToCome,
     kWhole,        ///< a frame is whole
     kNonsense,     ///< no part of a frame that the peer may send
     kOutOfMemory,  ///< there is none for the frame
-    kTooMuch       ///< the budget has no more
+    kTooMuch       ///< the budget has no more: nothing of the frame is kept
   };
   /// What has been put together; it belongs to who has asked.
   struct Frame {
@@ -70,6 +71,7 @@ class PartAssembly {
     FrameHeader header;
     Bytes body;
     std::size_t come = 0;  // of the body
+    std::size_t kept = 0;  // of the budget
     bool is_wanted = true;
     SteadyTime last_part{};
   };
@@ -82,6 +84,7 @@ class PartAssembly {
   [[nodiscard]] std::size_t& ClaimsFor(std::size_t size);
   Frames::iterator Begin(std::uint32_t number, std::span<const std::byte> part);
   Progress Keep(Begun& begun, std::span<const std::byte> more, bool is_last);
+  void GiveBack(Begun& begun);
 
   const IsWanted is_wanted_;
   Budget<>& budget_;

@@ -39,7 +39,7 @@ class Delivery {
 
 void OpenChannel(const ProcessContext& context, const WantedChannel& wanted,
                  std::function<void(const OpenedChannel&)> done) {
-  context.opener->Post(
+  wanted.opener->Post(
       [middleware = context.middleware, worker = context.worker, wanted, done = std::move(done)] {
         const auto delivery = std::make_shared<Delivery>(*middleware, wanted);
         worker->Post([delivery, done] { done(delivery->Take()); });

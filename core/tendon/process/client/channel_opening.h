@@ -12,6 +12,7 @@ namespace tendon {
 
 /// A channel that a process wants to another one.
 struct WantedChannel {
+  std::shared_ptr<Worker> opener;
   std::string address;
   Hello hello;
   std::shared_ptr<ChannelHandler> handler;
@@ -20,8 +21,8 @@ struct WantedChannel {
 
 using OpenedChannel = Result<std::shared_ptr<Channel>>;
 
-/// Opens it in the opener of the process, behind those that it opens already: one that hangs holds
-/// up no others than these. `done` is called on the worker; once that has stopped, what was opened
+/// Opens it in its opener, behind those that it opens already: one that hangs holds up no others
+/// than these. `done` is called on the worker; once that has stopped, what was opened
 /// is closed instead.
 void OpenChannel(const ProcessContext& context, const WantedChannel& wanted,
                  std::function<void(const OpenedChannel&)> done);

@@ -15,8 +15,11 @@ void PeerLink::Open(const ProcessContext& context, PeerListener& listener,
                     const std::string& process, const std::string& address, Opened opened) {
   constexpr std::chrono::milliseconds kOpenTimeout(800);
   const auto link = std::make_shared<PeerLink>(context.worker, listener);
-  WantedChannel wanted{
-      .address = address, .hello = context.hello, .handler = link, .timeout = kOpenTimeout};
+  WantedChannel wanted{.opener = context.opener,
+                       .address = address,
+                       .hello = context.hello,
+                       .handler = link,
+                       .timeout = kOpenTimeout};
   wanted.hello.wanted = process;
   wanted.hello.session = 0;  // it is for the GCM alone
   OpenChannel(context, wanted,

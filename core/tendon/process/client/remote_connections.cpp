@@ -128,6 +128,7 @@ void RemoteConnections::Request(ConnectionId id, const std::shared_ptr<PeerLink>
     if (found == entries_.end()) return;
     Entry& entry = found->second;
     const auto required = context_.host.LookUpRequired(entry.description.required);
+    entry.is_opening = required.ok();
     if (!required) return;
     wanted = {.open = {.required = entry.description.required,
                        .provided = entry.description.provided,

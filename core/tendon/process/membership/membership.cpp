@@ -149,7 +149,8 @@ bool Membership::is_joined() const {
 }
 
 void Membership::Try() {
-  WantedChannel wanted{.address = options_.gcm,
+  WantedChannel wanted{.opener = context_.gcm_opener,
+                       .address = options_.gcm,
                        .hello = context_.hello,
                        .handler = std::make_shared<GcmHandler>(context_.worker, *this),
                        .timeout = kGcmOpenTimeout};

@@ -33,7 +33,7 @@ class ServedConnections {
   /// answered with a MarkedOpened.
   enum class Use { kAll, kAllMarked, kEventsOnly };
   static constexpr std::ptrdiff_t kMostListenersOfOne = 64;
-  static constexpr std::ptrdiff_t kMostListeners = 512;
+  static constexpr std::ptrdiff_t kMostListeners = 256;
 
   /// Connects, and answers before anything else is sent about the connection. Refusals: kNotFound
   /// with a suggestion, kIncompatible with the first difference, kInvalid for a mailbox that is too

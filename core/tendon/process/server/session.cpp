@@ -62,7 +62,9 @@ void Session::OnAllowedNotice(const SharedChannel& channel, const FrameHeader& h
       services.connections.Close(client, handle);
     });
   } else if (header.type == message::kUnsubscribe) {
-    PostNotice(channel, [&services = services_, channel, handle] {
+    const auto place = backlog_->Enter(0);
+    if (!place) return;  // who is sent more rows says so again
+    services_.context.worker->Post([place, &services = services_, channel, handle] {
       services.telemetry.Unsubscribe(channel, handle);
     });
   } else if (header.type == message::kRowTaken) {

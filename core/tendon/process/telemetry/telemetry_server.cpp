@@ -97,21 +97,17 @@ void TelemetryServer::JoinTopic(const std::shared_ptr<Channel>& channel,
 }
 
 /// With the mutex.
-Result<void> TelemetryServer::HasRoomFor(std::size_t subscriptions, const Channel& viewer) const {
-  std::size_t count = 0;
-  for (const TableFeed& feed : feeds_) count += feed.SubscriptionsOf(viewer);
-  if (count + subscriptions <= kMostSubscriptions) return {};
-  return Error{ErrorCode::kFailed,
-               "process '" + context_.name + "' gives one viewer at most " +
-                   std::to_string(kMostSubscriptions) + " subscriptions, and " +
-                   viewer.peer().name + " has " + std::to_string(count) +
-                   " already: end some, or ask for several columns of a table at once"};
-}
-
-/// With the mutex.
 Result<void> TelemetryServer::HasRoomFor(const Source& source, const message::Subscribe& wanted,
                                          const Channel& viewer) const {
-  if (auto room = HasRoomFor(1, viewer); !room) return room;
+  std::size_t count = 0;
+  for (const TableFeed& feed : feeds_) count += feed.SubscriptionsOf(viewer);
+  if (count >= kMostSubscriptions) {
+    return Error{ErrorCode::kFailed, "process '" + context_.name + "' gives one viewer at most " +
+                                         std::to_string(kMostSubscriptions) +
+                                         " subscriptions, and " + viewer.peer().name +
+                                         " has so many already: end some, or ask for several " +
+                                         "columns of a table at once"};
+  }
   const auto feed =
       std::ranges::find_if(feeds_, [&](const TableFeed& one) { return one.IsOf(*source.table); });
   if (feed == feeds_.end()) return {};
@@ -186,14 +182,10 @@ Result<TelemetryServer::Source> TelemetryServer::LookUp(const message::Subscribe
 
 void TelemetryServer::Mirror(const std::shared_ptr<Channel>& channel, const message::Mirror& wanted,
                              Responder& responder) {
-  std::unique_lock lock(mutex_);
-  const auto room = HasRoomFor(wanted.commands.size(), *channel);
-  lock.unlock();
-  if (!room) return responder.Refuse(room.error());
   const auto structure = context_.host.LockStructure();
   const auto sources = LookUp(wanted);
   if (!sources) return responder.Refuse(sources.error());
-  lock.lock();
+  const std::scoped_lock lock(mutex_);
   message::Mirrored mirrored;
   for (const Source& source : *sources) {
     if (source.table == nullptr) {

@@ -28,8 +28,9 @@ class TelemetryServer final : public NetworkJob {
   ~TelemetryServer() override;
 
   /// What one viewer may have, by one channel, so that it is in nobody's way: so many
-  /// subscriptions, columns that it mirrors among them; and of one table so much that for each row
-  /// all columns are read so often. Subscriptions of the same columns and rows are read once.
+  /// subscriptions, and of one table so much that for each row all columns are read so often.
+  /// Subscriptions of the same columns and rows are read once; what a process mirrors, which takes
+  /// an operator's right, is not refused for its number.
   ///
   /// All viewers together have no bound: a few could use it up.
   static constexpr std::size_t kMostSubscriptions = 2048;
@@ -45,8 +46,7 @@ class TelemetryServer final : public NetworkJob {
   void JoinTopic(const std::shared_ptr<Channel>& channel, const message::Subscribe& wanted,
                  Responder& responder);
   /// Sends copies of what read commands answer with. Refusals: kNotFound; kIncompatible for a
-  /// command that does not answer with the newest value of a column; kInvalid for one named twice;
-  /// kFailed for more than one viewer may have.
+  /// command that does not answer with the newest value of a column; kInvalid for one named twice.
   void Mirror(const std::shared_ptr<Channel>& channel, const message::Mirror& wanted,
               Responder& responder);
   /// Of topics that are made from now on; empty where there is none.
@@ -69,7 +69,6 @@ class TelemetryServer final : public NetworkJob {
     const Flag* enabled = nullptr;  // of the command that reads it, if it is one
   };
 
-  [[nodiscard]] Result<void> HasRoomFor(std::size_t subscriptions, const Channel& viewer) const;
   [[nodiscard]] Result<void> HasRoomFor(const Source& source, const message::Subscribe& wanted,
                                         const Channel& viewer) const;
   [[nodiscard]] Result<void> FitsTopic(const message::Subscribe& wanted,
