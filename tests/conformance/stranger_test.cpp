@@ -107,7 +107,7 @@ Bytes StrangersFrame(std::uint32_t number, std::size_t more) {
 }
 
 TEST_P(LifetimeContract, AStrangerMaySendSmallFramesAndNoLargeOne) {
-  for (const std::size_t more : {std::size_t{1}, std::size_t{1} << 20U, std::size_t{40} << 20U}) {
+  for (const std::size_t more : {std::size_t{1}, kMaxPieceSize - kMaxStrangersFrameSize}) {
     Host host(Host::Guests::kStrangers);
     Start(host.accept());
     const auto recorder = std::make_shared<Recorder>();
@@ -152,7 +152,7 @@ TEST_P(LifetimeContract, WhoIsAdmittedMaySendLargeFrames) {
   ASSERT_TRUE(guest.recorder->WaitForFrames(1));
 
   guest.link->Admit();
-  ASSERT_EQ((*link)->Send(StrangersFrame(2, std::size_t{1} << 20U)), Status::kQueued);
+  ASSERT_EQ((*link)->Send(FrameOf(2, kMaxPieceSize - FrameHeader::kSize)), Status::kQueued);
 
   EXPECT_TRUE(guest.recorder->WaitForFrames(2));
   EXPECT_EQ(guest.recorder->closed(), 0);

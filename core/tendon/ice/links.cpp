@@ -91,35 +91,27 @@ IceLink::IceLink(std::shared_ptr<Ice::Connection> connection, std::uint64_t door
       certificate_(CertificateOf(*connection_)) {}
 
 Status IceLink::Send(std::span<const std::byte> frame) {
-  if (!ReadWholeFrame(frame)) return Status::kInvalid;
-  const std::scoped_lock sending(sending_);
-  std::size_t whole = frame.size();
-  for (; frame.size() > kMaxMessageSize; frame = frame.subspan(kMaxMessageSize), whole = 0) {
-    const Status sent = Begin(oneway_, "part", frame.first(kMaxMessageSize), whole);
-    if (!sent) return sent;
-  }
-  return Begin(oneway_, "frame", frame, whole);
+  if (!ReadWholeFrame(frame, kMaxPieceSize)) return Status::kInvalid;
+  return Begin(oneway_, "frame", frame);
 }
 
 /// A two-way call of Ice, which brings the answer with it if there is one at once: no thread has to
 /// send it by a call of its own. Nobody waits in Ice. Who accepted makes none: with one under way,
 /// Ice would not close the connection of a peer that has vanished.
 Status IceLink::Ask(std::span<const std::byte> frame) {
-  if (door_ != 0 || frame.size() > kMaxMessageSize) return Send(frame);
-  const auto header = ReadWholeFrame(frame);
+  if (door_ != 0) return Send(frame);
+  const auto header = ReadWholeFrame(frame, kMaxPieceSize);
   if (!header) return Status::kInvalid;
-  const std::scoped_lock sending(sending_);
-  return Begin(two_way_, "ask", frame, frame.size(), *header);
+  return Begin(two_way_, "ask", frame, *header);
 }
 
-/// One message; `whole` is the size of a frame that begins with it, or 0 where it goes on; with
-/// the header of what asks.
+/// One message; with the header of what asks.
 Status IceLink::Begin(const std::shared_ptr<Ice::ObjectPrx>& peer, const std::string& operation,
-                      std::span<const std::byte> bytes, std::size_t whole,
+                      std::span<const std::byte> bytes,
                       const std::optional<FrameHeader>& question) {
   const auto message = std::make_shared<OutgoingMessage>(
       peer, shared_from_this(), OutgoingMessage::Told{bytes.size(), returned_.Get()}, question);
-  if (const Status may = Enter(bytes.size(), whole); !may) return may;
+  if (const Status may = Enter(bytes.size()); !may) return may;
   try {
     message->Send(operation, bytes);
   } catch (const Ice::Exception&) {
@@ -129,14 +121,10 @@ Status IceLink::Begin(const std::shared_ptr<Ice::ObjectPrx>& peer, const std::st
   return Status::kQueued;
 }
 
-/// The rest of a frame goes the way of its beginning: whoever was told kQueued hears no other word,
-/// though the peer may have ended the link because of what has come so far.
-Status IceLink::Enter(std::size_t size, std::size_t whole) {
+Status IceLink::Enter(std::size_t size) {
   const std::scoped_lock lock(mutex_);
-  if (whole != 0) {
-    if (reason_) return Status::kNotConnected;
-    if (unsent_ != 0 && unsent_ + whole > kSendWindow) return Status::kQueueFull;
-  }
+  if (reason_) return Status::kNotConnected;
+  if (unsent_ != 0 && unsent_ + size > kSendWindow) return Status::kQueueFull;
   unsent_ += size;
   return Status::kQueued;
 }
@@ -159,7 +147,7 @@ void IceLink::OnFailed(std::size_t size, const std::optional<FrameHeader>& quest
                        const Ice::Exception& why) {
   OnNotSent(size);
   const std::string failure = question ? FailureOfPeer(why) : std::string();
-  if (!failure.empty()) Deliver(RefusalOf(*question, peer_, failure), Piece::kWhole);
+  if (!failure.empty()) Deliver(RefusalOf(*question, peer_, failure));
 }
 
 bool IceLink::StartClosing(const Error& reason) {
@@ -193,11 +181,11 @@ void IceLink::SetHandler(std::shared_ptr<LinkHandler> handler) {
 
 void IceLink::Admit() {
   const std::scoped_lock lock(mutex_);
-  if (!reason_) limit_.Set(kMaxFrameSize);
+  if (!reason_) limit_.Set(kMaxPieceSize);
 }
 
 void IceLink::CheckAdmission() {
-  if (limit_.Get() == kMaxFrameSize) return;
+  if (limit_.Get() == kMaxPieceSize) return;
   Fail({ErrorCode::kTimeout, peer_ + " connected and did not say who it is for 3 s"});
 }
 
@@ -205,7 +193,7 @@ void IceLink::CheckAdmission() {
 void IceLink::SendSign() {
   if (is_sign_on_way_.Get()) return;
   is_sign_on_way_.Set(true);
-  if (!Begin(oneway_, "ice_ping", {}, 1)) is_sign_on_way_.Set(false);
+  if (!Begin(oneway_, "ice_ping", {})) is_sign_on_way_.Set(false);
 }
 
 bool IceLink::DeliverAsked(std::span<const std::byte> frame, LeftAnswer& answer) {
@@ -214,7 +202,7 @@ bool IceLink::DeliverAsked(std::span<const std::byte> frame, LeftAnswer& answer)
   const std::scoped_lock delivery(delivery_);
   const std::size_t limit = limit_.Get();
   if (limit == 0) return true;
-  if (!ReadWholeFrame(frame) || frame.size() > limit) return false;
+  if (!ReadWholeFrame(frame, limit)) return false;
   if (!handler_) return true;
   const std::uint64_t on_way = returned_.Get() - left_.Get();
   if (on_way >= kManyReturned) SendSign();
@@ -231,40 +219,27 @@ void IceLink::OnAnswer(std::size_t size, std::span<const std::byte> answer,
                        std::shared_ptr<const void> owner) {
   OnNotSent(size);
   const auto frame = ReadOnlyParameter(answer);
-  if (frame && (frame->empty() || Deliver(*frame, Piece::kWhole, std::move(owner)))) return;
+  if (frame && (frame->empty() || HandOn(*frame, kMaxFrameSize, std::move(owner)))) return;
   Fail(NoFrame(peer_));
 }
 
-bool IceLink::Deliver(std::span<const std::byte> bytes, Piece piece,
-                      std::shared_ptr<const void> owner) {
+bool IceLink::Deliver(std::span<const std::byte> frame) {
+  return HandOn(frame, kMaxPieceSize, nullptr);
+}
+
+/// Of a peer that is admitted there may be `most` bytes.
+bool IceLink::HandOn(std::span<const std::byte> frame, std::size_t most,
+                     std::shared_ptr<const void> owner) {
   const std::scoped_lock delivery(delivery_);
   const std::size_t limit = limit_.Get();
   if (limit == 0) return true;
-  const bool completes = piece == Piece::kEnd && !begun_.empty();
-  if (piece == Piece::kPart || completes) {
-    if (!AddPart(bytes, limit)) return false;
-    if (!completes) return true;
-    bytes = begun_;
-  }
-  if (!ReadWholeFrame(bytes) || bytes.size() > limit) return false;
+  if (!ReadWholeFrame(frame, limit == kMaxPieceSize ? most : limit)) return false;
   if (!handler_) return true;
   if (owner) {
-    handler_->OnLentFrame(bytes, std::move(owner));
+    handler_->OnLentFrame(frame, std::move(owner));
   } else {
-    handler_->OnFrame(bytes);
+    handler_->OnFrame(frame);
   }
-  if (completes) Bytes().swap(begun_);
-  return true;
-}
-
-/// No more is kept than the frame's header claims, and that is no more than `limit`.
-bool IceLink::AddPart(std::span<const std::byte> bytes, std::size_t limit) {
-  const auto header = ReadFrameHeader(begun_.empty() ? bytes : begun_, limit);
-  if (!header) return false;
-  const std::size_t size = FrameHeader::kSize + header->size;
-  if (begun_.size() + bytes.size() > size) return false;
-  begun_.reserve(size);
-  begun_.insert(begun_.end(), bytes.begin(), bytes.end());
   return true;
 }
 

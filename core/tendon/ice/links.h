@@ -16,11 +16,6 @@
 
 namespace tendon::ice {
 
-/// Of a frame, that go into one message of Ice, which whoever connects can make us hold; a larger
-/// frame is sent in parts. An answer that goes back with its question may be kMaxReturned: whom we
-/// ask we have chosen.
-inline constexpr std::size_t kMaxMessageSize = std::size_t{256} << 10U;
-
 class Links;
 
 /// The two ends of a connection's socket, as "host:port".
@@ -47,14 +42,9 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
 
   /// Before the first frame is delivered.
   void SetHandler(std::shared_ptr<LinkHandler> handler);
-  /// What a message is of a frame: a part that is not the end; the end, or all of one that was not
-  /// begun; all of one, whether another was begun or not.
-  enum class Piece { kPart, kEnd, kWhole };
-  /// One message. False where it makes no frame that the peer may send. All of one may be valid as
-  /// long as `owner` is held.
-  bool Deliver(std::span<const std::byte> bytes, Piece piece,
-               std::shared_ptr<const void> owner = nullptr);
-  /// A whole frame that asks, and gets the answer, if there is one yet, where that may go back with
+  /// One message. False where it is no frame that the peer may send.
+  bool Deliver(std::span<const std::byte> frame);
+  /// A frame that asks, and gets the answer, if there is one yet, where that may go back with
   /// the call. Ice does not tell when such a one has left, and keeps as many as there are: beyond 2
   /// MiB a sign is sent behind them, and beyond 4 MiB that have not left, answers go by Send() and
   /// its window. Likewise.
@@ -72,7 +62,8 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
   /// It has not, or its answer is missing: `question` is refused where the peer has thrown.
   void OnFailed(std::size_t size, const std::optional<FrameHeader>& question,
                 const Ice::Exception& why);
-  /// It was answered: with one parameter, a frame or nothing. `owner` is as for Deliver().
+  /// It was answered: with one parameter, a frame or nothing, valid as long as `owner` is held
+  /// where there is one.
   void OnAnswer(std::size_t size, std::span<const std::byte> answer,
                 std::shared_ptr<const void> owner);
 
@@ -80,12 +71,13 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
   friend class Links;
 
   Status Begin(const std::shared_ptr<Ice::ObjectPrx>& peer, const std::string& operation,
-               std::span<const std::byte> bytes, std::size_t whole,
+               std::span<const std::byte> bytes,
                const std::optional<FrameHeader>& question = std::nullopt);
-  Status Enter(std::size_t size, std::size_t whole);
+  Status Enter(std::size_t size);
   void OnNotSent(std::size_t size);
   void SendSign();
-  bool AddPart(std::span<const std::byte> bytes, std::size_t limit);
+  bool HandOn(std::span<const std::byte> frame, std::size_t most,
+              std::shared_ptr<const void> owner);
   bool StartClosing(const Error& reason);
   /// The connection is gone, whatever the cause.
   void OnGone();
@@ -100,9 +92,6 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
 
   std::mutex delivery_;  // held during a call of the handler
   std::shared_ptr<LinkHandler> handler_;
-  Bytes begun_;  // parts of a frame
-
-  std::mutex sending_;  // keeps the parts of a frame together
 
   std::mutex mutex_;
   std::optional<Error> reason_;  // why it is closed, or about to be

@@ -88,23 +88,20 @@ std::span<const std::byte> EndpointServant::Dispatch(std::span<const std::byte> 
   }
   if (current.operation == "ice_ping") return kNothing;
   const bool is_frame = current.operation == "frame";
-  const bool is_part = current.operation == "part";
   const bool is_ask = current.operation == "ask";
-  if (!is_frame && !is_part && !is_ask && current.operation != "ice_isA") {
+  if (!is_frame && !is_ask && current.operation != "ice_isA") {
     throw Ice::OperationNotExistException("tendon", 0, current.id, current.facet,
                                           current.operation);
   }
   const auto parameter = ReadOnlyParameter(parameters);
   if (!parameter) CutOff(*link, "the parameters of '" + current.operation + "' are malformed");
-  using Piece = IceLink::Piece;
   const bool is_two_way = current.requestId != 0;
   if (is_ask && is_two_way) {
     Ask(*link, *parameter, incoming);
     return {};
   }
   if (current.operation == "ice_isA") return IsA(*parameter) ? kYes : kNo;
-  const Piece piece = is_ask ? Piece::kWhole : is_part ? Piece::kPart : Piece::kEnd;
-  if (!link->Deliver(*parameter, piece)) CutOff(*link, NoFrame(link->peer()).message);
+  if (!link->Deliver(*parameter)) CutOff(*link, NoFrame(link->peer()).message);
   return kNothing;
 }
 

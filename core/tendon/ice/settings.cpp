@@ -109,7 +109,7 @@ std::shared_ptr<Ice::ObjectAdapter> MakeListeningAdapter(Ice::Communicator& comm
                                                          const std::string& name,
                                                          const std::string& endpoints) {
   communicator.getProperties()->setProperty(name + ".MessageSizeMax",
-                                            KibibytesFor(kMaxMessageSize));
+                                            KibibytesFor(kMaxPieceSize));
   return communicator.createObjectAdapterWithEndpoints(name, endpoints);
 }
 

@@ -11,7 +11,7 @@ namespace tendon::ice {
 /// go to our log, a few at a time.
 Ice::InitializationData Settings();
 
-/// One that strangers can reach: its messages are no larger than kMaxMessageSize.
+/// One that strangers can reach: its messages are no larger than kMaxPieceSize.
 std::shared_ptr<Ice::ObjectAdapter> MakeListeningAdapter(Ice::Communicator& communicator,
                                                          const std::string& name,
                                                          const std::string& endpoints);

@@ -32,8 +32,8 @@ std::optional<FrameHeader> ReadFrameHeader(std::span<const std::byte> bytes, std
   return header;
 }
 
-std::optional<FrameHeader> ReadWholeFrame(std::span<const std::byte> frame) {
-  const auto header = ReadFrameHeader(frame);
+std::optional<FrameHeader> ReadWholeFrame(std::span<const std::byte> frame, std::size_t limit) {
+  const auto header = ReadFrameHeader(frame, limit);
   if (!header || frame.size() != FrameHeader::kSize + header->size) return std::nullopt;
   return header;
 }

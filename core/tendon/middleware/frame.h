@@ -42,8 +42,11 @@ struct FrameHeader {
   static constexpr std::size_t kSize = 24;
 };
 
-/// A frame may have at most this many bytes, header included; larger ones are refused.
-inline constexpr std::size_t kMaxFrameSize = std::size_t{64} << 20U;
+/// A frame may have at most this many bytes, header included, as an answer that goes back with its
+/// question: whom we ask we have chosen.
+inline constexpr std::size_t kMaxFrameSize = (std::size_t{1} << 20U) + (std::size_t{64} << 10U);
+/// The same of one that is sent, which anybody can make us hold. What is larger travels in parts.
+inline constexpr std::size_t kMaxPieceSize = std::size_t{256} << 10U;
 /// The same of a peer that is not known yet.
 inline constexpr std::size_t kMaxStrangersFrameSize = std::size_t{64} << 10U;
 
@@ -59,6 +62,7 @@ void WriteHeader(const FrameHeader& header, std::span<std::byte, FrameHeader::kS
                                                          std::size_t limit = kMaxFrameSize);
 
 /// The same for exactly one frame: nothing where it has another size than its header claims.
-[[nodiscard]] std::optional<FrameHeader> ReadWholeFrame(std::span<const std::byte> frame);
+[[nodiscard]] std::optional<FrameHeader> ReadWholeFrame(std::span<const std::byte> frame,
+                                                        std::size_t limit = kMaxFrameSize);
 
 }  // namespace tendon

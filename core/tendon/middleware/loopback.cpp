@@ -56,7 +56,7 @@ class End final : public Link, public std::enable_shared_from_this<End> {
 
   void Admit() override {
     const std::scoped_lock lock(mutex_);
-    limit_ = kMaxFrameSize;
+    is_admitted_ = true;
   }
 
   void Close() override {
@@ -98,10 +98,15 @@ class End final : public Link, public std::enable_shared_from_this<End> {
     Kind kind = Kind::kSent;
     SteadyTime due;
   };
+  /// That a peer may send that is known.
+  static constexpr std::size_t MostOf(Kind kind) {
+    return kind == Kind::kAnswer ? kMaxFrameSize : kMaxPieceSize;
+  }
+
   static constexpr SteadyTime kHeld = SteadyTime::max();
 
   Status Pass(std::span<const std::byte> frame, Kind kind) {
-    if (!ReadWholeFrame(frame)) return Status::kInvalid;
+    if (!ReadWholeFrame(frame, MostOf(kind))) return Status::kInvalid;
     const auto other = other_.lock();
     if (!other || !IsOpen()) return Status::kNotConnected;
     const Verdict verdict =
@@ -173,7 +178,7 @@ class End final : public Link, public std::enable_shared_from_this<End> {
     std::unique_lock lock(mutex_);
     waiting_ -= frame.size();
     if (is_deaf_) return;
-    const bool fits = frame.size() <= limit_;
+    const bool fits = frame.size() <= (is_admitted_ ? MostOf(kind) : kMaxStrangersFrameSize);
     lock.unlock();
     if (!fits) return CloseFor(NoFrame(peer_name_));
     if (!handler_) return;
@@ -202,7 +207,7 @@ class End final : public Link, public std::enable_shared_from_this<End> {
   std::shared_ptr<LinkHandler> handler_;
 
   std::mutex mutex_;
-  std::size_t limit_ = kMaxStrangersFrameSize;
+  bool is_admitted_ = false;
   std::size_t waiting_ = 0;  // bytes that were sent and not delivered
   std::deque<Late> late_;    // the network has them still
   bool is_deaf_ = false;     // closed from this end: delivers nothing more

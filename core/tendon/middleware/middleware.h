@@ -32,8 +32,8 @@ class Link {
 
   /// Takes a copy of a whole frame to be sent; frames arrive in the order of the calls. Never
   /// blocks: kQueueFull when the frame would make it more than kSendWindow bytes that wait to be
-  /// sent (nothing of it is sent; a lone frame may be larger), kInvalid when the bytes are no
-  /// frame, kNotConnected once the link is closed. kQueued does not mean delivered.
+  /// sent (nothing of it is sent), kInvalid when the bytes are no frame of at most kMaxPieceSize,
+  /// kNotConnected once the link is closed. kQueued does not mean delivered.
   virtual Status Send(std::span<const std::byte> frame) = 0;
 
   /// Send() for a request whose sender waits for the answer: where the peer gives it at once, it
@@ -41,7 +41,7 @@ class Link {
   /// overridden.
   virtual Status Ask(std::span<const std::byte> frame) { return Send(frame); }
 
-  /// The peer is one of ours: from now on it may send frames of kMaxFrameSize. Until then one of
+  /// The peer is one of ours: from now on it may send frames of kMaxPieceSize. Until then one of
   /// more than kMaxStrangersFrameSize ends the link; so do 3 s, where it was accepted, for a
   /// stranger must take neither memory nor a place. Idempotent; may be called from a handler.
   virtual void Admit() = 0;

@@ -183,7 +183,7 @@ class TcpLink final : public Link, public Served, public std::enable_shared_from
   }
 
   Status Send(std::span<const std::byte> frame) override {
-    if (!ReadWholeFrame(frame)) return Status::kInvalid;
+    if (!ReadWholeFrame(frame, kMaxPieceSize)) return Status::kInvalid;
     const std::scoped_lock lock(mutex_);
     if (!is_open()) return Status::kNotConnected;
     const std::size_t unsent = unsent_.size() - sent_;
@@ -305,7 +305,7 @@ class TcpLink final : public Link, public Served, public std::enable_shared_from
     for (State now = state(); bytes.size() >= FrameHeader::kSize && now < State::kClosing;
          now = state()) {
       const bool is_known = now == State::kAdmitted;
-      const auto header = ReadFrameHeader(bytes, is_known ? kMaxFrameSize : kMaxStrangersFrameSize);
+      const auto header = ReadFrameHeader(bytes, is_known ? kMaxPieceSize : kMaxStrangersFrameSize);
       if (!header) {
         Reject(NoFrame(peer_));
         return {};

@@ -39,18 +39,10 @@ class GeneratedEndpoint final : public Endpoint {
     const std::scoped_lock lock(mutex_);
     return answer_;
   }
-  void part(FrameBytes part, const Ice::Current& /*current*/) override {
-    const std::scoped_lock lock(mutex_);
-    parts_.push_back(part.size());
-  }
   /// To whatever is asked from now on.
   void SetAnswer(const Bytes& answer) {
     const std::scoped_lock lock(mutex_);
     answer_ = ForIce(answer);
-  }
-  std::vector<std::size_t> parts() const {
-    const std::scoped_lock lock(mutex_);
-    return parts_;
   }
   std::vector<Bytes> frames() const {
     const std::scoped_lock lock(mutex_);
@@ -64,7 +56,6 @@ class GeneratedEndpoint final : public Endpoint {
  private:
   mutable std::mutex mutex_;
   std::vector<Bytes> frames_;
-  std::vector<std::size_t> parts_;
   FrameBytes answer_;
   std::shared_ptr<Ice::Connection> connection_;
 };
@@ -136,8 +127,6 @@ TEST_F(Slice, GeneratedCodeWritesTheBytesThatWeWrite) {
     ice::WriteOnlyParameter(frame, ours);
     proxy->frame(ForIce(frame));
 
-    EXPECT_EQ(capture->bytes_, ours) << size;
-    proxy->part(ForIce(frame));
     EXPECT_EQ(capture->bytes_, ours) << size;
   }
 }
@@ -229,21 +218,6 @@ TEST_F(Slice, WhoAnswersWithSomethingElseThanAFrameIsCutOff) {
   ASSERT_TRUE(recorder->WaitForClosed());
   EXPECT_TRUE(recorder->numbers().empty());
   EXPECT_EQ((*link)->Ask(FrameOf(6)), Status::kNotConnected);
-}
-
-TEST_F(Slice, AFrameTooLargeForAMessageComesInParts) {
-  const auto endpoint = std::make_shared<GeneratedEndpoint>();
-  const auto adapter = Serve(endpoint, "tcp -h 127.0.0.1");
-  const auto client = MakeIceMiddleware(Exposure::kLoopbackOnly);
-  const auto link = client->Open(AddressOf(*adapter), std::make_shared<Recorder>(), kPatience);
-  ASSERT_TRUE(link) << link.error().message;
-  constexpr std::size_t kMessage = std::size_t{256} << 10U;
-
-  ASSERT_EQ((*link)->Send(FrameOf(5, 2 * kMessage)), Status::kQueued);
-
-  ASSERT_TRUE(EventuallyTrue([&] { return endpoint->frames().size() == 1; }));
-  EXPECT_EQ(endpoint->parts(), (std::vector<std::size_t>{kMessage, kMessage}));
-  EXPECT_EQ(endpoint->frames()[0].size(), FrameHeader::kSize);
 }
 
 TEST_F(Slice, UnknownNamesAreAnsweredAsIceDoes) {

@@ -106,6 +106,20 @@ TEST(Tcp, GarbageAfterAFrameEndsTheLinkWithThatReason) {
   EXPECT_EQ(guest.recorder->reason().code, ErrorCode::kInvalid);
 }
 
+TEST(Tcp, WhoIsKnownCannotHaveMoreKeptThanAPiece) {
+  Wire wire;
+  FrameHeader header;
+  header.size = kMaxPieceSize - FrameHeader::kSize + 1;
+  Bytes begun(FrameHeader::kSize);
+  WriteHeader(header, std::span(begun).first<FrameHeader::kSize>());
+
+  ASSERT_EQ(os::SendSome(wire.socket, begun), begun.size());
+
+  const auto guest = wire.host.guest();
+  ASSERT_TRUE(guest.recorder->WaitForClosed());
+  EXPECT_EQ(guest.recorder->reason().code, ErrorCode::kInvalid);
+}
+
 TEST(Tcp, AFloodOfGarbageIsLoggedOnceWithoutDrowningTheLog) {
   Wire wire;
   const std::size_t before = Warnings().size();

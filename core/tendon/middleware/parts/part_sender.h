@@ -17,8 +17,6 @@
 
 namespace tendon {
 
-/// No frame on a link is larger. What is behind it waits for so much.
-inline constexpr std::size_t kMaxPieceSize = std::size_t{256} << 10U;
 /// Bytes of a frame that travel in one part, which is a frame of type kPart: so many at most, and,
 /// but for the last part of the frame, at least the least.
 inline constexpr std::size_t kPartSize = kMaxPieceSize - FrameHeader::kSize;
@@ -26,7 +24,7 @@ inline constexpr std::size_t kLeastPartSize = (std::size_t{16} << 10U) - FrameHe
 
 /// An answer that goes back with its question is sent whole where it is no larger than this, the
 /// peer speaks this version, and the line is quick.
-inline constexpr std::size_t kMaxReturned = (std::size_t{1} << 20U) + (std::size_t{64} << 10U);
+inline constexpr std::size_t kMaxReturned = kMaxFrameSize;
 inline constexpr std::uint16_t kReturnsLargeAnswers = 8;
 
 /// Sends large frames in parts, lane by lane in turn, never more than four parts ahead of the peer,

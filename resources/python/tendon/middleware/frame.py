@@ -12,12 +12,10 @@ PROTOCOL_VERSION = 8
 OLDEST_VERSION = 6
 """The oldest one that is spoken too."""
 HEADER_SIZE = 24
-MAX_FRAME_SIZE = 64 << 20
-"""A frame may have at most this many bytes, header included; larger ones are refused."""
+MAX_PIECE_SIZE = 256 << 10
+"""A frame may have at most this many bytes, header included; what is larger travels in parts."""
 MAX_STRANGERS_FRAME_SIZE = 64 << 10
 """The same of a peer that has not proved who it is."""
-MAX_PIECE_SIZE = 256 << 10
-"""The same of a frame that is sent in one piece; see parts.py."""
 MAX_BODY_SIZE = (64 << 20) + (64 << 10)
 """Of a frame that comes in parts: the largest payload, and what its message puts around it."""
 MAX_REPLIES = 256
@@ -45,7 +43,7 @@ def write_frame(header: Header, body: bytes) -> bytes:
     return packed + body
 
 
-def claimed_size(begun: bytes, limit: int = MAX_FRAME_SIZE) -> int | None:
+def claimed_size(begun: bytes, limit: int = MAX_PIECE_SIZE) -> int | None:
     """How many bytes the frame has that begins so; None where these begin none, or one of over
     `limit` bytes."""
     if len(begun) < HEADER_SIZE:
@@ -55,7 +53,7 @@ def claimed_size(begun: bytes, limit: int = MAX_FRAME_SIZE) -> int | None:
     return whole if magic == MAGIC and whole <= limit else None
 
 
-def read_frame(frame: bytes, limit: int = MAX_FRAME_SIZE) -> tuple[Header, bytes] | None:
+def read_frame(frame: bytes, limit: int = MAX_PIECE_SIZE) -> tuple[Header, bytes] | None:
     """Header and body of exactly one frame; None where it has another size than it claims."""
     if claimed_size(frame, limit) != len(frame):
         return None
@@ -79,30 +77,3 @@ def read_replies(body: bytes) -> list[tuple[int, bytes]]:
     if rest or not replies or len(body) > MAX_REPLIES_SIZE:
         raise Invalid("no batch of answers")
     return replies
-
-
-class Pieces:
-    """Puts frames together that came in more than one message of the middleware. No more is kept
-    than a frame's header claims."""
-
-    def __init__(self) -> None:
-        self.limit = MAX_STRANGERS_FRAME_SIZE
-        self._begun = bytearray()
-
-    def add(self, data: bytes, is_end: bool) -> tuple[Header, bytes] | None:
-        """The frame that this piece ends, or None. Raises Invalid where it belongs to none."""
-        if is_end and not self._begun:
-            whole = bytes(data)
-        else:
-            size = claimed_size(self._begun or data, self.limit)
-            if size is None or len(self._begun) + len(data) > size:
-                raise Invalid("no piece of a frame")
-            self._begun += data
-            if not is_end:
-                return None
-            whole = bytes(self._begun)
-            self._begun.clear()
-        frame = read_frame(whole, self.limit)
-        if frame is None:
-            raise Invalid("no frame")
-        return frame

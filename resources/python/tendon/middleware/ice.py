@@ -13,7 +13,7 @@ import Ice
 from ..errors import Denied, Error, Failed, Invalid, TimedOut, Unreachable
 from .address import Address, parse_address
 from .certificate import Credentials, Shown, holder_of
-from .frame import MAX_FRAME_SIZE, MAX_PIECE_SIZE, Header, Pieces
+from .frame import MAX_PIECE_SIZE, MAX_STRANGERS_FRAME_SIZE, Header, read_frame
 
 Ice.loadSlice("", [str(Path(__file__).with_name("tendon.ice").resolve())])
 _CONTRACT = Ice.openModule("tendon")  # the contract's module has this package's name: same place
@@ -131,7 +131,7 @@ class IceLink:
         self.peer_address = _peer_of(connection)
         self._on_frame = on_frame
         self._connection = connection
-        self._pieces = Pieces()
+        self._limit = MAX_STRANGERS_FRAME_SIZE  # of a frame
         self.shown = _shown_by(connection)  # by the peer, under TLS
         self._peer = _CONTRACT.EndpointPrx.uncheckedCast(
             connection.createProxy(_IDENTITY).ice_oneway())
@@ -153,23 +153,19 @@ class IceLink:
 
     def admit(self) -> None:
         """The peer has proved who it is, and may send large frames."""
-        self._pieces.limit = MAX_FRAME_SIZE
+        self._limit = MAX_PIECE_SIZE
 
     def close(self) -> None:
         """Ends it at once; on_closed is called."""
         self._connection.close(Ice.ConnectionClose.Forcefully)
 
-    def deliver(self, data: bytes | None, is_end: bool) -> None:
+    def deliver(self, data: bytes | None) -> None:
         """One message of Ice; cuts a peer off that sends something else than frames."""
-        try:
-            if data is None:
-                raise Invalid("malformed parameters")
-            whole = self._pieces.add(data, is_end)
-        except Invalid:
+        frame = None if data is None else read_frame(data, self._limit)
+        if frame is None:
             self.close()
-            return
-        if whole is not None:
-            self._on_frame(*whole)
+        else:
+            self._on_frame(*frame)
 
 
 class _Endpoint(Ice.Blobject):  # type: ignore[misc]
@@ -184,9 +180,9 @@ class _Endpoint(Ice.Blobject):  # type: ignore[misc]
         link = self._links.get(current.con)
         if link is None:
             raise Ice.ObjectNotExistException(current.id, current.facet, current.operation)
-        if current.operation not in ("frame", "ask", "part"):
+        if current.operation not in ("frame", "ask"):
             raise Ice.OperationNotExistException(current.id, current.facet, current.operation)
-        link.deliver(only_parameter(parameters), is_end=current.operation != "part")
+        link.deliver(only_parameter(parameters))
         return True, _NO_ANSWER_YET if current.operation == "ask" else _NOTHING
 
 
