@@ -112,6 +112,12 @@ std::vector<Case> ReadCases(const Effort& effort, const TheSystem& system) {
        .repetition = SideBySide(
            between([=](auto& both) { return ReadImages(both.desk(), &Desk::get_image, images); }),
            raw_images(RawIce::Image::kCopiedFirst))},
+      {.id = "R7-copy",
+       .what = "the same / raw Ice that copies nothing",
+       .ratio = Ratio::kOfThroughputs,
+       .repetition = SideBySide(
+           between([=](auto& both) { return ReadImages(both.desk(), &Desk::get_image, images); }),
+           raw_images(RawIce::Image::kThere))},
   };
 }
 

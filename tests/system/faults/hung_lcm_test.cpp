@@ -105,7 +105,7 @@ TEST_P(HungLcm, WhatItHasNotBegunInTimeItDoesNotDoOnceItIsAwake) {
 }
 
 /// Rows 1 and 4.
-TEST_P(HungLcm, OneThatIsStoppedAndAGcmThatIsKeepNobodyWaitingForTheOthers) {
+TEST_P(HungLcm, OneThatIsStoppedAndAGcmThatIsLeaveTheDeskAnswering) {
   ASSERT_NO_FATAL_FAILURE(StartSystem());
   const auto middleware = NewMiddleware();
   const auto desk = Channel::Open(*middleware, AddressOf("desk"),

@@ -124,9 +124,9 @@ std::string AddressOf(int descriptor, Query query) {
   return (text.find(':') != text.npos ? "[" + text + "]:" : text + ":") + end->port.data();
 }
 
-/// Between two ends on one machine there is no line to spare: a congestion control with a pace, as
-/// that of BBR, has large messages wait for a timer and nothing else. Reno has none, and is in
-/// every kernel.
+/// Between two ends on one machine there is no line to spare: a congestion control with a model of
+/// it, as BBR, has large messages wait for a timer and nothing else. Reno has none, so that its
+/// pace, if it has one, is far beyond what comes; and it is in every kernel.
 void DoNotPaceOnOneMachine(int descriptor) {
   constexpr std::string_view kWithoutPace = "reno";
   const auto local = EndOf(descriptor, getsockname);
