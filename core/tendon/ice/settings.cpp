@@ -108,8 +108,7 @@ Ice::InitializationData Settings() {
 std::shared_ptr<Ice::ObjectAdapter> MakeListeningAdapter(Ice::Communicator& communicator,
                                                          const std::string& name,
                                                          const std::string& endpoints) {
-  communicator.getProperties()->setProperty(name + ".MessageSizeMax",
-                                            KibibytesFor(kMaxPieceSize));
+  communicator.getProperties()->setProperty(name + ".MessageSizeMax", KibibytesFor(kMaxPieceSize));
   return communicator.createObjectAdapterWithEndpoints(name, endpoints);
 }
 

@@ -37,7 +37,7 @@ void WatchOver(const std::shared_ptr<Worker>& worker, const std::shared_ptr<Chan
 }
 
 void KeepExpiring(Worker& worker, const std::weak_ptr<Channel>& channel) {
-  constexpr std::chrono::milliseconds kBetween(1000);
+  static constexpr std::chrono::milliseconds kBetween(1000);
   worker.PostAfter(kBetween, [&worker, channel, due = SteadyClock().Now() + kBetween] {
     const auto still_there = channel.lock();
     if (!still_there || !still_there->is_open()) return;

@@ -17,8 +17,8 @@ using tendon::ProcessState;
 using tendon::Status;
 using testing::HasSubstr;
 
-const InterfaceName kRobot("desk", "operator", "Robot");
-const InterfaceName kControl("robot", "plant", "Control");
+const InterfaceName kOperatorsRobot("desk", "operator", "Robot");
+const InterfaceName kPlantsControl("robot", "plant", "Control");
 
 class Membership : public NetworkTest {
  protected:
@@ -109,17 +109,17 @@ TEST_P(Membership, LetsTheGcmConnectTwoOthers) {
     return Entry("robot")->components.size() == 1 && Entry("desk")->components.size() == 1;
   }));
 
-  const auto made = ConnectByGcm(kRobot, kControl);
+  const auto made = ConnectByGcm(kOperatorsRobot, kPlantsControl);
 
   ASSERT_TRUE(made.ok()) << made.error().message;
   EXPECT_EQ(made->state, ConnectionState::kActive);
-  EXPECT_TRUE(EventuallyListed(kRobot, ConnectionState::kActive));
+  EXPECT_TRUE(EventuallyListed(kOperatorsRobot, ConnectionState::kActive));
   EXPECT_EQ(user.stop(), Status(Status::kQueued));
 
-  const auto broken = DisconnectByGcm(kRobot);
+  const auto broken = DisconnectByGcm(kOperatorsRobot);
   ASSERT_TRUE(broken.ok()) << broken.error().message;
   EXPECT_EQ(user.stop(), Status(Status::kNotConnected));
-  EXPECT_EQ(gcm().catalog().FindConnection(kRobot), nullptr);
+  EXPECT_EQ(gcm().catalog().FindConnection(kOperatorsRobot), nullptr);
 }
 
 TEST_P(Membership, LetsTheGcmConnectWithinOneProcess) {
@@ -129,7 +129,7 @@ TEST_P(Membership, LetsTheGcmConnectWithinOneProcess) {
   ASSERT_TRUE(robot->StartAll().ok());
   ASSERT_TRUE(EventuallyTrue([&] { return Entry("robot")->components.size() == 2; }));
 
-  const auto made = ConnectByGcm({"robot", "operator", "Robot"}, kControl);
+  const auto made = ConnectByGcm({"robot", "operator", "Robot"}, kPlantsControl);
 
   ASSERT_TRUE(made.ok()) << made.error().message;
   EXPECT_EQ(user.stop(), Status(Status::kQueued));
@@ -143,9 +143,9 @@ TEST_P(Membership, LosesNothingButTheGcmWhenThatIsKilled) {
   auto desk = Start("desk");
   auto& user = desk->Add<Operator>("operator");
   ASSERT_TRUE(robot->StartAll().ok());
-  ASSERT_TRUE(desk->Connect(kRobot, kControl).ok());
+  ASSERT_TRUE(desk->Connect(kOperatorsRobot, kPlantsControl).ok());
   ASSERT_TRUE(EventuallyActive(*desk, 1));
-  ASSERT_TRUE(EventuallyListed(kRobot, ConnectionState::kActive));
+  ASSERT_TRUE(EventuallyListed(kOperatorsRobot, ConnectionState::kActive));
   ASSERT_TRUE(EventuallyTrue([&] {
     return gcm().catalog().FindComponent("robot", "plant")->state ==
            tendon::ComponentState::kActive;
