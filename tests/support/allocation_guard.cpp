@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 #include <support/allocation_guard.h>
-#include <support/scarce_memory.h>
+#include <support/machine/scarce_memory.h>
 
 #include <atomic>
 #include <cstddef>

@@ -22,6 +22,7 @@
 
 namespace tendon {
 
+/// How much may be on its way at a time.
 struct OutboxLimits {
   std::uint64_t credit = Budget<>::kNoLimit;  ///< calls that may be under way
   /// Bytes of arguments that may wait here, but for one alone that may be larger; of calls for

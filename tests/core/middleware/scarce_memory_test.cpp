@@ -1,5 +1,5 @@
 #include <gmock/gmock.h>
-#include <support/scarce_memory.h>
+#include <support/machine/scarce_memory.h>
 #include <tendon/base/os/socket.h>
 #include <tendon/middleware/channel.h>
 #include <tendon/middleware/tcp.h>

@@ -300,7 +300,7 @@ class Lease : public testing::Test {
     EXPECT_TRUE(joined.ok()) << joined.error().message;
   }
   ~Lease() override {
-    context_.opener->Stop();
+    context_.gcm_opener->Stop();
     context_.worker->Stop();
   }
 
@@ -327,7 +327,7 @@ class Lease : public testing::Test {
       .middleware = std::make_shared<LoopbackMiddleware>(network_),
       .hello = {.instance = 1, .name = "robot", .cookie = *tendon::LoopbackCookie()},
       .worker = std::make_shared<Worker>("process", "robot"),
-      .opener = std::make_shared<Worker>("opener", "robot"),
+      .gcm_opener = std::make_shared<Worker>("gcm opener", "robot"),
       .network = std::make_shared<tendon::NetworkThread>(),
       .proxies = tendon::ComponentProxies(nullptr)};
   std::unique_ptr<tendon::Membership> member_;

@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <support/scarce_memory.h>
+#include <support/machine/scarce_memory.h>
 #include <tendon/middleware/parts/part_assembly.h>
 #include <tendon/middleware/parts/part_sender.h>
 #include <tendon/middleware/parts/payload_limit.h>
