@@ -67,7 +67,7 @@ bool Answers(Channel& channel) { return channel.Call(kAsk, 0, Bytes(7), kLong).o
 TEST_P(LargeMessageContract, ThatIsNotGoneOnWithEndsTheChannel) {
   const auto server = std::make_shared<Choosy>();
   Start(Channel::Acceptor(HelloOf("robot"), [server] { return server; }));
-  HaltingMiddleware halting(*pair_.client, 3);
+  HaltingMiddleware halting(pair_.client, 3);
   const auto channel = Channel::Open(halting, listener_->address(), HelloOf("desk"),
                                      std::make_shared<ChannelHandler>(), kPatience);
   ASSERT_TRUE(channel) << channel.error().message;

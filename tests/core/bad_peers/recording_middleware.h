@@ -1,8 +1,7 @@
 #pragma once
 
-#include <tendon/middleware/middleware.h>
+#include <support/peers/wrapped.h>
 
-#include <algorithm>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -13,9 +12,9 @@
 namespace tendon::test {
 
 /// Keeps what is sent over the links that it opens: some frames of each type, by address.
-class RecordingMiddleware final : public Middleware {
+class RecordingMiddleware final : public WrappedMiddleware {
  public:
-  explicit RecordingMiddleware(std::shared_ptr<Middleware> below) : below_(std::move(below)) {}
+  using WrappedMiddleware::WrappedMiddleware;
 
   [[nodiscard]] std::vector<Bytes> FramesTo(const std::string& address) const {
     std::vector<Bytes> all;
@@ -26,14 +25,10 @@ class RecordingMiddleware final : public Middleware {
     return all;
   }
 
-  [[nodiscard]] std::string_view name() const override { return below_->name(); }
-  Result<std::unique_ptr<Listener>> Listen(const std::string& address, AcceptLink accept) override {
-    return below_->Listen(address, std::move(accept));
-  }
   Result<std::shared_ptr<Link>> Open(const std::string& address,
                                      std::shared_ptr<LinkHandler> handler,
                                      std::chrono::milliseconds timeout) override {
-    auto opened = below_->Open(address, std::move(handler), timeout);
+    auto opened = WrappedMiddleware::Open(address, std::move(handler), timeout);
     if (!opened) return opened;
     return std::shared_ptr<Link>(
         std::make_shared<RecordedLink>(*std::move(opened), records_, address));
@@ -45,23 +40,21 @@ class RecordingMiddleware final : public Middleware {
     std::map<std::pair<std::string, MessageType>, std::vector<Bytes>> frames;
   };
 
-  class RecordedLink final : public Link {
+  class RecordedLink final : public WrappedLink {
    public:
     RecordedLink(std::shared_ptr<Link> below, std::shared_ptr<Records> records, std::string address)
-        : below_(std::move(below)), records_(std::move(records)), address_(std::move(address)) {}
+        : WrappedLink(std::move(below)),
+          records_(std::move(records)),
+          address_(std::move(address)) {}
 
     Status Send(std::span<const std::byte> frame) override {
       Keep(frame);
-      return below_->Send(frame);
+      return WrappedLink::Send(frame);
     }
     Status Ask(std::span<const std::byte> frame) override {
       Keep(frame);
-      return below_->Ask(frame);
+      return below().Ask(frame);
     }
-    void Admit() override { below_->Admit(); }
-    void Close() override { below_->Close(); }
-    [[nodiscard]] std::string peer() const override { return below_->peer(); }
-    [[nodiscard]] std::string local() const override { return below_->local(); }
 
    private:
     void Keep(std::span<const std::byte> frame) {
@@ -73,12 +66,10 @@ class RecordingMiddleware final : public Middleware {
       if (kept.size() < kOfEach) kept.emplace_back(frame.begin(), frame.end());
     }
 
-    const std::shared_ptr<Link> below_;
     const std::shared_ptr<Records> records_;
     const std::string address_;
   };
 
-  const std::shared_ptr<Middleware> below_;
   const std::shared_ptr<Records> records_ = std::make_shared<Records>();
 };
 

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <support/peers/wrapped.h>
 #include <tendon/middleware/channel.h>
 #include <tendon/middleware/loopback.h>
 
@@ -14,50 +15,37 @@ namespace tendon {
 namespace {
 
 /// A link that refuses what is sent while it has no room.
-class NarrowLink final : public Link {
+class NarrowLink final : public test::WrappedLink {
  public:
-  explicit NarrowLink(std::shared_ptr<Link> below) : below_(std::move(below)) {}
+  using WrappedLink::WrappedLink;
 
   Status Send(std::span<const std::byte> frame) override {
     if (is_memory_short.exchange(false)) throw std::bad_alloc();
-    if (has_room) return below_->Send(frame);
+    if (has_room) return WrappedLink::Send(frame);
     ++refused;
     return Status::kQueueFull;
   }
-  void Admit() override { below_->Admit(); }
-  void Close() override { below_->Close(); }
-  [[nodiscard]] std::string peer() const override { return below_->peer(); }
-  [[nodiscard]] std::string local() const override { return below_->local(); }
 
   std::atomic<bool> has_room{true};
   std::atomic<bool> is_memory_short{false};  // at the next frame
   std::atomic<std::size_t> refused{0};
-
- private:
-  const std::shared_ptr<Link> below_;
 };
 
-class NarrowMiddleware final : public Middleware {
+class NarrowMiddleware final : public test::WrappedMiddleware {
  public:
-  explicit NarrowMiddleware(const std::shared_ptr<LoopbackNetwork>& network) : below_(network) {}
+  explicit NarrowMiddleware(const std::shared_ptr<LoopbackNetwork>& network)
+      : WrappedMiddleware(std::make_shared<LoopbackMiddleware>(network)) {}
 
-  [[nodiscard]] std::string_view name() const override { return below_.name(); }
-  Result<std::unique_ptr<Listener>> Listen(const std::string& address, AcceptLink accept) override {
-    return below_.Listen(address, std::move(accept));
-  }
   Result<std::shared_ptr<Link>> Open(const std::string& address,
                                      std::shared_ptr<LinkHandler> handler,
                                      std::chrono::milliseconds timeout) override {
-    const auto opened = below_.Open(address, std::move(handler), timeout);
+    const auto opened = WrappedMiddleware::Open(address, std::move(handler), timeout);
     if (!opened) return opened.error();
     link = std::make_shared<NarrowLink>(*opened);
     return std::shared_ptr<Link>(link);
   }
 
   std::shared_ptr<NarrowLink> link;  // the last that was opened
-
- private:
-  LoopbackMiddleware below_;
 };
 
 /// Counts the notices, and answers requests.

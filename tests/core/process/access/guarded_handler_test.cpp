@@ -233,7 +233,7 @@ TEST_P(GuardedTest, AMessageThatIsInNoTableIsDeniedToAll) {
 
 TEST_P(GuardedTest, ALargeMessageIsDeniedWhenItBegins) {
   const tendon::Bytes large(3 * tendon::kMaxPieceSize);
-  tendon::conformance::HaltingMiddleware way(*middleware, 1);
+  tendon::conformance::HaltingMiddleware way(middleware, 1);
   const tendon::Bytes viewer = tendon::EncodeBody(static_cast<std::uint8_t>(Role::kViewer));
   const auto channel = Lowered({viewer}, way);
 
@@ -249,7 +249,7 @@ TEST_P(GuardedTest, ALargeMessageIsDeniedWhenItBegins) {
 
 TEST_P(GuardedTest, NobodySendsMuchOfWhatViewersMaySend) {
   const tendon::Bytes large((std::size_t{1} << 20U) + 1);
-  tendon::conformance::HaltingMiddleware way(*middleware, 1);
+  tendon::conformance::HaltingMiddleware way(middleware, 1);
   const auto channel = Lowered({}, way);
 
   const auto answer =

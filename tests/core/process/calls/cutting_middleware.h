@@ -1,6 +1,6 @@
 #pragma once
 
-#include <tendon/middleware/middleware.h>
+#include <support/peers/wrapped.h>
 
 #include <atomic>
 #include <memory>
@@ -11,11 +11,11 @@
 
 /// A middleware of which the links that it has opened can be cut, as if somebody had pulled the
 /// cable: what was sent before may arrive, nothing passes afterwards, and the ends hear of it.
-class CuttingMiddleware final : public tendon::Middleware {
+class CuttingMiddleware final : public tendon::test::WrappedMiddleware {
  public:
   /// Links to `spared` are never cut.
   CuttingMiddleware(std::shared_ptr<tendon::Middleware> below, std::string spared)
-      : below_(std::move(below)), spared_(std::move(spared)) {}
+      : WrappedMiddleware(std::move(below)), spared_(std::move(spared)) {}
 
   void Cut() {
     std::vector<std::shared_ptr<Cable>> cables;
@@ -29,17 +29,13 @@ class CuttingMiddleware final : public tendon::Middleware {
     }
   }
 
-  [[nodiscard]] std::string_view name() const override { return below_->name(); }
-  tendon::Result<std::unique_ptr<tendon::Listener>> Listen(const std::string& address,
-                                                           tendon::AcceptLink accept) override {
-    return below_->Listen(address, std::move(accept));
-  }
   tendon::Result<std::shared_ptr<tendon::Link>> Open(const std::string& address,
                                                      std::shared_ptr<tendon::LinkHandler> handler,
                                                      std::chrono::milliseconds timeout) override {
-    if (address == spared_) return below_->Open(address, std::move(handler), timeout);
+    if (address == spared_) return WrappedMiddleware::Open(address, std::move(handler), timeout);
     auto cable = std::make_shared<Cable>();
-    auto opened = below_->Open(address, std::make_shared<Ear>(cable, std::move(handler)), timeout);
+    auto opened =
+        WrappedMiddleware::Open(address, std::make_shared<Ear>(cable, std::move(handler)), timeout);
     if (!opened) return opened;
     cable->link = *std::move(opened);
     const std::scoped_lock lock(mutex_);
@@ -69,25 +65,21 @@ class CuttingMiddleware final : public tendon::Middleware {
   };
 
   /// What is sent.
-  class Mouth final : public tendon::Link {
+  class Mouth final : public tendon::test::WrappedLink {
    public:
-    explicit Mouth(std::shared_ptr<Cable> cable) : cable_(std::move(cable)) {}
+    explicit Mouth(std::shared_ptr<Cable> cable)
+        : WrappedLink(cable->link), cable_(std::move(cable)) {}
     tendon::Status Send(std::span<const std::byte> frame) override {
-      return cable_->is_cut ? tendon::Status::kQueued : cable_->link->Send(frame);
+      return cable_->is_cut ? tendon::Status::kQueued : WrappedLink::Send(frame);
     }
     tendon::Status Ask(std::span<const std::byte> frame) override {
-      return cable_->is_cut ? tendon::Status::kQueued : cable_->link->Ask(frame);
+      return cable_->is_cut ? tendon::Status::kQueued : below().Ask(frame);
     }
-    void Admit() override { cable_->link->Admit(); }
-    void Close() override { cable_->link->Close(); }
-    [[nodiscard]] std::string peer() const override { return cable_->link->peer(); }
-    [[nodiscard]] std::string local() const override { return cable_->link->local(); }
 
    private:
     const std::shared_ptr<Cable> cable_;
   };
 
-  const std::shared_ptr<tendon::Middleware> below_;
   const std::string spared_;
   std::mutex mutex_;
   std::vector<std::shared_ptr<Cable>> cables_;

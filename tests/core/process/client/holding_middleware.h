@@ -1,7 +1,7 @@
 #pragma once
 
+#include <support/peers/wrapped.h>
 #include <tendon/middleware/handshake/openings.h>
-#include <tendon/middleware/middleware.h>
 
 #include <algorithm>
 #include <condition_variable>
@@ -16,10 +16,9 @@
 
 /// A middleware to some of whose places no link comes about, as where a process hangs, but for as
 /// long as the test wants.
-class HoldingMiddleware final : public tendon::Middleware {
+class HoldingMiddleware final : public tendon::test::WrappedMiddleware {
  public:
-  explicit HoldingMiddleware(std::shared_ptr<tendon::Middleware> below)
-      : below_(std::move(below)) {}
+  using WrappedMiddleware::WrappedMiddleware;
 
   /// Whoever opens a link to there waits from now on.
   void Hold(const std::string& address) {
@@ -52,16 +51,11 @@ class HoldingMiddleware final : public tendon::Middleware {
     return EventuallyTrue([&] { return IsWaitedFor(address); });
   }
 
-  [[nodiscard]] std::string_view name() const override { return below_->name(); }
-  tendon::Result<std::unique_ptr<tendon::Listener>> Listen(const std::string& address,
-                                                           tendon::AcceptLink accept) override {
-    return below_->Listen(address, std::move(accept));
-  }
   tendon::Result<std::shared_ptr<tendon::Link>> Open(const std::string& address,
                                                      std::shared_ptr<tendon::LinkHandler> handler,
                                                      std::chrono::milliseconds timeout) override {
     if (auto waited = Wait(address); !waited) return waited.error();
-    return below_->Open(address, std::move(handler), timeout);
+    return WrappedMiddleware::Open(address, std::move(handler), timeout);
   }
 
  private:
@@ -85,7 +79,6 @@ class HoldingMiddleware final : public tendon::Middleware {
     return tendon::Error{tendon::ErrorCode::kTimeout, address + " does not answer"};
   }
 
-  const std::shared_ptr<tendon::Middleware> below_;
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::map<std::string, int> held_;  // how many times somebody has waited for too long
