@@ -67,7 +67,8 @@ class Process::Parts final : public MembershipDelegate {
   /// While the process still knows them.
   void Close() {
     life_.Stop();  // while the worker can do what it may wait for
-    for (Worker* const opener : {&*context_.opener, &*context_.gcm_opener}) opener->Stop();
+    context_.opener->Stop();
+    context_.gcm_opener->Stop();
     context_.worker->Stop();  // from now on the structure is changed here alone
     if (membership_) membership_->Leave();
     connections_.Close();

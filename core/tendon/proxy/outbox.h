@@ -24,7 +24,7 @@ namespace tendon {
 
 /// How much may be on its way at a time.
 struct OutboxLimits {
-  std::uint64_t credit = Budget<>::kNoLimit;  ///< calls that may be under way
+  std::uint64_t credit = std::numeric_limits<std::uint64_t>::max();  ///< calls under way
   /// Bytes of arguments that may wait here, but for one alone that may be larger; of calls for
   /// whose end nobody waits.
   std::uint64_t waiting_bytes = Budget<>::kNoLimit;

@@ -22,8 +22,8 @@ struct WantedChannel {
 using OpenedChannel = Result<std::shared_ptr<Channel>>;
 
 /// Opens it in its opener, behind those that it opens already: one that hangs holds up no others
-/// than these. `done` is called on the worker; once that has stopped, what was opened
-/// is closed instead.
+/// than these. `done` is called on the worker; once that has stopped, what was opened is closed
+/// instead.
 void OpenChannel(const ProcessContext& context, const WantedChannel& wanted,
                  std::function<void(const OpenedChannel&)> done);
 

@@ -2,7 +2,7 @@
 
 #include <tendon/base/error.h>
 #include <tendon/middleware/channel.h>
-#include <tendon/process/server/row_receipts.h>
+#include <tendon/process/telemetry/receipts/row_receipts.h>
 #include <tendon/process/telemetry/row_batch.h>
 #include <tendon/process/telemetry/row_choice.h>
 #include <tendon/process/telemetry/row_topic.h>

@@ -1,4 +1,4 @@
-#include <tendon/process/server/row_receipts.h>
+#include <tendon/process/telemetry/receipts/row_receipts.h>
 
 #include <utility>
 
