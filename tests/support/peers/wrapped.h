@@ -12,8 +12,8 @@
 
 namespace tendon::test {
 
-/// A link that passes all on to another; a test overrides what is to be otherwise. What is asked goes
-/// by Send() as well, unless Ask() is overridden.
+/// A link that passes all on to another; a test overrides what is to be otherwise. What is asked
+/// goes by Send() as well, unless Ask() is overridden.
 class WrappedLink : public Link {
  public:
   explicit WrappedLink(std::shared_ptr<Link> below) : below_(std::move(below)) {}
