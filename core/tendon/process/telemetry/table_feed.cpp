@@ -53,30 +53,36 @@ std::size_t TableFeed::CellsFor(const Channel& viewer, const std::vector<std::si
 }
 
 bool TableFeed::Gather() {
-  constexpr int kBatchesInARow = 8;
   for (RowStream& stream : streams_) stream.RemoveClosed();
   RemoveUnwatched();
-  for (int batch = 0; batch < kBatchesInARow; ++batch) {
-    if (!GatherBatch()) return false;
-  }
-  return true;
-}
-
-bool TableFeed::GatherBatch() {
+  has_more_ = false;
+  if (!has_viewers()) return false;
   const std::uint64_t end = table_.next_tick();
   // Before its first row a table may just be given its memory.
   const std::uint64_t first = end == 0 ? 0 : std::clamp(table_.oldest_tick(), next_tick_, end);
   std::uint64_t lost = first - next_tick_;
-  for (next_tick_ = first; next_tick_ < end && !IsBatchFull(); ++next_tick_) {
+  next_tick_ = first;
+  while (next_tick_ < end && !IsBatchFull()) {
     std::int64_t time = 0;
     if (table_.CopyRow(next_tick_, row_, time) != RowResult::kDone) {
-      ++lost;
+      lost += FallBehind();
       continue;
     }
     for (RowStream& stream : streams_) stream.Take(next_tick_, time, row_);
+    ++next_tick_;
+    head_start_ = 0;
   }
   for (RowStream& stream : streams_) stream.Send(lost, next_tick_);
-  return next_tick_ < end;
+  has_more_ = next_tick_ < end;
+  return has_more_;
+}
+
+std::uint64_t TableFeed::FallBehind() {
+  const std::uint64_t oldest = table_.oldest_tick();
+  const std::uint64_t newest = table_.next_tick() - 1;
+  head_start_ = std::min(2 * head_start_ + 1, (newest - oldest) / 2);
+  const std::uint64_t next = std::max(next_tick_ + 1, oldest + head_start_);
+  return next - std::exchange(next_tick_, next);
 }
 
 bool TableFeed::IsBatchFull() const {

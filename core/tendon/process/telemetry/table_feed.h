@@ -41,20 +41,25 @@ class TableFeed {
   [[nodiscard]] std::size_t CellsFor(const Channel& viewer, const std::vector<std::size_t>& columns,
                                      const RowChoice& rows) const;
 
-  /// Sends what has been written since; true when it stopped half-way.
+  /// Sends what has been written since, as many rows as fit a batch; true when there are more. It
+  /// costs no more than that where the rows are written faster than they can be read.
   bool Gather();
+  [[nodiscard]] bool has_more() const { return has_more_; }
   void End(const Error& reason);
 
  private:
   RowStream& StreamOf(const std::vector<std::size_t>& columns, const RowChoice& rows);
-  /// As many rows as fit a batch; false when there are no more.
-  bool GatherBatch();
+  /// The next row was overwritten while it was read: goes on with a later one, and ever later the
+  /// more often that happens in a row. Returns how many are lost by it.
+  std::uint64_t FallBehind();
   [[nodiscard]] bool IsBatchFull() const;
   void RemoveUnwatched();
 
   const std::string component_;
   const StateTable& table_;
   std::uint64_t next_tick_ = 0;
+  bool has_more_ = false;
+  std::uint64_t head_start_ = 0;  // of the row to read next, in rows before it is overwritten
   std::vector<std::uint64_t> row_;
   std::list<RowStream> streams_;
 };

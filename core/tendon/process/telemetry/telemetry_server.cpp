@@ -276,16 +276,17 @@ bool TelemetryServer::Work(SteadyTime now, SteadyTime& next) {
     (void)receipts_.TakeAll();
     return false;
   }
+  const bool is_time = now >= next_gathering_;
+  const RowReceipts receipts = is_time ? receipts_.TakeAll() : RowReceipts();
   bool more = false;
-  if (now >= next_gathering_) {
-    const RowReceipts receipts = receipts_.TakeAll();
-    for (TableFeed& feed : feeds_) {
-      if (!receipts.empty()) feed.OnRowsTaken(receipts);
-      more = feed.Gather() || more;
-    }
+  for (TableFeed& feed : feeds_) {  // a batch of each, in turn
+    if (!receipts.empty()) feed.OnRowsTaken(receipts);
+    if (is_time || feed.has_more()) more = feed.Gather() || more;
+  }
+  if (is_time) {
     feeds_.remove_if([](const TableFeed& feed) { return !feed.has_viewers(); });
     mirrored_.Tell();
-    if (!more) next_gathering_ = now + kBetweenBatches;
+    next_gathering_ = now + kBetweenBatches;
   }
   next = std::min(next, next_gathering_);
   return more;

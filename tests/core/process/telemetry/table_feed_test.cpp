@@ -125,6 +125,51 @@ TEST_F(TableFeedTest, OfOneTableCountsOneLossForAllWhoWatchIt) {
   }
 }
 
+TEST_F(TableFeedTest, GathersOneBatchAtATimeSoThatOtherTablesHaveTheirTurn) {
+  StateTable wide;
+  const std::array<double, 4096> image{};  // four rows of it are a batch
+  wide.Add(image, "Image");
+  wide.SetLength(kLength);
+  wide.Prepare();
+  feed.emplace("camera", wide);
+  Watch(1, {0});
+  for (int row = 0; row < 12; ++row) wide.Advance(now += 1ms);
+
+  EXPECT_TRUE(feed->Gather());
+  EXPECT_EQ(feed->next_tick(), 4U);
+  EXPECT_TRUE(feed->Gather());
+  EXPECT_FALSE(feed->Gather());
+  EXPECT_EQ(feed->next_tick(), 12U);
+  EXPECT_FALSE(feed->has_more());
+}
+
+TEST_F(TableFeedTest, OfAWriterThatIsFasterThanItStillBringsRowsAndCountsTheOthers) {
+  StateTable wide;
+  const std::array<double, 256> image{};
+  wide.Add(image, "Image");
+  wide.SetLength(63);
+  wide.Prepare();
+  feed.emplace("camera", wide);
+  Watch(1, {0});
+  std::atomic<bool> stops{false};
+  std::thread writer([&] {
+    while (!stops) wide.Advance(now += 1us);
+  });
+  const auto brought = [&] {
+    feed->Gather();
+    return TicksOf(1).size() > 200;
+  };
+
+  EXPECT_TRUE(EventuallyTrue(brought));
+  stops = true;
+  writer.join();
+  Gather();
+
+  std::uint64_t lost = 0;
+  for (const Bytes& batch : Batches(1)) lost += RowBatchReader::Open(batch)->header().lost_table;
+  EXPECT_EQ(LastHeader(1).rows_before + LastHeader(1).rows + lost, wide.next_tick());
+}
+
 TEST_F(TableFeedTest, WithAPeriodBringsTheFirstRowOfEach) {
   Watch(1, {0}, {.period = 10ms});
   Write(35);  // from 10.001 s on

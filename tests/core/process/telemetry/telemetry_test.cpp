@@ -290,7 +290,9 @@ TEST_P(Telemetry, LetsAViewerThatStopsReadingLoseRowsAndNobodyElse) {
   const std::size_t blocked_rows = blocked_sink->count();
   EXPECT_TRUE(EventuallyTrue([&] { return blocked_sink->count() > blocked_rows + 500; }));
   ExpectWithoutHoles(sink->rows());
-  EXPECT_EQ(sink->lost_table() + sink->lost_network(), 0U);
+  EXPECT_EQ(sink->lost_table(), 0U);
+  EXPECT_EQ(sink->lost_network(), 0U);
+  EXPECT_EQ(sink->subscribed(), 1) << sink->stale();
 }
 
 TEST_P(Telemetry, EndsWhenItIsNotWantedAnyMore) {
