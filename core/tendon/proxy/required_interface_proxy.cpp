@@ -271,6 +271,11 @@ std::uint64_t RequiredInterfaceProxy::lost_events() const {
   return lost;
 }
 
+std::uint64_t RequiredInterfaceProxy::received() const {
+  const std::scoped_lock lock(mutex_);
+  return received_;
+}
+
 bool RequiredInterfaceProxy::Work(SteadyTime now, SteadyTime& next) {
   constexpr std::chrono::milliseconds kUntilLinkHasRoom(1);
   constexpr std::size_t kCallsInARow = 1024;

@@ -41,6 +41,9 @@ class RequiredInterfaceProxy final : public NetworkJob, private BegunCalls::Owne
   /// Any thread: how many events have not reached the handlers over there, whichever end has lost
   /// them; of those the other end has lost, as many as it has told of.
   [[nodiscard]] std::uint64_t lost_events() const;
+  /// Any thread: how many calls have arrived that the component is to execute, whatever became of
+  /// them. Reads are none.
+  [[nodiscard]] std::uint64_t received() const;
 
   /// The component that is connected here.
   struct Server {
@@ -99,7 +102,7 @@ class RequiredInterfaceProxy final : public NetworkJob, private BegunCalls::Owne
   const std::shared_ptr<Wakeup<>> ended_;  // of calls that this thread waits for
   std::mutex waiting_;                     // while it does; taken before mutex_
 
-  std::mutex mutex_;  // of what follows
+  mutable std::mutex mutex_;  // of what follows
   const Connection* connection_ = nullptr;
   Server server_;
   std::uint64_t received_ = 0;

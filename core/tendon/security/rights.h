@@ -10,7 +10,8 @@
 namespace tendon {
 
 /// Which lines of the audit log a message leads to. Those that come with every cycle of a
-/// connection lead to none where they are allowed: opening the interface did.
+/// connection lead to none where they are allowed: opening the interface did, and its end tells how
+/// many calls came that are no reads.
 enum class Audit : std::uint8_t { kRefusals, kAll };
 
 /// What it takes to send a message of one type to a process that serves others.

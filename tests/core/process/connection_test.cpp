@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "core/process/remote_connection.h"
+#include "support/log/log_record.h"
 
 namespace {
 
@@ -17,7 +18,11 @@ using tendon::ErrorCode;
 using tendon::InterfaceName;
 using tendon::Process;
 using tendon::Status;
+using testing::Contains;
+using testing::EndsWith;
 using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
 
 TEST_P(RemoteConnection, CarriesEveryKindOfCommandAndEvent) {
   StartRobot();
@@ -235,6 +240,27 @@ TEST_P(RemoteConnection, EndedUnderLoadExecutesWhatItAcceptedAndNothingElse) {
   const auto executed = plant->moves.values();
   ASSERT_EQ(executed.size(), accepted);
   for (std::size_t i = 0; i < executed.size(); ++i) ASSERT_EQ(executed[i].number, i);
+}
+
+TEST_P(RemoteConnection, ItsEndIsWrittenDownWithHowManyCommandsCame) {
+  const tendon_test::LogRecord audit("audit");
+  const std::string kClosed = "): interface robot/plant/Control for desk/operator/Robot: closed, ";
+  StartRobot();
+  StartDesk();
+  Connect();
+  ASSERT_TRUE(EventuallyTrue([&] { return bool(user->move_to({.number = 1})); }));
+  ASSERT_TRUE(user->move_to({.number = 2}));
+  ASSERT_TRUE(user->stop.Wait(std::chrono::seconds(20)));
+  Move position;
+  ASSERT_TRUE(user->get_move(position));
+  EXPECT_THAT(audit.texts(), Not(Contains(HasSubstr(kClosed))));
+
+  ASSERT_TRUE(desk->Disconnect(kRobot).ok());
+
+  const auto last = [&] { return audit.texts().empty() ? "" : audit.texts().back(); };
+  EXPECT_TRUE(EventuallyTrue([&] { return last().find(kClosed) != std::string::npos; }));
+  EXPECT_THAT(last(), StartsWith("desk (operator, "));
+  EXPECT_THAT(last(), EndsWith(kClosed + "commands: 3"));
 }
 
 TEST_P(RemoteConnection, WaitsForAProcessThatIsNotThereYet) {

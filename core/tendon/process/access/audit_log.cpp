@@ -1,3 +1,4 @@
+#include <tendon/base/printable.h>
 #include <tendon/process/access/audit_log.h>
 
 #include <chrono>
@@ -22,6 +23,11 @@ void AuditLog::Write(const std::string& who, LogLevel level, const std::string& 
   const std::scoped_lock lock(mutex_);
   WriteSuppressed(now);
   if (limiter_.Admit(who, level, now)) WriteLine(level, line);
+}
+
+std::string NameAndRole(const Channel& channel, Role role) {
+  return Printable(channel.peer().name, 64) + " (" + std::string(ToString(role)) + ", " +
+         channel.peer_address() + ")";
 }
 
 void AuditLog::WriteSuppressed(SteadyTime now) {

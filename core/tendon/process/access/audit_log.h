@@ -2,7 +2,9 @@
 
 #include <tendon/base/clock.h>
 #include <tendon/base/log.h>
+#include <tendon/middleware/channel.h>
 #include <tendon/process/log/log_limiter.h>
+#include <tendon/security/role.h>
 
 #include <mutex>
 #include <string>
@@ -28,5 +30,8 @@ class AuditLog {
   std::mutex mutex_;
   LogLimiter limiter_;
 };
+
+/// "desk (operator, 127.0.0.1:41234)", of one line whatever the peer calls itself.
+[[nodiscard]] std::string NameAndRole(const Channel& channel, Role role);
 
 }  // namespace tendon

@@ -57,15 +57,15 @@ std::optional<Error> GuardedHandler::Refusal(const Channel& channel, const Frame
   const Role role = RoleOf(channel);
   const bool is_allowed = right != nullptr && Includes(role, right->role);
   if (is_allowed && right->audit == Audit::kRefusals) return std::nullopt;
-  const std::string who = Printable(channel.peer().name, 64);
   const std::string act = ActOf(right, header.type);
   std::string object = Printable(ObjectOf(header, body), 256);
   if (!object.empty()) object.insert(0, " ");
   audit_.Write("one program", is_allowed ? LogLevel::kInfo : LogLevel::kWarning,
-               who + " (" + std::string(ToString(role)) + ", " + channel.peer_address() +
-                   "): " + act + object + ": " + (is_allowed ? "allowed" : "refused"));
+               NameAndRole(channel, role) + ": " + act + object + ": " +
+                   (is_allowed ? "allowed" : "refused"));
   if (is_allowed) return std::nullopt;
   if (right == nullptr) return Error{ErrorCode::kDenied, act + " is not allowed to anybody"};
+  const std::string who = Printable(channel.peer().name, 64);
   const std::string needed(ToString(right->role));
   return Error{ErrorCode::kDenied, "'" + act + "' is for an " + needed + ", and '" + who +
                                        "' is a " + std::string(ToString(role)) +

@@ -1,3 +1,4 @@
+#include <tendon/base/printable.h>
 #include <tendon/process/server/refusal.h>
 #include <tendon/process/server/served_connections.h>
 
@@ -7,6 +8,10 @@
 #include <utility>
 
 namespace tendon {
+
+std::string EndsOf(const message::OpenInterface& open) {
+  return ToString(open.provided) + " for " + ToString(open.required);
+}
 
 void ServedConnections::Open(const std::shared_ptr<Client>& client,
                              const message::OpenMarked& wanted, Use use,
@@ -87,6 +92,7 @@ Result<ServedConnections::Entry> ServedConnections::Make(const std::shared_ptr<C
     return Entry{.client = client,
                  .required = open.required,
                  .component = open.provided.component,
+                 .ends = EndsOf(open),
                  .use = use,
                  .handle = 0,
                  .proxy = std::move(proxy),
@@ -161,6 +167,15 @@ void ServedConnections::TakeDown(Entry& entry, SteadyTime deadline) {
   entry.proxy->EndCredit();
   entry.connection->Close(TimeUntil(deadline));
   context_.proxies.Remove(entry.required, *entry.proxy);
+  if (entry.use != Use::kEventsOnly) WriteDown(entry);
+}
+
+void ServedConnections::WriteDown(const Entry& entry) {
+  const Channel& channel = *entry.client->channel;
+  entry.client->audit.Write("one program", LogLevel::kInfo,
+                            NameAndRole(channel, channel.peer().role) + ": interface " +
+                                Printable(entry.ends, 256) +
+                                ": closed, commands: " + std::to_string(entry.proxy->received()));
 }
 
 }  // namespace tendon

@@ -2,6 +2,7 @@
 
 #include <tendon/interface/connection.h>
 #include <tendon/middleware/channel.h>
+#include <tendon/process/access/audit_log.h>
 #include <tendon/process/context.h>
 #include <tendon/proxy/handle_table.h>
 #include <tendon/proxy/messages.h>
@@ -18,10 +19,15 @@ namespace tendon {
 /// Another process that has opened a channel to this one, with the numbers issued to it.
 struct Client {
   std::shared_ptr<Channel> channel;
+  AuditLog audit;  ///< of how its connections end
   HandleTable<RequiredInterfaceProxy> handles;
 };
 
-/// The connections of other processes' required interfaces to provided interfaces here.
+/// "robot/arm/Control for desk/operator/Robot", for the audit log.
+[[nodiscard]] std::string EndsOf(const message::OpenInterface& open);
+
+/// The connections of other processes' required interfaces to provided interfaces here. When one
+/// that may bring commands ends, the audit log has a line of it, which says how many came.
 ///
 /// Without a remark, functions are called on the worker.
 class ServedConnections {
@@ -55,6 +61,7 @@ class ServedConnections {
     std::shared_ptr<Client> client;
     InterfaceName required;
     std::string component;
+    std::string ends;
     Use use = Use::kAll;
     std::uint32_t handle = 0;
     std::shared_ptr<RequiredInterfaceProxy> proxy;
@@ -67,6 +74,7 @@ class ServedConnections {
   Result<Entry> Make(const std::shared_ptr<Client>& client, const message::OpenMarked& wanted,
                      Use use, ProvidedInterface& provided);
   void TakeDown(Entry& entry, SteadyTime deadline);
+  static void WriteDown(const Entry& entry);
   template <typename Predicate>
   void CloseWhere(Predicate predicate, std::chrono::milliseconds patience);
 

@@ -10,10 +10,6 @@ namespace {
 
 message::Pong PongOfNow() { return {.time = SteadyClock().Now().time_since_epoch().count()}; }
 
-std::string EndsOf(const message::OpenInterface& open) {
-  return ToString(open.provided) + " for " + ToString(open.required);
-}
-
 }  // namespace
 
 void Session::OnOpen(const SharedChannel& channel, const Hello& /*peer*/) {

@@ -51,8 +51,8 @@ class RowStream {
   void Take(std::uint64_t tick, std::int64_t time, std::span<const std::uint64_t> row);
   /// As large as a batch should be: send it.
   [[nodiscard]] bool is_full() const;
-  /// Sends what was taken since. `lost` rows of the table were overwritten among them; the next row
-  /// will be that of `next_tick`.
+  /// Sends what was taken since. `lost` rows of the table among them were overwritten, or just
+  /// before it; the next row will be that of `next_tick`.
   void Send(std::uint64_t lost, std::uint64_t next_tick);
   /// Tells the viewers that there will be no more; closes the channel of one that cannot be told.
   void End(const Error& reason);

@@ -41,16 +41,15 @@ class TableFeed {
   [[nodiscard]] std::size_t CellsFor(const Channel& viewer, const std::vector<std::size_t>& columns,
                                      const RowChoice& rows) const;
 
-  /// Sends what has been written since, as many rows as fit a batch; true when there are more. It
-  /// costs no more than that where the rows are written faster than they can be read.
+  /// Sends what has been written since, or until a batch is full; true when there is more.
   bool Gather();
   [[nodiscard]] bool has_more() const { return has_more_; }
   void End(const Error& reason);
 
  private:
   RowStream& StreamOf(const std::vector<std::size_t>& columns, const RowChoice& rows);
-  /// The next row was overwritten while it was read: goes on with a later one, and ever later the
-  /// more often that happens in a row. Returns how many are lost by it.
+  /// The next row was overwritten while it was read: goes on with one that will be there for
+  /// longer, the longer the more often that happens in a row. Returns how many are lost by it.
   std::uint64_t FallBehind();
   [[nodiscard]] bool IsBatchFull() const;
   void RemoveUnwatched();
@@ -59,7 +58,7 @@ class TableFeed {
   const StateTable& table_;
   std::uint64_t next_tick_ = 0;
   bool has_more_ = false;
-  std::uint64_t head_start_ = 0;  // of the row to read next, in rows before it is overwritten
+  std::uint64_t head_start_ = 0;  // before the writer, in rows, of where it went on last
   std::vector<std::uint64_t> row_;
   std::list<RowStream> streams_;
 };

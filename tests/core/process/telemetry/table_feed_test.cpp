@@ -1,5 +1,9 @@
 #include <tendon/process/telemetry/table_feed.h>
 
+#include <array>
+#include <atomic>
+#include <thread>
+
 #include "conformance/resources.h"
 #include "core/process/telemetry/listening.h"
 #include "support/wait.h"
