@@ -84,11 +84,24 @@ class Loop {
 
   void Stop() {
     Execute([this] {
-      for (const auto& [key, one] : served()) one->Shut();
+      Guarded([this] {
+        for (const auto& [key, one] : served()) one->Shut();
+      });
       const std::scoped_lock lock(mutex_);
       is_stopped_ = true;
     });
     thread_.join();
+  }
+
+  /// What there is no memory for is left undone.
+  template <typename Function>
+  static bool Guarded(const Function& function) {
+    try {
+      function();
+      return true;
+    } catch (const std::bad_alloc&) {
+      return false;
+    }
   }
 
  private:
@@ -110,16 +123,6 @@ class Loop {
     }
   }
 
-  /// What there is no memory for is left undone.
-  template <typename Function>
-  static bool Guarded(const Function& function) {
-    try {
-      function();
-      return true;
-    } catch (const std::bad_alloc&) {
-      return false;
-    }
-  }
   /// All others are served whatever memory this one needs.
   template <typename Function>
   static void Serve(Served& one, const Function& function) {
@@ -131,7 +134,7 @@ class Loop {
     while (!tasks_.empty()) {
       const auto tasks = std::exchange(tasks_, {});
       lock.unlock();
-      for (const auto& task : tasks) task();
+      for (const auto& task : tasks) Guarded(task);
       lock.lock();
     }
     return !is_stopped_;
@@ -330,7 +333,8 @@ class TcpLink final : public Link, public Served, public std::enable_shared_from
     socket_ = {};
     unsent_ = {};
     lock.unlock();
-    if (const auto handler = std::exchange(handler_, nullptr)) handler->OnClosed(reason);
+    const auto handler = std::exchange(handler_, nullptr);
+    if (handler) Loop::Guarded([&] { handler->OnClosed(reason); });  // others are to be closed yet
   }
 
   const std::shared_ptr<Loop> loop_;

@@ -7,6 +7,8 @@
 #include <atomic>
 #include <future>
 #include <new>
+#include <span>
+#include <vector>
 
 #include "conformance/recorder.h"
 
@@ -121,6 +123,34 @@ TEST_F(WhereMemoryIsScarce, NothingFollowsAFrameOfWhichOnlyTheBeginningWasSent) 
   EXPECT_TRUE(guest.recorder->WaitForFrames(sent + (next ? 1 : 0)));
   EXPECT_EQ(guest.recorder->numbers().back(), next ? 2U : 1U);
   EXPECT_TRUE(next || recorder->WaitForClosed());
+}
+
+/// Has no memory for the end of its link.
+class Overwhelmed final : public LinkHandler {
+ public:
+  void OnFrame(std::span<const std::byte> /*frame*/) override {}
+  void OnClosed(const Error& /*reason*/) override { throw std::bad_alloc(); }
+};
+
+TEST(TcpWhereMemoryIsScarce, WhoStopsListeningClosesAllLinksWhateverTheirHandlersLack) {
+  const auto middleware = MakeTcpMiddleware(Exposure::kLoopbackOnly);
+  auto listener = middleware->Listen("127.0.0.1:0", [](const std::shared_ptr<Link>& link) {
+    link->Admit();
+    return std::make_shared<Overwhelmed>();
+  });
+  ASSERT_TRUE(listener);
+  std::vector<std::shared_ptr<Recorder>> recorders(3);
+  std::vector<std::shared_ptr<Link>> links;
+  for (auto& recorder : recorders) {
+    recorder = std::make_shared<Recorder>();
+    const auto link = middleware->Open((*listener)->address(), recorder, kPatience);
+    ASSERT_TRUE(link);
+    links.push_back(*link);
+  }
+
+  (*listener).reset();
+
+  for (const auto& recorder : recorders) EXPECT_TRUE(recorder->WaitForClosed());
 }
 
 /// Answers with so many bytes, which it has.
