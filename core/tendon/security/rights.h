@@ -10,8 +10,8 @@
 namespace tendon {
 
 /// Which lines of the audit log a message leads to. Those that come with every cycle of a
-/// connection lead to none where they are allowed: opening the interface did, and its end tells how
-/// many calls came that are no reads.
+/// connection lead to none where they are allowed: that it stood up did, and its end, which tells
+/// how many calls came that are no reads.
 enum class Audit : std::uint8_t { kRefusals, kAll };
 
 /// What it takes to send a message of one type to a process that serves others.
@@ -26,13 +26,13 @@ struct Right {
 /// gets on channels that it opened itself are none of these: it has chosen whom it listens to.
 inline constexpr auto kRights = std::to_array<Right>({
     // proxy/messages.h
-    {0x100, "open an interface", Role::kOperator, Audit::kAll},
-    {0x101, "close an interface", Role::kViewer, Audit::kRefusals},  // that it has opened itself
+    {0x100, "open an interface", Role::kOperator, Audit::kRefusals},  // it has lines of its own
+    {0x101, "close an interface", Role::kViewer, Audit::kRefusals},   // that it has opened itself
     {0x102, "queue commands", Role::kOperator, Audit::kRefusals},
     {0x103, "execute a read command", Role::kOperator, Audit::kRefusals},
     {0x104, "ask for a sign of life", Role::kViewer, Audit::kRefusals},
     {0x105, "execute a command and wait", Role::kOperator, Audit::kRefusals},
-    {0x106, "open an interface", Role::kOperator, Audit::kAll},
+    {0x106, "open an interface", Role::kOperator, Audit::kRefusals},
     {0x120, "report lost events", Role::kOperator, Audit::kRefusals},
     // process/messages.h
     {0x200, "read schemas", Role::kViewer, Audit::kRefusals},

@@ -215,7 +215,11 @@ void Server::Join(const Request& request) {
     }
     auto admission =
         registry_.Join(*std::move(join), request.channel->peer().session, request.channel);
-    if (!admission) return Answer<message::Joined>(request, admission.error());
+    if (!admission) {
+      audit_.Write(peer, LogLevel::kWarning,
+                   peer + ": join: refused: " + Printable(admission.error().message, 256));
+      return Answer<message::Joined>(request, admission.error());
+    }
     session = admission->session;
     if (admission->replaced) outbox_.Add([old = admission->replaced] { old->Close(); });
     Answer(request, Result(message::Joined{.gcm_instance = options_.instance,

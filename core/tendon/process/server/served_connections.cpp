@@ -46,6 +46,7 @@ void ServedConnections::Open(const std::shared_ptr<Client>& client,
                            : EncodeBody(opened);
   responder->Reply(answer, entry.proxy->lane());      // events must not pass it
   context_.proxies.Add(entry.required, entry.proxy);  // only now it sends
+  WriteDown(entry, "opened");
 }
 
 Result<void> ServedConnections::CheckListeners(const Client& client, Use use) const {
@@ -167,15 +168,15 @@ void ServedConnections::TakeDown(Entry& entry, SteadyTime deadline) {
   entry.proxy->EndCredit();
   entry.connection->Close(TimeUntil(deadline));
   context_.proxies.Remove(entry.required, *entry.proxy);
-  if (entry.use != Use::kEventsOnly) WriteDown(entry);
+  WriteDown(entry, "closed, commands: " + std::to_string(entry.proxy->received()));
 }
 
-void ServedConnections::WriteDown(const Entry& entry) {
+void ServedConnections::WriteDown(const Entry& entry, const std::string& what) {
+  if (entry.use == Use::kEventsOnly) return;
   const Channel& channel = *entry.client->channel;
   entry.client->audit.Write("one program", LogLevel::kInfo,
                             NameAndRole(channel, channel.peer().role) + ": interface " +
-                                Printable(entry.ends, 256) +
-                                ": closed, commands: " + std::to_string(entry.proxy->received()));
+                                Printable(entry.ends, 256) + ": " + what);
 }
 
 }  // namespace tendon

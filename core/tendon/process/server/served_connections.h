@@ -19,15 +19,15 @@ namespace tendon {
 /// Another process that has opened a channel to this one, with the numbers issued to it.
 struct Client {
   std::shared_ptr<Channel> channel;
-  AuditLog audit;  ///< of how its connections end
+  AuditLog audit;  ///< of its connections
   HandleTable<RequiredInterfaceProxy> handles;
 };
 
 /// "robot/arm/Control for desk/operator/Robot", for the audit log.
 [[nodiscard]] std::string EndsOf(const message::OpenInterface& open);
 
-/// The connections of other processes' required interfaces to provided interfaces here. When one
-/// that may bring commands ends, the audit log has a line of it, which says how many came.
+/// The connections of other processes' required interfaces to provided interfaces here. Of one that
+/// may bring commands the audit log says when it stands, and when it ends how many came.
 ///
 /// Without a remark, functions are called on the worker.
 class ServedConnections {
@@ -74,7 +74,8 @@ class ServedConnections {
   Result<Entry> Make(const std::shared_ptr<Client>& client, const message::OpenMarked& wanted,
                      Use use, ProvidedInterface& provided);
   void TakeDown(Entry& entry, SteadyTime deadline);
-  static void WriteDown(const Entry& entry);
+  /// In the audit log, where it may bring commands.
+  static void WriteDown(const Entry& entry, const std::string& what);
   template <typename Predicate>
   void CloseWhere(Predicate predicate, std::chrono::milliseconds patience);
 

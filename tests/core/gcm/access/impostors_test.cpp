@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 #include <tests/core/gcm/bench.h>
+#include <tests/support/log/log_record.h>
 #include <tests/support/peers/impostor.h>
 
 namespace tendon {
@@ -8,6 +9,7 @@ namespace {
 using namespace std::chrono_literals;  // NOLINT(google-build-using-namespace)
 using test::FakeProcess;
 using test::Impostor;
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -78,6 +80,7 @@ TEST_P(Impostors, NobodyJoinsByAnothersNameOrSession) {
   const std::uint64_t instance = robot_.description().instance;
   const auto thief = OpenAs("thief", instance);
   const auto other = OpenAs("robot");
+  const tendon_test::LogRecord audit("audit");
 
   const auto by_name = JoinAsRobot(*thief, instance);
   const auto by_session = JoinAsRobot(*other);
@@ -88,6 +91,9 @@ TEST_P(Impostors, NobodyJoinsByAnothersNameOrSession) {
   ASSERT_FALSE(by_session);
   EXPECT_EQ(by_session.error().code, ErrorCode::kExists);
   EXPECT_THAT(by_session.error().message, HasSubstr("process name 'robot' is in use by host"));
+  EXPECT_THAT(audit.texts(), Contains(HasSubstr("thief: join as 'robot': refused")));
+  EXPECT_THAT(audit.texts(),
+              Contains(HasSubstr("robot: join: refused: process name 'robot' is in use by host")));
   EXPECT_TRUE(robot_.Renew());
 }
 
