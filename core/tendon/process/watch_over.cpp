@@ -4,6 +4,7 @@
 #include <tendon/proxy/messages.h>
 
 #include <algorithm>
+#include <string>
 
 namespace tendon {
 
@@ -24,8 +25,10 @@ void WatchOver(const std::shared_ptr<Worker>& worker, const std::shared_ptr<Chan
         }
         if (answer || answer.error().code != ErrorCode::kTimeout) return;
         const auto silent = weak.lock();
-        if (silent && !MayBeHeldUp(*silent, SteadyClock().Now(), kLongestPeerSilence))
-          silent->Close();
+        if (silent && !MayBeHeldUp(*silent, SteadyClock().Now(), kLongestPeerSilence)) {
+          silent->CutOff("has not answered for " + std::to_string(kLongestPeerSilence.count()) +
+                         " ms");
+        }
       },
       kOwnLane);
   worker->PostAfter(kBetweenQuestions, [weak_worker = std::weak_ptr(worker),

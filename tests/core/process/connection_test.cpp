@@ -19,6 +19,7 @@ using tendon::InterfaceName;
 using tendon::Process;
 using tendon::Status;
 using testing::Contains;
+using testing::ElementsAre;
 using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;
@@ -242,9 +243,10 @@ TEST_P(RemoteConnection, EndedUnderLoadExecutesWhatItAcceptedAndNothingElse) {
   for (std::size_t i = 0; i < executed.size(); ++i) ASSERT_EQ(executed[i].number, i);
 }
 
-TEST_P(RemoteConnection, ItsEndIsWrittenDownWithHowManyCommandsCame) {
+TEST_P(RemoteConnection, ItsBeginningAndItsEndAreWrittenDownWithHowManyCommandsCame) {
   const tendon_test::LogRecord audit("audit");
-  const std::string kClosed = "): interface robot/plant/Control for desk/operator/Robot: closed, ";
+  const std::string kInterface = "): interface robot/plant/Control for desk/operator/Robot: ";
+  const std::string kClosed = kInterface + "closed, ";
   StartRobot();
   StartDesk();
   Connect();
@@ -253,6 +255,7 @@ TEST_P(RemoteConnection, ItsEndIsWrittenDownWithHowManyCommandsCame) {
   ASSERT_TRUE(user->stop.Wait(std::chrono::seconds(20)));
   Move position;
   ASSERT_TRUE(user->get_move(position));
+  EXPECT_THAT(audit.texts(), Contains(EndsWith(kInterface + "opened")));
   EXPECT_THAT(audit.texts(), Not(Contains(HasSubstr(kClosed))));
 
   ASSERT_TRUE(desk->Disconnect(kRobot).ok());
@@ -282,10 +285,12 @@ TEST_P(RemoteConnection, WaitsForAProcessThatIsNotThereYet) {
 TEST_P(RemoteConnection, WaitsForAComponentThatIsNotThereYet) {
   robot = Start("robot");
   StartDesk();
+  const tendon_test::LogRecord audit("audit");
   ASSERT_TRUE(desk->Connect(kRobot, kControl).ok());
   EXPECT_TRUE(EventuallyPending(*desk));
   EXPECT_TRUE(EventuallyTrue([&] { return Reason().find("'plant'") != std::string::npos; }))
       << Reason();
+  EXPECT_THAT(audit.texts(), Not(Contains(HasSubstr("plant/Control")))) << "there is none to open";
 
   robot->Add<Plant>("plant");
 
@@ -293,6 +298,7 @@ TEST_P(RemoteConnection, WaitsForAComponentThatIsNotThereYet) {
 }
 
 TEST_P(RemoteConnection, OfALostProcessIsMadeAgainWhenItReturns) {
+  const tendon_test::LogRecord log("connection");
   StartRobot();
   StartDesk();
   Connect();
@@ -312,6 +318,11 @@ TEST_P(RemoteConnection, OfALostProcessIsMadeAgainWhenItReturns) {
   EXPECT_TRUE(EventuallyQueued([&] { return user->move_to({.number = 2}); }));
   EXPECT_TRUE(EventuallyTrue([&] { return plant->moves.size() == 1; }));
   EXPECT_EQ(plant->moves.values().front().number, 2U);
+  const std::string kEnds = "desk/operator/Robot to robot/plant/Control ";
+  EXPECT_THAT(log.texts(),
+              ElementsAre(kEnds + "stands",
+                          StartsWith(kEnds + "is lost, and will be made again: process 'robot'"),
+                          kEnds + "stands"));
 }
 
 TEST_P(RemoteConnection, OfARemovedComponentIsMadeAgainWhenItReturns) {

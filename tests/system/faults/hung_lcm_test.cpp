@@ -134,6 +134,7 @@ TEST_P(HungLcm, OneThatIsStoppedAndAGcmThatIsLeaveTheDeskAnswering) {
   }
 
   Tell("the desk answered within " + std::to_string(longest) + " ms");
+  EXPECT_THAT(desk_->err(), HasSubstr("robot was cut off: it has not answered for 1500 ms"));
   robot_->Signal(SIGCONT);
   gcm_->Signal(SIGCONT);
   ASSERT_TRUE(Eventually([&] { return !says(""); })) << desk_->err();

@@ -1,3 +1,4 @@
+#include <tendon/base/log.h>
 #include <tendon/base/name.h>
 #include <tendon/base/os/process.h>
 #include <tendon/manager/faulted_end.h>
@@ -17,6 +18,11 @@ constexpr std::chrono::milliseconds kLongestPause(2000);
 bool IsFinal(const Error& error) {
   return error.code == ErrorCode::kIncompatible || error.code == ErrorCode::kInvalid ||
          error.code == ErrorCode::kDenied || error.code == ErrorCode::kExists;
+}
+
+void Tell(LogLevel level, const ConnectionDescription& connection, const std::string& what) {
+  Log(level, "connection",
+      ToString(connection.required) + " to " + ToString(connection.provided) + " " + what);
 }
 
 }  // namespace
@@ -213,6 +219,7 @@ Result<void> RemoteConnections::Bind(Entry& entry,
   description.state = ConnectionState::kActive;
   description.reason.clear();
   entry.pause = {};
+  Tell(LogLevel::kInfo, description, "stands");
   return {};
 }
 
@@ -276,6 +283,9 @@ void RemoteConnections::OnInterfaceClosed(const PeerLink& link, std::uint32_t ha
 
 /// It is still wanted, and tried again by and by.
 void RemoteConnections::Suspend(Entry& entry, const std::string& reason) {
+  if (entry.connection) {
+    Tell(LogLevel::kWarning, entry.description, "is lost, and will be made again: " + reason);
+  }
   TakeDown(entry, {});
   if (entry.description.state != ConnectionState::kPending) entry.since = SteadyClock().Now();
   entry.description.state = ConnectionState::kPending;
