@@ -4,8 +4,10 @@
 #include <tendon/base/log.h>
 #include <tendon/base/os/private_file.h>
 #include <tendon/base/os/process.h>
+#include <tendon/base/os/socket.h>
 #include <tendon/base/os/termination.h>
 #include <tendon/gcm/global_manager.h>
+#include <tendon/middleware/middleware.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -89,6 +91,8 @@ tendon::Result<program::ExitCode> RunFanOut(Context& context, const std::string&
   }
   const auto settings = program::BrokerSettings(address, context.settings().network);
   if (!settings) return settings.error();
+  const auto place = tendon::ParseAddress(address, 1);
+  if (const auto may = tendon::os::ListenAt(place->host, place->port); !may) return may.error();
   const auto file = WriteSettings(address, *settings);
   if (!file) return file.error();
   tendon::os::BecomeProgram({"icebox", "--Ice.Config=" + file->string()}, kMostOfBroker);

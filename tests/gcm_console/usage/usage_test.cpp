@@ -157,6 +157,13 @@ TEST_F(UsageTest, ASecondGcmOnOnePortIsToldWhoHasIt) {
                         " (gcm); use the GCM that is there, or give --gcm another port");
 }
 
+TEST_F(UsageTest, AFanOutOnAPortThatIsTakenIsToldWhoHasIt) {
+  StartGcm();
+
+  ExpectOneSentence(Typed({"fan-out", "--listen", address}), program::kRefused,
+                    address + " is in use by pid " + std::to_string(gcm->pid()) + " (gcm)");
+}
+
 TEST_F(UsageTest, OnePortForTwoPurposesIsRefused) {
   ExpectOneSentence(Typed({"serve", "--fan-out", "localhost:" + port}), program::kUsage,
                     "--fan-out and --gcm are both " + address +

@@ -99,12 +99,12 @@ void BecomeProgram(const std::vector<std::string>& words, std::size_t most_memor
   std::vector<char*> arguments;
   for (std::string& word : copies) arguments.push_back(word.data());
   arguments.push_back(nullptr);
+  setenv("MALLOC_ARENA_MAX", "4", 0);  // each takes addresses that it may never use
   rlimit before{};
   const bool is_known = getrlimit(RLIMIT_AS, &before) == 0;
   rlimit limit = before;
   limit.rlim_cur = std::min<rlim_t>(before.rlim_cur, most_memory);
-  if (is_known) setrlimit(RLIMIT_AS, &limit);
-  setenv("MALLOC_ARENA_MAX", "4", 0);  // each takes addresses that it may never use
+  if (is_known) setrlimit(RLIMIT_AS, &limit);  // from here on this program may have no memory
   execvp(arguments.front(), arguments.data());
   if (is_known) setrlimit(RLIMIT_AS, &before);
 }
