@@ -183,7 +183,9 @@ class Doctor {
     }
     if (!IsPresent(process)) {
       Bad(what, std::string(ToString(process.state)) + ": " + process.reason,
-          "start it again: lcm --name " + process.name);
+          "start it again by the command that it was started with, or take it off the list: gcm "
+          "forget " +
+              process.name);
       return;
     }
     const bool is_elsewhere = process.host != tendon::os::HostName();

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import getpass
 import os
+import socket
 import time
 import weakref
 from typing import Any, Callable, Sequence
@@ -127,17 +129,22 @@ class System:
         return self._processes.call(catalog.present(path.process), path, command, argument)
 
 
-def connect(address: str | None = None, name: str = "python",
+def _own_name() -> str:
+    """As gcm calls itself: the program, and whose it is."""
+    return f"python of {getpass.getuser()}@{socket.gethostname()}"
+
+
+def connect(address: str | None = None, name: str | None = None,
             timeout: float = DEFAULT_TIMEOUT,
             certificate: str | os.PathLike[str] | None = None,
             authority: str | os.PathLike[str] | None = None) -> System:
     """Joins the system of the GCM at `address`: $TENDON_GCM or 127.0.0.1:10705 where none is given.
-    `name` is for the GCM's history. Raises Unreachable when nobody answers.
+    `name` is for histories and audit logs: "python of USER@HOST" where none is given. Raises Unreachable when nobody answers.
 
     With a `certificate`, the file that the programs take as --certificate, all is under TLS and the
     GCM may be on another machine; `authority` is the folder of --ca. Where they are not given,
     $TENDON_CERTIFICATE and $TENDON_CA are taken."""
-    return System(address, name, timeout, chosen_credentials(certificate, authority))
+    return System(address, name or _own_name(), timeout, chosen_credentials(certificate, authority))
 
 
 def _columns_of(asked: Sequence[str], known: list[str],
