@@ -89,10 +89,11 @@ tendon::Result<program::ExitCode> RunFanOut(Context& context, const std::string&
     return tendon::Error{tendon::ErrorCode::kInvalid,
                          "fan-out runs until told to stop: start it outside of gcm shell"};
   }
+  if (const auto place = tendon::ParseAddress(address, 1)) {
+    if (const auto may = tendon::os::ListenAt(place->host, place->port); !may) return may.error();
+  }
   const auto settings = program::BrokerSettings(address, context.settings().network);
   if (!settings) return settings.error();
-  const auto place = tendon::ParseAddress(address, 1);
-  if (const auto may = tendon::os::ListenAt(place->host, place->port); !may) return may.error();
   const auto file = WriteSettings(address, *settings);
   if (!file) return file.error();
   tendon::os::BecomeProgram({"icebox", "--Ice.Config=" + file->string()}, kMostOfBroker);

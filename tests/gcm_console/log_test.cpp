@@ -44,9 +44,9 @@ TEST_F(LogTest, ShowsWhatTheProcessesHaveLogged) {
   EXPECT_EQ(nobody.exit_code, program::kNotFound);
   EXPECT_EQ(nobody.out, "");
   EXPECT_EQ(nobody.err, "gcm: no process 'robt'; did you mean 'robot'?\n");
-  const Outcome silent = Gcm({"log", "--from", "robot/arm"});
+  const Outcome silent = Gcm({"log", "--from", "robot/arm", "--level", "error"});
   EXPECT_EQ(silent.exit_code, program::kOk);
-  EXPECT_EQ(silent.err, "gcm: nothing that is kept is from 'robot/arm' at level debug or above\n");
+  EXPECT_EQ(silent.err, "gcm: nothing that is kept is from 'robot/arm' at level error or above\n");
 
   std::istringstream lines(Gcm({"--json", "log", "--from", "robot"}).out);
   std::string line;

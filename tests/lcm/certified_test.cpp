@@ -78,8 +78,9 @@ TEST_F(CertifiedPrograms, WhoPosesAsAnotherDoesNotJoin) {
   EXPECT_EQ(outcome.exit_code, program::kDenied);
   EXPECT_THAT(outcome.err, HasSubstr("'anna (robot)' cannot join as process 'robot'"));
   EXPECT_TRUE(EventuallyTrue([this] {
-    return gcm->err().find("anna (robot): join as 'robot': refused") != std::string::npos;
+    return gcm->err().find("): join as 'robot': refused") != std::string::npos;
   })) << gcm->err();
+  EXPECT_THAT(gcm->err(), HasSubstr("audit: anna (robot) (operator, 127.0.0.1:"));
 }
 
 TEST_F(CertifiedPrograms, AGcmNeedsItsOwnCertificate) {

@@ -76,7 +76,7 @@ class Loop {
     assert(std::this_thread::get_id() != thread_.get_id());
     const auto done = std::make_shared<std::promise<void>>();
     const bool accepted = Post([&task, done] {
-      task();
+      Guarded(task);
       done->set_value();
     });
     if (accepted) done->get_future().wait();
@@ -85,7 +85,7 @@ class Loop {
   void Stop() {
     Execute([this] {
       Guarded([this] {
-        for (const auto& [key, one] : served()) one->Shut();
+        for (const auto& [key, one] : served()) Guarded([&it = *one] { it.Shut(); });
       });
       const std::scoped_lock lock(mutex_);
       is_stopped_ = true;
@@ -389,7 +389,7 @@ class Door final : public Served, public std::enable_shared_from_this<Door> {
     loop_->Remove(key_, socket_);
     socket_ = {};
     for (const auto& [key, one] : loop_->served()) {
-      if (one->door() == key_) one->Shut();
+      if (one->door() == key_) Loop::Guarded([&it = *one] { it.Shut(); });
     }
   }
 

@@ -47,7 +47,7 @@ inline constexpr auto kRights = std::to_array<Right>({
     {0x20b, "mirror a read command", Role::kOperator, Audit::kRefusals},  // proxy/mirror/
     {0x20d, "ask for its version", Role::kViewer, Audit::kRefusals},  // process/program_messages.h
     // process/membership_messages.h
-    {0x300, "join", Role::kOperator, Audit::kAll},
+    {0x300, "join", Role::kOperator, Audit::kRefusals},  // who may is written down
     {0x301, "report a change", Role::kOperator, Audit::kRefusals},
     {0x302, "ask for a sign of life", Role::kViewer, Audit::kRefusals},
     {0x303, "leave", Role::kOperator, Audit::kAll},

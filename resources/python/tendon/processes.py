@@ -24,7 +24,8 @@ _DONE = 2  # below this, it was
 _REFUSALS: list[tuple[type[Error], str]] = [
     (Failed, "done"), (Failed, "queued"), (Failed, "not connected"),
     (Failed, "not active; start its component first"),
-    (Failed, "queue full; its component has not caught up, try again"), (Failed, "no sample"),
+    (Failed, "queue full; its component has not caught up: try again, and where it never does, see "
+             "that its Run() calls ProcessQueuedCommands()"), (Failed, "no sample"),
     (TimedOut, "timeout"), (TimedOut, "outcome unknown"), (Failed, "would deadlock"),
     (Denied, "denied"), (Failed, "disabled"), (Failed, "unsupported"), (Invalid, "invalid"),
     (Failed, "failed")]

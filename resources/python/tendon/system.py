@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import getpass
 import os
+import pwd
 import socket
 import time
 import weakref
@@ -131,7 +131,11 @@ class System:
 
 def _own_name() -> str:
     """As gcm calls itself: the program, and whose it is."""
-    return f"python of {getpass.getuser()}@{socket.gethostname()}"
+    try:
+        user = pwd.getpwuid(os.geteuid()).pw_name
+    except KeyError:  # in a container
+        user = str(os.geteuid())
+    return f"python of {user}@{socket.gethostname()}"
 
 
 def connect(address: str | None = None, name: str | None = None,

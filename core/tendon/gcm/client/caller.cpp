@@ -19,7 +19,10 @@ Error Refusal(const std::string& command, Status status) {
     case Status::kNotActive:
       return {ErrorCode::kFailed, words + "; start its component first"};
     case Status::kQueueFull:
-      return {ErrorCode::kFailed, words + "; its component has not caught up, try again"};
+      return {ErrorCode::kFailed,
+              words +
+                  "; its component has not caught up: try again, and where it never does, see "
+                  "that its Run() calls ProcessQueuedCommands()"};
     case Status::kTimeout:
     case Status::kOutcomeUnknown:
       return {ErrorCode::kTimeout, words};

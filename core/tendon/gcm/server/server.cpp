@@ -199,8 +199,9 @@ void Server::Join(const Request& request) {
   auto join = DecodeBody<message::Join>(request.body);
   if (!join) return request.responder->Refuse(join.error());
   const std::string peer = NameOf(*request.channel);
+  const std::string who = NameAndRole(*request.channel, request.channel->peer().role);
   if (const std::string name = Printable(join->process.name, 64); peer != name) {
-    audit_.Write(peer, LogLevel::kWarning, peer + ": join as '" + name + "': refused");
+    audit_.Write(peer, LogLevel::kWarning, who + ": join as '" + name + "': refused");
     return request.responder->Refuse(
         {ErrorCode::kDenied, "'" + peer + "' cannot join as process '" + name +
                                  "': under TLS that takes a certificate of that name (gcm cert "
@@ -217,9 +218,10 @@ void Server::Join(const Request& request) {
         registry_.Join(*std::move(join), request.channel->peer().session, request.channel);
     if (!admission) {
       audit_.Write(peer, LogLevel::kWarning,
-                   peer + ": join: refused: " + Printable(admission.error().message, 256));
+                   who + ": join: refused: " + Printable(admission.error().message, 256));
       return Answer<message::Joined>(request, admission.error());
     }
+    audit_.Write(peer, LogLevel::kInfo, who + ": join: allowed");
     session = admission->session;
     if (admission->replaced) outbox_.Add([old = admission->replaced] { old->Close(); });
     Answer(request, Result(message::Joined{.gcm_instance = options_.instance,

@@ -251,6 +251,7 @@ void RemoteConnections::Refuse(ConnectionId id, const Error& error) {
     entry.description.state = ConnectionState::kFailed;
     entry.description.reason = error.message;
     TakeDown(entry, {});
+    if (!done) Tell(LogLevel::kWarning, entry.description, "is refused: " + error.message);
     if (done) entries_.erase(found);
   }
   context_.host.StructureChanged();

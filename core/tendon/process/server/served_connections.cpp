@@ -40,13 +40,13 @@ void ServedConnections::Open(const std::shared_ptr<Client>& client,
       .description = (*server)->description()};
   entry.handle = opened.handle;
   client->handles.Put(entry.handle, entry.proxy);
+  WriteDown(entry, "opened");
   const Bytes answer = use == Use::kAllMarked
                            ? EncodeBody(message::MarkedOpened{
                                  .opened = opened, .latest_only = (*server)->latest_only()})
                            : EncodeBody(opened);
   responder->Reply(answer, entry.proxy->lane());      // events must not pass it
   context_.proxies.Add(entry.required, entry.proxy);  // only now it sends
-  WriteDown(entry, "opened");
 }
 
 Result<void> ServedConnections::CheckListeners(const Client& client, Use use) const {

@@ -13,7 +13,7 @@ try:
 except ModuleNotFoundError as missing:
     raise ModuleNotFoundError(
         "this Python has no Ice, over which tendon talks: run one that has python3-zeroc-ice, as "
-        "/usr/bin/python3 has once tools/setup has run") from missing
+        "/usr/bin/python3 has once tools/setup has run", name="Ice") from missing
 
 from ..errors import Denied, Error, Failed, Invalid, TimedOut, Unreachable
 from .address import Address, parse_address

@@ -12,6 +12,8 @@ using test::Impostor;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
 
 /// A robot, and others who know its session.
 class Impostors : public test::Bench {
@@ -91,9 +93,11 @@ TEST_P(Impostors, NobodyJoinsByAnothersNameOrSession) {
   ASSERT_FALSE(by_session);
   EXPECT_EQ(by_session.error().code, ErrorCode::kExists);
   EXPECT_THAT(by_session.error().message, HasSubstr("process name 'robot' is in use by host"));
-  EXPECT_THAT(audit.texts(), Contains(HasSubstr("thief: join as 'robot': refused")));
+  EXPECT_THAT(audit.texts(), Contains(StartsWith("thief (operator, ")));
+  EXPECT_THAT(audit.texts(), Contains(HasSubstr("): join as 'robot': refused")));
   EXPECT_THAT(audit.texts(),
-              Contains(HasSubstr("robot: join: refused: process name 'robot' is in use by host")));
+              Contains(HasSubstr("): join: refused: process name 'robot' is in use by host")));
+  EXPECT_THAT(audit.texts(), Not(Contains(HasSubstr("allowed"))));
   EXPECT_TRUE(robot_.Renew());
 }
 

@@ -52,12 +52,12 @@ TEST(Rights, AreThoseOfTheMessages) {
 }
 
 TEST(Rights, WhatChangesTheSystemIsWrittenDown) {
-  // An interface is opened again and again until it is there: that it was is written down by
+  // Who may open an interface, or join, tries until it can: that it could is written down by
   // others.
-  const Types written = {message::kCallMember, message::kJoin,       message::kLeave,
-                         message::kConnect,    message::kDisconnect, message::kUndo,
-                         message::kForget,     message::kReplace,    message::kSetLogLevel,
-                         message::kLife,       message::kPassOver,   message::kProcess};
+  const Types written = {message::kCallMember, message::kLeave,       message::kConnect,
+                         message::kDisconnect, message::kUndo,        message::kForget,
+                         message::kReplace,    message::kSetLogLevel, message::kLife,
+                         message::kPassOver,   message::kProcess};
   for (const Right& right : kRights) {
     EXPECT_EQ(right.audit == Audit::kAll, written.contains(static_cast<MessageType>(right.type)))
         << right.act;
