@@ -143,7 +143,8 @@ def connect(address: str | None = None, name: str | None = None,
             certificate: str | os.PathLike[str] | None = None,
             authority: str | os.PathLike[str] | None = None) -> System:
     """Joins the system of the GCM at `address`: $TENDON_GCM or 127.0.0.1:10705 where none is given.
-    `name` is for histories and audit logs: "python of USER@HOST" where none is given. Raises Unreachable when nobody answers.
+    `name` is for histories and audit logs: "python of USER@HOST" where none is given. Raises
+    Unreachable when nobody answers.
 
     With a `certificate`, the file that the programs take as --certificate, all is under TLS and the
     GCM may be on another machine; `authority` is the folder of --ca. Where they are not given,

@@ -251,8 +251,11 @@ void RemoteConnections::Refuse(ConnectionId id, const Error& error) {
     entry.description.state = ConnectionState::kFailed;
     entry.description.reason = error.message;
     TakeDown(entry, {});
-    if (!done) Tell(LogLevel::kWarning, entry.description, "is refused: " + error.message);
-    if (done) entries_.erase(found);
+    if (done) {
+      entries_.erase(found);
+    } else {
+      Tell(LogLevel::kWarning, entry.description, "is refused: " + error.message);
+    }
   }
   context_.host.StructureChanged();
   if (done) done(error);
