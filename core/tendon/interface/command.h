@@ -38,7 +38,7 @@ class CommandBase {
 
   /// WaitEncoded() in two halves, for who must not block. kQueued: `call` is its number until
   /// EndEncoded(), and `ended`, which outlives the command, is notified once the server has done
-  /// with it, though not when the server stops. Any other status is its end.
+  /// with it, or has stopped after it was posted. Any other status is its end.
   virtual Status BeginEncoded(std::span<const std::byte> /*in*/, std::vector<std::byte>& /*out*/,
                               Wakeup<>& /*ended*/, std::size_t& /*call*/) {
     return Status::kUnsupported;

@@ -31,12 +31,14 @@ class Completion {
                                         std::memory_order_acquire)) {  // pairs with (A)
       return false;
     }
-    listener_ = nullptr;
+    listener_.store(nullptr, std::memory_order_relaxed);
     return true;
   }
   /// Before it is posted, by a caller that does not sleep in Await(): `listener` is notified once
-  /// is_done() holds. It outlives the record.
-  void SetListener(Wakeup<Atomics>& listener) noexcept { listener_ = &listener; }
+  /// is_done() holds, and by Interrupt(). It outlives the record.
+  void SetListener(Wakeup<Atomics>& listener) noexcept {
+    listener_.store(&listener, std::memory_order_release);  // (D)
+  }
   [[nodiscard]] bool is_done() const noexcept {
     return state_.load(std::memory_order_acquire) == kDone;  // pairs with (B)
   }
@@ -66,15 +68,21 @@ class Completion {
   }
   /// After it. What was written before is seen by the caller that finds it done.
   void Finish(Status status) noexcept {
-    Wakeup<Atomics>* const listener = listener_;  // the next caller's, once this one is done
+    // The next caller's, once this one is done.
+    Wakeup<Atomics>* const listener = listener_.load(std::memory_order_acquire);  // (D)
     status_ = status;
     if (state_.exchange(kDone, std::memory_order_acq_rel) == kAbandoned) return Free();  // (B), (C)
     wakeup_.Notify();
     if (listener != nullptr) listener->Notify();
   }
 
-  /// Any thread: lets the caller look at `interrupted()`.
-  void Interrupt() noexcept { wakeup_.Notify(); }
+  /// Any thread: lets the caller look at `interrupted()`; a listener, if the call was posted
+  /// before.
+  void Interrupt() noexcept {
+    wakeup_.Notify();
+    Wakeup<Atomics>* const listener = listener_.load(std::memory_order_acquire);  // (D)
+    if (listener != nullptr) listener->Notify();
+  }
 
  private:
   enum State : std::uint32_t { kFree, kPending, kStarted, kDone, kAbandoned };
@@ -82,9 +90,10 @@ class Completion {
   // (A) what the last caller has read may be written over
   // (B) what the server has written may be read
   // (C) what a caller that has gone was doing with it is over
+  // (D) what the listener is may be used
   typename Atomics::template Atomic<State> state_{kFree};
   Wakeup<Atomics> wakeup_;
-  Wakeup<Atomics>* listener_ = nullptr;
+  typename Atomics::template Atomic<Wakeup<Atomics>*> listener_{nullptr};
   Status status_ = Status::kDone;
 };
 

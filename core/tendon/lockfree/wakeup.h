@@ -28,6 +28,12 @@ class Wakeup {
     if (asleep_.load(std::memory_order_relaxed) == kAwake) return;
     if (asleep_.exchange(kAwake, std::memory_order_relaxed) == kAsleep) Atomics::Wake(asleep_);
   }
+  /// Notify() for what has time until `when`: who wakes up by itself until then is left asleep.
+  void NotifyBy(SteadyTime when) noexcept {
+    Atomics::Fence(std::memory_order_seq_cst);  // (A)
+    if (asleep_.load(std::memory_order_acquire) == kAwake) return;
+    if (until_.load(std::memory_order_relaxed) > when) NotifyAfterFence();
+  }
 
   /// Sleeps until `ready()` or until `deadline`; returns what `ready()` said last. `ready` looks,
   /// in this thread, for what posters publish before they notify; it runs a few times more than
@@ -37,7 +43,8 @@ class Wakeup {
     while (!ready()) {
       const SteadyTime now = Atomics::Now();
       if (now >= deadline) return false;
-      asleep_.store(kAsleep, std::memory_order_relaxed);
+      until_.store(deadline, std::memory_order_relaxed);
+      asleep_.store(kAsleep, std::memory_order_release);  // pairs with the look of NotifyBy()
       Atomics::Fence(std::memory_order_seq_cst);  // (B) the flag is up before work is looked for
       const bool is_ready = ready();
       if (!is_ready) Atomics::Sleep(asleep_, kAsleep, deadline - now);
@@ -52,6 +59,7 @@ class Wakeup {
   static constexpr std::uint32_t kAsleep = 1;
 
   typename Atomics::template Atomic<std::uint32_t> asleep_{kAwake};
+  typename Atomics::template Atomic<SteadyTime> until_{SteadyTime{}};  // it sleeps at most
 };
 
 }  // namespace tendon

@@ -63,6 +63,23 @@ TEST(Completion, ACallAbandonedTooLateIsFreedByTheServer) {
   EXPECT_TRUE(completion.TryTake());
 }
 
+TEST(Completion, AnInterruptionIsToldToTheListener) {
+  Completion<> completion;
+  Wakeup<> listener;
+  Flag is_interrupted;
+  ASSERT_TRUE(completion.TryTake());
+  completion.SetListener(listener);
+  std::jthread stopping([&] {
+    is_interrupted.Set(true);
+    completion.Interrupt();
+  });
+
+  const SteadyTime deadline = In(60s);
+  EXPECT_TRUE(listener.WaitUntil([&] { return is_interrupted.Get(); }, deadline));
+
+  EXPECT_LT(StdAtomics::Now(), deadline) << "it was woken";
+}
+
 TEST(Completion, AnInterruptionEndsTheWait) {
   Completion<> completion;
   Flag interrupted;

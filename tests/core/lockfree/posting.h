@@ -17,6 +17,11 @@ struct Posting {
     posted.fetch_add(1, std::memory_order_release);
     wakeup.Notify();
   }
+  /// For what has time until then.
+  void PostBy(SteadyTime when) {
+    posted.fetch_add(1, std::memory_order_release);
+    wakeup.NotifyBy(when);
+  }
   void Receive(int wanted) {
     const auto ready = [&] { return posted.load(std::memory_order_acquire) >= wanted; };
     Check(wakeup.WaitUntil(ready, SteadyTime::max()), "gave up");

@@ -57,6 +57,40 @@ TEST(Wakeup, ANotificationWithoutWorkDoesNotEndTheWait) {
   poster.join();
 }
 
+TEST(Wakeup, WhoWakesByItselfInTimeIsLeftAsleep) {
+  Wakeup<> wakeup;
+  std::atomic<int> looks = 0;
+  const SteadyTime until = In(5ms);
+  std::thread poster([&] {
+    while (looks < 2) std::this_thread::yield();
+    while (StdAtomics::Now() < until) wakeup.NotifyBy(until);
+  });
+
+  EXPECT_FALSE(wakeup.WaitUntil([&] { return ++looks == 0; }, until));
+  poster.join();
+
+  EXPECT_LE(looks, 4) << "before it sleeps, and at its end";
+}
+
+TEST(Wakeup, WhoWouldWakeTooLateIsWoken) {
+  Wakeup<> wakeup;
+  std::atomic<bool> has_work = false;
+  std::atomic<int> looks = 0;
+  std::thread poster([&] {
+    while (looks < 2) std::this_thread::yield();
+    has_work = true;
+    wakeup.NotifyBy(In(1h));
+  });
+
+  EXPECT_TRUE(wakeup.WaitUntil(
+      [&] {
+        ++looks;
+        return has_work.load();
+      },
+      In(2h)));
+  poster.join();
+}
+
 TEST(Wakeup, NotifyingAllocatesNothing) {
   Wakeup<> wakeup;
   const AllocationGuard guard;

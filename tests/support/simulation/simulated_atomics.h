@@ -62,7 +62,7 @@ struct SimulatedAtomics {
     }
     static T Value(std::uint64_t bits) {
       T value{};
-      std::memcpy(&value, &bits, sizeof(T));
+      std::memcpy(static_cast<void*>(&value), &bits, sizeof(T));
       return value;
     }
 
