@@ -182,10 +182,13 @@ class Doctor {
       return;
     }
     if (!IsPresent(process)) {
-      Bad(what, std::string(ToString(process.state)) + ": " + process.reason,
-          "start it again by the command that it was started with, or take it off the list: gcm "
-          "forget " +
-              process.name);
+      const bool has_left = process.state == tendon::ProcessState::kLeft;
+      findings_.push_back(
+          {what, has_left ? Finding::Verdict::kUnknown : Finding::Verdict::kBad,
+           std::string(ToString(process.state)) + ": " + process.reason,
+           "start it again by the command that it was started with, or take it off the list: gcm "
+           "forget " +
+               process.name});
       return;
     }
     const bool is_elsewhere = process.host != tendon::os::HostName();

@@ -26,7 +26,10 @@ class HealthTest : public SystemFixture {
         << R"({"version": 1, "name": "busy", "processes": [{"name": "busy", "components": [
         {"class": "Chatterbox", "name": "chatterbox", "library": "chatterbox"}]}]})";
     busy = StartLcm("busy", system.string());
-    idle = std::make_unique<Program>(
+    idle = StartIdle();
+  }
+  [[nodiscard]] std::unique_ptr<Program> StartIdle() const {
+    return std::make_unique<Program>(
         Program::Words{Binary("lcm"), "--name", "idle", "--gcm", address, "--timeout", kPatience});
   }
 
@@ -106,6 +109,18 @@ TEST_F(HealthTest, IsShownByEachVerbThatShowsProcesses) {
   EXPECT_TRUE(terminal.Shows(" MiB")) << terminal.seen();
   terminal.Type("q");
   EXPECT_EQ(terminal.program().Wait(), program::kOk);
+}
+
+TEST_F(HealthTest, WhoHasLeftIsNoFaultAndWhoIsLostIsOne) {
+  ASSERT_TRUE(EventuallySays({"ls"}, "idle\talive"));
+
+  idle->Signal(SIGTERM);
+  EXPECT_TRUE(EventuallyMatches({"doctor"}, "-    process idle +left: said good-bye"));
+
+  idle = StartIdle();
+  ASSERT_TRUE(EventuallySays({"ls"}, "idle\talive"));
+  idle->Signal(SIGKILL);
+  EXPECT_TRUE(EventuallyMatches({"doctor"}, "BAD  process idle +lost: "));
 }
 
 TEST_F(HealthTest, OfWhoIsGoneNothingIsTold) {
