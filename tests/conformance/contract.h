@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 #include <tendon/middleware/channel.h>
 
+#include <future>
+
 #include "conformance/kinds.h"
 #include "conformance/recorder.h"
+#include "conformance/requests/keeper.h"
 
 namespace tendon::conformance {
 
@@ -83,6 +86,37 @@ class PortContract : public Contract {
 
   std::shared_ptr<Link> link_;
   Host::Guest guest_;
+};
+
+/// An end that asks, and one that defers its answers; for kinds that have a shorter way for them.
+class LaterAnswerContract : public Contract {
+ protected:
+  void SetUp() override {
+    std::promise<std::shared_ptr<Keeper>> asked;
+    Start([&asked](const std::shared_ptr<Link>& link) {
+      auto handler = std::make_shared<Keeper>(link);
+      asked.set_value(handler);
+      return handler;
+    });
+    auto link = Open(recorder_);
+    ASSERT_TRUE(link) << link.error().message;
+    asker_ = *std::move(link);
+    keeper_ = asked.get_future().get();
+  }
+  void TearDown() override { End(); }
+
+  void End() {
+    listener_.reset();
+    pair_ = {};
+  }
+  std::unique_ptr<LeftAnswer> Ask() {
+    EXPECT_EQ(asker_->Ask(FrameOf(1)), Status(Status::kQueued));
+    return keeper_->Take();
+  }
+
+  std::shared_ptr<Recorder> recorder_ = std::make_shared<Recorder>();
+  std::shared_ptr<Keeper> keeper_;
+  std::shared_ptr<Link> asker_;
 };
 
 /// For kinds whose messages are frames and nothing else; tests/core/ice has it of messages of Ice.

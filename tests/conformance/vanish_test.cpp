@@ -4,6 +4,8 @@
 #include <netinet/tcp.h>
 #include <sys/socket.h>
 
+#include <future>
+
 #include "conformance/contract.h"
 #include "conformance/resources.h"
 #include "support/wait.h"
@@ -70,6 +72,24 @@ TEST_P(PortContract, AnOpenerThatVanishedWithoutAWordIsNoticedInSilenceToo) {
   ASSERT_EQ(CutCable(ParseAddress(listener_->address(), 1)->port), 2);
 
   EXPECT_TRUE(guest_.recorder->WaitForClosed());
+}
+
+TEST_P(PortContract, AnOpenerThatVanishedIsNoticedAlthoughItWaitsForAnAnswer) {
+  std::promise<std::shared_ptr<Keeper>> asked;
+  Start([&](const std::shared_ptr<Link>& link) {
+    auto handler = std::make_shared<Keeper>(link);
+    asked.set_value(handler);
+    return handler;
+  });
+  const auto link = Open(std::make_shared<Recorder>());
+  ASSERT_TRUE(link) << link.error().message;
+  const auto keeper = asked.get_future().get();
+  ASSERT_EQ((*link)->Ask(FrameOf(1)), Status::kQueued);
+  const auto answer = keeper->Take();
+
+  ASSERT_EQ(CutCable(ParseAddress(listener_->address(), 1)->port), 2);
+
+  EXPECT_TRUE(keeper->WaitForClosed());
 }
 
 TEST_P(PortContract, OneWhoHearsNothingAnyMoreAndGivesUpIsGoneAtOnceForTheOtherEnd) {

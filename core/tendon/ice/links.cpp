@@ -110,7 +110,7 @@ Status IceLink::Begin(const std::shared_ptr<Ice::ObjectPrx>& peer, const std::st
                       std::span<const std::byte> bytes,
                       const std::optional<FrameHeader>& question) {
   const auto message = std::make_shared<OutgoingMessage>(
-      peer, shared_from_this(), OutgoingMessage::Told{bytes.size(), returned_.Get()}, question);
+      peer, shared_from_this(), OutgoingMessage::Told{bytes.size(), returned_.value()}, question);
   if (const Status may = Enter(bytes.size()); !may) return may;
   try {
     message->Send(operation, bytes);
@@ -164,6 +164,7 @@ void IceLink::Close() {
 
 void IceLink::Fail(const Error& reason) {
   if (!StartClosing(reason)) return;
+  open_calls_.Release();  // Ice closes nothing before
   const bool is_unheard = door_ == 0 && IsUnheard(local_, peer_);
   connection_->close(is_unheard ? Ice::ConnectionClose::Forcefully
                                 : Ice::ConnectionClose::Gracefully);
@@ -171,6 +172,7 @@ void IceLink::Fail(const Error& reason) {
 
 void IceLink::CloseAtOnce() {
   StartClosing({ErrorCode::kUnreachable, "the connection to " + peer_ + " was closed here"});
+  open_calls_.Release();
   connection_->close(Ice::ConnectionClose::Forcefully);
 }
 
@@ -197,21 +199,18 @@ void IceLink::SendSign() {
 }
 
 bool IceLink::DeliverAsked(std::span<const std::byte> frame, LeftAnswer& answer) {
-  constexpr std::size_t kMostReturned = std::size_t{4} << 20U;
-  constexpr std::size_t kManyReturned = std::size_t{2} << 20U;
   const std::scoped_lock delivery(delivery_);
   const std::size_t limit = limit_.Get();
   if (limit == 0) return true;
   if (!ReadWholeFrame(frame, limit)) return false;
   if (!handler_) return true;
-  const std::uint64_t on_way = returned_.Get() - left_.Get();
-  if (on_way >= kManyReturned) SendSign();
-  if (on_way >= kMostReturned) {
+  if (OnWay() >= kManyReturned) SendSign();
+  if (!MayReturn()) {
     handler_->OnFrame(frame);
     return true;
   }
   handler_->OnAsked(frame, answer);
-  returned_.Set(returned_.Get() + answer.size());
+  CountReturned(answer.size());
   return true;
 }
 
@@ -245,6 +244,7 @@ bool IceLink::HandOn(std::span<const std::byte> frame, std::size_t most,
 
 void IceLink::OnGone() {
   StartClosing({ErrorCode::kUnreachable, peer_ + " closed the connection"});
+  open_calls_.Release();
   const std::scoped_lock delivery(delivery_);  // after the last frame
   if (const auto handler = std::exchange(handler_, nullptr)) handler->OnClosed(*reason_);
 }

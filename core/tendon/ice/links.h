@@ -2,6 +2,8 @@
 
 #include <Ice/Ice.h>
 #include <tendon/base/clock.h>
+#include <tendon/ice/open_calls.h>
+#include <tendon/lockfree/counter.h>
 #include <tendon/lockfree/flag.h>
 #include <tendon/middleware/middleware.h>
 
@@ -49,6 +51,12 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
   /// MiB a sign is sent behind them, and beyond 4 MiB that have not left, answers go by Send() and
   /// its window. Likewise.
   bool DeliverAsked(std::span<const std::byte> frame, LeftAnswer& answer);
+  /// Whether an answer may go back with its call still.
+  [[nodiscard]] bool MayReturn() const { return OnWay() < kMostReturned; }
+  /// An answer of so many bytes went back.
+  void CountReturned(std::size_t size) { returned_.Add(size); }
+  /// Of those that are answered later; released once the link ends.
+  [[nodiscard]] OpenCalls& open_calls() { return open_calls_; }
   /// Closes because of what the peer did, after answering it.
   void Fail(const Error& reason);
   void CloseAtOnce();
@@ -70,6 +78,11 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
  private:
   friend class Links;
 
+  /// Bytes of answers that may not have left.
+  static constexpr std::size_t kMostReturned = std::size_t{4} << 20U;
+  static constexpr std::size_t kManyReturned = std::size_t{2} << 20U;
+
+  [[nodiscard]] std::uint64_t OnWay() const { return returned_.value() - left_.Get(); }
   Status Begin(const std::shared_ptr<Ice::ObjectPrx>& peer, const std::string& operation,
                std::span<const std::byte> bytes,
                const std::optional<FrameHeader>& question = std::nullopt);
@@ -98,9 +111,10 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
   std::size_t unsent_ = 0;       // bytes; those of what was asked, until that is answered
 
   Published<std::size_t> limit_{kMaxStrangersFrameSize};  // of a frame; 0 once it is closed
-  Published<std::uint64_t> returned_;                     // bytes, of all answers
+  SharedCounter<> returned_;                              // bytes, of all answers
   Published<std::uint64_t> left_;                         // of them, as far as is known
   Flag is_sign_on_way_;
+  OpenCalls open_calls_;
 };
 
 /// The links of one communicator. Thread-safe.

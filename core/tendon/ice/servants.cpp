@@ -1,5 +1,6 @@
 #include <Ice/Incoming.h>
 #include <tendon/ice/bounded_reader.h>
+#include <tendon/ice/returned_frame.h>
 #include <tendon/ice/servants.h>
 
 #include <algorithm>
@@ -27,36 +28,24 @@ constexpr std::array kYes{std::byte{7}, std::byte{0}, std::byte{0}, std::byte{0}
   throw Ice::MarshalException("tendon", 0, what);
 }
 
-/// A frame as the only parameter of what Ice sends back.
-class ReturnedFrame final : public LeftAnswer {
- public:
-  explicit ReturnedFrame(IceInternal::Incoming& incoming) : incoming_(incoming) {}
-
- private:
-  std::span<std::byte> MakeRoom(const FrameHeader& header) override {
-    const std::size_t size = FrameHeader::kSize + header.size;
-    Ice::OutputStream& out = *incoming_.startWriteParams();
-    out.writeSize(static_cast<Ice::Int>(size));
-    const std::size_t before = out.b.size();
-    out.resize(before + size);
-    const auto frame = std::as_writable_bytes(std::span(out.b.begin() + before, size));
-    WriteHeader(header, frame.first<FrameHeader::kSize>());
-    return frame.subspan(FrameHeader::kSize);
-  }
-
-  IceInternal::Incoming& incoming_;
-};
-
-/// What goes back at once is the only parameter: nothing, or one frame.
-void Ask(IceLink& link, std::span<const std::byte> frame, IceInternal::Incoming& incoming) {
-  ReturnedFrame answer(incoming);
+/// What goes back is the only parameter: nothing, or one frame. False where that is done later.
+bool Ask(IceLink& link, std::span<const std::byte> frame, IceInternal::Incoming& incoming) {
+  ReturnedFrame answer(link, incoming);
   if (!link.DeliverAsked(frame, answer)) CutOff(link, NoFrame(link.peer()).message);
+  if (answer.is_deferred()) return false;
   if (!answer.has_begun()) {
     incoming.startWriteParams()->writeSize(0);
   } else if (!answer.is_there()) {
     throw std::runtime_error("the answer could not be written");  // Ice forgets what there is
   }
   incoming.endWriteParams();
+  return true;
+}
+
+bool Write(std::span<const std::byte> answer, IceInternal::Incoming& incoming) {
+  incoming.writeParamEncaps(reinterpret_cast<const Ice::Byte*>(answer.data()),
+                            static_cast<Ice::Int>(answer.size()), true);
+  return true;
 }
 
 bool IsA(std::span<const std::byte> type) {
@@ -71,22 +60,17 @@ bool EndpointServant::_iceDispatch(IceInternal::Incoming& incoming, const Ice::C
   Ice::Int size = 0;
   incoming.readParamEncaps(begin, size);
   const auto parameters = std::as_bytes(std::span(begin, static_cast<std::size_t>(size)));
-  const auto answer = Dispatch(parameters, current, incoming);
-  if (answer.empty()) return true;  // it is written
-  incoming.writeParamEncaps(reinterpret_cast<const Ice::Byte*>(answer.data()),
-                            static_cast<Ice::Int>(answer.size()), true);
-  return true;
+  return Dispatch(parameters, current, incoming);
 }
 
-/// Its answer, which a oneway does not get; empty where that was written to `incoming`.
-std::span<const std::byte> EndpointServant::Dispatch(std::span<const std::byte> parameters,
-                                                     const Ice::Current& current,
-                                                     IceInternal::Incoming& incoming) {
+/// Writes the answer, which a oneway does not get; false where it is written later.
+bool EndpointServant::Dispatch(std::span<const std::byte> parameters, const Ice::Current& current,
+                               IceInternal::Incoming& incoming) {
   const auto link = LinkOf(current.con);
   if (!link) {
     throw Ice::ObjectNotExistException("tendon", 0, current.id, current.facet, current.operation);
   }
-  if (current.operation == "ice_ping") return kNothing;
+  if (current.operation == "ice_ping") return Write(kNothing, incoming);
   const bool is_frame = current.operation == "frame";
   const bool is_ask = current.operation == "ask";
   if (!is_frame && !is_ask && current.operation != "ice_isA") {
@@ -96,13 +80,10 @@ std::span<const std::byte> EndpointServant::Dispatch(std::span<const std::byte> 
   const auto parameter = ReadOnlyParameter(parameters);
   if (!parameter) CutOff(*link, "the parameters of '" + current.operation + "' are malformed");
   const bool is_two_way = current.requestId != 0;
-  if (is_ask && is_two_way) {
-    Ask(*link, *parameter, incoming);
-    return {};
-  }
-  if (current.operation == "ice_isA") return IsA(*parameter) ? kYes : kNo;
+  if (is_ask && is_two_way) return Ask(*link, *parameter, incoming);
+  if (current.operation == "ice_isA") return Write(IsA(*parameter) ? kYes : kNo, incoming);
   if (!link->Deliver(*parameter)) CutOff(*link, NoFrame(link->peer()).message);
-  return kNothing;
+  return Write(kNothing, incoming);
 }
 
 std::shared_ptr<IceLink> EndpointServant::LinkOf(

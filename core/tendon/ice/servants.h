@@ -27,8 +27,8 @@ class EndpointServant : public Ice::Object {
   [[nodiscard]] const std::shared_ptr<Links>& links() const { return links_; }
 
  private:
-  std::span<const std::byte> Dispatch(std::span<const std::byte> parameters,
-                                      const Ice::Current& current, IceInternal::Incoming& incoming);
+  bool Dispatch(std::span<const std::byte> parameters, const Ice::Current& current,
+                IceInternal::Incoming& incoming);
 
   const std::shared_ptr<Links> links_;
 };

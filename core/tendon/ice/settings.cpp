@@ -91,15 +91,13 @@ Ice::InitializationData Settings() {
   set("Ice.ACM.Client.Heartbeat", "3");  // always
   set("Ice.ACM.Client.Close", "0");
   set("Ice.ACM.Server.Heartbeat", "0");
-  set("Ice.ACM.Server.Close", "1");  // on idle
-  // Order on each connection, and few threads while all is quiet. A pool that may grow wakes a
-  // thread for each message, to wait for the next: the servers' pool pays that (4 futex and 2 epoll
-  // calls), so that one slow read holds up nobody else. What an opener hears, answers, events and
-  // rows, is only handed on.
-  set("Ice.ThreadPool.Server.Serialize", "1");
+  set("Ice.ACM.Server.Close", "4");  // on idle, although a call is not answered yet
+  // One thread hears all that is opened here, another all that is accepted. A pool that may grow
+  // wakes a thread for each message, to wait for the next (4 futex and 2 epoll calls). None is
+  // needed, for what might take its time is executed by CallThreads. One thread keeps the order on
+  // each connection, too.
   set("Ice.ThreadPool.Server.Size", "1");
-  set("Ice.ThreadPool.Server.SizeMax", "4");
-  set("Ice.ThreadPool.Client.Serialize", "1");
+  set("Ice.ThreadPool.Server.SizeMax", "1");
   set("Ice.ThreadPool.Client.Size", "1");
   set("Ice.ThreadPool.Client.SizeMax", "1");
   return settings;

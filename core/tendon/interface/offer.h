@@ -82,6 +82,17 @@ class Offer {
   /// The component it belongs to, told by its interface; it outlives all commands.
   void SetHost(const Host* host) { host_ = host; }
 
+  /// Says that a call does nothing but copy from a state table.
+  Offer& SetReadsTableOnly() {
+    reads_table_only_ = true;
+    return *this;
+  }
+  /// Whether a call runs code of the component in the thread of its caller, where it may take its
+  /// time. `has_mailbox` says whether it is bound to one.
+  [[nodiscard]] virtual bool RunsInCaller(bool has_mailbox) const {
+    return uses_mailbox() ? !has_mailbox : !reads_table_only_;
+  }
+
   /// Whether the mailbox refers to what Bind() makes, so that the two are freed together.
   [[nodiscard]] virtual bool uses_mailbox() const { return true; }
   /// The room its argument needs in a mailbox' slot.
@@ -97,6 +108,7 @@ class Offer {
   MemberDescription description_;
   Overflow overflow_ = Overflow::kRefuse;
   ColumnSource source_;
+  bool reads_table_only_ = false;
   Flag enabled_{true};
   const Host* host_ = nullptr;
 };
@@ -142,6 +154,7 @@ class FilteredOffer final : public QueuedOffer<Filtered, None, Handler> {
       : QueuedOffer<Filtered, None, Handler>(std::move(description), std::move(handler)),
         filter_(std::move(filter)) {}
 
+  [[nodiscard]] bool RunsInCaller(bool /*has_mailbox*/) const override { return true; }
   [[nodiscard]] std::unique_ptr<CommandBase> Bind(Mailbox* mailbox) const override {
     return std::make_unique<FilteredCommand<In, Filtered, Filter>>(filter_,
                                                                    this->BindTyped(mailbox));

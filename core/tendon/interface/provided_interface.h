@@ -93,7 +93,8 @@ class ProvidedInterface {
     const Column<T>& column = table.Find(variable);
     return AddDirect<None, T>(CommandKind::kRead, std::move(name),
                               [&column](const None&, T& out) { return column.ReadNewest(out); })
-        .SetSource({&table, &column});
+        .SetSource({&table, &column})
+        .SetReadsTableOnly();
   }
   /// The value `delay` rows before the newest; kNoSample until there is one, and where the table is
   /// too short to keep it.
@@ -101,9 +102,11 @@ class ProvidedInterface {
   Offer& AddCommandReadState(const StateTable& table, const T& variable, PlacedName name,
                              std::size_t delay) {
     const Column<T>& column = table.Find(variable);
-    return AddDirect<None, T>(
-        CommandKind::kRead, std::move(name),
-        [&column, delay](const None&, T& out) { return ToStatus(column.ReadDelayed(delay, out)); });
+    return AddDirect<None, T>(CommandKind::kRead, std::move(name),
+                              [&column, delay](const None&, T& out) {
+                                return ToStatus(column.ReadDelayed(delay, out));
+                              })
+        .SetReadsTableOnly();
   }
   /// `function(row, question, answer)` on the newest value of a column.
   template <Payload T, typename In, typename Out>

@@ -105,7 +105,8 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
 
   /// Idempotent; may be called from a handler, which hears OnClosed() later.
   void Close();
-  /// The same, for the peer cannot be believed: `what` it did is part of the reason.
+  /// The same, for the peer cannot be believed or does not answer: `what` it did is part of the
+  /// reason.
   void CutOff(const std::string& what);
 
   /// Wait-free.
@@ -164,11 +165,12 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   Status SendPiece(const FrameHeader& header, std::span<const std::byte> body,
                    Way way = &Link::Send);
   [[nodiscard]] bool MayReturn(std::size_t size);
-  [[nodiscard]] LeftAnswer* WayBack(std::uint64_t request, std::size_t size);
-  std::span<std::byte> BeginReply(std::uint64_t request, std::size_t size);
-  void EndReply(std::uint64_t request);
-  bool Return(std::uint64_t request, std::span<const std::byte> body);
-  bool SendReply(std::uint64_t request, std::span<const std::byte> body, Lane lane);
+  [[nodiscard]] LeftAnswer* WayBack(std::uint64_t request, std::size_t size, LeftAnswer* later);
+  std::span<std::byte> BeginReply(std::uint64_t request, std::size_t size, LeftAnswer* later);
+  void EndReply(std::uint64_t request, LeftAnswer* later);
+  bool Return(std::uint64_t request, std::span<const std::byte> body, LeftAnswer* later);
+  bool SendReply(std::uint64_t request, std::span<const std::byte> body, Lane lane,
+                 LeftAnswer* later);
   bool SendReplyAlone(std::uint64_t request, std::span<const std::byte> body, Lane lane);
   void SendReplies(const ReplyBatch& batch);
   void SendRefusal(std::uint64_t request, const Error& error);

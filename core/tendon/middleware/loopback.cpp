@@ -19,19 +19,30 @@ struct Door {
   void Shut();
 };
 
-/// An answer, until it is passed on.
+/// An answer, until it is passed on to the other end of `end`.
 class LeftFrame final : public LeftAnswer {
  public:
-  [[nodiscard]] std::span<const std::byte> frame() const { return frame_; }
+  enum class When { kOnceAsked, kOnceLeft };
+  LeftFrame(std::shared_ptr<loopback::End> end, When when) : end_(std::move(end)), when_(when) {}
+
+  void PassOn() const;
 
  private:
-  std::span<std::byte> MakeRoom(const FrameHeader& header) override {
+  std::optional<std::span<std::byte>> MakeRoom(const FrameHeader& header) override {
     frame_.resize(FrameHeader::kSize + header.size);
     const std::span<std::byte> frame = frame_;
     WriteHeader(header, frame.first<FrameHeader::kSize>());
     return frame.subspan(FrameHeader::kSize);
   }
+  void Leave() override {
+    if (when_ == When::kOnceLeft) PassOn();
+  }
+  std::unique_ptr<LeftAnswer> MakeLater() override {
+    return std::make_unique<LeftFrame>(end_, When::kOnceLeft);
+  }
 
+  const std::shared_ptr<loopback::End> end_;
+  const When when_;
   Bytes frame_;
 };
 
@@ -53,6 +64,7 @@ class End final : public Link, public std::enable_shared_from_this<End> {
 
   Status Send(std::span<const std::byte> frame) override { return Pass(frame, Kind::kSent); }
   Status Ask(std::span<const std::byte> frame) override { return Pass(frame, Kind::kAsked); }
+  void Answer(std::span<const std::byte> frame) { (void)Pass(frame, Kind::kAnswer); }
 
   void Admit() override {
     const std::scoped_lock lock(mutex_);
@@ -183,9 +195,9 @@ class End final : public Link, public std::enable_shared_from_this<End> {
     if (!fits) return CloseFor(NoFrame(peer_name_));
     if (!handler_) return;
     if (kind != Kind::kAsked) return handler_->OnFrame(frame);
-    LeftFrame answer;
+    LeftFrame answer(shared_from_this(), LeftFrame::When::kOnceAsked);
     handler_->OnAsked(frame, answer);
-    if (answer.is_there()) (void)Pass(answer.frame(), Kind::kAnswer);
+    if (answer.is_there()) answer.PassOn();
   }
 
   /// After what was posted before, the handler hears OnClosed().
@@ -214,6 +226,8 @@ class End final : public Link, public std::enable_shared_from_this<End> {
   bool is_dumb_ = false;     // crashed: sends nothing more
   bool has_ended_ = false;   // closed from either end: takes nothing more
 };
+
+void LeftFrame::PassOn() const { end_->Answer(frame_); }
 
 void Courier::Stop() {
   Post([this] {

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -60,7 +61,7 @@ class Link {
 };
 
 /// A frame that goes back with the one that asked, written to where the link sends it from. Of one
-/// thread.
+/// thread at a time.
 class LeftAnswer {
  public:
   LeftAnswer() = default;
@@ -69,15 +70,30 @@ class LeftAnswer {
   virtual ~LeftAnswer() = default;
 
   /// Once: room for the body of the frame with this header, all of which is written before End().
-  /// May throw std::bad_alloc; there is no frame then.
-  std::span<std::byte> Begin(const FrameHeader& header) {
+  /// Nothing where it can be left here no more: then it is as if nothing had happened. May throw
+  /// std::bad_alloc; there is no frame then.
+  std::optional<std::span<std::byte>> Begin(const FrameHeader& header) {
     assert(!has_begun_);
     has_begun_ = true;
     size_ = FrameHeader::kSize + header.size;
-    return MakeRoom(header);
+    const auto room = MakeRoom(header);
+    has_begun_ = room.has_value();
+    return room;
   }
   /// It is there. One that was begun and is not there is none, and its link may tell the peer so.
-  void End() { is_there_ = true; }
+  void End() {
+    is_there_ = true;
+    Leave();
+  }
+
+  /// One that is left later, by any thread, in the place of this one, which is none then. Its link
+  /// does not wait for what is dropped. Null where it has begun, or the link knows no such way.
+  [[nodiscard]] std::unique_ptr<LeftAnswer> Defer() {
+    if (has_begun_) return nullptr;
+    auto later = MakeLater();
+    has_begun_ = later != nullptr;
+    return later;
+  }
 
   [[nodiscard]] bool has_begun() const { return has_begun_; }
   [[nodiscard]] bool is_there() const { return is_there_; }
@@ -86,7 +102,9 @@ class LeftAnswer {
 
  private:
   /// Writes the header.
-  virtual std::span<std::byte> MakeRoom(const FrameHeader& header) = 0;
+  virtual std::optional<std::span<std::byte>> MakeRoom(const FrameHeader& header) = 0;
+  virtual void Leave() {}
+  virtual std::unique_ptr<LeftAnswer> MakeLater() { return nullptr; }
 
   bool has_begun_ = false;
   bool is_there_ = false;

@@ -6,6 +6,7 @@
 #include <tendon/process/worker.h>
 #include <tendon/proxy/component_proxy.h>
 #include <tendon/proxy/network_thread.h>
+#include <tendon/proxy/threads/call_threads.h>
 
 #include <memory>
 #include <mutex>
@@ -47,6 +48,7 @@ struct ProcessContext {
   std::shared_ptr<Worker> opener;      ///< of links to peers
   std::shared_ptr<Worker> gcm_opener;  ///< of that to the GCM, which no peer that hangs delays
   std::shared_ptr<NetworkThread> network;
+  std::shared_ptr<CallThreads> calls;
   ComponentProxies proxies;
 };
 

@@ -29,15 +29,6 @@ void NetworkThread::Remove(NetworkJob& job) {
   std::erase(jobs_, &job);
 }
 
-std::shared_ptr<Wakeup<>> NetworkThread::LendWakeup() {
-  const std::scoped_lock turn(turn_);
-  const std::scoped_lock lock(mutex_);
-  for (const auto& one : lent_) {
-    if (one.use_count() == 1) return one;
-  }
-  return lent_.emplace_back(std::make_shared<Wakeup<>>());
-}
-
 void NetworkThread::Run() {
   os::NameThisThread(name_);
   while (!stopping_.Get()) {

@@ -4,7 +4,6 @@
 #include <tendon/lockfree/flag.h>
 #include <tendon/lockfree/wakeup.h>
 
-#include <memory>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -43,11 +42,10 @@ class NetworkThread {
 
   /// There is something to do. As cheap as Wakeup::Notify().
   void Notify() noexcept { wakeup_.Notify(); }
+  /// The same for what has time until `when`.
+  void NotifyBy(SteadyTime when) noexcept { wakeup_.NotifyBy(when); }
   /// For inboxes which this thread empties.
   [[nodiscard]] Wakeup<>& wakeup() { return wakeup_; }
-  /// One that this thread does not look at, for calls that others wait for. It may be told of a
-  /// call whose waiter has gone long since: it lives as long as this thread, and is lent anew.
-  [[nodiscard]] std::shared_ptr<Wakeup<>> LendWakeup();
 
  private:
   void Run();
@@ -60,7 +58,6 @@ class NetworkThread {
   std::mutex turn_;  // taken before mutex_, so that a round after the other locks nobody out
   std::mutex mutex_;
   std::vector<NetworkJob*> jobs_;
-  std::vector<std::shared_ptr<Wakeup<>>> lent_;
   std::thread thread_;  // last: it uses the others
 };
 

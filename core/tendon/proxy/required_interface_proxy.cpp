@@ -5,47 +5,16 @@
 
 #include <algorithm>
 #include <functional>
-#include <semaphore>
 #include <span>
 #include <utility>
 
 namespace tendon {
 namespace {
 
-/// A call is over soon that takes no longer than this, and a command is quick of which so many in a
-/// row were.
-constexpr std::chrono::microseconds kSoon(200);
-constexpr std::uint8_t kQuickInARow = 8;
-/// For so long a thread of the middleware waits for a call that should be over soon. Longer than
-/// that, for a timer that comes before the kernel's next tick must be set, which costs more than
-/// the call where the machine is a virtual one.
-constexpr std::chrono::milliseconds kPatience(5);
-
 /// Of events that wait for a peer, which says how many may; beyond them they are lost, and counted.
 constexpr std::size_t kMostEventBytes = std::size_t{64} << 20U;
 /// The same for one that only listens, of which there may be many.
 constexpr std::size_t kMostHeardBytes = std::size_t{8} << 20U;
-
-/// The right of a thread of the middleware to wait for a component. Few may at a time, in this
-/// process: the others serve whoever else asks.
-class Waiter {
- public:
-  explicit Waiter(bool wanted) : waits_(wanted && Places().try_acquire()) {}
-  Waiter(const Waiter&) = delete;
-  Waiter& operator=(const Waiter&) = delete;
-  ~Waiter() {
-    if (waits_) Places().release();
-  }
-  [[nodiscard]] bool waits() const { return waits_; }
-
- private:
-  static std::counting_semaphore<>& Places() {
-    static std::counting_semaphore<> places(2);
-    return places;
-  }
-
-  const bool waits_;
-};
 
 /// The answer to a read: written to where the link sends it from, where there is such a place, and
 /// the status behind it.
@@ -90,6 +59,12 @@ class ReadReply final : public AnswerSink {
   bool is_refused_ = false;
 };
 
+void ReplyWith(Status refusal, Responder& responder) {
+  Bytes answer;
+  AppendStatus(refusal, answer);
+  responder.Reply(answer, kOwnLane);
+}
+
 }  // namespace
 
 RequiredInterfaceProxy::RequiredInterfaceProxy(std::shared_ptr<NetworkThread> thread,
@@ -105,9 +80,7 @@ RequiredInterfaceProxy::RequiredInterfaceProxy(std::shared_ptr<NetworkThread> th
               {.waiting_bytes = events == Events::kTimed ? kMostHeardBytes : kMostEventBytes}),
       loss_report_(channel_, handle_),
       interface_(open.description.name, &outbox_.inbox()),
-      quick_in_a_row_(
-          std::make_unique<Published<std::uint8_t>[]>(open.description.functions.size())),
-      ended_(thread_->LendWakeup()) {
+      in_line_(open.description.functions.size()) {
   if (events == Events::kTimed) outbox_.SendTimesOf(interface_);
   for (const MemberDescription& function : open.description.functions) {
     functions_.push_back(std::make_unique<FunctionProxy>(interface_, function));
@@ -122,6 +95,22 @@ RequiredInterfaceProxy::RequiredInterfaceProxy(std::shared_ptr<NetworkThread> th
   }
   interface_.SetMailboxCapacity(capacity_);
   interface_.Seal();
+}
+
+void RequiredInterfaceProxy::MakeLine(const ProvidedInterface& server, CallThreads& threads) {
+  constexpr std::size_t kMostReads = 64;
+  bool has_queued = false;
+  for (std::size_t i = 0; i < functions_.size(); ++i) {
+    const Offer* offer = server.FindCommand(function_names_[i]);
+    in_line_[i] = offer != nullptr && offer->RunsInCaller(server.inbox() != nullptr) ? 1 : 0;
+    has_queued = has_queued || (IsInLine(i) && CanBeAwaited(functions_[i]->kind()));
+  }
+  for (std::size_t i = 0; has_queued && i < functions_.size(); ++i) {
+    if (CanBeAwaited(functions_[i]->kind())) in_line_[i] = 1;
+  }
+  if (std::ranges::count(in_line_, 1) == 0) return;
+  line_ = threads.MakeLine(capacity_ + kMostReads);
+  interface_.SetCallers(Callers::kManyThreads);
 }
 
 bool RequiredInterfaceProxy::BeginCredit(const Connection& connection, Server server) {
@@ -150,23 +139,43 @@ bool RequiredInterfaceProxy::IsChanged() const {
   return IsAccepting() != told_.accepting || Fault() != told_.fault;
 }
 
+void RequiredInterfaceProxy::Drain(SteadyTime deadline) const {
+  if (line_) line_->Drain(deadline);
+}
+
 void RequiredInterfaceProxy::EndCredit() {
-  const std::scoped_lock waiting(waiting_);  // what is waited for there must not be freed
   const std::scoped_lock lock(mutex_);
   begun_.GiveUp();
   connection_ = nullptr;
   server_ = {};
 }
 
-void RequiredInterfaceProxy::OnCommand(std::size_t function, std::span<const std::byte> argument) {
-  if (function >= functions_.size() || !IsQueued(functions_[function]->kind())) return;
-  (void)(*functions_[function])(argument, answer_);  // a refused one counts as executed
-  CountReceived(Watch::kClosely);
+template <typename Call>
+bool RequiredInterfaceProxy::PostInLine(std::span<const std::byte> argument, Call call) {
+  return line_->Post([self = shared_from_this(), call = std::move(call),
+                      bytes = Bytes(argument.begin(), argument.end())] { call(*self, bytes); });
 }
 
-void RequiredInterfaceProxy::CountReceived(Watch watch) {
+void RequiredInterfaceProxy::OnCommand(std::size_t function, std::span<const std::byte> argument) {
+  if (function >= functions_.size() || !IsQueued(functions_[function]->kind())) return;
+  // A refused one counts as executed.
+  if (!IsInLine(function)) {
+    (void)(*functions_[function])(argument, answer_);
+    return CountReceived(Watch::kClosely);
+  }
+  CountReceived(Watch::kClosely, 1);
+  const bool is_posted = PostInLine(argument, [function](auto& self, const Bytes& bytes) {
+    Bytes nothing;
+    (void)(*self.functions_[function])(bytes, nothing);
+    self.LeaveLine();
+  });
+  if (!is_posted) LeaveLine();
+}
+
+void RequiredInterfaceProxy::CountReceived(Watch watch, std::uint64_t in_line) {
   std::unique_lock lock(mutex_);
   ++received_;
+  waiting_in_line_ += in_line;
   if (watch_ >= watch) return;
   if (watch == Watch::kNowAndThen) owed_since_ = SteadyClock().Now();
   watch_ = watch;
@@ -174,14 +183,34 @@ void RequiredInterfaceProxy::CountReceived(Watch watch) {
   thread_->Notify();
 }
 
+/// One that was counted waits there no more: it was executed, or waits in the mailbox.
+void RequiredInterfaceProxy::LeaveLine() {
+  const std::scoped_lock lock(mutex_);
+  --waiting_in_line_;
+}
+
 void RequiredInterfaceProxy::OnRead(std::size_t function, std::span<const std::byte> argument,
                                     Responder responder) {
   if (function >= functions_.size() || CanBeAwaited(functions_[function]->kind())) {
     return responder.Refuse({ErrorCode::kInvalid, "no such read in " + interface_.name()});
   }
-  const LargeInHand mark;  // how large the answer is, is known once it is there
+  if (!IsInLine(function)) {
+    const LargeInHand mark;  // how large the answer is, is known once it is there
+    return Read(function, argument, std::move(responder), answer_);
+  }
+  responder.Defer();
+  const auto shared = std::make_shared<Responder>(std::move(responder));
+  const bool is_posted = PostInLine(argument, [function, shared](auto& self, const Bytes& bytes) {
+    Bytes spare;
+    self.Read(function, bytes, std::move(*shared), spare);
+  });
+  if (!is_posted) ReplyWith(Status::kQueueFull, *shared);
+}
+
+void RequiredInterfaceProxy::Read(std::size_t function, std::span<const std::byte> argument,
+                                  Responder responder, Bytes& spare) {
   const auto can_be_sent = [&](std::size_t size) { return CanBeSent(function, size); };
-  ReadReply reply(std::move(responder), can_be_sent, answer_);
+  ReadReply reply(std::move(responder), can_be_sent, spare);
   reply.Finish((*functions_[function])(argument, reply));
 }
 
@@ -197,62 +226,52 @@ void RequiredInterfaceProxy::OnWait(std::size_t function, std::span<const std::b
   if (!timeout || function >= functions_.size() || !CanBeAwaited(functions_[function]->kind())) {
     return responder.Refuse({ErrorCode::kInvalid, "no such command in " + interface_.name()});
   }
-  const Waiter waiter(responder.is_asked_here() && IsQuick(function));
   const SteadyTime now = SteadyClock().Now();
   BegunCalls::Begun begun{.since = now,
                           .deadline = now + *timeout,
-                          .is_told = !waiter.waits(),
                           .function = function,
                           .responder = std::move(responder)};
-  std::unique_lock waiting(waiting_, std::defer_lock);
-  if (!begun.is_told) waiting.lock();
-  const Status status = functions_[function]->Begin(
-      question, answer_, begun.is_told ? thread_->wakeup() : *ended_, begun.command, begun.call);
-  const bool is_queued = status == Status(Status::kQueued);
   const bool answer_tells =
-      is_queued && !begun.is_told && channel_->protocol_version() >= message::kAnswersTellCredit;
-  CountReceived(answer_tells ? Watch::kNowAndThen : Watch::kClosely);
-  if (!is_queued) return OnEnd(begun, status, answer_, now);
-  Await(std::move(begun));
-}
-
-bool RequiredInterfaceProxy::IsQuick(std::size_t function) const {
-  return quick_in_a_row_[function].Get() >= kQuickInARow;
-}
-
-/// Of one call. Two that end at once may count as one.
-void RequiredInterfaceProxy::NoteTime(std::size_t function, std::chrono::nanoseconds took) {
-  Published<std::uint8_t>& quick = quick_in_a_row_[function];
-  const std::uint8_t before = quick.Get();
-  quick.Set(took > kSoon ? 0 : std::min<std::uint8_t>(before + 1, kQuickInARow));
-}
-
-/// What is not over soon is left to the network thread.
-void RequiredInterfaceProxy::Await(BegunCalls::Begun begun) {
-  std::unique_lock lock(mutex_);
-  // Closed meanwhile: it is executed, or it is dropped.
-  if (connection_ == nullptr) return OnEnd(begun, Status::kOutcomeUnknown, answer_, begun.since);
-  bool has_ended = false;
-  if (!begun.is_told) {
-    lock.unlock();  // and waiting_ is locked: it is not closed before this is over
-    has_ended = ended_->WaitUntil([&begun] { return begun.command->HasEnded(begun.call); },
-                                  begun.since + kPatience);
-    lock.lock();
+      begun.responder.Defer() && channel_->protocol_version() >= message::kAnswersTellCredit;
+  const Watch watch = answer_tells ? Watch::kNowAndThen : Watch::kClosely;
+  if (!IsInLine(function)) {
+    const Status status = Begin(begun, question, answer_);
+    CountReceived(watch);
+    return OnBegun(std::move(begun), status, answer_);
   }
-  begun_.Add(std::move(begun));
-  if (has_ended) {
-    SteadyTime next;
-    begun_.Answer(SteadyClock().Now(), next);
-    if (!IsChanged()) return;
-  }
-  watch_ = Watch::kClosely;
-  lock.unlock();
-  thread_->Notify();
+  CountReceived(watch, 1);
+  const auto shared = std::make_shared<BegunCalls::Begun>(std::move(begun));
+  const bool is_posted = PostInLine(question, [shared](auto& self, const Bytes& bytes) {
+    Bytes spare;
+    const bool is_over = SteadyClock().Now() >= shared->deadline;
+    const Status status = is_over ? Status::kTimeout : self.Begin(*shared, bytes, spare);
+    self.LeaveLine();
+    self.OnBegun(std::move(*shared), status, spare);
+  });
+  if (is_posted) return;
+  LeaveLine();
+  ReplyWith(Status::kQueueFull, shared->responder);
 }
 
-void RequiredInterfaceProxy::OnEnd(BegunCalls::Begun& begun, Status status, Bytes& result,
-                                   SteadyTime now) {
-  NoteTime(begun.function, now - begun.since);
+Status RequiredInterfaceProxy::Begin(BegunCalls::Begun& begun, std::span<const std::byte> argument,
+                                     Bytes& result) {
+  return functions_[begun.function]->Begin(argument, result, thread_->wakeup(), begun.command,
+                                           begun.call);
+}
+
+void RequiredInterfaceProxy::OnBegun(BegunCalls::Begun begun, Status status, Bytes& result) {
+  if (status != Status(Status::kQueued)) return OnEnd(begun, status, result);
+  const SteadyTime look = BegunCalls::FirstLook(begun);
+  {
+    const std::scoped_lock lock(mutex_);
+    // Closed meanwhile: it is executed, or it is dropped.
+    if (connection_ == nullptr) return OnEnd(begun, Status::kOutcomeUnknown, result);
+    begun_.Add(std::move(begun));
+  }
+  thread_->NotifyBy(look);
+}
+
+void RequiredInterfaceProxy::OnEnd(BegunCalls::Begun& begun, Status status, Bytes& result) {
   if (!CanBeSent(begun.function, result.size())) status = Status::kFailed;
   if (!status) result.clear();
   AppendStatus(status, result);
@@ -305,8 +324,8 @@ void RequiredInterfaceProxy::SendCredit(SteadyTime now, SteadyTime& next) {
   begun_.Answer(now, next);
   // In this order: what is posted meanwhile makes it too small, never too large.
   const std::uint64_t received = received_;
-  const std::uint64_t executed =
-      received - std::min<std::uint64_t>(connection_->waiting(), received);
+  const std::uint64_t waiting = waiting_in_line_ + connection_->waiting();
+  const std::uint64_t executed = received - std::min(waiting, received);
   const message::Credit credit{
       .executed = std::max(executed, told_.executed), .accepting = IsAccepting(), .fault = Fault()};
   const bool is_close = watch_ != Watch::kNowAndThen;

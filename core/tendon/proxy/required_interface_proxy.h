@@ -7,6 +7,7 @@
 #include <tendon/proxy/network_thread.h>
 #include <tendon/proxy/outbox.h>
 #include <tendon/proxy/reports/loss_report.h>
+#include <tendon/proxy/threads/call_threads.h>
 #include <tendon/proxy/waiting/begun_calls.h>
 
 #include <functional>
@@ -19,9 +20,12 @@
 namespace tendon {
 
 /// Stands in for a required interface of another process, for one connection: it is connected to a
-/// provided interface here as any other. Calls that arrive are made in the middleware's thread;
-/// events wait here until the network thread sends them.
-class RequiredInterfaceProxy final : public NetworkJob, private BegunCalls::Owner {
+/// provided interface here as any other. Calls that arrive are made in the middleware's thread, or,
+/// where they run code of the component in their caller's thread, in a line of CallThreads; events
+/// wait here until the network thread sends them.
+class RequiredInterfaceProxy final : public NetworkJob,
+                                     public std::enable_shared_from_this<RequiredInterfaceProxy>,
+                                     private BegunCalls::Owner {
  public:
   /// Whether events are sent as kEvents or, with the time when they were raised, as kTimedEvents.
   enum class Events { kPlain, kTimed };
@@ -31,6 +35,11 @@ class RequiredInterfaceProxy final : public NetworkJob, private BegunCalls::Owne
   RequiredInterfaceProxy(std::shared_ptr<NetworkThread> thread, std::shared_ptr<Channel> channel,
                          const message::OpenInterface& open, Events events = Events::kPlain,
                          const std::vector<std::string>& latest_only = {});
+
+  /// Before it is connected to `server`, and used: has calls made in a line of `threads` where they
+  /// run code of the component in their caller's thread. What is queued keeps its order, so all of
+  /// that is, where any of it is.
+  void MakeLine(const ProvidedInterface& server, CallThreads& threads);
 
   [[nodiscard]] RequiredInterface& interface() { return interface_; }
   /// Of the other end.
@@ -53,6 +62,8 @@ class RequiredInterfaceProxy final : public NetworkJob, private BegunCalls::Owne
   /// From now on the peer hears how far `connection`'s calls have come, and how the server is.
   /// Returns whether it executes calls. All must live until EndCredit().
   bool BeginCredit(const Connection& connection, Server server);
+  /// Waits for what has arrived and is in the line, at most until then.
+  void Drain(SteadyTime deadline) const;
   void EndCredit();
   /// Any thread: the peer is gone; what is raised from now on is not sent.
   void Sever() { outbox_.Close(); }
@@ -61,8 +72,7 @@ class RequiredInterfaceProxy final : public NetworkJob, private BegunCalls::Owne
 
   void OnCommand(std::size_t function, std::span<const std::byte> argument);
   void OnRead(std::size_t function, std::span<const std::byte> argument, Responder responder);
-  /// Answers when the call was executed, or will not be. Where its caller alone waits for that and
-  /// its last call was over soon, within some 100 us, this thread waits for it.
+  /// Answers when the call was executed, or will not be.
   void OnWait(std::size_t function, std::span<const std::byte> question, Responder responder);
   void OnEventsLost(const message::EventsLost& events);
 
@@ -75,11 +85,17 @@ class RequiredInterfaceProxy final : public NetworkJob, private BegunCalls::Owne
   /// for answers have told it most likely; or until it is told.
   enum class Watch { kNone, kNowAndThen, kClosely };
 
-  void CountReceived(Watch watch);
-  void Await(BegunCalls::Begun begun);
-  [[nodiscard]] bool IsQuick(std::size_t function) const;
-  void NoteTime(std::size_t function, std::chrono::nanoseconds took);
-  void OnEnd(BegunCalls::Begun& begun, Status status, Bytes& result, SteadyTime now) override;
+  [[nodiscard]] bool IsInLine(std::size_t function) const { return in_line_[function] != 0; }
+  /// `call(*this, argument)`, with a copy. False where too much waits there.
+  template <typename Call>
+  bool PostInLine(std::span<const std::byte> argument, Call call);
+  void Read(std::size_t function, std::span<const std::byte> argument, Responder responder,
+            Bytes& spare);
+  Status Begin(BegunCalls::Begun& begun, std::span<const std::byte> argument, Bytes& result);
+  void OnBegun(BegunCalls::Begun begun, Status status, Bytes& result);
+  void CountReceived(Watch watch, std::uint64_t in_line = 0);
+  void LeaveLine();
+  void OnEnd(BegunCalls::Begun& begun, Status status, Bytes& result) override;
   [[nodiscard]] bool IsAccepting() const;
   [[nodiscard]] std::string Fault() const;
   [[nodiscard]] bool IsChanged() const;
@@ -96,16 +112,16 @@ class RequiredInterfaceProxy final : public NetworkJob, private BegunCalls::Owne
   RequiredInterface interface_;
   std::vector<std::unique_ptr<FunctionProxy>> functions_;
   std::vector<std::string> function_names_;
-  std::vector<const QueuedOfferProxy*> handlers_;                    // of events
-  Bytes answer_;                                                     // of the middleware's thread
-  const std::unique_ptr<Published<std::uint8_t>[]> quick_in_a_row_;  // calls, by function
-  const std::shared_ptr<Wakeup<>> ended_;  // of calls that this thread waits for
-  std::mutex waiting_;                     // while it does; taken before mutex_
+  std::vector<const QueuedOfferProxy*> handlers_;  // of events
+  std::vector<char> in_line_;                      // whether its calls are made there, by function
+  std::shared_ptr<CallLine> line_;                 // null where none is
+  Bytes answer_;                                   // of the middleware's thread
 
   mutable std::mutex mutex_;  // of what follows
   const Connection* connection_ = nullptr;
   Server server_;
   std::uint64_t received_ = 0;
+  std::uint64_t waiting_in_line_ = 0;  // of them
   Watch watch_ = Watch::kNone;
   message::Credit told_;
   SteadyTime owed_since_{};  // at the latest

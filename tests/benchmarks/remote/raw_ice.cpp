@@ -31,8 +31,9 @@ Range RangeOf(const std::vector<Ice::Byte>& bytes) {
 Ice::InitializationData OurSettings() {
   Ice::InitializationData settings = ice::Settings();
   settings.properties->setProperty("Ice.MessageSizeMax", "2048");  // KiB, for an image in one piece
-  settings.properties->setProperty("OneThread.ThreadPool.Size", "1");
-  settings.properties->setProperty("OneThread.ThreadPool.SizeMax", "1");
+  settings.properties->setProperty("Growing.ThreadPool.Serialize", "1");
+  settings.properties->setProperty("Growing.ThreadPool.Size", "1");
+  settings.properties->setProperty("Growing.ThreadPool.SizeMax", "4");
   return settings;
 }
 

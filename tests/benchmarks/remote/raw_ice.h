@@ -12,8 +12,8 @@
 namespace tendon::benchmark {
 
 /// What we are compared with between processes: ZeroC Ice by itself, with the settings of our own
-/// communicators and sockets, used as its generated code uses it. Knows nothing of frames, handles
-/// or credits.
+/// communicators and sockets, but for its threads, and used as its generated code uses it. Knows
+/// nothing of frames, handles or credits.
 class RawIceServer {
  public:
   RawIceServer();
@@ -21,9 +21,10 @@ class RawIceServer {
   RawIceServer& operator=(const RawIceServer&) = delete;
   ~RawIceServer();
 
-  /// For RawIce: where a pool of threads dispatches that may grow, as ours do.
+  /// For RawIce: where a pool of threads dispatches that may grow, which is how raw Ice serves
+  /// others while a call is slow.
   [[nodiscard]] std::string address() const;
-  /// Where one thread does, which a slow call would hold up for all.
+  /// Where one thread does, which a slow call holds up for all.
   [[nodiscard]] std::string address_of_one_thread() const;
 
  private:

@@ -24,7 +24,7 @@ class Filler final : public LinkHandler {
   void OnAsked(std::span<const std::byte> frame, LeftAnswer& answer) override {
     FrameHeader header = *ReadWholeFrame(frame);
     header.size = header.handle;
-    std::ranges::fill(answer.Begin(header), static_cast<std::byte>(header.handle));
+    std::ranges::fill(*answer.Begin(header), static_cast<std::byte>(header.handle));
     if (header.handle != kBroken) answer.End();
   }
   void OnClosed(const Error& /*reason*/) override {}

@@ -13,36 +13,42 @@ bool Channel::MayReturn(std::size_t size) {
   return version_ >= kReturnsLargeAnswers && size <= kMaxReturned && parts_.is_quick();
 }
 
-/// Where an answer of `size` bytes is left to whoever has asked; null where it must be sent.
-LeftAnswer* Channel::WayBack(std::uint64_t request, std::size_t size) {
-  LeftAnswer* const answer = Asked::AnswerTo(request, *this);
+/// Where an answer of `size` bytes is left to whoever has asked: `later`, or else as this thread is
+/// asked. Null where it must be sent.
+LeftAnswer* Channel::WayBack(std::uint64_t request, std::size_t size, LeftAnswer* later) {
+  LeftAnswer* const answer = later != nullptr ? later : Asked::AnswerTo(request, *this);
   return answer != nullptr && MayReturn(FrameHeader::kSize + size) ? answer : nullptr;
 }
 
-std::span<std::byte> Channel::BeginReply(std::uint64_t request, std::size_t size) {
-  LeftAnswer* const answer = WayBack(request, size);
+std::span<std::byte> Channel::BeginReply(std::uint64_t request, std::size_t size,
+                                         LeftAnswer* later) {
+  LeftAnswer* const answer = WayBack(request, size, later);
   if (answer == nullptr) return {};
-  return answer->Begin(HeaderOf(MessageType::kReply, request, 0, size));
+  const auto room = answer->Begin(HeaderOf(MessageType::kReply, request, 0, size));
+  return room.value_or(std::span<std::byte>());
 }
 
-void Channel::EndReply(std::uint64_t request) {
-  if (LeftAnswer* const answer = Asked::Begun(request, *this)) answer->End();
+void Channel::EndReply(std::uint64_t request, LeftAnswer* later) {
+  LeftAnswer* const answer = later != nullptr ? later : Asked::Begun(request, *this);
+  if (answer != nullptr) answer->End();
 }
 
 /// False where it must be sent.
-bool Channel::Return(std::uint64_t request, std::span<const std::byte> body) {
-  LeftAnswer* const answer = WayBack(request, body.size());
+bool Channel::Return(std::uint64_t request, std::span<const std::byte> body, LeftAnswer* later) {
+  LeftAnswer* const answer = WayBack(request, body.size(), later);
   if (answer == nullptr) return false;
   const auto room = answer->Begin(HeaderOf(MessageType::kReply, request, 0, body.size()));
-  std::ranges::copy(body, room.begin());
+  if (!room) return false;
+  std::ranges::copy(body, room->begin());
   answer->End();
   return true;
 }
 
-/// False where it was not sent.
-bool Channel::SendReply(std::uint64_t request, std::span<const std::byte> body, Lane lane) {
+/// False where it was not sent. `later` is where it is left, if it was deferred.
+bool Channel::SendReply(std::uint64_t request, std::span<const std::byte> body, Lane lane,
+                        LeftAnswer* later) {
   const bool is_alone = lane == kOwnLane;
-  if (is_alone && (Return(request, body) || GatheredReplies::Keep(*this, request, body))) {
+  if (is_alone && (Return(request, body, later) || GatheredReplies::Keep(*this, request, body))) {
     return true;
   }
   return SendReplyAlone(request, body, lane);

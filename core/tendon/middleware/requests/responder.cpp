@@ -13,6 +13,7 @@ Responder::Responder(std::weak_ptr<Channel> channel, std::uint64_t request)
 Responder& Responder::operator=(Responder&& other) noexcept {
   std::swap(channel_, other.channel_);
   std::swap(request_, other.request_);
+  std::swap(later_, other.later_);
   return *this;
 }
 
@@ -26,23 +27,26 @@ Responder::~Responder() {
 bool Responder::TryReply(std::span<const std::byte> body, Lane lane) {
   const auto channel = channel_.lock();
   if (!channel) return false;
-  const bool is_sent = channel->SendReply(request_, body, lane);
+  const bool is_sent = channel->SendReply(request_, body, lane, later_.get());
   channel_.reset();  // not where that has thrown: then it is refused
   return is_sent;
 }
 
 std::span<std::byte> Responder::BeginReply(std::size_t size) {
   const auto channel = channel_.lock();
-  return channel ? channel->BeginReply(request_, size) : std::span<std::byte>();
+  return channel ? channel->BeginReply(request_, size, later_.get()) : std::span<std::byte>();
 }
 
 void Responder::EndReply() {
-  if (const auto channel = std::exchange(channel_, {}).lock()) channel->EndReply(request_);
+  const auto channel = std::exchange(channel_, {}).lock();
+  if (channel) channel->EndReply(request_, later_.get());
 }
 
-bool Responder::is_asked_here() const {
+bool Responder::Defer() {
   const auto channel = channel_.lock();
-  return channel && Asked::AnswerTo(request_, *channel) != nullptr;
+  LeftAnswer* const answer = channel ? Asked::AnswerTo(request_, *channel) : nullptr;
+  if (answer != nullptr) later_ = answer->Defer();
+  return later_ != nullptr;
 }
 
 void Responder::Refuse(const Error& error) {

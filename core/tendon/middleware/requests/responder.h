@@ -1,6 +1,7 @@
 #pragma once
 
 #include <tendon/middleware/body.h>
+#include <tendon/middleware/middleware.h>
 #include <tendon/middleware/parts/lane.h>
 
 #include <cstddef>
@@ -30,13 +31,15 @@ class Responder {
   /// The same; false where it cannot be sent: then the peer is refused, if it is there.
   [[nodiscard]] bool TryReply(std::span<const std::byte> body, Lane lane = kCommonLane);
   /// Room for a Reply() in kOwnLane of `size` bytes, at least one, where it is sent from: all are
-  /// written in this thread, before it returns to the channel, and ended by EndReply(). Empty where
-  /// there is no such place: then it is as if nothing had happened. Throws like Reply().
+  /// written in this thread, before it returns to the channel unless deferred, and ended by
+  /// EndReply(). Empty where there is no such place: then it is as if nothing had happened. Throws
+  /// like Reply().
   [[nodiscard]] std::span<std::byte> BeginReply(std::size_t size);
   void EndReply();
-  /// Whether a Reply() in kOwnLane from this thread, before it returns to the channel, takes the
-  /// shorter way of Link::Ask().
-  [[nodiscard]] bool is_asked_here() const;
+  /// In the thread that was asked, before it returns to the channel: a later Reply() in kOwnLane,
+  /// by any thread, still takes the shorter way of Link::Ask(). False where it does not, for there
+  /// is none.
+  bool Defer();
   void Refuse(const Error& error);
 
   /// Reply() or Refuse().
@@ -53,6 +56,7 @@ class Responder {
  private:
   std::weak_ptr<Channel> channel_;  // empty once answered
   std::uint64_t request_ = 0;
+  std::unique_ptr<LeftAnswer> later_;  // where the answer is left, if it is deferred
 };
 
 }  // namespace tendon

@@ -7,13 +7,16 @@
 namespace tendon {
 
 /// One command, ready to be called. A read has no mailbox and is bound alone.
-class MemberCalls::Target : private BegunCalls::Owner {
+class MemberCalls::Target : public std::enable_shared_from_this<Target>, private BegunCalls::Owner {
  public:
-  Target(const Offer& offer, ProvidedInterface& provided, const std::string& name)
+  Target(const Offer& offer, ProvidedInterface& provided, const std::string& name,
+         CallThreads& threads)
       : description_(offer.description()),
         interface_(name),
         enabled_(offer.enabled()),
         required_("call", nullptr) {
+    constexpr std::size_t kMostCalls = 64;
+    if (offer.RunsInCaller(provided.inbox() != nullptr)) line_ = threads.MakeLine(kMostCalls);
     if (!CanBeAwaited(description_.signature.kind)) {
       read_ = offer.Bind(nullptr);
       return;
@@ -26,30 +29,17 @@ class MemberCalls::Target : private BegunCalls::Owner {
   Target& operator=(const Target&) = delete;
   ~Target() override { Close(); }
 
-  /// Any thread, one after the other. Answers at once, or out of Answer() in the network thread,
-  /// which is then told.
-  void Call(std::span<const std::byte> argument, std::chrono::nanoseconds timeout,
-            NetworkThread& network, Responder responder) {
-    const std::scoped_lock lock(mutex_);
-    static const Bytes nothing = EncodeBody(None{});
-    if (argument.empty() && description_.signature.in == FingerprintOf<None>()) argument = nothing;
-    Bytes result;
-    CommandBase* command = nullptr;
-    std::size_t call = 0;
-    const Status status = Begin(argument, result, network, command, call);
-    if (command == nullptr || status != Status(Status::kQueued)) {
-      return Finish(status, result, responder);
-    }
-    {
-      const std::scoped_lock begun_lock(begun_mutex_);
-      const SteadyTime now = SteadyClock().Now();
-      begun_.Add({.command = command,
-                  .call = call,
-                  .since = now,
-                  .deadline = now + timeout,
-                  .responder = std::move(responder)});
-    }
-    network.Notify();
+  /// Any thread. Answers at once; or when the call was executed, where that may take its time.
+  void Call(const std::shared_ptr<message::CallMember>& call, NetworkThread& network,
+            const std::shared_ptr<Responder>& responder) {
+    const auto execute = [self = shared_from_this(), call, &network, responder,
+                          deadline = SteadyClock().Now() + call->timeout] {
+      self->Execute(call->argument, deadline, network, std::move(*responder));
+    };
+    if (!line_) return execute();
+    if (line_->Post(execute)) return;
+    responder->Refuse({ErrorCode::kFailed, "too many calls of '" + description_.name + "' of " +
+                                               interface_ + " wait: call it again later"});
   }
 
   /// Network thread: those that have ended.
@@ -70,7 +60,33 @@ class MemberCalls::Target : private BegunCalls::Owner {
   }
 
  private:
-  void OnEnd(BegunCalls::Begun& begun, Status status, Bytes& result, SteadyTime /*now*/) override {
+  /// Answers, or leaves that to Answer() in the network thread, which is then told.
+  void Execute(std::span<const std::byte> argument, SteadyTime deadline, NetworkThread& network,
+               Responder responder) {
+    const bool is_late = line_ && function_ && SteadyClock().Now() >= deadline;
+    if (is_late) return Finish(Status::kTimeout, {}, responder);
+    const std::scoped_lock lock(mutex_);
+    static const Bytes nothing = EncodeBody(None{});
+    if (argument.empty() && description_.signature.in == FingerprintOf<None>()) argument = nothing;
+    Bytes result;
+    CommandBase* command = nullptr;
+    std::size_t call = 0;
+    const Status status = Begin(argument, result, network, command, call);
+    if (command == nullptr || status != Status(Status::kQueued)) {
+      return Finish(status, result, responder);
+    }
+    {
+      const std::scoped_lock begun_lock(begun_mutex_);
+      begun_.Add({.command = command,
+                  .call = call,
+                  .since = SteadyClock().Now(),
+                  .deadline = deadline,
+                  .responder = std::move(responder)});
+    }
+    network.Notify();
+  }
+
+  void OnEnd(BegunCalls::Begun& begun, Status status, Bytes& result) override {
     Finish(status, result, begun.responder);
   }
 
@@ -99,7 +115,8 @@ class MemberCalls::Target : private BegunCalls::Owner {
 
   const MemberDescription description_;
   const std::string interface_;
-  const Flag& enabled_;  // of the component
+  const Flag& enabled_;             // of the component
+  std::shared_ptr<CallLine> line_;  // null where no code of the component runs in a call
   std::mutex mutex_;
   std::unique_ptr<CommandBase> read_;
   RequiredInterface required_;
@@ -112,12 +129,12 @@ class MemberCalls::Target : private BegunCalls::Owner {
 void MemberCalls::Call(const std::shared_ptr<message::CallMember>& call,
                        const std::shared_ptr<Responder>& responder) {
   if (const auto target = Find(KeyOf(*call))) {
-    return target->Call(call->argument, call->timeout, *context_.network, std::move(*responder));
+    return target->Call(call, *context_.network, responder);
   }
   context_.worker->Post([this, call, responder] {
     const auto target = Make(*call);
     if (!target) return responder->Refuse(target.error());
-    (*target)->Call(call->argument, call->timeout, *context_.network, std::move(*responder));
+    (*target)->Call(call, *context_.network, responder);
   });
 }
 
@@ -157,7 +174,7 @@ Result<std::shared_ptr<MemberCalls::Target>> MemberCalls::Make(const message::Ca
     return Error{ErrorCode::kNotFound, ToString(name) + " has no command '" + call.member + "'" +
                                            DidYouMean(call.member, known)};
   }
-  auto target = std::make_shared<Target>(*offer, **provided, ToString(name));
+  auto target = std::make_shared<Target>(*offer, **provided, ToString(name), *context_.calls);
   const std::scoped_lock lock(mutex_);
   targets_[KeyOf(call)] = target;
   return target;

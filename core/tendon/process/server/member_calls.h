@@ -23,8 +23,8 @@ class MemberCalls final : private NetworkJob {
   ~MemberCalls() override { context_.network->Remove(*this); }
 
   /// In a thread of the middleware: answers at once; at the first call of a member, soon; where the
-  /// caller waits for the component, when it has executed it. Refusals: kNotFound with a
-  /// suggestion.
+  /// caller waits for the component, or runs its code, when that is done. Refusals: kNotFound with
+  /// a suggestion, kFailed where too many calls wait.
   void Call(const std::shared_ptr<message::CallMember>& call,
             const std::shared_ptr<Responder>& responder);
 

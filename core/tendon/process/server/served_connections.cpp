@@ -85,6 +85,7 @@ Result<ServedConnections::Entry> ServedConnections::Make(const std::shared_ptr<C
   try {
     auto proxy = std::make_shared<RequiredInterfaceProxy>(context_.network, client->channel, open,
                                                           events, wanted.latest_only);
+    proxy->MakeLine(provided, *context_.calls);
     const auto bytes = Connection::MailboxBytes(proxy->interface(), provided);
     if (const auto fits = CheckSize(open, bytes); !fits) return fits.error();
     auto connection = Connection::Make(proxy->interface(), provided, ToString(open.required),
@@ -165,6 +166,7 @@ void ServedConnections::CloseWhere(Predicate predicate, std::chrono::millisecond
 void ServedConnections::TakeDown(Entry& entry, SteadyTime deadline) {
   entry.client->handles.Remove(entry.handle);
   if (entry.use == Use::kEventsOnly) entry.proxy->Sever();
+  entry.proxy->Drain(deadline);
   entry.proxy->EndCredit();
   entry.connection->Close(TimeUntil(deadline));
   context_.proxies.Remove(entry.required, *entry.proxy);

@@ -8,45 +8,33 @@
 
 namespace tendon {
 
-namespace {
-
-/// When to look again: what has taken long will not be over soon.
-SteadyTime NextLook(const BegunCalls::Begun& begun, SteadyTime now) {
-  using namespace std::chrono_literals;
-  if (begun.is_told) return begun.deadline;
-  const std::chrono::nanoseconds so_far = now - begun.since;
-  return std::min(begun.deadline,
-                  now + std::clamp<std::chrono::nanoseconds>(so_far / 8, 50us, 100ms));
-}
-
-}  // namespace
-
 void BegunCalls::Answer(SteadyTime now, SteadyTime& next) {
   const GatheredReplies together;
   auto kept = begun_.begin();
   for (Begun& begun : begun_) {
     if (now >= begun.deadline || begun.command->HasEnded(begun.call)) {
-      End(begun, Status::kTimeout, now);
+      End(begun, Status::kTimeout);
       continue;
     }
-    next = std::min(next, NextLook(begun, now));
+    next = std::min({next, begun.deadline, now + kNextLook});
     if (&begun != &*kept) *kept = std::move(begun);
     ++kept;
   }
   begun_.erase(kept, begun_.end());
+  // Where calls come one after the other, none has to wake the network thread for its first look.
+  if (now - newest_ < kNextLook) next = std::min(next, now + kNextLook);
 }
 
 void BegunCalls::GiveUp() {
   const GatheredReplies together;
-  const SteadyTime now = SteadyClock().Now();
-  for (Begun& begun : begun_) End(begun, Status::kNotConnected, now);
+  for (Begun& begun : begun_) End(begun, Status::kNotConnected);
   begun_.clear();
 }
 
-void BegunCalls::End(Begun& begun, Status if_not_started, SteadyTime now) {
+void BegunCalls::End(Begun& begun, Status if_not_started) {
   const Status status = begun.command->EndEncoded(begun.call, result_);
   if (!status) result_.clear();
-  owner_.OnEnd(begun, status == Status(Status::kTimeout) ? if_not_started : status, result_, now);
+  owner_.OnEnd(begun, status == Status(Status::kTimeout) ? if_not_started : status, result_);
 }
 
 void AppendTimeout(std::chrono::nanoseconds timeout, Bytes& question) {

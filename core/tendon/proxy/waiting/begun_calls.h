@@ -5,6 +5,7 @@
 #include <tendon/middleware/frame.h>
 #include <tendon/middleware/requests/responder.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <optional>
@@ -25,7 +26,6 @@ class BegunCalls {
     std::size_t call = 0;
     SteadyTime since{};
     SteadyTime deadline{};
-    bool is_told = true;  ///< whether the network thread is; else it looks the more often the newer
     std::size_t function = 0;  ///< as the owner counts
     Responder responder;
   };
@@ -34,11 +34,22 @@ class BegunCalls {
    public:
     virtual ~Owner() = default;
     /// Has ended, or will not; with the result where the status is good, which is the owner's now.
-    virtual void OnEnd(Begun& begun, Status status, Bytes& result, SteadyTime now) = 0;
+    virtual void OnEnd(Begun& begun, Status status, Bytes& result) = 0;
   };
 
+  /// The network thread may not be told of a call that was begun just when its server stopped: so
+  /// often it looks.
+  static constexpr std::chrono::milliseconds kNextLook{100};
+
   explicit BegunCalls(Owner& owner) : owner_(owner) {}
-  void Add(Begun begun) { begun_.push_back(std::move(begun)); }
+  void Add(Begun begun) {
+    newest_ = begun.since;
+    begun_.push_back(std::move(begun));
+  }
+  /// When the network thread must look at a call that is added now, unless it is told before.
+  [[nodiscard]] static SteadyTime FirstLook(const Begun& begun) {
+    return std::min(begun.deadline, begun.since + 2 * kNextLook);
+  }
   /// Answers those that have ended or whose time is over, in the order in which they were begun,
   /// many in a message; brings `next` forward to when the next is.
   void Answer(SteadyTime now, SteadyTime& next);
@@ -46,10 +57,11 @@ class BegunCalls {
   void GiveUp();
 
  private:
-  void End(Begun& begun, Status if_not_started, SteadyTime now);
+  void End(Begun& begun, Status if_not_started);
 
   Owner& owner_;
   std::vector<Begun> begun_;
+  SteadyTime newest_{};
   Bytes result_;
 };
 

@@ -1,0 +1,61 @@
+#include <Ice/IncomingAsync.h>
+#include <tendon/ice/returned_frame.h>
+
+#include <exception>
+#include <stdexcept>
+#include <utility>
+
+namespace tendon::ice {
+namespace {
+
+std::span<std::byte> RoomIn(IceInternal::IncomingBase& call, const FrameHeader& header) {
+  const std::size_t size = FrameHeader::kSize + header.size;
+  Ice::OutputStream& out = *call.startWriteParams();
+  out.writeSize(static_cast<Ice::Int>(size));
+  const std::size_t before = out.b.size();
+  out.resize(before + size);
+  const auto frame = std::as_writable_bytes(std::span(out.b.begin() + before, size));
+  WriteHeader(header, frame.first<FrameHeader::kSize>());
+  return frame.subspan(FrameHeader::kSize);
+}
+
+}  // namespace
+
+std::optional<std::span<std::byte>> ReturnedFrame::MakeRoom(const FrameHeader& header) {
+  return RoomIn(incoming_, header);
+}
+
+std::unique_ptr<LeftAnswer> ReturnedFrame::MakeLater() {
+  auto later = std::make_unique<LaterFrame>(link_.shared_from_this(),
+                                            IceInternal::IncomingAsync::create(incoming_));
+  is_deferred_ = true;
+  return later;
+}
+
+LaterFrame::LaterFrame(std::shared_ptr<IceLink> link, OpenCalls::Call call)
+    : link_(std::move(link)), call_(std::move(call)) {
+  link_->open_calls().Add(call_);
+}
+
+LaterFrame::~LaterFrame() {
+  if (is_there()) return;
+  if (has_begun()) {
+    call_->completed(
+        std::make_exception_ptr(std::runtime_error("the answer could not be written")));
+  } else if (link_->open_calls().Take(call_)) {
+    AnswerWithNothing(*call_);
+  }
+}
+
+std::optional<std::span<std::byte>> LaterFrame::MakeRoom(const FrameHeader& header) {
+  if (!link_->MayReturn() || !link_->open_calls().Take(call_)) return std::nullopt;
+  return RoomIn(*call_, header);
+}
+
+void LaterFrame::Leave() {
+  call_->endWriteParams();
+  call_->completed();
+  link_->CountReturned(size());
+}
+
+}  // namespace tendon::ice

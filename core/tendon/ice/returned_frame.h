@@ -1,0 +1,47 @@
+#pragma once
+
+#include <Ice/Incoming.h>
+#include <tendon/ice/links.h>
+#include <tendon/ice/open_calls.h>
+
+#include <memory>
+#include <optional>
+#include <span>
+
+namespace tendon::ice {
+
+/// A frame as the only parameter of what Ice sends back for a call that it dispatches.
+class ReturnedFrame final : public LeftAnswer {
+ public:
+  ReturnedFrame(IceLink& link, IceInternal::Incoming& incoming)
+      : link_(link), incoming_(incoming) {}
+
+  /// Ice gets its answer from somebody else.
+  [[nodiscard]] bool is_deferred() const { return is_deferred_; }
+
+ private:
+  std::optional<std::span<std::byte>> MakeRoom(const FrameHeader& header) override;
+  std::unique_ptr<LeftAnswer> MakeLater() override;
+
+  IceLink& link_;
+  IceInternal::Incoming& incoming_;
+  bool is_deferred_ = false;
+};
+
+/// The same of a call that Ice has dispatched before.
+class LaterFrame final : public LeftAnswer {
+ public:
+  LaterFrame(std::shared_ptr<IceLink> link, OpenCalls::Call call);
+  LaterFrame(const LaterFrame&) = delete;
+  LaterFrame& operator=(const LaterFrame&) = delete;
+  ~LaterFrame() override;
+
+ private:
+  std::optional<std::span<std::byte>> MakeRoom(const FrameHeader& header) override;
+  void Leave() override;
+
+  const std::shared_ptr<IceLink> link_;
+  const OpenCalls::Call call_;
+};
+
+}  // namespace tendon::ice

@@ -1,0 +1,159 @@
+#include <tendon/base/os/thread.h>
+#include <tendon/middleware/requests/pending_requests.h>
+#include <tendon/proxy/threads/call_threads.h>
+
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <list>
+#include <mutex>
+#include <new>
+#include <thread>
+#include <utility>
+
+namespace tendon {
+
+/// Under the pool's lock.
+struct CallLine::Queue {
+  const std::size_t most;
+  std::deque<Call> calls{};  // the first one may run
+};
+
+class CallThreads::Pool {
+ public:
+  using Queue = std::shared_ptr<CallLine::Queue>;
+
+  explicit Pool(std::string name) : name_(std::move(name)) {}
+
+  bool Post(const Queue& queue, CallLine::Call call) {
+    std::list<std::thread> ended;
+    {
+      const std::scoped_lock lock(mutex_);
+      if (is_stopping_ || queue->calls.size() >= queue->most) return false;
+      queue->calls.push_back(std::move(call));
+      if (queue->calls.size() == 1 && !Serve(queue)) {
+        queue->calls.pop_back();
+        return false;
+      }
+      ended.swap(ended_);
+    }
+    for (std::thread& thread : ended) thread.join();
+    return true;
+  }
+
+  void Drain(const Queue& queue, SteadyTime deadline) {
+    std::unique_lock lock(mutex_);
+    progress_.wait_until(lock, deadline, [&queue] { return queue->calls.empty(); });
+  }
+
+  void Stop() {
+    std::unique_lock lock(mutex_);
+    is_stopping_ = true;
+    work_.notify_all();
+    progress_.wait(lock, [this] { return threads_.empty(); });
+    for (std::thread& thread : ended_) thread.join();
+    ended_.clear();
+    while (!ready_.empty()) {
+      const Queue queue = std::move(ready_.front());
+      ready_.pop_front();
+      Drop(*queue, lock);
+    }
+  }
+
+ private:
+  using Self = std::list<std::thread>::iterator;
+
+  // With the lock held.
+
+  /// False where there is no thread for it, nor memory.
+  bool Serve(const Queue& queue) {
+    try {
+      ready_.push_back(queue);
+    } catch (const std::bad_alloc&) {
+      return false;
+    }
+    if (ready_.size() > idle_ && threads_.size() < kMost) CallGuarded(name_, [this] { Start(); });
+    if (threads_.empty()) {
+      ready_.pop_back();
+      return false;
+    }
+    work_.notify_one();
+    return true;
+  }
+
+  void Start() {
+    const Self self = threads_.emplace(threads_.end());
+    try {
+      *self = std::thread([this, self] { Run(self); });
+    } catch (...) {
+      threads_.erase(self);
+      throw;
+    }
+  }
+
+  /// What waits is destroyed without the lock: it may own anything.
+  static void Drop(CallLine::Queue& queue, std::unique_lock<std::mutex>& lock) {
+    std::deque<CallLine::Call> dropped = std::exchange(queue.calls, {});
+    lock.unlock();
+    dropped.clear();
+    lock.lock();
+  }
+
+  void ExecuteOne(std::unique_lock<std::mutex>& lock) {
+    const Queue queue = std::move(ready_.front());
+    ready_.pop_front();
+    CallLine::Call call = std::move(queue->calls.front());
+    lock.unlock();
+    CallGuarded(name_, call);
+    call = nullptr;
+    lock.lock();
+    queue->calls.pop_front();
+    if (!queue->calls.empty() && (is_stopping_ || !Serve(queue))) Drop(*queue, lock);
+    progress_.notify_all();
+  }
+
+  void Run(Self self) {
+    constexpr std::chrono::seconds kIdleAtMost(10);
+    os::NameThisThread(name_);
+    std::unique_lock lock(mutex_);
+    while (true) {
+      ++idle_;
+      const bool has_work =
+          work_.wait_for(lock, kIdleAtMost, [this] { return is_stopping_ || !ready_.empty(); });
+      --idle_;
+      if (is_stopping_ || !has_work) break;
+      ExecuteOne(lock);
+    }
+    ended_.splice(ended_.end(), threads_, self);
+    progress_.notify_all();
+  }
+
+  const std::string name_;
+  std::mutex mutex_;
+  std::condition_variable work_;
+  std::condition_variable progress_;
+  std::deque<Queue> ready_;  // of which a call is to be executed
+  std::list<std::thread> threads_;
+  std::list<std::thread> ended_;  // to be joined
+  std::size_t idle_ = 0;
+  bool is_stopping_ = false;
+};
+
+CallThreads::CallThreads(std::string name) : pool_(std::make_shared<Pool>(std::move(name))) {}
+
+CallThreads::~CallThreads() { pool_->Stop(); }
+
+std::shared_ptr<CallLine> CallThreads::MakeLine(std::size_t most) {
+  return std::shared_ptr<CallLine>(new CallLine(pool_, most));
+}
+
+CallLine::CallLine(std::shared_ptr<CallThreads::Pool> pool, std::size_t most)
+    : pool_(std::move(pool)), queue_(std::make_shared<Queue>(Queue{.most = most})) {}
+
+CallLine::~CallLine() = default;
+
+bool CallLine::Post(Call call) { return pool_->Post(queue_, std::move(call)); }
+
+void CallLine::Drain(SteadyTime deadline) { pool_->Drain(queue_, deadline); }
+
+}  // namespace tendon

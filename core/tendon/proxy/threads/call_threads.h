@@ -1,0 +1,64 @@
+#pragma once
+
+#include <tendon/base/clock.h>
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace tendon {
+
+class CallLine;
+
+/// The threads that execute what another process has called and what runs in its caller's thread:
+/// code of components, which may take its time, and no thread of the middleware waits for it. At
+/// most kMost, which are started when they are needed and end when they were idle for long.
+/// Thread-safe.
+class CallThreads {
+ public:
+  static constexpr std::size_t kMost = 4;
+
+  explicit CallThreads(std::string name = "calls");
+  CallThreads(const CallThreads&) = delete;
+  CallThreads& operator=(const CallThreads&) = delete;
+  /// Waits for the calls that run; those that wait are not executed. Not from a call.
+  ~CallThreads();
+
+  /// Of at most `most` calls at a time. It may outlive this.
+  [[nodiscard]] std::shared_ptr<CallLine> MakeLine(std::size_t most);
+
+ private:
+  friend class CallLine;
+  class Pool;
+
+  const std::shared_ptr<Pool> pool_;
+};
+
+/// Calls of which one runs at a time, in their order; those of several lines run side by side.
+/// Thread-safe.
+class CallLine {
+ public:
+  using Call = std::function<void()>;
+
+  CallLine(const CallLine&) = delete;
+  CallLine& operator=(const CallLine&) = delete;
+  ~CallLine();
+
+  /// What it throws is logged. False, and it is left alone, where too many wait or nobody executes
+  /// calls any more.
+  bool Post(Call call);
+  /// Waits until none is left, or for `deadline`.
+  void Drain(SteadyTime deadline);
+
+ private:
+  friend class CallThreads;
+  struct Queue;
+
+  CallLine(std::shared_ptr<CallThreads::Pool> pool, std::size_t most);
+
+  const std::shared_ptr<CallThreads::Pool> pool_;
+  const std::shared_ptr<Queue> queue_;
+};
+
+}  // namespace tendon

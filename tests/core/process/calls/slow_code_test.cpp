@@ -1,0 +1,241 @@
+#include <gmock/gmock.h>
+#include <tendon/middleware/channel.h>
+#include <tendon/proxy/threads/call_threads.h>
+#include <tendon/task/signal_task.h>
+
+#include <future>
+#include <mutex>
+#include <numeric>
+#include <vector>
+
+#include "core/process/remote_connection.h"
+
+namespace {
+
+using namespace std::chrono_literals;
+using plant::Operator;
+using tendon::InterfaceName;
+using tendon::Status;
+
+constexpr auto kPatience = 20s;
+
+/// The plant is asked what it does not answer while its gate is locked.
+class SlowRead : public RemoteConnection {
+ protected:
+  SlowRead() {
+    StartRobot();
+    StartDesk();
+    Connect();
+  }
+  /// By a caller that has given up when this returns; the question is with the plant.
+  void AskInVain(Operator& caller) {
+    std::uint64_t answer = 0;
+    EXPECT_EQ(caller.ask(answer), Status(Status::kTimeout));
+  }
+  void ExpectAllElseIsServed(Operator& caller) {
+    plant::Move move;
+    EXPECT_TRUE(EventuallyTrue([&] { return caller.get_move(move) == Status(Status::kDone); }));
+    EXPECT_EQ(caller.move_to.Wait({.number = 7, .goal = {}}, kPatience), Status(Status::kDone));
+    EXPECT_TRUE(EventuallyQueued([&] { return caller.stop(); }));
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(Over, SlowRead, testing::ValuesIn(NetworkKinds()), NameOfNetwork);
+
+TEST_P(SlowRead, HoldsUpNothingElseOnItsConnection) {
+  const std::scoped_lock closed(plant->gate);
+
+  AskInVain(*user);
+
+  EXPECT_TRUE(EventuallyTrue([&] { return plant->asked == 1; }));
+  ExpectAllElseIsServed(*user);
+  EXPECT_TRUE(robot->is_joined());
+}
+
+TEST_P(SlowRead, OfMoreCallersThanThereAreThreadsHoldsUpNobodyElse) {
+  std::vector<Operator*> callers;
+  for (std::size_t i = 0; i < tendon::CallThreads::kMost + 2; ++i) {
+    const std::string name = "caller" + std::to_string(i);
+    callers.push_back(&desk->Add<Operator>(name, 8));
+    ASSERT_TRUE(desk->Connect(InterfaceName("desk", name, "Robot"), kControl).ok());
+  }
+  ASSERT_TRUE(EventuallyActive(*desk, callers.size() + 1));
+  const std::scoped_lock closed(plant->gate);
+
+  for (Operator* const caller : callers) AskInVain(*caller);
+
+  EXPECT_TRUE(EventuallyTrue([&] { return plant->asked == int{tendon::CallThreads::kMost}; }));
+  for (Operator* const caller : callers) ExpectAllElseIsServed(*caller);
+  ExpectAllElseIsServed(*user);
+}
+
+TEST_P(SlowRead, IsAnsweredAsSoonAsItCan) {
+  {
+    const std::scoped_lock closed(plant->gate);
+    AskInVain(*user);
+  }
+  std::uint64_t answer = 0;
+
+  EXPECT_TRUE(EventuallyTrue([&] { return user->ask(answer) == Status(Status::kDone); }));
+
+  EXPECT_EQ(answer, 42U);
+}
+
+TEST_P(SlowRead, EndsWithItsConnection) {
+  std::unique_lock closed(plant->gate);
+  AskInVain(*user);
+  ASSERT_TRUE(EventuallyTrue([&] { return plant->asked == 1; }));
+
+  ASSERT_TRUE(desk->Disconnect(kRobot).ok());
+  closed.unlock();
+  Connect();
+
+  std::uint64_t answer = 0;
+  EXPECT_TRUE(EventuallyTrue([&] { return user->ask(answer) == Status(Status::kDone); }));
+}
+
+TEST_P(SlowRead, OfAPeerThatIsGoneHoldsUpNobody) {
+  const std::scoped_lock closed(plant->gate);
+  AskInVain(*user);
+  ASSERT_TRUE(EventuallyTrue([&] { return plant->asked == 1; }));
+
+  desk.reset();
+  desk = Start("desk");
+  user = &desk->Add<Operator>("operator");
+  ASSERT_TRUE(desk->StartAll().ok());
+  const auto id = desk->Connect(kRobot, kControl);
+  ASSERT_TRUE(id.ok()) << id.error().message;
+}
+
+const InterfaceName kScale("robot", "scale", "Control");
+const InterfaceName kWeigher("desk", "weigher", "Scale");
+
+/// While it is locked, the filter waits.
+std::mutex filter_gate;
+
+void Rounded(const double& weight, int& rounded) {
+  const std::scoped_lock lock(filter_gate);
+  rounded = static_cast<int>(weight);
+}
+
+/// Two ways to put something on it; one has a filter, which runs in the caller's thread.
+class Scale final : public tendon::SignalTask {
+ public:
+  explicit Scale(std::string name) : SignalTask(std::move(name)) {
+    auto& control = AddProvidedInterface("Control");
+    control.AddCommandFilteredWrite(&Rounded, &Scale::Put, this, "PutRounded");
+    control.AddCommandWrite(&Scale::Put, this, "Put");
+    control.AddCommandRead(&Scale::Count, this, "Count", tendon::kThreadSafe);
+  }
+  ~Scale() override { Join(); }
+
+  void Run() override { ProcessQueuedCommands(); }
+
+  plant::Record<int> weights;
+
+ private:
+  void Put(int weight) { weights.Add(weight); }
+  void Count(std::uint64_t& count) const { count = weights.size(); }
+};
+
+/// Has no thread: the test calls its functions.
+class Weigher final : public tendon::Component {
+ public:
+  explicit Weigher(std::string name)
+      : Component(std::move(name), std::make_unique<tendon::Inbox>()) {
+    auto& scale = AddRequiredInterface("Scale");
+    scale.AddFunction(put_rounded, "PutRounded");
+    scale.AddFunction(put, "Put");
+    scale.AddFunction(count, "Count");
+    scale.SetMailboxCapacity(kCapacity);
+  }
+
+  static constexpr int kCapacity = 32;
+  tendon::WriteFunction<double> put_rounded;
+  tendon::WriteFunction<int> put;
+  tendon::ReadFunction<std::uint64_t> count;
+};
+
+/// A robot with a scale, and a desk that puts weights on it.
+class SlowFilter : public NetworkTest {
+ protected:
+  SlowFilter() {
+    scale = &robot->Add<Scale>("scale");
+    weigher = &desk->Add<Weigher>("weigher");
+    EXPECT_TRUE(robot->StartAll().ok());
+    EXPECT_TRUE(desk->StartAll().ok());
+    EXPECT_TRUE(desk->Connect(kWeigher, kScale).ok());
+    EXPECT_TRUE(EventuallyActive(*desk, 1));
+  }
+  Status Put(int weight) {
+    return weight % 2 == 0 ? weigher->put_rounded(weight + 0.25) : weigher->put(weight);
+  }
+  static std::vector<int> Weights(int count) {
+    std::vector<int> weights(static_cast<std::size_t>(count));
+    std::iota(weights.begin(), weights.end(), 0);
+    return weights;
+  }
+
+  std::unique_ptr<tendon::Process> robot = Start("robot");
+  std::unique_ptr<tendon::Process> desk = Start("desk");
+  Scale* scale = nullptr;
+  Weigher* weigher = nullptr;
+};
+
+INSTANTIATE_TEST_SUITE_P(Over, SlowFilter, testing::ValuesIn(NetworkKinds()), NameOfNetwork);
+
+TEST_P(SlowFilter, KeepsTheOrderOfAllCommandsOfItsConnection) {
+  constexpr int kWeights = 300;
+
+  for (int i = 0; i < kWeights; ++i) {
+    if (i % 7 == 6) {
+      ASSERT_EQ(weigher->put.Wait(i, kPatience), Status(Status::kDone));
+      EXPECT_EQ(scale->weights.size(), static_cast<std::size_t>(i + 1));
+    } else {
+      ASSERT_TRUE(EventuallyTrue([&] { return Put(i) == Status(Status::kQueued); }));
+    }
+  }
+
+  EXPECT_EQ(weigher->put_rounded.Wait(kWeights, kPatience), Status(Status::kDone));
+  EXPECT_EQ(scale->weights.values(), Weights(kWeights + 1));
+}
+
+TEST_P(SlowFilter, TakesAsManyAsAMailboxAndRefusesTheOthers) {
+  std::unique_lock closed(filter_gate);
+  int put = 0;
+  while (Put(put) == Status(Status::kQueued)) ++put;
+
+  // Here and there: as many as wait in a mailbox over there, and in one here that they leave.
+  EXPECT_GE(put, Weigher::kCapacity);
+  EXPECT_LE(put, 2 * Weigher::kCapacity);
+  EXPECT_EQ(scale->weights.size(), 0U);
+
+  closed.unlock();
+  EXPECT_TRUE(EventuallyTrue([&] { return Put(put) == Status(Status::kQueued); }));
+  EXPECT_TRUE(EventuallyTrue([&] { return scale->weights.values() == Weights(put + 1); }));
+}
+
+TEST_P(SlowFilter, OneWhoseTimeIsOverIsNotExecuted) {
+  {
+    const std::scoped_lock closed(filter_gate);
+    EXPECT_EQ(Put(0), Status(Status::kQueued));
+    EXPECT_EQ(weigher->put.Wait(100, 20ms), Status(Status::kTimeout));
+  }
+
+  EXPECT_EQ(weigher->put.Wait(1, kPatience), Status(Status::kDone));
+  EXPECT_EQ(scale->weights.values(), Weights(2));
+}
+
+TEST_P(SlowFilter, ExecutesWhatHasArrivedBeforeItsConnectionEnds) {
+  std::unique_lock closed(filter_gate);
+  for (int i = 0; i < 10; ++i) ASSERT_EQ(Put(i), Status(Status::kQueued));
+  auto disconnected = std::async(std::launch::async, [this] { return desk->Disconnect(kWeigher); });
+
+  closed.unlock();
+  EXPECT_TRUE(disconnected.get().ok());
+
+  EXPECT_TRUE(EventuallyTrue([&] { return scale->weights.size() == 10; }));
+  EXPECT_EQ(scale->weights.values(), Weights(10));
+}
+
+}  // namespace
