@@ -67,7 +67,7 @@ class Answerer final : public LinkHandler {
   void OnAsked(std::span<const std::byte> frame, LeftAnswer& answer) override {
     if (!is_prompt) return;
     const auto room = answer.Begin(*ReadWholeFrame(frame));
-    std::ranges::copy(frame.subspan(FrameHeader::kSize), room.begin());
+    std::ranges::copy(frame.subspan(FrameHeader::kSize), room->begin());
     answer.End();
   }
   void OnClosed(const Error& /*reason*/) override {}
