@@ -2,7 +2,7 @@
 
 #include <Ice/Ice.h>
 #include <tendon/base/clock.h>
-#include <tendon/ice/open_calls.h>
+#include <tendon/ice/answers/open_calls.h>
 #include <tendon/lockfree/counter.h>
 #include <tendon/lockfree/flag.h>
 #include <tendon/middleware/middleware.h>

@@ -1,6 +1,6 @@
 #include <Ice/Incoming.h>
+#include <tendon/ice/answers/returned_frame.h>
 #include <tendon/ice/bounded_reader.h>
-#include <tendon/ice/returned_frame.h>
 #include <tendon/ice/servants.h>
 
 #include <algorithm>

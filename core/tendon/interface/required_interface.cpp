@@ -52,6 +52,12 @@ std::vector<std::string> RequiredInterface::mirrored() const {
   return names;
 }
 
+bool RequiredInterface::handles_in_raiser() const {
+  return std::any_of(handlers_.begin(), handlers_.end(), [this](const auto& handler) {
+    return handler->RunsInCaller(inbox_ != nullptr);
+  });
+}
+
 std::vector<std::string> RequiredInterface::latest_only() const {
   std::vector<std::string> names;
   for (const auto& handler : handlers_) {

@@ -130,6 +130,9 @@ class RequiredInterface {
   [[nodiscard]] std::uint64_t lost_events() const noexcept { return lost_events_.value(); }
 
   [[nodiscard]] RequiredDescription description() const;
+  /// Whether some of its event handlers run in the thread that raises the event, where they may
+  /// take their time.
+  [[nodiscard]] bool handles_in_raiser() const;
   /// The names of the event handlers that keep the latest event only.
   [[nodiscard]] std::vector<std::string> latest_only() const;
   [[nodiscard]] bool is_connected() const { return binding_.Get() != nullptr; }

@@ -24,6 +24,7 @@ ProvidedInterfaceProxy::ProvidedInterfaceProxy(std::shared_ptr<NetworkThread> th
                                                const RequiredDescription& required,
                                                std::chrono::milliseconds read_deadline)
     : thread_(std::move(thread)),
+      line_(remote.line),
       handle_(remote.opened.handle),
       mirrored_(remote.mirrored),
       outbox_(remote.channel, message::kCommands, thread_->wakeup(), ToString(remote.name),
@@ -68,19 +69,44 @@ void ProvidedInterfaceProxy::AddEvents(const ProvidedDescription& provided,
     if (event == nullptr) continue;
     events_.back() = std::make_unique<EventProxy>();
     interface_.AddEvent(*events_.back(), *event);
+    // The middleware's thread says whether their source has faulted.
+    if (line_) events_.back()->SetRaisers(Callers::kManyThreads, nullptr);
   }
 }
 
 void ProvidedInterfaceProxy::OnEvent(std::size_t handler, std::span<const std::byte> value) {
   if (handler >= events_.size() || !events_[handler]) return;
-  const std::uint64_t lost = events_[handler]->lost();
-  events_[handler]->Raise(value);
-  if (events_[handler]->lost() != lost) thread_->Notify();
+  if (!line_) return Raise(handler, value);
+  const bool is_posted = line_->Post(
+      [self = shared_from_this(), handler, copy = Bytes(value.begin(), value.end())] {
+        self->CountLostEvents();
+        self->Raise(handler, copy);
+      },
+      value.size());
+  if (is_posted) return;
+  events_[handler]->Miss();
+  thread_->Notify();
+}
+
+void ProvidedInterfaceProxy::Raise(std::size_t handler, std::span<const std::byte> value) {
+  EventProxy& event = *events_[handler];
+  const std::uint64_t lost = event.lost();
+  event.Raise(value);
+  if (event.lost() != lost) thread_->Notify();
 }
 
 void ProvidedInterfaceProxy::OnEventsLost(const message::EventsLost& events) {
   for (std::size_t i = 0; i < std::min(events_.size(), events.lost.size()); ++i) {
     if (events_[i]) events_[i]->SetLostThere(events.lost[i]);
+  }
+  if (!line_) return CountLostEvents();
+  // Where the line is full, whatever waits there counts them.
+  (void)line_->Post([self = shared_from_this()] { self->CountLostEvents(); });
+}
+
+void ProvidedInterfaceProxy::CountLostEvents() {
+  for (const auto& event : events_) {
+    if (event) event->CountLost();
   }
 }
 

@@ -7,6 +7,7 @@
 #include <tendon/proxy/network_thread.h>
 #include <tendon/proxy/outbox.h>
 #include <tendon/proxy/reports/loss_report.h>
+#include <tendon/proxy/threads/call_threads.h>
 
 #include <chrono>
 #include <map>
@@ -22,8 +23,10 @@ namespace tendon {
 /// here is connected to it as to any other. Void and write commands wait here until the network
 /// thread sends them, as many as the other end has room for. Reads ask in the caller's thread,
 /// unless they are mirrored, and so do commands that are waited for, unless others must be sent
-/// before them.
-class ProvidedInterfaceProxy final : public NetworkJob {
+/// before them. Events that arrive are raised in the middleware's thread, or, where handlers run in
+/// the thread that raises them, in a line of CallThreads.
+class ProvidedInterfaceProxy final : public NetworkJob,
+                                     public std::enable_shared_from_this<ProvidedInterfaceProxy> {
  public:
   /// The interface at the other end, opened for this proxy.
   struct Remote {
@@ -33,6 +36,8 @@ class ProvidedInterfaceProxy final : public NetworkJob {
     /// What is read from copies here, by the command's name.
     std::map<std::string, std::shared_ptr<MirroredValue>> mirrored{};
     std::vector<std::string> latest_only{};  ///< commands that keep the latest call only
+    std::shared_ptr<CallLine> line{};  ///< of its events; null where none of their handlers runs
+                                       ///< in the thread that raises it
   };
   /// Offers what `required` can use of the remote interface. ConfigurationError where its
   /// description makes no sense.
@@ -70,7 +75,11 @@ class ProvidedInterfaceProxy final : public NetworkJob {
                    std::chrono::milliseconds read_deadline);
   void AddEvents(const ProvidedDescription& provided, const RequiredDescription& required);
 
+  void Raise(std::size_t handler, std::span<const std::byte> value);
+  void CountLostEvents();
+
   const std::shared_ptr<NetworkThread> thread_;
+  const std::shared_ptr<CallLine> line_;
   const std::uint32_t handle_;
   const std::map<std::string, std::shared_ptr<MirroredValue>> mirrored_;
   Outbox outbox_;

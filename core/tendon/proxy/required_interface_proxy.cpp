@@ -153,7 +153,8 @@ void RequiredInterfaceProxy::EndCredit() {
 template <typename Call>
 bool RequiredInterfaceProxy::PostInLine(std::span<const std::byte> argument, Call call) {
   return line_->Post([self = shared_from_this(), call = std::move(call),
-                      bytes = Bytes(argument.begin(), argument.end())] { call(*self, bytes); });
+                      bytes = Bytes(argument.begin(), argument.end())] { call(*self, bytes); },
+                     argument.size());
 }
 
 void RequiredInterfaceProxy::OnCommand(std::size_t function, std::span<const std::byte> argument) {

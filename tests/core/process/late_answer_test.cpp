@@ -2,8 +2,10 @@
 #include <tendon/base/os/process.h>
 #include <tendon/process/messages.h>
 
+#include <atomic>
 #include <chrono>
 #include <future>
+#include <mutex>
 
 #include "core/process/remote_connection.h"
 
@@ -15,8 +17,25 @@ using tendon::message::Called;
 using tendon::message::CallMember;
 using testing::HasSubstr;
 
-/// Process robot answers pings, but not at once who wants to connect: its worker waits at the
-/// plant's gate.
+/// Its end, which its manager's lock is held for, waits at a gate.
+class Lingering final : public tendon::Component {
+ public:
+  Lingering(std::string name, std::mutex& gate, std::atomic<bool>& ends)
+      : Component(std::move(name)), gate_(gate), ends_(ends) {}
+  ~Lingering() override {
+    ends_ = true;
+    const std::scoped_lock passed(gate_);
+  }
+  Lingering(const Lingering&) = delete;
+  Lingering& operator=(const Lingering&) = delete;
+
+ private:
+  std::mutex& gate_;
+  std::atomic<bool>& ends_;
+};
+
+/// Process robot answers pings, but not at once who wants to connect: its worker waits for a
+/// component to end.
 class LateAnswer : public RemoteConnection {
  protected:
   void SetUp() override {
@@ -30,9 +49,10 @@ class LateAnswer : public RemoteConnection {
                               std::make_shared<tendon::ChannelHandler>(), std::chrono::seconds(20));
     ASSERT_TRUE(opened.ok()) << opened.error().message;
     console = *opened;
-    held = std::unique_lock(plant->gate);
-    first_call = std::async(std::launch::async, [this] { return Call("Ask"); });
-    ASSERT_TRUE(EventuallyTrue([&] { return plant->asked == 1; }));
+    held = std::unique_lock(gate);
+    robot->Add<Lingering>("lingering", gate, ends);
+    removed = std::async(std::launch::async, [this] { return robot->Remove("lingering").ok(); });
+    ASSERT_TRUE(EventuallyTrue([&] { return ends.load(); }));
   }
   void TearDown() override {
     if (held.owns_lock()) Release();
@@ -48,7 +68,7 @@ class LateAnswer : public RemoteConnection {
   }
   void Release() {
     held.unlock();
-    EXPECT_TRUE(first_call.get());
+    EXPECT_TRUE(removed.get());
   }
   /// Connections that robot serves.
   std::size_t Served() const {
@@ -59,8 +79,10 @@ class LateAnswer : public RemoteConnection {
 
   std::shared_ptr<tendon::Middleware> middleware = NewMiddleware();
   std::shared_ptr<tendon::Channel> console;
+  std::mutex gate;
+  std::atomic<bool> ends{false};
   std::unique_lock<std::mutex> held;
-  std::future<bool> first_call;
+  std::future<bool> removed;
 };
 
 TEST_P(LateAnswer, ToAnAttemptThatWasGivenUpLeavesNoSecondConnection) {

@@ -86,6 +86,7 @@ class EventWaiter {
     HandlerOffer(MemberDescription description, EventWaiter& waiter)
         : Offer(std::move(description)), waiter_(waiter) {}
     [[nodiscard]] bool uses_mailbox() const override { return false; }
+    [[nodiscard]] bool RunsInCaller(bool /*has_mailbox*/) const override { return false; }
     [[nodiscard]] std::unique_ptr<CommandBase> Bind(Mailbox* /*mailbox*/) const override {
       return std::make_unique<Handler>(waiter_);
     }

@@ -19,7 +19,8 @@ OpenedInterface MakeProxy(const std::shared_ptr<NetworkThread>& network, const P
                                         .opened = answer->opened,
                                         .name = wanted.open.provided,
                                         .mirrored = {},
-                                        .latest_only = answer->latest_only};
+                                        .latest_only = answer->latest_only,
+                                        .line = wanted.line};
   for (std::size_t i = 0; i < copies.size(); ++i) remote.mirrored[wanted.mirrored[i]] = copies[i];
   try {
     return std::make_shared<ProvidedInterfaceProxy>(network, remote, wanted.open.description,

@@ -16,6 +16,7 @@ struct WantedInterface {
   std::vector<std::string> latest_only{};  ///< event handlers that keep the latest event only
   std::chrono::milliseconds read_deadline{0};
   std::vector<std::string> mirrored{};  ///< functions that are answered from copies
+  std::shared_ptr<CallLine> line{};     ///< of its events, where it needs one
 };
 
 using OpenedInterface = Result<std::shared_ptr<ProvidedInterfaceProxy>>;

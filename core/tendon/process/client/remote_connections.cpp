@@ -126,6 +126,7 @@ void RemoteConnections::TellWaiting(ConnectionId id, std::uint64_t attempt) {
 }
 
 void RemoteConnections::Request(ConnectionId id, const std::shared_ptr<PeerLink>& link) {
+  constexpr std::size_t kMostEvents = 4096;  // as fit into some messages
   WantedInterface wanted;
   Attempt attempt{.id = id, .number = 0, .link = link, .handle = 0};
   {
@@ -136,14 +137,16 @@ void RemoteConnections::Request(ConnectionId id, const std::shared_ptr<PeerLink>
     const auto required = context_.host.LookUpRequired(entry.description.required);
     entry.is_opening = required.ok();
     if (!required) return;
-    wanted = {.open = {.required = entry.description.required,
-                       .provided = entry.description.provided,
-                       .description = (*required)->description(),
-                       .handle = 0,
-                       .capacity = static_cast<std::uint32_t>((*required)->mailbox_capacity())},
-              .latest_only = (*required)->latest_only(),
-              .read_deadline = (*required)->read_deadline(),
-              .mirrored = (*required)->mirrored()};
+    wanted = {
+        .open = {.required = entry.description.required,
+                 .provided = entry.description.provided,
+                 .description = (*required)->description(),
+                 .handle = 0,
+                 .capacity = static_cast<std::uint32_t>((*required)->mailbox_capacity())},
+        .latest_only = (*required)->latest_only(),
+        .read_deadline = (*required)->read_deadline(),
+        .mirrored = (*required)->mirrored(),
+        .line = (*required)->handles_in_raiser() ? context_.calls->MakeLine(kMostEvents) : nullptr};
     wanted.open.handle = link->handles().Reserve(wanted.open.description.event_handlers.size());
     entry.link = link;
     entry.handle = attempt.handle = wanted.open.handle;

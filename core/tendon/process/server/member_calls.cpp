@@ -37,7 +37,7 @@ class MemberCalls::Target : public std::enable_shared_from_this<Target>, private
       self->Execute(call->argument, deadline, network, std::move(*responder));
     };
     if (!line_) return execute();
-    if (line_->Post(execute)) return;
+    if (line_->Post(execute, call->argument.size())) return;
     responder->Refuse({ErrorCode::kFailed, "too many calls of '" + description_.name + "' of " +
                                                interface_ + " wait: call it again later"});
   }

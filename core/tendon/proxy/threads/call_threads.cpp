@@ -15,8 +15,19 @@ namespace tendon {
 
 /// Under the pool's lock.
 struct CallLine::Queue {
-  const std::size_t most;
-  std::deque<Call> calls{};  // the first one may run
+  struct Waiting {
+    Call call;
+    std::size_t bytes = 0;
+  };
+
+  [[nodiscard]] bool HasRoom(std::size_t more) const {
+    return calls.size() < most_calls && (bytes == 0 || bytes + more <= most_bytes);
+  }
+
+  const std::size_t most_calls;
+  const std::size_t most_bytes;
+  std::deque<Waiting> calls{};  // the first one may run
+  std::size_t bytes = 0;        // of them
 };
 
 class CallThreads::Pool {
@@ -25,16 +36,17 @@ class CallThreads::Pool {
 
   explicit Pool(std::string name) : name_(std::move(name)) {}
 
-  bool Post(const Queue& queue, CallLine::Call call) {
+  bool Post(const Queue& queue, CallLine::Call call, std::size_t bytes) {
     std::list<std::thread> ended;
     {
       const std::scoped_lock lock(mutex_);
-      if (is_stopping_ || queue->calls.size() >= queue->most) return false;
-      queue->calls.push_back(std::move(call));
+      if (is_stopping_ || !queue->HasRoom(bytes)) return false;
+      queue->calls.push_back({std::move(call), bytes});
       if (queue->calls.size() == 1 && !Serve(queue)) {
         queue->calls.pop_back();
         return false;
       }
+      queue->bytes += bytes;
       ended.swap(ended_);
     }
     for (std::thread& thread : ended) thread.join();
@@ -93,7 +105,8 @@ class CallThreads::Pool {
 
   /// What waits is destroyed without the lock: it may own anything.
   static void Drop(CallLine::Queue& queue, std::unique_lock<std::mutex>& lock) {
-    std::deque<CallLine::Call> dropped = std::exchange(queue.calls, {});
+    auto dropped = std::exchange(queue.calls, {});
+    queue.bytes = 0;
     lock.unlock();
     dropped.clear();
     lock.lock();
@@ -102,11 +115,12 @@ class CallThreads::Pool {
   void ExecuteOne(std::unique_lock<std::mutex>& lock) {
     const Queue queue = std::move(ready_.front());
     ready_.pop_front();
-    CallLine::Call call = std::move(queue->calls.front());
+    CallLine::Call call = std::move(queue->calls.front().call);
     lock.unlock();
     CallGuarded(name_, call);
     call = nullptr;
     lock.lock();
+    queue->bytes -= queue->calls.front().bytes;
     queue->calls.pop_front();
     if (!queue->calls.empty() && (is_stopping_ || !Serve(queue))) Drop(*queue, lock);
     progress_.notify_all();
@@ -143,16 +157,20 @@ CallThreads::CallThreads(std::string name) : pool_(std::make_shared<Pool>(std::m
 
 CallThreads::~CallThreads() { pool_->Stop(); }
 
-std::shared_ptr<CallLine> CallThreads::MakeLine(std::size_t most) {
-  return std::shared_ptr<CallLine>(new CallLine(pool_, most));
+std::shared_ptr<CallLine> CallThreads::MakeLine(std::size_t most_calls, std::size_t most_bytes) {
+  return std::shared_ptr<CallLine>(new CallLine(pool_, most_calls, most_bytes));
 }
 
-CallLine::CallLine(std::shared_ptr<CallThreads::Pool> pool, std::size_t most)
-    : pool_(std::move(pool)), queue_(std::make_shared<Queue>(Queue{.most = most})) {}
+CallLine::CallLine(std::shared_ptr<CallThreads::Pool> pool, std::size_t most_calls,
+                   std::size_t most_bytes)
+    : pool_(std::move(pool)),
+      queue_(std::make_shared<Queue>(Queue{.most_calls = most_calls, .most_bytes = most_bytes})) {}
 
 CallLine::~CallLine() = default;
 
-bool CallLine::Post(Call call) { return pool_->Post(queue_, std::move(call)); }
+bool CallLine::Post(Call call, std::size_t bytes) {
+  return pool_->Post(queue_, std::move(call), bytes);
+}
 
 void CallLine::Drain(SteadyTime deadline) { pool_->Drain(queue_, deadline); }
 

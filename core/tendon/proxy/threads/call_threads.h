@@ -18,6 +18,7 @@ class CallLine;
 class CallThreads {
  public:
   static constexpr std::size_t kMost = 4;
+  static constexpr std::size_t kMostBytes = std::size_t{64} << 20U;
 
   explicit CallThreads(std::string name = "calls");
   CallThreads(const CallThreads&) = delete;
@@ -25,8 +26,10 @@ class CallThreads {
   /// Waits for the calls that run; those that wait are not executed. Not from a call.
   ~CallThreads();
 
-  /// Of at most `most` calls at a time. It may outlive this.
-  [[nodiscard]] std::shared_ptr<CallLine> MakeLine(std::size_t most);
+  /// Of calls of which at most so many wait, with bytes together unless it is one alone. It may
+  /// outlive this.
+  [[nodiscard]] std::shared_ptr<CallLine> MakeLine(std::size_t most_calls,
+                                                   std::size_t most_bytes = kMostBytes);
 
  private:
   friend class CallLine;
@@ -45,9 +48,9 @@ class CallLine {
   CallLine& operator=(const CallLine&) = delete;
   ~CallLine();
 
-  /// What it throws is logged. False, and it is left alone, where too many wait or nobody executes
-  /// calls any more.
-  bool Post(Call call);
+  /// What it throws is logged. False, and it is left alone, where too much waits or nobody executes
+  /// calls any more. `bytes` is what it takes beside itself.
+  bool Post(Call call, std::size_t bytes = 0);
   /// Waits until none is left, or for `deadline`.
   void Drain(SteadyTime deadline);
 
@@ -55,7 +58,7 @@ class CallLine {
   friend class CallThreads;
   struct Queue;
 
-  CallLine(std::shared_ptr<CallThreads::Pool> pool, std::size_t most);
+  CallLine(std::shared_ptr<CallThreads::Pool> pool, std::size_t most_calls, std::size_t most_bytes);
 
   const std::shared_ptr<CallThreads::Pool> pool_;
   const std::shared_ptr<Queue> queue_;

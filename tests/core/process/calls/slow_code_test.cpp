@@ -3,6 +3,7 @@
 #include <tendon/proxy/threads/call_threads.h>
 #include <tendon/task/signal_task.h>
 
+#include <atomic>
 #include <future>
 #include <mutex>
 #include <numeric>
@@ -215,11 +216,11 @@ TEST_P(SlowFilter, TakesAsManyAsAMailboxAndRefusesTheOthers) {
   EXPECT_TRUE(EventuallyTrue([&] { return scale->weights.values() == Weights(put + 1); }));
 }
 
-TEST_P(SlowFilter, OneWhoseTimeIsOverIsNotExecuted) {
+TEST_P(SlowFilter, OneWhoseTimeIsOverBeforeItsTurnIsNotExecuted) {
   {
     const std::scoped_lock closed(filter_gate);
     EXPECT_EQ(Put(0), Status(Status::kQueued));
-    EXPECT_EQ(weigher->put.Wait(100, 20ms), Status(Status::kTimeout));
+    EXPECT_EQ(weigher->put.Wait(100, 20ms), Status(Status::kOutcomeUnknown));
   }
 
   EXPECT_EQ(weigher->put.Wait(1, kPatience), Status(Status::kDone));
@@ -236,6 +237,89 @@ TEST_P(SlowFilter, ExecutesWhatHasArrivedBeforeItsConnectionEnds) {
 
   EXPECT_TRUE(EventuallyTrue([&] { return scale->weights.size() == 10; }));
   EXPECT_EQ(scale->weights.values(), Weights(10));
+}
+
+const InterfaceName kWatcher("desk", "watcher", "Robot");
+
+/// Handles moves in the thread that raises them, and waits while its gate is locked.
+class Watcher final : public tendon::Component {
+ public:
+  explicit Watcher(std::string name) : Component(std::move(name)) {
+    auto& robot = AddRequiredInterface("Robot");
+    robot.AddEventHandlerWrite(&Watcher::OnMoved, this, "Moved", tendon::kThreadSafe);
+    robot_ = &robot;
+  }
+  [[nodiscard]] std::uint64_t lost() const { return robot_->lost_events(); }
+
+  std::mutex gate;
+  std::atomic<int> entered{0};
+  plant::Record<std::uint64_t> moves;
+
+ private:
+  void OnMoved(const plant::Move& move) {
+    ++entered;
+    const std::scoped_lock lock(gate);
+    moves.Add(move.number);
+  }
+
+  tendon::RequiredInterface* robot_ = nullptr;
+};
+
+/// The desk watches the robot move, besides.
+class SlowHandler : public RemoteConnection {
+ protected:
+  SlowHandler() {
+    StartRobot();
+    StartDesk();
+    Connect();
+    watcher = &desk->Add<Watcher>("watcher");
+    EXPECT_TRUE(desk->Connect(kWatcher, kControl).ok());
+    EXPECT_TRUE(EventuallyActive(*desk, 2));
+  }
+  void Move(std::uint64_t number) {
+    ASSERT_TRUE(EventuallyQueued([&] {
+      user->Process();
+      return user->move_to({.number = number, .goal = {}});
+    }));
+  }
+
+  Watcher* watcher = nullptr;
+};
+
+INSTANTIATE_TEST_SUITE_P(Over, SlowHandler, testing::ValuesIn(NetworkKinds()), NameOfNetwork);
+
+TEST_P(SlowHandler, HoldsUpNothingElseThatItsProcessHears) {
+  std::unique_lock closed(watcher->gate);
+  for (std::uint64_t i = 0; i < 10; ++i) Move(i);
+  ASSERT_TRUE(EventuallyTrue([&] { return watcher->entered == 1; }));
+
+  plant::Move move;
+  EXPECT_TRUE(EventuallyTrue([&] { return user->get_move(move) == Status(Status::kDone); }));
+  EXPECT_EQ(user->move_to.Wait({.number = 10, .goal = {}}, kPatience), Status(Status::kDone));
+  EXPECT_TRUE(EventuallyTrue([&] { return user->Process() > 0 && user->moved.size() >= 11; }));
+  EXPECT_TRUE(desk->is_joined());
+
+  closed.unlock();
+  EXPECT_TRUE(EventuallyTrue([&] { return watcher->moves.size() == 11; }));
+  std::vector<std::uint64_t> all(11);
+  std::iota(all.begin(), all.end(), 0U);
+  EXPECT_EQ(watcher->moves.values(), all);
+  EXPECT_EQ(watcher->lost(), 0U);
+}
+
+TEST_P(SlowHandler, MissesWhatThereIsNoRoomForAndCountsIt) {
+  constexpr std::uint64_t kMoves = 5000;
+  std::unique_lock closed(watcher->gate);
+  for (std::uint64_t i = 0; i < kMoves; ++i) Move(i);
+  ASSERT_TRUE(EventuallyTrue([&] { return plant->moves.size() == kMoves; }));
+  ASSERT_EQ(user->move_to.Wait({}, kPatience), Status(Status::kDone));
+  closed.unlock();
+
+  EXPECT_TRUE(EventuallyTrue([&] {
+    Move(kMoves);  // what was lost is told with the next
+    return watcher->lost() > 0 && watcher->moves.values().back() == kMoves &&
+           watcher->moves.size() + watcher->lost() == plant->moves.size();
+  }));
 }
 
 }  // namespace

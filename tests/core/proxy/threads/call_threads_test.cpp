@@ -99,6 +99,24 @@ TEST(CallThreads, TakeNoMoreThanALineMayHave) {
   EXPECT_TRUE(line->Post([] {}));
 }
 
+TEST(CallThreads, TakeNoMoreBytesThanALineMayHaveUnlessItIsOneCall) {
+  CallThreads threads;
+  Barrier barrier;
+  const auto line = threads.MakeLine(kMany, 100);
+
+  EXPECT_TRUE(line->Post([&barrier] { barrier.Enter(); }, 1000));
+  EXPECT_FALSE(line->Post([] {}, 1));
+  barrier.Open();
+  line->Drain(Later());
+
+  Barrier next;
+  EXPECT_TRUE(line->Post([&next] { next.Enter(); }, 50));
+  EXPECT_TRUE(line->Post([] {}, 50));
+  EXPECT_FALSE(line->Post([] {}, 1));
+  next.Open();
+  line->Drain(Later());
+}
+
 TEST(CallThreads, GoOnAfterACallThatThrows) {
   CallThreads threads;
   const auto line = threads.MakeLine(kMany);

@@ -1,4 +1,4 @@
-#include <tendon/ice/open_calls.h>
+#include <tendon/ice/answers/open_calls.h>
 
 #include <utility>
 

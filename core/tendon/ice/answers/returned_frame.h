@@ -1,8 +1,8 @@
 #pragma once
 
 #include <Ice/Incoming.h>
+#include <tendon/ice/answers/open_calls.h>
 #include <tendon/ice/links.h>
-#include <tendon/ice/open_calls.h>
 
 #include <memory>
 #include <optional>

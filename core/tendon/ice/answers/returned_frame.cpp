@@ -1,5 +1,5 @@
 #include <Ice/IncomingAsync.h>
-#include <tendon/ice/returned_frame.h>
+#include <tendon/ice/answers/returned_frame.h>
 
 #include <exception>
 #include <stdexcept>
