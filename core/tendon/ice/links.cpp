@@ -96,8 +96,8 @@ Status IceLink::Send(std::span<const std::byte> frame) {
 }
 
 /// A two-way call of Ice, which brings the answer with it if there is one at once: no thread has to
-/// send it by a call of its own. Nobody waits in Ice. Who accepted makes none: with one under way,
-/// Ice would not close the connection of a peer that has vanished.
+/// send it by a call of its own. Nobody waits in Ice. Who accepted makes none: what it asks no
+/// caller waits for.
 Status IceLink::Ask(std::span<const std::byte> frame) {
   if (door_ != 0) return Send(frame);
   const auto header = ReadWholeFrame(frame, kMaxPieceSize);
@@ -115,7 +115,8 @@ Status IceLink::Begin(const std::shared_ptr<Ice::ObjectPrx>& peer, const std::st
   try {
     message->Send(operation, bytes);
   } catch (const Ice::Exception&) {
-    OnNotSent(bytes.size());
+    std::size_t size = bytes.size();
+    OnNotSent(size);
     return Status::kNotConnected;
   }
   return Status::kQueued;
@@ -129,21 +130,21 @@ Status IceLink::Enter(std::size_t size) {
   return Status::kQueued;
 }
 
-void IceLink::OnSent(std::size_t size, std::uint64_t returned_before) {
-  OnNotSent(size);
+void IceLink::OnSent(std::size_t& size, std::uint64_t returned_before) {
   {
     const std::scoped_lock lock(mutex_);
+    unsent_ -= std::exchange(size, 0);
     left_.Set(std::max(left_.Get(), returned_before));
   }
   is_sign_on_way_.Set(false);
 }
 
-void IceLink::OnNotSent(std::size_t size) {
+void IceLink::OnNotSent(std::size_t& size) {
   const std::scoped_lock lock(mutex_);
-  unsent_ -= size;
+  unsent_ -= std::exchange(size, 0);
 }
 
-void IceLink::OnFailed(std::size_t size, const std::optional<FrameHeader>& question,
+void IceLink::OnFailed(std::size_t& size, const std::optional<FrameHeader>& question,
                        const Ice::Exception& why) {
   OnNotSent(size);
   const std::string failure = question ? FailureOfPeer(why) : std::string();
@@ -214,7 +215,7 @@ bool IceLink::DeliverAsked(std::span<const std::byte> frame, LeftAnswer& answer)
   return true;
 }
 
-void IceLink::OnAnswer(std::size_t size, std::span<const std::byte> answer,
+void IceLink::OnAnswer(std::size_t& size, std::span<const std::byte> answer,
                        std::shared_ptr<const void> owner) {
   OnNotSent(size);
   const auto frame = ReadOnlyParameter(answer);

@@ -63,16 +63,16 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
   /// Fails unless it was admitted: it was accepted long enough ago.
   void CheckAdmission();
 
-  // One of these for each message that was begun, of the size it had.
+  // Of a message that was begun. `size` is what it takes of the window; nothing afterwards.
 
   /// It has left, and so has what was returned before it was begun: bytes, of all that ever was.
-  void OnSent(std::size_t size, std::uint64_t returned_before);
+  void OnSent(std::size_t& size, std::uint64_t returned_before);
   /// It has not, or its answer is missing: `question` is refused where the peer has thrown.
-  void OnFailed(std::size_t size, const std::optional<FrameHeader>& question,
+  void OnFailed(std::size_t& size, const std::optional<FrameHeader>& question,
                 const Ice::Exception& why);
   /// It was answered: with one parameter, a frame or nothing, valid as long as `owner` is held
   /// where there is one.
-  void OnAnswer(std::size_t size, std::span<const std::byte> answer,
+  void OnAnswer(std::size_t& size, std::span<const std::byte> answer,
                 std::shared_ptr<const void> owner);
 
  private:
@@ -87,7 +87,7 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
                std::span<const std::byte> bytes,
                const std::optional<FrameHeader>& question = std::nullopt);
   Status Enter(std::size_t size);
-  void OnNotSent(std::size_t size);
+  void OnNotSent(std::size_t& size);
   void SendSign();
   bool HandOn(std::span<const std::byte> frame, std::size_t most,
               std::shared_ptr<const void> owner);
@@ -108,7 +108,7 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
 
   std::mutex mutex_;
   std::optional<Error> reason_;  // why it is closed, or about to be
-  std::size_t unsent_ = 0;       // bytes; those of what was asked, until that is answered
+  std::size_t unsent_ = 0;       // bytes; those of small questions until they are answered
 
   Published<std::size_t> limit_{kMaxStrangersFrameSize};  // of a frame; 0 once it is closed
   SharedCounter<> returned_;                              // bytes, of all answers

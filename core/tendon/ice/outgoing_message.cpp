@@ -24,12 +24,12 @@ void OutgoingMessage::Send(const std::string& operation, std::span<const std::by
 }
 
 void OutgoingMessage::handleInvokeSent(bool /*at_once*/, OutgoingAsyncBase* /*self*/) const {
-  link_->OnSent(told_.size, told_.returned_before);
+  link_->OnSent(counted_, told_.returned_before);
 }
 
 void OutgoingMessage::handleInvokeException(const Ice::Exception& why,
                                             OutgoingAsyncBase* /*self*/) const {
-  link_->OnFailed(told_.size, question_, why);
+  link_->OnFailed(counted_, question_, why);
 }
 
 void OutgoingMessage::handleInvokeResponse(bool /*ok*/, OutgoingAsyncBase* self) const {
@@ -47,7 +47,7 @@ void OutgoingMessage::handleInvokeResponse(bool /*ok*/, OutgoingAsyncBase* self)
       owner.reset();
     }
   }
-  link_->OnAnswer(told_.size, answer, std::move(owner));
+  link_->OnAnswer(counted_, answer, std::move(owner));
 }
 
 }  // namespace tendon::ice

@@ -70,6 +70,8 @@ bool EndpointServant::Dispatch(std::span<const std::byte> parameters, const Ice:
   if (!link) {
     throw Ice::ObjectNotExistException("tendon", 0, current.id, current.facet, current.operation);
   }
+  // Kept as long as the call is open, and of no use to us.
+  if (!current.ctx.empty()) CutOff(*link, "it sends a context with '" + current.operation + "'");
   if (current.operation == "ice_ping") return Write(kNothing, incoming);
   const bool is_frame = current.operation == "frame";
   const bool is_ask = current.operation == "ask";

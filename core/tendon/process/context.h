@@ -48,7 +48,7 @@ struct ProcessContext {
   std::shared_ptr<Worker> opener;      ///< of links to peers
   std::shared_ptr<Worker> gcm_opener;  ///< of that to the GCM, which no peer that hangs delays
   std::shared_ptr<NetworkThread> network;
-  std::shared_ptr<CallThreads> calls;
+  std::shared_ptr<SortsOfCalls> calls;
   ComponentProxies proxies;
 };
 

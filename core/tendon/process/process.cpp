@@ -42,7 +42,7 @@ class Process::Parts final : public MembershipDelegate {
                  .opener = std::make_shared<Worker>("opener", name),
                  .gcm_opener = std::make_shared<Worker>("gcm opener", name),
                  .network = network_,
-                 .calls = std::make_shared<CallThreads>(),
+                 .calls = std::make_shared<SortsOfCalls>(),
                  .proxies = ComponentProxies(network_)},
         services_{.context = context_,
                   .connections = ServedConnections(context_),

@@ -104,6 +104,10 @@ void ProvidedInterfaceProxy::OnEventsLost(const message::EventsLost& events) {
   (void)line_->Post([self = shared_from_this()] { self->CountLostEvents(); });
 }
 
+void ProvidedInterfaceProxy::DrainEvents(SteadyTime deadline) const {
+  if (line_) (void)line_->Drain(deadline);
+}
+
 void ProvidedInterfaceProxy::CountLostEvents() {
   for (const auto& event : events_) {
     if (event) event->CountLost();
@@ -123,7 +127,11 @@ bool ProvidedInterfaceProxy::OnCredit(const message::Credit& credit) {
   }
   if (is_faulted != host_.is_faulted()) {
     host_.SetFaulted(is_faulted);
-    interface_.SetSourceFaulted(is_faulted);
+    // Handlers hear it behind the events that came before.
+    const bool is_posted = line_ && line_->Post([self = shared_from_this(), is_faulted] {
+      self->interface_.SetSourceFaulted(is_faulted);
+    });
+    if (!is_posted) interface_.SetSourceFaulted(is_faulted);
   }
   return is_news;
 }

@@ -60,6 +60,8 @@ class ProvidedInterfaceProxy final : public NetworkJob,
   /// Whether the component over there has faulted, or is no longer.
   bool OnCredit(const message::Credit& credit);
 
+  /// Any thread: waits until those that have arrived are raised, at most until then.
+  void DrainEvents(SteadyTime deadline) const;
   /// Any thread: why the component over there is faulted, or empty.
   [[nodiscard]] std::string fault() const;
   /// Once the network thread works for it no more: sends what that has taken and could not send,

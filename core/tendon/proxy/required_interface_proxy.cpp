@@ -11,6 +11,10 @@
 namespace tendon {
 namespace {
 
+/// In a line.
+constexpr std::size_t kMostReads = 64;
+constexpr std::size_t kMostReadBytes = std::size_t{64} << 20U;
+
 /// Of events that wait for a peer, which says how many may; beyond them they are lost, and counted.
 constexpr std::size_t kMostEventBytes = std::size_t{64} << 20U;
 /// The same for one that only listens, of which there may be many.
@@ -80,7 +84,7 @@ RequiredInterfaceProxy::RequiredInterfaceProxy(std::shared_ptr<NetworkThread> th
               {.waiting_bytes = events == Events::kTimed ? kMostHeardBytes : kMostEventBytes}),
       loss_report_(channel_, handle_),
       interface_(open.description.name, &outbox_.inbox()),
-      in_line_(open.description.functions.size()) {
+      runs_component_(open.description.functions.size()) {
   if (events == Events::kTimed) outbox_.SendTimesOf(interface_);
   for (const MemberDescription& function : open.description.functions) {
     functions_.push_back(std::make_unique<FunctionProxy>(interface_, function));
@@ -97,20 +101,19 @@ RequiredInterfaceProxy::RequiredInterfaceProxy(std::shared_ptr<NetworkThread> th
   interface_.Seal();
 }
 
-void RequiredInterfaceProxy::MakeLine(const ProvidedInterface& server, CallThreads& threads) {
-  constexpr std::size_t kMostReads = 64;
-  bool has_queued = false;
+void RequiredInterfaceProxy::MakeLines(const ProvidedInterface& server, SortsOfCalls& threads) {
+  bool has_commands = false;
+  bool has_reads = false;
   for (std::size_t i = 0; i < functions_.size(); ++i) {
     const Offer* offer = server.FindCommand(function_names_[i]);
-    in_line_[i] = offer != nullptr && offer->RunsInCaller(server.inbox() != nullptr) ? 1 : 0;
-    has_queued = has_queued || (IsInLine(i) && CanBeAwaited(functions_[i]->kind()));
+    runs_component_[i] = offer != nullptr && offer->RunsInCaller(server.inbox() != nullptr);
+    if (!runs_component_[i]) continue;
+    (CanBeAwaited(functions_[i]->kind()) ? has_commands : has_reads) = true;
   }
-  for (std::size_t i = 0; has_queued && i < functions_.size(); ++i) {
-    if (CanBeAwaited(functions_[i]->kind())) in_line_[i] = 1;
-  }
-  if (std::ranges::count(in_line_, 1) == 0) return;
-  line_ = threads.MakeLine(capacity_ + kMostReads);
-  interface_.SetCallers(Callers::kManyThreads);
+  // As many as the peer may have under way: what it was let send is not refused for its size.
+  if (has_commands) commands_ = threads.commands.MakeLine(capacity_);
+  if (has_reads) reads_ = threads.reads.MakeLine(kMostReads, kMostReadBytes);
+  if (has_commands || has_reads) interface_.SetCallers(Callers::kManyThreads);
 }
 
 bool RequiredInterfaceProxy::BeginCredit(const Connection& connection, Server server) {
@@ -134,13 +137,10 @@ std::string RequiredInterfaceProxy::Fault() const {
   return host != nullptr && host->is_faulted() ? Printable(server_.fault()) : std::string();
 }
 
-/// Whether the server is another than the peer was told, but for what it has executed.
-bool RequiredInterfaceProxy::IsChanged() const {
-  return IsAccepting() != told_.accepting || Fault() != told_.fault;
-}
-
-void RequiredInterfaceProxy::Drain(SteadyTime deadline) const {
-  if (line_) line_->Drain(deadline);
+bool RequiredInterfaceProxy::Drain(SteadyTime deadline) const {
+  const bool is_executed = !commands_ || commands_->Drain(deadline);
+  const bool is_read = !reads_ || reads_->Drain(SteadyTime{});
+  return is_executed && is_read;
 }
 
 void RequiredInterfaceProxy::EndCredit() {
@@ -151,26 +151,57 @@ void RequiredInterfaceProxy::EndCredit() {
 }
 
 template <typename Call>
-bool RequiredInterfaceProxy::PostInLine(std::span<const std::byte> argument, Call call) {
-  return line_->Post([self = shared_from_this(), call = std::move(call),
-                      bytes = Bytes(argument.begin(), argument.end())] { call(*self, bytes); },
-                     argument.size());
+bool RequiredInterfaceProxy::PostTo(CallLine& line, std::span<const std::byte> argument,
+                                    Call call) {
+  return line.Post([self = shared_from_this(), call = std::move(call),
+                    bytes = Bytes(argument.begin(), argument.end())] { call(*self, bytes); },
+                   argument.size());
+}
+
+class RequiredInterfaceProxy::PlaceInLine {
+ public:
+  /// Before the command is counted.
+  explicit PlaceInLine(RequiredInterfaceProxy& proxy) : proxy_(proxy) {}
+  PlaceInLine(const PlaceInLine&) = delete;
+  PlaceInLine& operator=(const PlaceInLine&) = delete;
+  /// It was executed, waits in the mailbox, or never will be.
+  ~PlaceInLine() {
+    const std::scoped_lock lock(proxy_.mutex_);
+    --proxy_.waiting_in_line_;
+  }
+
+ private:
+  RequiredInterfaceProxy& proxy_;
+};
+
+void RequiredInterfaceProxy::LogRefused(std::size_t function) {
+  complaints_.Add("a call of '" + function_names_[function] + "' from " + channel_->peer().name +
+                  " is dropped: " + std::to_string(capacity_) +
+                  " wait already, or memory is short");
+}
+
+/// Of a command.
+bool RequiredInterfaceProxy::MustWaitInLine(std::size_t function) const {
+  if (!commands_ || runs_component_[function]) return commands_ != nullptr;
+  const std::scoped_lock lock(mutex_);
+  return waiting_in_line_ > 0;
 }
 
 void RequiredInterfaceProxy::OnCommand(std::size_t function, std::span<const std::byte> argument) {
   if (function >= functions_.size() || !IsQueued(functions_[function]->kind())) return;
   // A refused one counts as executed.
-  if (!IsInLine(function)) {
+  if (!MustWaitInLine(function)) {
     (void)(*functions_[function])(argument, answer_);
     return CountReceived(Watch::kClosely);
   }
+  auto place = std::make_shared<PlaceInLine>(*this);
   CountReceived(Watch::kClosely, 1);
-  const bool is_posted = PostInLine(argument, [function](auto& self, const Bytes& bytes) {
-    Bytes nothing;
-    (void)(*self.functions_[function])(bytes, nothing);
-    self.LeaveLine();
-  });
-  if (!is_posted) LeaveLine();
+  const bool is_posted = PostTo(
+      *commands_, argument, [function, place = std::move(place)](auto& self, const Bytes& bytes) {
+        Bytes nothing;
+        (void)(*self.functions_[function])(bytes, nothing);
+      });
+  if (!is_posted) LogRefused(function);
 }
 
 void RequiredInterfaceProxy::CountReceived(Watch watch, std::uint64_t in_line) {
@@ -184,27 +215,22 @@ void RequiredInterfaceProxy::CountReceived(Watch watch, std::uint64_t in_line) {
   thread_->Notify();
 }
 
-/// One that was counted waits there no more: it was executed, or waits in the mailbox.
-void RequiredInterfaceProxy::LeaveLine() {
-  const std::scoped_lock lock(mutex_);
-  --waiting_in_line_;
-}
-
 void RequiredInterfaceProxy::OnRead(std::size_t function, std::span<const std::byte> argument,
                                     Responder responder) {
   if (function >= functions_.size() || CanBeAwaited(functions_[function]->kind())) {
     return responder.Refuse({ErrorCode::kInvalid, "no such read in " + interface_.name()});
   }
-  if (!IsInLine(function)) {
+  if (!runs_component_[function]) {
     const LargeInHand mark;  // how large the answer is, is known once it is there
     return Read(function, argument, std::move(responder), answer_);
   }
   responder.Defer();
   const auto shared = std::make_shared<Responder>(std::move(responder));
-  const bool is_posted = PostInLine(argument, [function, shared](auto& self, const Bytes& bytes) {
-    Bytes spare;
-    self.Read(function, bytes, std::move(*shared), spare);
-  });
+  const bool is_posted =
+      PostTo(*reads_, argument, [function, shared](auto& self, const Bytes& bytes) {
+        Bytes spare;
+        self.Read(function, bytes, std::move(*shared), spare);
+      });
   if (!is_posted) ReplyWith(Status::kQueueFull, *shared);
 }
 
@@ -235,23 +261,22 @@ void RequiredInterfaceProxy::OnWait(std::size_t function, std::span<const std::b
   const bool answer_tells =
       begun.responder.Defer() && channel_->protocol_version() >= message::kAnswersTellCredit;
   const Watch watch = answer_tells ? Watch::kNowAndThen : Watch::kClosely;
-  if (!IsInLine(function)) {
+  if (!MustWaitInLine(function)) {
     const Status status = Begin(begun, question, answer_);
     CountReceived(watch);
     return OnBegun(std::move(begun), status, answer_);
   }
-  CountReceived(watch, 1);
   const auto shared = std::make_shared<BegunCalls::Begun>(std::move(begun));
-  const bool is_posted = PostInLine(question, [shared](auto& self, const Bytes& bytes) {
-    Bytes spare;
-    const bool is_over = SteadyClock().Now() >= shared->deadline;
-    const Status status = is_over ? Status::kTimeout : self.Begin(*shared, bytes, spare);
-    self.LeaveLine();
-    self.OnBegun(std::move(*shared), status, spare);
-  });
-  if (is_posted) return;
-  LeaveLine();
-  ReplyWith(Status::kQueueFull, shared->responder);
+  auto place = std::make_shared<PlaceInLine>(*this);
+  CountReceived(watch, 1);
+  const bool is_posted = PostTo(
+      *commands_, question, [shared, place = std::move(place)](auto& self, const Bytes& bytes) {
+        Bytes spare;
+        const bool is_over = SteadyClock().Now() >= shared->deadline;
+        const Status status = is_over ? Status::kTimeout : self.Begin(*shared, bytes, spare);
+        self.OnBegun(std::move(*shared), status, spare);
+      });
+  if (!is_posted) ReplyWith(Status::kQueueFull, shared->responder);
 }
 
 Status RequiredInterfaceProxy::Begin(BegunCalls::Begun& begun, std::span<const std::byte> argument,
@@ -262,11 +287,13 @@ Status RequiredInterfaceProxy::Begin(BegunCalls::Begun& begun, std::span<const s
 
 void RequiredInterfaceProxy::OnBegun(BegunCalls::Begun begun, Status status, Bytes& result) {
   if (status != Status(Status::kQueued)) return OnEnd(begun, status, result);
-  const SteadyTime look = BegunCalls::FirstLook(begun);
+  SteadyTime look = BegunCalls::FirstLook(begun);
   {
     const std::scoped_lock lock(mutex_);
     // Closed meanwhile: it is executed, or it is dropped.
     if (connection_ == nullptr) return OnEnd(begun, Status::kOutcomeUnknown, result);
+    // The network thread was told of that too soon to find it.
+    if (begun.command->HasEnded(begun.call)) look = begun.since;
     begun_.Add(std::move(begun));
   }
   thread_->NotifyBy(look);

@@ -2,6 +2,7 @@
 
 #include <tendon/interface/connection.h>
 #include <tendon/interface/required_interface.h>
+#include <tendon/middleware/complaints.h>
 #include <tendon/proxy/function_proxy.h>
 #include <tendon/proxy/messages.h>
 #include <tendon/proxy/network_thread.h>
@@ -36,10 +37,10 @@ class RequiredInterfaceProxy final : public NetworkJob,
                          const message::OpenInterface& open, Events events = Events::kPlain,
                          const std::vector<std::string>& latest_only = {});
 
-  /// Before it is connected to `server`, and used: has calls made in a line of `threads` where they
-  /// run code of the component in their caller's thread. What is queued keeps its order, so all of
-  /// that is, where any of it is.
-  void MakeLine(const ProvidedInterface& server, CallThreads& threads);
+  /// Before it is connected to `server`, and used: has calls made in lines where they run code of
+  /// the component in their caller's thread. What is queued waits there only behind such a call:
+  /// commands keep their order.
+  void MakeLines(const ProvidedInterface& server, SortsOfCalls& threads);
 
   [[nodiscard]] RequiredInterface& interface() { return interface_; }
   /// Of the other end.
@@ -62,8 +63,9 @@ class RequiredInterfaceProxy final : public NetworkJob,
   /// From now on the peer hears how far `connection`'s calls have come, and how the server is.
   /// Returns whether it executes calls. All must live until EndCredit().
   bool BeginCredit(const Connection& connection, Server server);
-  /// Waits for what has arrived and is in the line, at most until then.
-  void Drain(SteadyTime deadline) const;
+  /// Waits for the commands that have arrived and are in the line, at most until then. False where
+  /// one is, or a read is: code of the component may run still, which must not be freed.
+  [[nodiscard]] bool Drain(SteadyTime deadline) const;
   void EndCredit();
   /// Any thread: the peer is gone; what is raised from now on is not sent.
   void Sever() { outbox_.Close(); }
@@ -85,20 +87,23 @@ class RequiredInterfaceProxy final : public NetworkJob,
   /// for answers have told it most likely; or until it is told.
   enum class Watch { kNone, kNowAndThen, kClosely };
 
-  [[nodiscard]] bool IsInLine(std::size_t function) const { return in_line_[function] != 0; }
-  /// `call(*this, argument)`, with a copy. False where too much waits there.
+  /// While it lives, a command that was counted waits in the line.
+  class PlaceInLine;
+
+  /// Of a peer that sends more than it may have under way, or where memory is short.
+  void LogRefused(std::size_t function);
+  [[nodiscard]] bool MustWaitInLine(std::size_t function) const;
+  /// `call(*this, argument)` later, with a copy. False where too much waits there.
   template <typename Call>
-  bool PostInLine(std::span<const std::byte> argument, Call call);
+  bool PostTo(CallLine& line, std::span<const std::byte> argument, Call call);
   void Read(std::size_t function, std::span<const std::byte> argument, Responder responder,
             Bytes& spare);
   Status Begin(BegunCalls::Begun& begun, std::span<const std::byte> argument, Bytes& result);
   void OnBegun(BegunCalls::Begun begun, Status status, Bytes& result);
   void CountReceived(Watch watch, std::uint64_t in_line = 0);
-  void LeaveLine();
   void OnEnd(BegunCalls::Begun& begun, Status status, Bytes& result) override;
   [[nodiscard]] bool IsAccepting() const;
   [[nodiscard]] std::string Fault() const;
-  [[nodiscard]] bool IsChanged() const;
   [[nodiscard]] bool IsUrgent(const message::Credit& credit) const;
   void SendCredit(SteadyTime now, SteadyTime& next);
 
@@ -113,9 +118,11 @@ class RequiredInterfaceProxy final : public NetworkJob,
   std::vector<std::unique_ptr<FunctionProxy>> functions_;
   std::vector<std::string> function_names_;
   std::vector<const QueuedOfferProxy*> handlers_;  // of events
-  std::vector<char> in_line_;                      // whether its calls are made there, by function
-  std::shared_ptr<CallLine> line_;                 // null where none is
-  Bytes answer_;                                   // of the middleware's thread
+  Complaints complaints_{"network"};
+  std::vector<bool> runs_component_;    // in the thread of its caller, by function
+  std::shared_ptr<CallLine> commands_;  // that do so, and what comes behind them; or null
+  std::shared_ptr<CallLine> reads_;     // likewise
+  Bytes answer_;                        // of the middleware's thread
 
   mutable std::mutex mutex_;  // of what follows
   const Connection* connection_ = nullptr;

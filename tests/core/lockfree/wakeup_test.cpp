@@ -60,16 +60,15 @@ TEST(Wakeup, ANotificationWithoutWorkDoesNotEndTheWait) {
 TEST(Wakeup, WhoWakesByItselfInTimeIsLeftAsleep) {
   Wakeup<> wakeup;
   std::atomic<int> looks = 0;
-  const SteadyTime until = In(5ms);
+  const SteadyTime until = In(50ms);
   std::thread poster([&] {
-    while (looks < 2) std::this_thread::yield();
     while (StdAtomics::Now() < until) wakeup.NotifyBy(until);
   });
 
   EXPECT_FALSE(wakeup.WaitUntil([&] { return ++looks == 0; }, until));
   poster.join();
 
-  EXPECT_LE(looks, 4) << "before it sleeps, and at its end";
+  EXPECT_LE(looks, 10) << "before it sleeps, at its end, and where the kernel wakes it";
 }
 
 TEST(Wakeup, WhoWouldWakeTooLateIsWoken) {

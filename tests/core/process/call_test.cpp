@@ -3,6 +3,9 @@
 #include <tendon/middleware/channel.h>
 #include <tendon/process/messages.h>
 
+#include <atomic>
+#include <mutex>
+
 #include "support/network_test.h"
 #include "support/plant.h"
 
@@ -83,6 +86,33 @@ TEST_P(MemberCall, GivesTheStatusOfWhatWasNotExecuted) {
   EXPECT_EQ(StatusOf(Call("Control", "MoveTo", {std::byte{1}})), Status(Status::kInvalid));
   ASSERT_TRUE(robot->Stop("plant").ok());
   EXPECT_EQ(StatusOf(Call("Control", "Stop")), Status(Status::kNotActive));
+}
+
+TEST_P(MemberCall, OfAMethodThatHangsHoldsUpNoOther) {
+  constexpr int kMost = 64;
+  std::unique_lock closed(plant->gate);
+  std::atomic<int> answered = 0;
+  std::atomic<int> refused = 0;
+  const auto ask = [&] {
+    channel->Request<Called>(
+        tendon::message::kCallMember, 0, CallMember{"plant", "Control", "Ask", {}},
+        std::chrono::seconds(60),
+        [&](const tendon::Result<Called>& called) { ++(called ? answered : refused); });
+  };
+  ask();
+  ASSERT_TRUE(EventuallyTrue([&] { return plant->asked == 1; }));
+
+  for (int i = 0; i < kMost; ++i) ask();
+
+  EXPECT_TRUE(EventuallyTrue([&] { return refused == 1; })) << "as many wait as may";
+  EXPECT_TRUE(EventuallyTrue(
+      [&] { return StatusOf(Call("Control", "GetMove")) == Status(Status::kDone); }));
+  EXPECT_EQ(StatusOf(Call("Control", "Stop")), Status(Status::kQueued));
+  EXPECT_EQ(answered, 0);
+
+  closed.unlock();
+  EXPECT_TRUE(EventuallyTrue([&] { return answered == kMost; }));
+  EXPECT_EQ(refused, 1);
 }
 
 TEST_P(MemberCall, OfWhatIsNotThereIsRefusedWithASuggestion) {

@@ -1,16 +1,22 @@
 #include <tendon/ice/answers/open_calls.h>
+#include <tendon/middleware/requests/pending_requests.h>
 
+#include <exception>
+#include <new>
+#include <stdexcept>
 #include <utility>
 
 namespace tendon::ice {
 
-void OpenCalls::Add(const Call& call) {
-  {
+void OpenCalls::Add(const Call& call) noexcept {
+  try {
     const std::scoped_lock lock(mutex_);
     if (!is_released_) {
       calls_.insert(call);
       return;
     }
+  } catch (const std::bad_alloc&) {
+    // It cannot be kept.
   }
   AnswerWithNothing(*call);
 }
@@ -20,7 +26,7 @@ bool OpenCalls::Take(const Call& call) {
   return calls_.erase(call) > 0;
 }
 
-void OpenCalls::Release() {
+void OpenCalls::Release() noexcept {
   std::set<Call> released;
   {
     const std::scoped_lock lock(mutex_);
@@ -30,10 +36,18 @@ void OpenCalls::Release() {
   for (const Call& call : released) AnswerWithNothing(*call);
 }
 
-void AnswerWithNothing(IceInternal::IncomingAsync& call) {
-  call.startWriteParams()->writeSize(0);
-  call.endWriteParams();
-  call.completed();
+void AnswerWithNothing(IceInternal::IncomingAsync& call) noexcept {
+  CallGuarded("ice", [&call] {
+    call.startWriteParams()->writeSize(0);
+    call.endWriteParams();
+    call.completed();
+  });
+}
+
+void AnswerWithFailure(IceInternal::IncomingAsync& call) noexcept {
+  CallGuarded("ice", [&call] {
+    call.completed(std::make_exception_ptr(std::runtime_error("the answer could not be written")));
+  });
 }
 
 }  // namespace tendon::ice

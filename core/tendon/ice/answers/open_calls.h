@@ -15,12 +15,12 @@ class OpenCalls {
  public:
   using Call = std::shared_ptr<IceInternal::IncomingAsync>;
 
-  /// Once they are released, the call is at once.
-  void Add(const Call& call);
+  /// Where they are released, or there is no memory to keep it, the call is answered with nothing.
+  void Add(const Call& call) noexcept;
   /// Whether who calls this is to answer it now; nobody else does then.
   [[nodiscard]] bool Take(const Call& call);
   /// Answers all with nothing, now and for all time.
-  void Release();
+  void Release() noexcept;
 
  private:
   std::mutex mutex_;
@@ -29,6 +29,8 @@ class OpenCalls {
 };
 
 /// What `call` is answered with where the frame comes otherwise, or not at all.
-void AnswerWithNothing(IceInternal::IncomingAsync& call);
+void AnswerWithNothing(IceInternal::IncomingAsync& call) noexcept;
+/// Where the frame was begun and is not whole.
+void AnswerWithFailure(IceInternal::IncomingAsync& call) noexcept;
 
 }  // namespace tendon::ice

@@ -1,8 +1,6 @@
 #include <Ice/IncomingAsync.h>
 #include <tendon/ice/answers/returned_frame.h>
 
-#include <exception>
-#include <stdexcept>
 #include <utility>
 
 namespace tendon::ice {
@@ -26,22 +24,22 @@ std::optional<std::span<std::byte>> ReturnedFrame::MakeRoom(const FrameHeader& h
 }
 
 std::unique_ptr<LeftAnswer> ReturnedFrame::MakeLater() {
-  auto later = std::make_unique<LaterFrame>(link_.shared_from_this(),
-                                            IceInternal::IncomingAsync::create(incoming_));
-  is_deferred_ = true;
+  auto later = std::make_unique<LaterFrame>(link_.shared_from_this());
+  auto call = IceInternal::IncomingAsync::create(incoming_);
+  is_deferred_ = true;  // Ice takes no other answer now
+  later->Take(std::move(call));
   return later;
 }
 
-LaterFrame::LaterFrame(std::shared_ptr<IceLink> link, OpenCalls::Call call)
-    : link_(std::move(link)), call_(std::move(call)) {
+void LaterFrame::Take(OpenCalls::Call call) noexcept {
+  call_ = std::move(call);
   link_->open_calls().Add(call_);
 }
 
 LaterFrame::~LaterFrame() {
   if (is_there()) return;
   if (has_begun()) {
-    call_->completed(
-        std::make_exception_ptr(std::runtime_error("the answer could not be written")));
+    AnswerWithFailure(*call_);
   } else if (link_->open_calls().Take(call_)) {
     AnswerWithNothing(*call_);
   }

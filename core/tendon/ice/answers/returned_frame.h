@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 
 namespace tendon::ice {
 
@@ -31,17 +32,20 @@ class ReturnedFrame final : public LeftAnswer {
 /// The same of a call that Ice has dispatched before.
 class LaterFrame final : public LeftAnswer {
  public:
-  LaterFrame(std::shared_ptr<IceLink> link, OpenCalls::Call call);
+  explicit LaterFrame(std::shared_ptr<IceLink> link) : link_(std::move(link)) {}
   LaterFrame(const LaterFrame&) = delete;
   LaterFrame& operator=(const LaterFrame&) = delete;
   ~LaterFrame() override;
+
+  /// Once: from now on `call` is answered by this, or with nothing.
+  void Take(OpenCalls::Call call) noexcept;
 
  private:
   std::optional<std::span<std::byte>> MakeRoom(const FrameHeader& header) override;
   void Leave() override;
 
   const std::shared_ptr<IceLink> link_;
-  const OpenCalls::Call call_;
+  OpenCalls::Call call_;
 };
 
 }  // namespace tendon::ice

@@ -160,8 +160,12 @@ std::shared_ptr<Ice::ObjectAdapter> IceFanOut::AdapterAt(const std::string& host
   auto& adapter = adapters_[host];
   if (!adapter) {
     const std::string transport = door_.is_certified() ? "ssl" : "tcp";
-    const auto made = MakeListeningAdapter(*communicator_, "listeners-" + host,
-                                           transport + " -h \"" + host + "\" -p 0");
+    const std::string name = "listeners-" + host;
+    // A thread of their own: code of viewers runs in it.
+    communicator_->getProperties()->setProperty(name + ".ThreadPool.Size", "1");
+    communicator_->getProperties()->setProperty(name + ".ThreadPool.SizeMax", "1");
+    const auto made =
+        MakeListeningAdapter(*communicator_, name, transport + " -h \"" + host + "\" -p 0");
     made->activate();
     adapter = made;
   }

@@ -126,7 +126,8 @@ void RemoteConnections::TellWaiting(ConnectionId id, std::uint64_t attempt) {
 }
 
 void RemoteConnections::Request(ConnectionId id, const std::shared_ptr<PeerLink>& link) {
-  constexpr std::size_t kMostEvents = 4096;  // as fit into some messages
+  constexpr std::size_t kMostEvents = 4096;  // in a line: as fit into some messages
+  constexpr std::size_t kMostEventBytes = std::size_t{64} << 20U;
   WantedInterface wanted;
   Attempt attempt{.id = id, .number = 0, .link = link, .handle = 0};
   {
@@ -137,16 +138,17 @@ void RemoteConnections::Request(ConnectionId id, const std::shared_ptr<PeerLink>
     const auto required = context_.host.LookUpRequired(entry.description.required);
     entry.is_opening = required.ok();
     if (!required) return;
-    wanted = {
-        .open = {.required = entry.description.required,
-                 .provided = entry.description.provided,
-                 .description = (*required)->description(),
-                 .handle = 0,
-                 .capacity = static_cast<std::uint32_t>((*required)->mailbox_capacity())},
-        .latest_only = (*required)->latest_only(),
-        .read_deadline = (*required)->read_deadline(),
-        .mirrored = (*required)->mirrored(),
-        .line = (*required)->handles_in_raiser() ? context_.calls->MakeLine(kMostEvents) : nullptr};
+    wanted = {.open = {.required = entry.description.required,
+                       .provided = entry.description.provided,
+                       .description = (*required)->description(),
+                       .handle = 0,
+                       .capacity = static_cast<std::uint32_t>((*required)->mailbox_capacity())},
+              .latest_only = (*required)->latest_only(),
+              .read_deadline = (*required)->read_deadline(),
+              .mirrored = (*required)->mirrored(),
+              .line = (*required)->handles_in_raiser()
+                          ? context_.calls->events.MakeLine(kMostEvents, kMostEventBytes)
+                          : nullptr};
     wanted.open.handle = link->handles().Reserve(wanted.open.description.event_handlers.size());
     entry.link = link;
     entry.handle = attempt.handle = wanted.open.handle;
@@ -315,6 +317,7 @@ bool RemoteConnections::IsNewest(ConnectionId id, std::uint64_t attempt) const {
 void RemoteConnections::TakeDown(Entry& entry, SteadyTime deadline) {
   ++entry.attempt;
   entry.is_opening = false;
+  if (entry.proxy) entry.proxy->DrainEvents(deadline);
   if (entry.connection) entry.connection->Close(TimeUntil(deadline));
   entry.connection.reset();
   if (entry.proxy) {

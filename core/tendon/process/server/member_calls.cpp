@@ -9,14 +9,14 @@ namespace tendon {
 /// One command, ready to be called. A read has no mailbox and is bound alone.
 class MemberCalls::Target : public std::enable_shared_from_this<Target>, private BegunCalls::Owner {
  public:
+  /// `line` is where its calls are made; null where none runs code of the component.
   Target(const Offer& offer, ProvidedInterface& provided, const std::string& name,
-         CallThreads& threads)
+         std::shared_ptr<CallLine> line)
       : description_(offer.description()),
         interface_(name),
         enabled_(offer.enabled()),
+        line_(std::move(line)),
         required_("call", nullptr) {
-    constexpr std::size_t kMostCalls = 64;
-    if (offer.RunsInCaller(provided.inbox() != nullptr)) line_ = threads.MakeLine(kMostCalls);
     if (!CanBeAwaited(description_.signature.kind)) {
       read_ = offer.Bind(nullptr);
       return;
@@ -33,7 +33,7 @@ class MemberCalls::Target : public std::enable_shared_from_this<Target>, private
   void Call(const std::shared_ptr<message::CallMember>& call, NetworkThread& network,
             const std::shared_ptr<Responder>& responder) {
     const auto execute = [self = shared_from_this(), call, &network, responder,
-                          deadline = SteadyClock().Now() + call->timeout] {
+                          deadline = DeadlineAfter(call->timeout)] {
       self->Execute(call->argument, deadline, network, std::move(*responder));
     };
     if (!line_) return execute();
@@ -50,6 +50,7 @@ class MemberCalls::Target : public std::enable_shared_from_this<Target>, private
 
   /// Afterwards nothing of the component is touched.
   void Close() {
+    is_closed_.Set(true);  // for those that wait for mutex_ as well
     const std::scoped_lock lock(mutex_);
     {
       const std::scoped_lock begun_lock(begun_mutex_);
@@ -63,6 +64,7 @@ class MemberCalls::Target : public std::enable_shared_from_this<Target>, private
   /// Answers, or leaves that to Answer() in the network thread, which is then told.
   void Execute(std::span<const std::byte> argument, SteadyTime deadline, NetworkThread& network,
                Responder responder) {
+    if (is_closed_.Get()) return Finish(Status::kNotConnected, {}, responder);
     const bool is_late = line_ && function_ && SteadyClock().Now() >= deadline;
     if (is_late) return Finish(Status::kTimeout, {}, responder);
     const std::scoped_lock lock(mutex_);
@@ -115,8 +117,9 @@ class MemberCalls::Target : public std::enable_shared_from_this<Target>, private
 
   const MemberDescription description_;
   const std::string interface_;
-  const Flag& enabled_;             // of the component
-  std::shared_ptr<CallLine> line_;  // null where no code of the component runs in a call
+  const Flag& enabled_;  // of the component
+  const std::shared_ptr<CallLine> line_;
+  Flag is_closed_;
   std::mutex mutex_;
   std::unique_ptr<CommandBase> read_;
   RequiredInterface required_;
@@ -174,10 +177,26 @@ Result<std::shared_ptr<MemberCalls::Target>> MemberCalls::Make(const message::Ca
     return Error{ErrorCode::kNotFound, ToString(name) + " has no command '" + call.member + "'" +
                                            DidYouMean(call.member, known)};
   }
-  auto target = std::make_shared<Target>(*offer, **provided, ToString(name), *context_.calls);
+  auto target = std::make_shared<Target>(*offer, **provided, ToString(name),
+                                         LineFor(*offer, **provided, call));
   const std::scoped_lock lock(mutex_);
   targets_[KeyOf(call)] = target;
   return target;
+}
+
+/// Commands of one interface keep their order, and so share one; null where none is needed.
+std::shared_ptr<CallLine> MemberCalls::LineFor(const Offer& offer,
+                                               const ProvidedInterface& provided,
+                                               const message::CallMember& call) {
+  constexpr std::size_t kMostCalls = 64;
+  constexpr std::size_t kMostBytes = std::size_t{64} << 20U;
+  if (!offer.RunsInCaller(provided.inbox() != nullptr)) return nullptr;
+  if (!CanBeAwaited(offer.description().signature.kind)) {
+    return context_.calls->reads.MakeLine(kMostCalls, kMostBytes);
+  }
+  auto& line = commands_[{call.component, call.interface}];
+  if (!line) line = context_.calls->commands.MakeLine(kMostCalls, kMostBytes);
+  return line;
 }
 
 bool MemberCalls::Work(SteadyTime now, SteadyTime& next) {

@@ -12,6 +12,7 @@
 #include <mutex>
 #include <string>
 #include <tuple>
+#include <utility>
 
 namespace tendon {
 
@@ -40,9 +41,12 @@ class MemberCalls final : private NetworkJob {
 
   std::shared_ptr<Target> Find(const Key& key);
   Result<std::shared_ptr<Target>> Make(const message::CallMember& call);
+  std::shared_ptr<CallLine> LineFor(const Offer& offer, const ProvidedInterface& provided,
+                                    const message::CallMember& call);
   bool Work(SteadyTime now, SteadyTime& next) override;
 
   ProcessContext& context_;
+  std::map<std::pair<std::string, std::string>, std::shared_ptr<CallLine>> commands_;  // worker
   std::mutex mutex_;
   std::map<Key, std::shared_ptr<Target>> targets_;
 };

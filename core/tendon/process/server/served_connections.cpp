@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <iterator>
 #include <string>
 #include <utility>
 
@@ -85,7 +86,7 @@ Result<ServedConnections::Entry> ServedConnections::Make(const std::shared_ptr<C
   try {
     auto proxy = std::make_shared<RequiredInterfaceProxy>(context_.network, client->channel, open,
                                                           events, wanted.latest_only);
-    proxy->MakeLine(provided, *context_.calls);
+    proxy->MakeLines(provided, *context_.calls);
     const auto bytes = Connection::MailboxBytes(proxy->interface(), provided);
     if (const auto fits = CheckSize(open, bytes); !fits) return fits.error();
     auto connection = Connection::Make(proxy->interface(), provided, ToString(open.required),
@@ -120,53 +121,90 @@ Result<void> ServedConnections::CheckSize(const message::OpenInterface& open, st
 }
 
 void ServedConnections::Close(const std::shared_ptr<Client>& client, std::uint32_t handle) {
-  CloseWhere([&](const Entry& entry) { return entry.client == client && entry.handle == handle; },
-             LocalManager::kDrainPatience);
+  CloseWhere([&](const Entry& entry) { return entry.client == client && entry.handle == handle; });
 }
 
 void ServedConnections::CloseAll(const std::shared_ptr<Client>& client) {
-  CloseWhere([&](const Entry& entry) { return entry.client == client; },
-             LocalManager::kDrainPatience);
+  CloseWhere([&](const Entry& entry) { return entry.client == client; });
 }
 
 void ServedConnections::RemoveComponent(const std::string& component) {
   const Error reason{ErrorCode::kNotFound, "component '" + component + "' of process '" +
                                                context_.name + "' was removed"};
-  CloseWhere(
-      [&](const Entry& entry) {
-        if (entry.component != component) return false;
-        Channel& channel = *entry.client->channel;
-        const Status told = channel.Notify(message::kInterfaceClosed, entry.proxy->handle(), reason,
-                                           entry.proxy->lane());
-        // A client that is not told would call into nothing for ever; it opens the channel again.
-        if (told == Status(Status::kQueueFull)) channel.Close();
-        return true;
-      },
-      LocalManager::kDrainPatience);
+  const auto is_of_it = [&](const Entry& entry) { return entry.component == component; };
+  const auto lock = context_.host.LockStructure();
+  for (const Entry& entry : entries_) {
+    if (!is_of_it(entry)) continue;
+    Channel& channel = *entry.client->channel;
+    const Status told = channel.Notify(message::kInterfaceClosed, entry.proxy->handle(), reason,
+                                       entry.proxy->lane());
+    // A client that is not told would call into nothing for ever; it opens the channel again.
+    if (told == Status(Status::kQueueFull)) channel.Close();
+  }
+  const SteadyTime deadline = SteadyClock().Now() + LocalManager::kDrainPatience;
+  TakeDownWhere(entries_, is_of_it, deadline);
+  TakeDownWhere(hanging_, is_of_it, deadline);
 }
 
 void ServedConnections::Close() {
-  CloseWhere([](const Entry& /*entry*/) { return true; }, LocalManager::kDrainPatience);
+  const auto any = [](const Entry& /*entry*/) { return true; };
+  const auto lock = context_.host.LockStructure();
+  const SteadyTime deadline = SteadyClock().Now() + LocalManager::kDrainPatience;
+  TakeDownWhere(entries_, any, deadline);
+  TakeDownWhere(hanging_, any, deadline);
 }
 
 template <typename Predicate>
-void ServedConnections::CloseWhere(Predicate predicate, std::chrono::milliseconds patience) {
+void ServedConnections::CloseWhere(Predicate predicate) {
   const auto lock = context_.host.LockStructure();
-  const SteadyTime deadline = SteadyClock().Now() + patience;
+  const SteadyTime deadline = SteadyClock().Now() + LocalManager::kDrainPatience;
+  const bool none_hung = hanging_.empty();
   for (auto entry = entries_.begin(); entry != entries_.end();) {
+    const auto next = std::next(entry);
+    if (predicate(*entry)) {
+      TakeOff(*entry);
+      if (!entry->proxy->Drain(deadline)) hanging_.splice(hanging_.end(), entries_, entry);
+    }
+    entry = next;
+  }
+  TakeDownWhere(entries_, predicate, deadline);
+  if (none_hung && !hanging_.empty()) LookAfterHanging();
+}
+
+/// On the worker, and again until there are none.
+void ServedConnections::LookAfterHanging() {
+  constexpr std::chrono::milliseconds kUntilNextLook(50);
+  context_.worker->PostAfter(kUntilNextLook, [this] {
+    const auto lock = context_.host.LockStructure();
+    const SteadyTime now = SteadyClock().Now();
+    TakeDownWhere(
+        hanging_, [now](const Entry& entry) { return entry.proxy->Drain(now); }, now);
+    if (!hanging_.empty()) LookAfterHanging();
+  });
+}
+
+template <typename Predicate>
+void ServedConnections::TakeDownWhere(std::list<Entry>& entries, Predicate predicate,
+                                      SteadyTime deadline) {
+  for (auto entry = entries.begin(); entry != entries.end();) {
     if (!predicate(*entry)) {
       ++entry;
       continue;
     }
     TakeDown(*entry, deadline);
-    entry = entries_.erase(entry);
+    entry = entries.erase(entry);
   }
 }
 
-void ServedConnections::TakeDown(Entry& entry, SteadyTime deadline) {
+/// From now on nothing that its client sends reaches it.
+void ServedConnections::TakeOff(Entry& entry) {
   entry.client->handles.Remove(entry.handle);
   if (entry.use == Use::kEventsOnly) entry.proxy->Sever();
-  entry.proxy->Drain(deadline);
+}
+
+void ServedConnections::TakeDown(Entry& entry, SteadyTime deadline) {
+  TakeOff(entry);
+  (void)entry.proxy->Drain(deadline);
   entry.proxy->EndCredit();
   entry.connection->Close(TimeUntil(deadline));
   context_.proxies.Remove(entry.required, *entry.proxy);

@@ -46,12 +46,14 @@ class ServedConnections {
   /// large, kFailed for a listener too many.
   void Open(const std::shared_ptr<Client>& client, const message::OpenMarked& wanted, Use use,
             const std::shared_ptr<Responder>& responder);
-  /// Executes first what has arrived; `handle` is our number of it.
+  /// Executes first what has arrived; `handle` is our number of it. Where a call of it hangs in
+  /// code of the component, the connection is freed once that has returned, and nobody waits for
+  /// it.
   void Close(const std::shared_ptr<Client>& client, std::uint32_t handle);
-  /// All of a client that is gone.
+  /// All of a client that is gone, likewise.
   void CloseAll(const std::shared_ptr<Client>& client);
 
-  /// Any thread: before the component goes; its clients are told.
+  /// Any thread: before the component goes; its clients are told. Waits for calls that hang in it.
   void RemoveComponent(const std::string& component);
   /// Once the worker has stopped and no channel is open.
   void Close();
@@ -73,14 +75,20 @@ class ServedConnections {
   static Result<void> CheckSize(const message::OpenInterface& open, std::size_t bytes);
   Result<Entry> Make(const std::shared_ptr<Client>& client, const message::OpenMarked& wanted,
                      Use use, ProvidedInterface& provided);
+  static void TakeOff(Entry& entry);
   void TakeDown(Entry& entry, SteadyTime deadline);
+  /// Those of `entries` that it holds for.
+  template <typename Predicate>
+  void TakeDownWhere(std::list<Entry>& entries, Predicate predicate, SteadyTime deadline);
+  void LookAfterHanging();
   /// In the audit log, where it may bring commands.
   static void WriteDown(const Entry& entry, const std::string& what);
   template <typename Predicate>
-  void CloseWhere(Predicate predicate, std::chrono::milliseconds patience);
+  void CloseWhere(Predicate predicate);
 
   ProcessContext& context_;
   std::list<Entry> entries_;  // under the manager's lock
+  std::list<Entry> hanging_;  // likewise: closed, but for a call that has not returned
 };
 
 }  // namespace tendon

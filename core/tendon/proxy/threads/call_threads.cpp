@@ -42,7 +42,7 @@ class CallThreads::Pool {
       const std::scoped_lock lock(mutex_);
       if (is_stopping_ || !queue->HasRoom(bytes)) return false;
       queue->calls.push_back({std::move(call), bytes});
-      if (queue->calls.size() == 1 && !Serve(queue)) {
+      if (queue->calls.size() == 1 && !Serve(queue, Taker::kOther)) {
         queue->calls.pop_back();
         return false;
       }
@@ -53,9 +53,9 @@ class CallThreads::Pool {
     return true;
   }
 
-  void Drain(const Queue& queue, SteadyTime deadline) {
+  bool Drain(const Queue& queue, SteadyTime deadline) {
     std::unique_lock lock(mutex_);
-    progress_.wait_until(lock, deadline, [&queue] { return queue->calls.empty(); });
+    return progress_.wait_until(lock, deadline, [&queue] { return queue->calls.empty(); });
   }
 
   void Stop() {
@@ -74,22 +74,25 @@ class CallThreads::Pool {
 
  private:
   using Self = std::list<std::thread>::iterator;
+  /// Who takes what is ready: this thread, which has just done with another call, or another one.
+  enum class Taker { kThis, kOther };
 
   // With the lock held.
 
   /// False where there is no thread for it, nor memory.
-  bool Serve(const Queue& queue) {
+  bool Serve(const Queue& queue, Taker taker) {
     try {
       ready_.push_back(queue);
     } catch (const std::bad_alloc&) {
       return false;
     }
-    if (ready_.size() > idle_ && threads_.size() < kMost) CallGuarded(name_, [this] { Start(); });
+    const std::size_t takers = idle_ + (taker == Taker::kThis ? 1 : 0);
+    if (ready_.size() > takers && threads_.size() < kMost) CallGuarded(name_, [this] { Start(); });
     if (threads_.empty()) {
       ready_.pop_back();
       return false;
     }
-    work_.notify_one();
+    if (taker == Taker::kOther || ready_.size() > 1) work_.notify_one();
     return true;
   }
 
@@ -117,12 +120,12 @@ class CallThreads::Pool {
     ready_.pop_front();
     CallLine::Call call = std::move(queue->calls.front().call);
     lock.unlock();
-    CallGuarded(name_, call);
+    CallGuarded(name_, [&call] { call(); });
     call = nullptr;
     lock.lock();
     queue->bytes -= queue->calls.front().bytes;
     queue->calls.pop_front();
-    if (!queue->calls.empty() && (is_stopping_ || !Serve(queue))) Drop(*queue, lock);
+    if (!queue->calls.empty() && (is_stopping_ || !Serve(queue, Taker::kThis))) Drop(*queue, lock);
     progress_.notify_all();
   }
 
@@ -172,6 +175,6 @@ bool CallLine::Post(Call call, std::size_t bytes) {
   return pool_->Post(queue_, std::move(call), bytes);
 }
 
-void CallLine::Drain(SteadyTime deadline) { pool_->Drain(queue_, deadline); }
+bool CallLine::Drain(SteadyTime deadline) { return pool_->Drain(queue_, deadline); }
 
 }  // namespace tendon

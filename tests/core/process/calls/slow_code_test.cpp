@@ -1,5 +1,4 @@
 #include <gmock/gmock.h>
-#include <tendon/middleware/channel.h>
 #include <tendon/proxy/threads/call_threads.h>
 #include <tendon/task/signal_task.h>
 
@@ -104,8 +103,8 @@ TEST_P(SlowRead, OfAPeerThatIsGoneHoldsUpNobody) {
   desk = Start("desk");
   user = &desk->Add<Operator>("operator");
   ASSERT_TRUE(desk->StartAll().ok());
-  const auto id = desk->Connect(kRobot, kControl);
-  ASSERT_TRUE(id.ok()) << id.error().message;
+  Connect();
+  ExpectAllElseIsServed(*user);
 }
 
 const InterfaceName kScale("robot", "scale", "Control");

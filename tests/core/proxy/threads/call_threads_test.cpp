@@ -4,7 +4,6 @@
 #include <atomic>
 #include <future>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <stdexcept>
 #include <vector>
@@ -37,21 +36,21 @@ class Barrier {
 SteadyTime Later() { return SteadyClock().Now() + 30s; }
 
 TEST(CallThreads, ExecuteTheCallsOfALineOneAtATimeInTheirOrder) {
-  CallThreads threads;
+  CallThreads threads("test");
   const auto line = threads.MakeLine(kMany);
   std::vector<std::size_t> executed;  // a race, unless it is one at a time
 
   for (std::size_t i = 0; i < kMany; ++i) {
     ASSERT_TRUE(line->Post([&executed, i] { executed.push_back(i); }));
   }
-  line->Drain(Later());
+  EXPECT_TRUE(line->Drain(Later()));
 
   ASSERT_EQ(executed.size(), kMany);
   for (std::size_t i = 0; i < kMany; ++i) EXPECT_EQ(executed[i], i);
 }
 
 TEST(CallThreads, ExecuteSeveralLinesSideBySide) {
-  CallThreads threads;
+  CallThreads threads("test");
   Barrier barrier;
   std::vector<std::shared_ptr<CallLine>> lines;
   for (std::size_t i = 0; i < CallThreads::kMost; ++i) lines.push_back(threads.MakeLine(kMany));
@@ -61,11 +60,11 @@ TEST(CallThreads, ExecuteSeveralLinesSideBySide) {
   EXPECT_TRUE(
       EventuallyTrue([&] { return barrier.entered() == static_cast<int>(CallThreads::kMost); }));
   barrier.Open();
-  for (const auto& line : lines) line->Drain(Later());
+  for (const auto& line : lines) EXPECT_TRUE(line->Drain(Later()));
 }
 
 TEST(CallThreads, AreNoMoreThanTheMost) {
-  CallThreads threads;
+  CallThreads threads("test");
   Barrier barrier;
   std::vector<std::shared_ptr<CallLine>> lines;
   for (std::size_t i = 0; i <= CallThreads::kMost; ++i) {
@@ -75,16 +74,32 @@ TEST(CallThreads, AreNoMoreThanTheMost) {
 
   EXPECT_TRUE(
       EventuallyTrue([&] { return barrier.entered() == static_cast<int>(CallThreads::kMost); }));
-  lines.back()->Drain(SteadyClock().Now() + 20ms);
+  EXPECT_FALSE(lines.back()->Drain(SteadyClock().Now() + 20ms));
   EXPECT_EQ(barrier.entered(), static_cast<int>(CallThreads::kMost));
 
   barrier.Open();
-  for (const auto& line : lines) line->Drain(Later());
+  for (const auto& line : lines) EXPECT_TRUE(line->Drain(Later()));
   EXPECT_EQ(barrier.entered(), static_cast<int>(CallThreads::kMost) + 1);
 }
 
+TEST(CallThreads, OfOneSortThatHangHoldUpNoOtherSort) {
+  Barrier barrier;
+  SortsOfCalls sorts;
+  for (std::size_t i = 0; i < 2 * CallThreads::kMost; ++i) {
+    ASSERT_TRUE(sorts.reads.MakeLine(kMany)->Post([&barrier] { barrier.Enter(); }));
+  }
+  const auto line = sorts.commands.MakeLine(kMany);
+  bool is_executed = false;
+
+  ASSERT_TRUE(line->Post([&] { is_executed = true; }));
+
+  EXPECT_TRUE(line->Drain(Later()));
+  EXPECT_TRUE(is_executed);
+  barrier.Open();
+}
+
 TEST(CallThreads, TakeNoMoreThanALineMayHave) {
-  CallThreads threads;
+  CallThreads threads("test");
   Barrier barrier;
   const auto line = threads.MakeLine(2);
   const auto other = threads.MakeLine(2);
@@ -95,42 +110,42 @@ TEST(CallThreads, TakeNoMoreThanALineMayHave) {
   EXPECT_TRUE(other->Post([] {}));
 
   barrier.Open();
-  line->Drain(Later());
+  EXPECT_TRUE(line->Drain(Later()));
   EXPECT_TRUE(line->Post([] {}));
 }
 
 TEST(CallThreads, TakeNoMoreBytesThanALineMayHaveUnlessItIsOneCall) {
-  CallThreads threads;
+  CallThreads threads("test");
   Barrier barrier;
   const auto line = threads.MakeLine(kMany, 100);
 
   EXPECT_TRUE(line->Post([&barrier] { barrier.Enter(); }, 1000));
   EXPECT_FALSE(line->Post([] {}, 1));
   barrier.Open();
-  line->Drain(Later());
+  EXPECT_TRUE(line->Drain(Later()));
 
   Barrier next;
   EXPECT_TRUE(line->Post([&next] { next.Enter(); }, 50));
   EXPECT_TRUE(line->Post([] {}, 50));
   EXPECT_FALSE(line->Post([] {}, 1));
   next.Open();
-  line->Drain(Later());
+  EXPECT_TRUE(line->Drain(Later()));
 }
 
 TEST(CallThreads, GoOnAfterACallThatThrows) {
-  CallThreads threads;
+  CallThreads threads("test");
   const auto line = threads.MakeLine(kMany);
   std::atomic<bool> is_executed = false;
 
   EXPECT_TRUE(line->Post([] { throw std::runtime_error("on purpose"); }));
   EXPECT_TRUE(line->Post([&] { is_executed = true; }));
-  line->Drain(Later());
+  EXPECT_TRUE(line->Drain(Later()));
 
   EXPECT_TRUE(is_executed);
 }
 
 TEST(CallThreads, EndAfterTheCallThatRunsAndDropWhatWaits) {
-  std::optional<CallThreads> threads(std::in_place);
+  std::optional<CallThreads> threads(std::in_place, "test");
   const auto line = threads->MakeLine(kMany);
   Barrier barrier;
   std::atomic<bool> has_run = false;
