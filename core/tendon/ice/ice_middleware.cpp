@@ -1,4 +1,5 @@
 #include <Ice/Ice.h>
+#include <IceUtil/Timer.h>
 #include <tendon/base/log.h>
 #include <tendon/base/os/socket.h>
 #include <tendon/ice/fan_out/ice_fan_out.h>
@@ -32,6 +33,16 @@ std::uint16_t PortOf(const Ice::ObjectAdapter& adapter) {
   return 0;
 }
 
+/// Looks after calls that are open for long, in the thread of Ice's timer.
+class LookAtOpenCalls final : public IceUtil::TimerTask {
+ public:
+  explicit LookAtOpenCalls(std::shared_ptr<Links> links) : links_(std::move(links)) {}
+  void runTimerTask() override { links_->ReleaseOldCalls(SteadyClock().Now()); }
+
+ private:
+  const std::shared_ptr<Links> links_;
+};
+
 /// `tls` is null for links without.
 std::shared_ptr<Ice::Communicator> MakeCommunicator(const std::shared_ptr<Tls>& tls,
                                                     const std::shared_ptr<Links>& links) {
@@ -41,6 +52,9 @@ std::shared_ptr<Ice::Communicator> MakeCommunicator(const std::shared_ptr<Tls>& 
   if (tls) tls->AddTo(*settings.properties);
   auto communicator = Ice::initialize(settings);
   newcomers->Watch(communicator);
+  IceInternal::getInstanceTimer(communicator)
+      ->scheduleRepeated(std::make_shared<LookAtOpenCalls>(links),
+                         IceUtil::Time::milliSeconds(OpenCalls::kOpenAtMost.count()));
   if (tls) tls->Judge(*communicator);
   return communicator;
 }

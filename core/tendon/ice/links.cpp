@@ -266,6 +266,15 @@ void Links::Add(const std::shared_ptr<Links>& links, const std::shared_ptr<IceLi
   if (is_shut) link->CloseAtOnce();
 }
 
+void Links::ReleaseOldCalls(SteadyTime now) {
+  std::vector<std::shared_ptr<IceLink>> all;
+  {
+    const std::scoped_lock lock(mutex_);
+    for (const auto& [connection, link] : links_) all.push_back(link);
+  }
+  for (const auto& link : all) link->open_calls().ReleaseOld(now);
+}
+
 std::shared_ptr<IceLink> Links::Find(const std::shared_ptr<Ice::Connection>& connection) {
   const std::scoped_lock lock(mutex_);
   const auto found = links_.find(connection.get());

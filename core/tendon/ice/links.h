@@ -126,6 +126,9 @@ class Links {
   std::shared_ptr<IceLink> Find(const std::shared_ptr<Ice::Connection>& connection);
   std::shared_ptr<IceLink> Find(const Ends& ends);
 
+  /// Of all of them; see OpenCalls.
+  void ReleaseOldCalls(SteadyTime now);
+
   /// Closes the links accepted at `door`, or for 0 all that there are or will be; when it returns
   /// their handlers have heard it.
   void CloseAll(std::uint64_t door);

@@ -91,7 +91,7 @@ Ice::InitializationData Settings() {
   set("Ice.ACM.Client.Heartbeat", "3");  // always
   set("Ice.ACM.Client.Close", "0");
   set("Ice.ACM.Server.Heartbeat", "0");
-  set("Ice.ACM.Server.Close", "4");  // on idle, although a call is not answered yet
+  set("Ice.ACM.Server.Close", "1");  // on idle, and not while a call is open: see OpenCalls
   // One thread hears all that is opened here, another all that is accepted. A pool that may grow
   // wakes a thread for each message, to wait for the next (4 futex and 2 epoll calls). None is
   // needed, for what might take its time is executed by CallThreads. One thread keeps the order on

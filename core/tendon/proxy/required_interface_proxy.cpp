@@ -11,7 +11,8 @@
 namespace tendon {
 namespace {
 
-/// In a line.
+/// In a line. How long its caller waits a read does not tell: 100 ms unless it was set.
+constexpr std::chrono::seconds kMostReadWait(2);
 constexpr std::size_t kMostReads = 64;
 constexpr std::size_t kMostReadBytes = std::size_t{64} << 20U;
 
@@ -226,12 +227,20 @@ void RequiredInterfaceProxy::OnRead(std::size_t function, std::span<const std::b
   }
   responder.Defer();
   const auto shared = std::make_shared<Responder>(std::move(responder));
-  const bool is_posted =
-      PostTo(*reads_, argument, [function, shared](auto& self, const Bytes& bytes) {
-        Bytes spare;
-        self.Read(function, bytes, std::move(*shared), spare);
-      });
+  const auto read = [function, shared, since = SteadyClock().Now()](auto& self,
+                                                                    const Bytes& bytes) {
+    if (self.IsStale(since)) return ReplyWith(Status::kTimeout, *shared);
+    Bytes spare;
+    self.Read(function, bytes, std::move(*shared), spare);
+  };
+  const bool is_posted = PostTo(*reads_, argument, read);
   if (!is_posted) ReplyWith(Status::kQueueFull, *shared);
+}
+
+/// Of a read that has waited in the line since then: whether its caller has given up, most likely.
+bool RequiredInterfaceProxy::IsStale(SteadyTime since) const {
+  const bool is_late = SteadyClock().Now() - since > kMostReadWait;
+  return is_late || are_reads_dropped_.Get() || !channel_->is_open();
 }
 
 void RequiredInterfaceProxy::Read(std::size_t function, std::span<const std::byte> argument,

@@ -69,6 +69,8 @@ class RequiredInterfaceProxy final : public NetworkJob,
   void EndCredit();
   /// Any thread: the peer is gone; what is raised from now on is not sent.
   void Sever() { outbox_.Close(); }
+  /// Any thread: nobody waits any more for reads that are still in the line.
+  void DropReads() { are_reads_dropped_.Set(true); }
 
   // In threads of the middleware, one at a time. `function` is its place in the interface.
 
@@ -93,6 +95,7 @@ class RequiredInterfaceProxy final : public NetworkJob,
   /// Of a peer that sends more than it may have under way, or where memory is short.
   void LogRefused(std::size_t function);
   [[nodiscard]] bool MustWaitInLine(std::size_t function) const;
+  [[nodiscard]] bool IsStale(SteadyTime since) const;
   /// `call(*this, argument)` later, with a copy. False where too much waits there.
   template <typename Call>
   bool PostTo(CallLine& line, std::span<const std::byte> argument, Call call);
@@ -122,7 +125,8 @@ class RequiredInterfaceProxy final : public NetworkJob,
   std::vector<bool> runs_component_;    // in the thread of its caller, by function
   std::shared_ptr<CallLine> commands_;  // that do so, and what comes behind them; or null
   std::shared_ptr<CallLine> reads_;     // likewise
-  Bytes answer_;                        // of the middleware's thread
+  Flag are_reads_dropped_;
+  Bytes answer_;  // of the middleware's thread
 
   mutable std::mutex mutex_;  // of what follows
   const Connection* connection_ = nullptr;

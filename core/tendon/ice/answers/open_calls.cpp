@@ -2,6 +2,7 @@
 #include <tendon/middleware/requests/pending_requests.h>
 
 #include <exception>
+#include <iterator>
 #include <new>
 #include <stdexcept>
 #include <utility>
@@ -12,7 +13,7 @@ void OpenCalls::Add(const Call& call) noexcept {
   try {
     const std::scoped_lock lock(mutex_);
     if (!is_released_) {
-      calls_.insert(call);
+      calls_.emplace(call, SteadyClock().Now());
       return;
     }
   } catch (const std::bad_alloc&) {
@@ -26,14 +27,27 @@ bool OpenCalls::Take(const Call& call) {
   return calls_.erase(call) > 0;
 }
 
+void OpenCalls::ReleaseOld(SteadyTime now) noexcept {
+  std::map<Call, SteadyTime> old;
+  {
+    const std::scoped_lock lock(mutex_);
+    for (auto one = calls_.begin(); one != calls_.end();) {
+      const auto next = std::next(one);
+      if (now - one->second > kOpenAtMost) old.insert(calls_.extract(one));
+      one = next;
+    }
+  }
+  for (const auto& [call, since] : old) AnswerWithNothing(*call);
+}
+
 void OpenCalls::Release() noexcept {
-  std::set<Call> released;
+  std::map<Call, SteadyTime> released;
   {
     const std::scoped_lock lock(mutex_);
     is_released_ = true;
     released = std::exchange(calls_, {});
   }
-  for (const Call& call : released) AnswerWithNothing(*call);
+  for (const auto& [call, since] : released) AnswerWithNothing(*call);
 }
 
 void AnswerWithNothing(IceInternal::IncomingAsync& call) noexcept {

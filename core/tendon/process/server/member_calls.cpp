@@ -65,7 +65,7 @@ class MemberCalls::Target : public std::enable_shared_from_this<Target>, private
   void Execute(std::span<const std::byte> argument, SteadyTime deadline, NetworkThread& network,
                Responder responder) {
     if (is_closed_.Get()) return Finish(Status::kNotConnected, {}, responder);
-    const bool is_late = line_ && function_ && SteadyClock().Now() >= deadline;
+    const bool is_late = line_ && SteadyClock().Now() >= deadline;
     if (is_late) return Finish(Status::kTimeout, {}, responder);
     const std::scoped_lock lock(mutex_);
     static const Bytes nothing = EncodeBody(None{});

@@ -186,6 +186,9 @@ void ServedConnections::LookAfterHanging() {
 template <typename Predicate>
 void ServedConnections::TakeDownWhere(std::list<Entry>& entries, Predicate predicate,
                                       SteadyTime deadline) {
+  for (Entry& entry : entries) {  // so that none waits for reads that others begin meanwhile
+    if (predicate(entry)) TakeOff(entry);
+  }
   for (auto entry = entries.begin(); entry != entries.end();) {
     if (!predicate(*entry)) {
       ++entry;
@@ -199,11 +202,11 @@ void ServedConnections::TakeDownWhere(std::list<Entry>& entries, Predicate predi
 /// From now on nothing that its client sends reaches it.
 void ServedConnections::TakeOff(Entry& entry) {
   entry.client->handles.Remove(entry.handle);
+  entry.proxy->DropReads();
   if (entry.use == Use::kEventsOnly) entry.proxy->Sever();
 }
 
 void ServedConnections::TakeDown(Entry& entry, SteadyTime deadline) {
-  TakeOff(entry);
   (void)entry.proxy->Drain(deadline);
   entry.proxy->EndCredit();
   entry.connection->Close(TimeUntil(deadline));

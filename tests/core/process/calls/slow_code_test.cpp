@@ -94,6 +94,22 @@ TEST_P(SlowRead, EndsWithItsConnection) {
   EXPECT_TRUE(EventuallyTrue([&] { return user->ask(answer) == Status(Status::kDone); }));
 }
 
+TEST_P(SlowRead, ThatStillWaitsWhenItsClientHasGoneIsNotExecuted) {
+  std::unique_lock closed(plant->gate);
+  for (int i = 0; i < 3; ++i) AskInVain(*user);
+  ASSERT_TRUE(EventuallyTrue([&] { return plant->asked == 1; }));
+  desk.reset();
+  ASSERT_TRUE(EventuallyTrue([&] {
+    const auto catalog = gcm().catalog();
+    return catalog.processes().at("desk").process.state != tendon::ProcessState::kAlive;
+  }));
+
+  closed.unlock();
+
+  EXPECT_TRUE(EventuallyTrue([&] { return robot->proxies().empty(); })) << "it is freed";
+  EXPECT_EQ(plant->asked, 1);
+}
+
 TEST_P(SlowRead, OfAPeerThatIsGoneHoldsUpNobody) {
   const std::scoped_lock closed(plant->gate);
   AskInVain(*user);
