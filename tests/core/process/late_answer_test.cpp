@@ -5,7 +5,7 @@
 #include <atomic>
 #include <chrono>
 #include <future>
-#include <mutex>
+#include <utility>
 
 #include "core/process/remote_connection.h"
 
@@ -20,17 +20,17 @@ using testing::HasSubstr;
 /// Its end, which its manager's lock is held for, waits at a gate.
 class Lingering final : public tendon::Component {
  public:
-  Lingering(std::string name, std::mutex& gate, std::atomic<bool>& ends)
-      : Component(std::move(name)), gate_(gate), ends_(ends) {}
+  Lingering(std::string name, std::shared_future<void> gate, std::atomic<bool>& ends)
+      : Component(std::move(name)), gate_(std::move(gate)), ends_(ends) {}
   ~Lingering() override {
     ends_ = true;
-    const std::scoped_lock passed(gate_);
+    gate_.wait();
   }
   Lingering(const Lingering&) = delete;
   Lingering& operator=(const Lingering&) = delete;
 
  private:
-  std::mutex& gate_;
+  const std::shared_future<void> gate_;
   std::atomic<bool>& ends_;
 };
 
@@ -49,13 +49,12 @@ class LateAnswer : public RemoteConnection {
                               std::make_shared<tendon::ChannelHandler>(), std::chrono::seconds(20));
     ASSERT_TRUE(opened.ok()) << opened.error().message;
     console = *opened;
-    held = std::unique_lock(gate);
-    robot->Add<Lingering>("lingering", gate, ends);
+    robot->Add<Lingering>("lingering", gate.get_future().share(), ends);
     removed = std::async(std::launch::async, [this] { return robot->Remove("lingering").ok(); });
     ASSERT_TRUE(EventuallyTrue([&] { return ends.load(); }));
   }
   void TearDown() override {
-    if (held.owns_lock()) Release();
+    if (removed.valid()) Release();
     if (console) console->Close();
   }
 
@@ -67,7 +66,7 @@ class LateAnswer : public RemoteConnection {
         .ok();
   }
   void Release() {
-    held.unlock();
+    gate.set_value();
     EXPECT_TRUE(removed.get());
   }
   /// Connections that robot serves.
@@ -79,9 +78,8 @@ class LateAnswer : public RemoteConnection {
 
   std::shared_ptr<tendon::Middleware> middleware = NewMiddleware();
   std::shared_ptr<tendon::Channel> console;
-  std::mutex gate;
+  std::promise<void> gate;
   std::atomic<bool> ends{false};
-  std::unique_lock<std::mutex> held;
   std::future<bool> removed;
 };
 
