@@ -84,9 +84,9 @@ Ice::InitializationData Settings() {
   set("Ice.Override.Timeout", "3000");
   set("Ice.Override.ConnectTimeout", "3000");
   set("Ice.Override.CloseTimeout", "750");
-  // Clients show that they live, servers close what is silent, some 2 s after a peer vanished. Not
-  // the other way round as well: what one sends would hide from it that nothing comes back. So who
-  // opened must ask the peer, as WatchOver() does.
+  // Clients show that they live, servers close what is silent, some 2 to 4 s after a peer vanished.
+  // Not the other way round as well: what one sends would hide from it that nothing comes back. So
+  // who opened must ask the peer, as WatchOver() does.
   set("Ice.ACM.Timeout", "1");
   set("Ice.ACM.Client.Heartbeat", "3");  // always
   set("Ice.ACM.Client.Close", "0");

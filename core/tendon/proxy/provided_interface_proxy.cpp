@@ -128,8 +128,8 @@ bool ProvidedInterfaceProxy::OnCredit(const message::Credit& credit) {
   if (is_faulted != host_.is_faulted()) {
     host_.SetFaulted(is_faulted);
     // Handlers hear it behind the events that came before.
-    const bool is_posted = line_ && line_->Post([self = shared_from_this(), is_faulted] {
-      self->interface_.SetSourceFaulted(is_faulted);
+    const bool is_posted = line_ && line_->Post([self = shared_from_this()] {
+      self->interface_.SetSourceFaulted(self->host_.is_faulted());
     });
     if (!is_posted) interface_.SetSourceFaulted(is_faulted);
   }

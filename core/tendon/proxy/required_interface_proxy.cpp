@@ -111,8 +111,8 @@ void RequiredInterfaceProxy::MakeLines(const ProvidedInterface& server, SortsOfC
     if (!runs_component_[i]) continue;
     (CanBeAwaited(functions_[i]->kind()) ? has_commands : has_reads) = true;
   }
-  // As many as the peer may have under way: what it was let send is not refused for its size.
-  if (has_commands) commands_ = threads.commands.MakeLine(capacity_);
+  // As many as the peer may have under way, whatever their size, and one that is just done.
+  if (has_commands) commands_ = threads.commands.MakeLine(capacity_ + std::size_t{1});
   if (has_reads) reads_ = threads.reads.MakeLine(kMostReads, kMostReadBytes);
   if (has_commands || has_reads) interface_.SetCallers(Callers::kManyThreads);
 }
@@ -192,13 +192,15 @@ void RequiredInterfaceProxy::OnCommand(std::size_t function, std::span<const std
   if (function >= functions_.size() || !IsQueued(functions_[function]->kind())) return;
   // A refused one counts as executed.
   if (!MustWaitInLine(function)) {
-    (void)(*functions_[function])(argument, answer_);
+    const Status status = (*functions_[function])(argument, answer_);
+    if (status == Status(Status::kQueueFull)) LogRefused(function);
     return CountReceived(Watch::kClosely);
   }
   auto place = std::make_shared<PlaceInLine>(*this);
   CountReceived(Watch::kClosely, 1);
   const bool is_posted = PostTo(
       *commands_, argument, [function, place = std::move(place)](auto& self, const Bytes& bytes) {
+        if (self.are_commands_dropped_.Get()) return;
         Bytes nothing;
         (void)(*self.functions_[function])(bytes, nothing);
       });
@@ -280,6 +282,9 @@ void RequiredInterfaceProxy::OnWait(std::size_t function, std::span<const std::b
   CountReceived(watch, 1);
   const bool is_posted = PostTo(
       *commands_, question, [shared, place = std::move(place)](auto& self, const Bytes& bytes) {
+        if (self.are_commands_dropped_.Get()) {
+          return ReplyWith(Status::kNotConnected, shared->responder);
+        }
         Bytes spare;
         const bool is_over = SteadyClock().Now() >= shared->deadline;
         const Status status = is_over ? Status::kTimeout : self.Begin(*shared, bytes, spare);
@@ -359,6 +364,7 @@ void RequiredInterfaceProxy::SendCredit(SteadyTime now, SteadyTime& next) {
   const std::scoped_lock lock(mutex_);
   if (connection_ == nullptr) return;
   begun_.Answer(now, next);
+  if (!channel_->is_open()) return;
   // In this order: what is posted meanwhile makes it too small, never too large.
   const std::uint64_t received = received_;
   const std::uint64_t waiting = waiting_in_line_ + connection_->waiting();

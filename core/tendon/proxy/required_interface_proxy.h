@@ -71,6 +71,8 @@ class RequiredInterfaceProxy final : public NetworkJob,
   void Sever() { outbox_.Close(); }
   /// Any thread: nobody waits any more for reads that are still in the line.
   void DropReads() { are_reads_dropped_.Set(true); }
+  /// Likewise for commands; one that runs ends as it ends.
+  void DropCommands() { are_commands_dropped_.Set(true); }
 
   // In threads of the middleware, one at a time. `function` is its place in the interface.
 
@@ -126,6 +128,7 @@ class RequiredInterfaceProxy final : public NetworkJob,
   std::shared_ptr<CallLine> commands_;  // that do so, and what comes behind them; or null
   std::shared_ptr<CallLine> reads_;     // likewise
   Flag are_reads_dropped_;
+  Flag are_commands_dropped_;
   Bytes answer_;  // of the middleware's thread
 
   mutable std::mutex mutex_;  // of what follows

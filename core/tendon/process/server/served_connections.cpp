@@ -163,7 +163,10 @@ void ServedConnections::CloseWhere(Predicate predicate) {
     const auto next = std::next(entry);
     if (predicate(*entry)) {
       TakeOff(*entry);
-      if (!entry->proxy->Drain(deadline)) hanging_.splice(hanging_.end(), entries_, entry);
+      if (!entry->proxy->Drain(deadline)) {
+        entry->proxy->DropCommands();  // beside those of its next connection they would be too late
+        hanging_.splice(hanging_.end(), entries_, entry);
+      }
     }
     entry = next;
   }

