@@ -261,13 +261,15 @@ TEST_P(SlowFilter, ThatHangsLongerThanItsConnectionExecutesNothingBehindIt) {
   ASSERT_TRUE(desk->Connect(kWeigher, kScale).ok());
   ASSERT_TRUE(EventuallyActive(*desk, 1));
   ASSERT_EQ(weigher->put.Wait(100, kPatience), Status(Status::kDone));
+  const auto serves = [&](std::size_t connections) {
+    const auto all = robot->proxies();
+    return all.size() == 1 && all.front().required.size() == connections;
+  };
+  EXPECT_TRUE(EventuallyTrue([&] { return serves(2); }));
 
   closed.unlock();
 
-  EXPECT_TRUE(EventuallyTrue([&] {
-    const auto all = robot->proxies();
-    return all.size() == 1 && all.front().required.size() == 1;
-  }));
+  EXPECT_TRUE(EventuallyTrue([&] { return serves(1); }));
   const auto weights = scale->weights.values();
   EXPECT_EQ(weights.front(), 100);
   EXPECT_LE(weights.size(), 2U) << "the one that hung may end";
