@@ -97,7 +97,7 @@ class CallThreads::Pool {
   }
 
   void Start() {
-    const Self self = threads_.emplace(threads_.end());
+    const auto self = threads_.emplace(threads_.end());
     try {
       *self = std::thread([this, self] { Run(self); });
     } catch (...) {
