@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <functional>
 #include <span>
+#include <thread>
 #include <utility>
 
 namespace tendon {
@@ -188,18 +189,35 @@ bool RequiredInterfaceProxy::MustWaitInLine(std::size_t function) const {
   return waiting_in_line_ > 0;
 }
 
+void RequiredInterfaceProxy::WaitForRoom(std::size_t function, SteadyTime deadline) const {
+  constexpr std::chrono::milliseconds kUntilNextLook(1);
+  const auto is_full = [this] {
+    const std::scoped_lock lock(mutex_);
+    return connection_ != nullptr && connection_->waiting() >= connection_->capacity();
+  };
+  if (runs_component_[function]) return;
+  while (!are_commands_dropped_.Get() && SteadyClock().Now() < deadline && is_full()) {
+    std::this_thread::sleep_for(kUntilNextLook);
+  }
+}
+
 void RequiredInterfaceProxy::OnCommand(std::size_t function, std::span<const std::byte> argument) {
   if (function >= functions_.size() || !IsQueued(functions_[function]->kind())) return;
   // A refused one counts as executed.
   if (!MustWaitInLine(function)) {
     const Status status = (*functions_[function])(argument, answer_);
-    if (status == Status(Status::kQueueFull)) LogRefused(function);
-    return CountReceived(Watch::kClosely);
+    if (status != Status(Status::kQueueFull)) return CountReceived(Watch::kClosely);
+    // An answer to what did not wait in the mailbox has told the peer that all before was executed.
+    if (!commands_) {
+      LogRefused(function);
+      return CountReceived(Watch::kClosely);
+    }
   }
   auto place = std::make_shared<PlaceInLine>(*this);
   CountReceived(Watch::kClosely, 1);
   const bool is_posted = PostTo(
       *commands_, argument, [function, place = std::move(place)](auto& self, const Bytes& bytes) {
+        self.WaitForRoom(function, SteadyTime::max());
         if (self.are_commands_dropped_.Get()) return;
         Bytes nothing;
         (void)(*self.functions_[function])(bytes, nothing);
@@ -282,6 +300,7 @@ void RequiredInterfaceProxy::OnWait(std::size_t function, std::span<const std::b
   CountReceived(watch, 1);
   const bool is_posted = PostTo(
       *commands_, question, [shared, place = std::move(place)](auto& self, const Bytes& bytes) {
+        self.WaitForRoom(shared->function, shared->deadline);
         if (self.are_commands_dropped_.Get()) {
           return ReplyWith(Status::kNotConnected, shared->responder);
         }

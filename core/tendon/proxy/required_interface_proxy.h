@@ -98,6 +98,8 @@ class RequiredInterfaceProxy final : public NetworkJob,
   void LogRefused(std::size_t function);
   [[nodiscard]] bool MustWaitInLine(std::size_t function) const;
   [[nodiscard]] bool IsStale(SteadyTime since) const;
+  /// In the line: where `function` is queued and the mailbox is full, until it is not any more.
+  void WaitForRoom(std::size_t function, SteadyTime deadline) const;
   /// `call(*this, argument)` later, with a copy. False where too much waits there.
   template <typename Call>
   bool PostTo(CallLine& line, std::span<const std::byte> argument, Call call);

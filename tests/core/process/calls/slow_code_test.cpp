@@ -7,6 +7,7 @@
 #include <future>
 #include <mutex>
 #include <numeric>
+#include <thread>
 #include <vector>
 
 #include "core/process/remote_connection.h"
@@ -148,15 +149,24 @@ class Scale final : public tendon::SignalTask {
     control.AddCommandFilteredWrite(&Rounded, &Scale::Put, this, "PutRounded");
     control.AddCommandWrite(&Scale::Put, this, "Put");
     control.AddCommandRead(&Scale::Count, this, "Count", tendon::kThreadSafe);
+    control.AddCommandVoid(&Scale::Ring, this, "Ring", tendon::kThreadSafe);
+    control.AddCommandVoid(&Scale::Jam, this, "Jam");
   }
   ~Scale() override { Join(); }
 
   void Run() override { ProcessQueuedCommands(); }
 
   plant::Record<int> weights;
+  std::atomic<bool> is_jammed{false};
+  std::atomic<int> jams{0};
 
  private:
   void Put(int weight) { weights.Add(weight); }
+  void Ring() {}
+  void Jam() {
+    ++jams;
+    while (is_jammed) std::this_thread::yield();
+  }
   void Count(std::uint64_t& count) const { count = weights.size(); }
 };
 
@@ -169,6 +179,8 @@ class Weigher final : public tendon::Component {
     scale.AddFunction(put_rounded, "PutRounded");
     scale.AddFunction(put, "Put");
     scale.AddFunction(count, "Count");
+    scale.AddFunction(ring, "Ring");
+    scale.AddFunction(jam, "Jam");
     scale.SetMailboxCapacity(kCapacity);
   }
 
@@ -176,6 +188,8 @@ class Weigher final : public tendon::Component {
   tendon::WriteFunction<double> put_rounded;
   tendon::WriteFunction<int> put;
   tendon::ReadFunction<std::uint64_t> count;
+  tendon::VoidFunction ring;
+  tendon::VoidFunction jam;
 };
 
 /// A robot with a scale, and a desk that puts weights on it.
@@ -252,6 +266,25 @@ TEST_P(SlowFilter, OneWhoseTimeIsOverBeforeItsTurnIsNotExecuted) {
   EXPECT_EQ(weights.front(), 0);
   EXPECT_EQ(weights.back(), 1);
   EXPECT_EQ(std::ranges::count(weights, kLate), 0);
+}
+
+TEST_P(SlowFilter, AnAnswerToWhatGoesPastTheMailboxLosesNothingThatWaitsThere) {
+  scale->is_jammed = true;
+  ASSERT_EQ(weigher->jam(), Status(Status::kQueued));
+  ASSERT_TRUE(EventuallyTrue([&] { return scale->jams == 1; }));
+  int put = 0;
+  for (; put < Weigher::kCapacity / 2; ++put) {
+    ASSERT_EQ(weigher->put(put), Status(Status::kQueued));
+  }
+  EXPECT_EQ(weigher->ring.Wait(kPatience), Status(Status::kDone));
+  while (weigher->put(put) == Status(Status::kQueued)) ++put;
+
+  scale->is_jammed = false;
+
+  EXPECT_TRUE(EventuallyTrue([&] {
+    return scale->weights.size() >= static_cast<std::size_t>(put);
+  })) << scale->weights.size();
+  EXPECT_EQ(scale->weights.values(), Weights(put));
 }
 
 TEST_P(SlowFilter, ThatHangsLongerThanItsConnectionExecutesNothingBehindIt) {
