@@ -276,7 +276,9 @@ TEST_P(SlowFilter, AnAnswerToWhatGoesPastTheMailboxLosesNothingThatWaitsThere) {
   for (; put < Weigher::kCapacity / 2; ++put) {
     ASSERT_EQ(weigher->put(put), Status(Status::kQueued));
   }
-  EXPECT_EQ(weigher->ring.Wait(kPatience), Status(Status::kDone));
+  for (int i = 0; i < 3; ++i) {  // the first behind what is not sent yet
+    EXPECT_EQ(weigher->ring.Wait(kPatience), Status(Status::kDone));
+  }
   while (weigher->put(put) == Status(Status::kQueued)) ++put;
 
   scale->is_jammed = false;
