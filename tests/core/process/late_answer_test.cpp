@@ -69,12 +69,6 @@ class LateAnswer : public RemoteConnection {
     gate.set_value();
     EXPECT_TRUE(removed.get());
   }
-  /// Connections that robot serves.
-  std::size_t Served() const {
-    std::size_t count = 0;
-    for (const auto& proxy : robot->proxies()) count += proxy.required.size();
-    return count;
-  }
 
   std::shared_ptr<tendon::Middleware> middleware = NewMiddleware();
   std::shared_ptr<tendon::Channel> console;

@@ -28,6 +28,12 @@ class RemoteConnection : public NetworkTest {
     ASSERT_TRUE(EventuallyActive(*desk, 1)) << Reason();
   }
   std::string Reason() const { return desk->connections().front().reason; }
+  /// Connections that robot serves.
+  std::size_t Served() const {
+    std::size_t count = 0;
+    for (const auto& proxy : robot->proxies()) count += proxy.required.size();
+    return count;
+  }
   template <typename Call>
   static bool EventuallyQueued(Call call) {
     return EventuallyTrue([&] { return call() == tendon::Status(tendon::Status::kQueued); });
