@@ -138,7 +138,8 @@ using Ours = std::optional<tendon::message::Children>;
 struct ProcessWording {
   std::string_view infinitive;
   std::string_view done;
-  /// Of a dry run; `ours` are those that the GCM has started, where it tells.
+  bool needs_ours;
+  /// Whether it can be done; `ours` are those that the GCM has started, where it tells.
   Result<void> (*check)(const Catalog& catalog, const Ours& ours, const std::string& process);
   Result<void> (*carry)(Context& context, const std::string& process);
 };
@@ -147,8 +148,10 @@ Result<void> CheckKill(const Catalog& catalog, const Ours& ours, const std::stri
   const auto entry = LookUpProcess(catalog, process);
   if (!entry) return entry.error();
   const bool is_ours =
-      !ours || std::ranges::count(ours->processes, process, &tendon::message::Child::process) > 0;
-  if (is_ours) return RequirePresent((*entry)->process);
+      ours && std::ranges::count(ours->processes, process, &tendon::message::Child::process) > 0;
+  // Whatever its state: it may hang, or wait to be started again.
+  if (is_ours) return {};
+  if (auto present = RequirePresent((*entry)->process); !present || !ours) return present;
   return Error{ErrorCode::kFailed, "process '" + process + "' was not started by this GCM"};
 }
 
@@ -176,9 +179,9 @@ Result<void> Forget(Context& context, const std::string& process) {
       [&](tendon::GcmClient& client, auto handler) { client.Forget(process, std::move(handler)); });
 }
 
-/// Names that nobody has are the GCM's to refuse.
-Result<Targets> FindProcesses(const Catalog& catalog, const ProcessWording& wording,
-                              const LifeArguments& arguments) {
+/// Names that nobody has are the GCM's to refuse, and processes that it has not started.
+Result<Targets> FindProcesses(const Catalog& catalog, const Ours& ours,
+                              const ProcessWording& wording, const LifeArguments& arguments) {
   Targets targets;
   for (const std::string& pattern : arguments.patterns) {
     if (!IsGlob(pattern)) {
@@ -190,7 +193,10 @@ Result<Targets> FindProcesses(const Catalog& catalog, const ProcessWording& word
     for (const auto& [name, entry] : catalog.processes()) {
       if (!tendon::MatchesGlob(pattern, name)) continue;
       is_found = true;
-      targets.Add({.process = name}, true, wording.check(catalog, {}, name).ok());
+      // One that is there is not left out: the GCM says where to end it.
+      const bool is_of_use =
+          wording.check(catalog, ours, name).ok() || wording.check(catalog, {}, name).ok();
+      targets.Add({.process = name}, true, is_of_use);
     }
     if (is_found) continue;
     return Error{ErrorCode::kNotFound,
@@ -199,10 +205,13 @@ Result<Targets> FindProcesses(const Catalog& catalog, const ProcessWording& word
   return targets;
 }
 
-Ours AskForOurs(Context& context) {
+/// Nothing where the GCM is too old to tell.
+Result<Ours> AskForOurs(Context& context) {
   auto children = context.Ask<tendon::message::Children>(
       [](tendon::GcmClient& client, auto handler) { client.GetChildren(handler); });
-  return children ? Ours(*std::move(children)) : Ours();
+  if (children) return Ours(*std::move(children));
+  if (children.error().code == ErrorCode::kDenied) return Ours();
+  return children.error();
 }
 
 Result<ExitCode> Carry(Context& context, const ProcessWording& wording,
@@ -211,17 +220,19 @@ Result<ExitCode> Carry(Context& context, const ProcessWording& wording,
   if (!client) return client.error();
   if (auto allowed = CheckRole(context); arguments.dry_run && !allowed) return allowed.error();
   const Catalog catalog = (*client)->catalog();
-  const auto targets = FindProcesses(catalog, wording, arguments);
+  const auto ours = wording.needs_ours ? AskForOurs(context) : Result<Ours>(Ours());
+  if (!ours) return ours.error();
+  const auto targets = FindProcesses(catalog, *ours, wording, arguments);
   if (!targets) return targets.error();
   SayWhatIsLeftOut(context, *targets, wording.done);
   if (!IsConfirmed(context, wording.infinitive, "processes", *targets, arguments)) {
     return Declined();
   }
-  const Ours ours = arguments.dry_run ? AskForOurs(context) : Ours();
   std::vector<Outcome> outcomes;
   for (const Path& path : targets->paths) {
-    outcomes.push_back({path.process, arguments.dry_run ? wording.check(catalog, ours, path.process)
-                                                        : wording.carry(context, path.process)});
+    outcomes.push_back({path.process, arguments.dry_run
+                                          ? wording.check(catalog, *ours, path.process)
+                                          : wording.carry(context, path.process)});
   }
   PrintOutcomes(context, {wording.infinitive, wording.done, arguments.dry_run}, outcomes);
   return ExitCodeOf(outcomes);
@@ -254,9 +265,9 @@ std::vector<Verb> LifecycleVerbs() {
       SteeringVerb("rm", "remove components, with their connections",
                    {LifeVerb::kRemove, "remove", "removed"}),
       ProcessVerb("end processes that the GCM has started, with all that runs in them",
-                  {"kill", "ended", &CheckKill, &Kill}),
+                  {"kill", "ended", true, &CheckKill, &Kill}),
       ProcessVerb("keep nothing more of processes that are gone for good",
-                  {"forget", "forgotten", &CheckForget, &Forget}),
+                  {"forget", "forgotten", false, &CheckForget, &Forget}),
   };
 }
 

@@ -35,6 +35,7 @@ class StartedSystemTest : public SystemFixture {
 
   /// Those that the GCM has started would run on.
   void TearDown() override {
+    SystemFixture::TearDown();
     gcm.reset();  // which would start them again
     for (const auto& folder : std::filesystem::directory_iterator("/proc")) {
       std::ifstream file(folder.path() / "cmdline", std::ios::binary);
@@ -58,10 +59,10 @@ class StartedSystemTest : public SystemFixture {
     return at == shown.npos ? 0 : std::stoi(shown.substr(at + before.size()));
   }
   /// Returns who it was.
-  int Kill(const std::string& process) const {
+  int Kill(const std::string& process, int signal = SIGKILL) const {
     const int pid = PidOf(process);
     if (pid <= 1) throw std::runtime_error("no process " + process);
-    kill(pid, SIGKILL);
+    kill(pid, signal);
     return pid;
   }
   /// Kills it, and waits until there is another one.
@@ -182,7 +183,7 @@ TEST_F(StartedSystemTest, AGlobEndsAndForgetsProcessesOnceAPersonHasAgreed) {
   const Outcome declined = type("kill '*'", "n");
   EXPECT_THAT(declined.out, HasSubstr("kill 2 processes: desk robot? [y/N] "));
   EXPECT_EQ(declined.exit_code, program::kRefused) << declined.out;
-  EXPECT_THAT(Gcm({"ls"}).out, HasSubstr("robot\talive"));
+  EXPECT_TRUE(EventuallySays({"ls"}, "robot\talive"));
 
   EXPECT_EQ(Gcm({"kill", "desk"}).exit_code, program::kOk);
   const Outcome killed = Gcm({"kill", "*"});
@@ -191,6 +192,19 @@ TEST_F(StartedSystemTest, AGlobEndsAndForgetsProcessesOnceAPersonHasAgreed) {
   EXPECT_EQ(killed.err, "gcm: left out 1 that is in no state to be ended\n");
   EXPECT_THAT(type("forget '*' --yes", "n").out, testing::Not(HasSubstr("[y/N]")));
   EXPECT_EQ(Gcm({"ls"}).out, "");
+}
+
+TEST_F(StartedSystemTest, AGlobEndsOneThatHangsToo) {
+  Apply();
+  Kill("robot", SIGSTOP);
+  ASSERT_TRUE(EventuallySays({"ls"}, "robot\tlost"));
+
+  EXPECT_EQ(Gcm({"kill", "*", "--dry-run"}).out, "desk\twould be ended\nrobot\twould be ended\n");
+  // It does not hear that it is to end: it has three times as long.
+  const Outcome killed = Typed({"--timeout", "3000", "kill", "rob*"});
+
+  EXPECT_EQ(killed.out, "robot\tended\n") << killed.err;
+  EXPECT_EQ(Gcm({"forget", "robot"}).out, "robot\tforgotten\n");
 }
 
 TEST_F(StartedSystemTest, WhatTheGcmHasStartedRunsOnWithoutIt) {

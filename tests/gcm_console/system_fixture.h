@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <iostream>
 #include <memory>
 #include <string>
 
@@ -12,6 +14,18 @@
 /// A GCM and, on demand, LCMs of the demo system, as real processes that know only each other.
 class SystemFixture : public testing::Test {
  protected:
+  /// What the GCM, and what it has started, have logged explains a failure that does not come
+  /// again.
+  void TearDown() override {
+    if (!HasFailure()) return;
+    if (gcm) std::cerr << "The GCM has logged:\n" << gcm->err();
+    for (const auto& file : std::filesystem::recursive_directory_iterator(home.path())) {
+      if (file.path().extension() != ".log") continue;
+      const std::string name = std::filesystem::relative(file, home.path()).string();
+      std::cerr << name << " has:\n" << home.Read(name);
+    }
+  }
+
   static std::string Binary(const std::string& name) { return Built("bin/" + name); }
 
   /// Runs `gcm WORDS...` against the fixture's GCM, as patient as a loaded machine needs.
