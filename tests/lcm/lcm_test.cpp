@@ -157,7 +157,7 @@ TEST_F(LcmTest, EndsWhenToldWhileItStartsItsComponents) {
         {"name": "next", "class": "Switch", "library": "lamps"}]}]})");
   Program lcm({Binary("lcm"), "--name", "robot", "--gcm", address, "--timeout", kPatience,
                "--system", system},
-              {{"TENDON_COMPONENTS", Built("tests/core/process/life/built")}});
+              {{"TENDON_COMPONENTS", Built("tests/support/built")}});
   ASSERT_TRUE(EventuallySays({"ls"}, "robot\talive")) << lcm.err();
 
   lcm.Signal(SIGTERM);

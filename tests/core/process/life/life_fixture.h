@@ -13,7 +13,7 @@
 #include "support/program.h"
 
 inline std::shared_ptr<tendon::ComponentLoader> LoaderOfLamps() {
-  const std::vector<std::filesystem::path> folders{Built("tests/core/process/life/built")};
+  const std::vector<std::filesystem::path> folders{Built("tests/support/built")};
   return std::make_shared<tendon::ComponentLoader>(folders);
 }
 
