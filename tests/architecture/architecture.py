@@ -13,9 +13,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path, PurePosixPath
 
-MAX_LINES = 450
 MAX_FUNCTION_LINES = 60
-MAX_FILES = 20
 
 # Folders of core/tendon from the bottom up. A folder may include those of the rows below its own.
 CORE_ROWS = (("base",), ("lockfree", "payload"), ("state",), ("interface",), ("task",), ("manager",))
@@ -211,12 +209,6 @@ def nothing_is_left_over(file):
             yield number, f"{match[0]}: do it, or open an issue"
 
 
-def files_are_short(file):
-    length = len(file.lines) - (file.lines[-1] == "")
-    if length > MAX_LINES:
-        yield length, f"{length} lines, over {MAX_LINES}; look for the second concept"
-
-
 def scripts_are_narrow(file):
     if not file.is_script:
         return
@@ -241,11 +233,6 @@ def functions_are_short(file):
             end = re.match(r" *", file.lines[head - 1])[0] + "}"
         elif ENDS_STATEMENT.search(line):
             head = number + 1
-
-
-def folders_are_small(folder, files):
-    if len(files) > MAX_FILES:
-        yield f"{folder}: {len(files)} files, over {MAX_FILES}; look for the second folder"
 
 
 def types_have_names_of_their_own(files):
@@ -319,8 +306,7 @@ FILE_RULES = (
     ice_stays_in_its_folder, qt_stays_in_the_window, parts_include_what_they_may, components_need_core_alone,
     layers_look_down, core_headers_need_the_standard_library_alone, the_operating_system_stays_in_base_os,
     atomics_stay_in_lockfree_and_state, code_has_no_macros, headers_are_included_once, nothing_is_left_over,
-    files_are_short, scripts_are_narrow, functions_are_short)
-FOLDER_RULES = (folders_are_small,)
+    scripts_are_narrow, functions_are_short)
 TREE_RULES = (types_have_names_of_their_own, joined_sources_share_no_names, folders_are_built)
 
 
@@ -339,8 +325,6 @@ def violations(root):
     root = Path(root)
     files = []
     for folder, names in folders_of(root):
-        for rule in FOLDER_RULES:
-            yield from rule(folder, names)
         for name in names:
             if is_source(folder, name):
                 file = SourceFile(root, name if folder == "." else f"{folder}/{name}")
