@@ -2,6 +2,8 @@
 #include <gcm_console/place.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/text/health_text.h>
+#include <tendon/gcm/text/wall_time.h>
+#include <tendon/gcm/wiring/waiting.h>
 #include <tendon/payload/json.h>
 #include <tendon/payload/json/strict_json.h>
 
@@ -30,7 +32,9 @@ ordered_json ThreadOf(const tendon::ComponentDescription& component) {
 
 ordered_json ToJson(const tendon::ProcessEntry& entry) {
   ordered_json components = ordered_json::array();
-  for (const auto& [name, component] : entry.components) components.push_back(ToJson(component));
+  for (const auto& [name, component] : entry.components) {
+    components.push_back(ToJson(component, entry));
+  }
   ordered_json connections = ordered_json::array();
   for (const auto& [id, connection] : entry.connections) connections.push_back(ToJson(connection));
   return {{"name", entry.process.name},
@@ -39,11 +43,25 @@ ordered_json ToJson(const tendon::ProcessEntry& entry) {
           {"host", entry.process.host},
           {"pid", entry.process.pid},
           {"address", entry.process.address},
+          {"plugins", ListOf(entry.process.plugins)},
           {"components", std::move(components)},
           {"connections", std::move(connections)}};
 }
 
-ordered_json ToJson(const tendon::ComponentDescription& component) {
+ordered_json ToJson(const tendon::PluginDescription& plugin) {
+  return {{"library", plugin.name},
+          {"file", plugin.file},
+          {"written", tendon::WallTimeText(plugin.written)},
+          {"state", ToString(plugin.state)},
+          {"written_now", plugin.written_now == 0 ? "" : tendon::WallTimeText(plugin.written_now)}};
+}
+
+ordered_json ToJson(const tendon::ComponentDescription& component,
+                    const tendon::ProcessEntry& process) {
+  ordered_json waits = ordered_json::array();
+  for (const tendon::UnmetNeed& need : WaitsOf(process, component)) {
+    waits.push_back({{"required", need.interface}, {"reason", need.reason}});
+  }
   ordered_json tables = ordered_json::array();
   for (const auto& table : component.tables) {
     ordered_json columns = ordered_json::array();
@@ -57,6 +75,7 @@ ordered_json ToJson(const tendon::ComponentDescription& component) {
           {"library", component.library},
           {"configuration", component.configuration},
           {"state", ToString(component.state)},
+          {"waiting_for", std::move(waits)},
           {"fault", component.fault},
           {"fault_time", component.fault_time},
           {"period", component.period},
@@ -86,6 +105,7 @@ ordered_json ToJson(const tendon::MemberDescription& member) {
   if (GivesAnswer(member)) json["out"] = member.out_type;
   if (member.optional) json["optional"] = true;
   if (!member.hazard.empty()) json["hazard"] = member.hazard;
+  if (member.expires_after > 0.0) json["expires_after"] = member.expires_after;
   return json;
 }
 

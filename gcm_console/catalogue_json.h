@@ -9,7 +9,10 @@ namespace console {
 // The catalogue as scripts see it; keys are stable within "schema": 1.
 
 nlohmann::ordered_json ToJson(const tendon::ProcessEntry& entry);
-nlohmann::ordered_json ToJson(const tendon::ComponentDescription& component);
+nlohmann::ordered_json ToJson(const tendon::PluginDescription& plugin);
+/// `process` is its own.
+nlohmann::ordered_json ToJson(const tendon::ComponentDescription& component,
+                              const tendon::ProcessEntry& process);
 nlohmann::ordered_json ToJson(const tendon::ProvidedDescription& interface);
 nlohmann::ordered_json ToJson(const tendon::RequiredDescription& interface);
 nlohmann::ordered_json ToJson(const tendon::MemberDescription& member);

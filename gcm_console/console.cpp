@@ -32,7 +32,7 @@ int Finish(const tendon::Result<program::ExitCode>& result, const Streams& strea
     streams.err << "gcm: " << tendon::Printable(result.error().message) << '\n';
     return program::ExitCodeOf(result.error().code);
   }
-  if (!is_written) {
+  if (!is_written && *result != program::kInterrupted) {
     if (!is_left)
       streams.err << "gcm: cannot write the output: the disk is full, or it is closed\n";
     return program::kRefused;

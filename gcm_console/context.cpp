@@ -1,4 +1,5 @@
 #include <gcm_console/context.h>
+#include <tendon/base/counted.h>
 #include <tendon/base/os/termination.h>
 
 #include <cstdlib>
@@ -62,8 +63,8 @@ tendon::Result<tendon::GcmClient*> Context::Client(std::shared_ptr<tendon::GcmLi
         std::chrono::steady_clock::now() - begin);
     const tendon::Catalog catalog = client_->catalog();
     err() << "gcm: GCM at " << Plain(settings_.gcm) << " answered within " << passed.count()
-          << " ms: " << catalog.processes().size() << " processes, revision " << catalog.revision()
-          << '\n';
+          << " ms: " << tendon::Counted(catalog.processes().size(), "process", "processes")
+          << ", revision " << catalog.revision() << '\n';
   }
   return client_.get();
 }

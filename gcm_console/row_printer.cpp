@@ -3,51 +3,74 @@
 #include <tendon/payload/json.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 namespace console {
+namespace {
+
+tendon::QueueBound BoundFor(tendon::RowDelivery delivery) {
+  auto bound = RowPrinter::kMostWaiting;
+  if (delivery == tendon::RowDelivery::kNewest) bound.elements = 1;
+  return bound;
+}
+
+}  // namespace
+
+LostRows& LostRows::operator+=(const LostRows& other) {
+  table += other.table;
+  network += other.network;
+  viewer += other.viewer;
+  return *this;
+}
+
+std::size_t RowPrinter::KeptRow::size() const {
+  std::size_t bytes = sizeof(KeptRow);
+  for (const auto& cell : cells) bytes += sizeof(cell) + cell.size();
+  return bytes;
+}
+
+RowPrinter::RowPrinter(std::vector<Wanted> wanted, tendon::RowDelivery delivery)
+    : wanted_(std::move(wanted)), delivery_(delivery), rows_(BoundFor(delivery)) {}
 
 void RowPrinter::OnSubscribed(const std::vector<tendon::Schema>& columns) {
-  const std::scoped_lock lock(mutex_);
-  schemas_ = columns;
-  numbers_.clear();
-  is_left_out_.assign(wanted_.size(), false);
-  left_out_.clear();
+  auto now = std::make_shared<Columns>();
+  now->schemas = columns;
+  now->is_left_out.assign(wanted_.size(), false);
   for (const Wanted& wanted : wanted_) {
     const auto channel = tendon::FindChannel(columns.at(wanted.column), wanted.path.field);
-    const bool is_float = channel && channel->schema.kind() == tendon::Schema::Kind::kFloat64;
-    numbers_.push_back(is_float ? std::optional(*channel) : std::nullopt);
+    now->numbers.push_back(channel ? std::optional(*channel) : std::nullopt);
   }
+  const std::scoped_lock lock(mutex_);
+  columns_ = std::move(now);
+  left_out_.clear();
 }
 
 std::size_t RowPrinter::OnRows(const tendon::RowBatch& batch) {
   const std::scoped_lock lock(mutex_);
-  const std::size_t fit = std::min(batch.count, kMostWaiting - rows_.size());
-  for (std::size_t row = 0; row < fit; ++row) {
-    PrintedRow printed{.time_ns = batch.times[row],
-                       .clock_offset_ns = batch.clock_offset.count(),
-                       .tick = batch.ticks[row],
-                       .values = {}};
-    if (Fill(batch, row, printed)) rows_.push_back(std::move(printed));
-  }
-  return batch.count - fit;
-}
-
-bool RowPrinter::Fill(const tendon::RowBatch& batch, std::size_t row, PrintedRow& printed) {
-  for (std::size_t i = 0; i < wanted_.size(); ++i) {
-    if (is_left_out_[i]) continue;
-    const auto value = Value(i, batch, row);
-    if (value) {
-      printed.values.emplace_back(ToString(wanted_[i].path), *value);
-    } else if (wanted_[i].is_found) {
-      is_left_out_[i] = true;
-      left_out_.push_back(value.error().message);
-    } else if (!mistake_) {
-      mistake_ = value.error();
+  if (!columns_) return batch.count;
+  std::size_t dropped = 0;
+  lost_ += {batch.lost_table, batch.lost_network, 0};
+  for (std::size_t row = 0; row < batch.count; ++row) {
+    KeptRow kept{.time_ns = batch.times[row],
+                 .clock_offset_ns = batch.clock_offset.count(),
+                 .tick = batch.ticks[row],
+                 .lost_before = std::exchange(lost_, {}),
+                 .columns = columns_,
+                 .cells = {}};
+    for (std::size_t column = 0; column < columns_->schemas.size(); ++column) {
+      const auto cell = batch.cell(row, column);
+      kept.cells.emplace_back(cell.begin(), cell.end());
     }
+    LostRows gap;
+    const std::size_t size = kept.size();
+    rows_.Push(std::move(kept), size, [&](const KeptRow& oldest) {
+      gap += oldest.lost_before;
+      ++gap.viewer;
+      ++dropped;
+    });
+    if (delivery_ == tendon::RowDelivery::kAll) rows_.front().lost_before += gap;
   }
-  return !mistake_ && !printed.values.empty();
+  return delivery_ == tendon::RowDelivery::kAll ? dropped : 0;
 }
 
 void RowPrinter::OnStale(const tendon::Error& reason) {
@@ -57,8 +80,64 @@ void RowPrinter::OnStale(const tendon::Error& reason) {
 }
 
 std::deque<PrintedRow> RowPrinter::Take() {
+  std::unique_lock lock(mutex_);
+  const std::deque<KeptRow> taken = rows_.Take(kMostTaken);
+  lock.unlock();  // rows come meanwhile
+  std::deque<PrintedRow> printed;
+  for (const KeptRow& row : taken) {
+    gap_ += row.lost_before;
+    PrintedRow one{.time_ns = row.time_ns,
+                   .clock_offset_ns = row.clock_offset_ns,
+                   .tick = row.tick,
+                   .lost_before = gap_,
+                   .values = {}};
+    if (!Fill(row, one)) continue;
+    printed.push_back(std::move(one));
+    gap_ = {};
+  }
+  return printed;
+}
+
+LostRows RowPrinter::Rest() {
   const std::scoped_lock lock(mutex_);
-  return std::exchange(rows_, {});
+  LostRows rest = std::exchange(gap_, {});
+  while (!rows_.is_empty()) {
+    for (const KeptRow& row : rows_.Take(kMostTaken)) {
+      rest += row.lost_before;
+      if (delivery_ == tendon::RowDelivery::kAll) ++rest.viewer;
+    }
+  }
+  rest += std::exchange(lost_, {});
+  return rest;
+}
+
+bool RowPrinter::Fill(const KeptRow& row, PrintedRow& printed) {
+  for (std::size_t i = 0; i < wanted_.size(); ++i) {
+    if (row.columns->is_left_out[i]) continue;
+    auto value = Value(i, row);
+    if (value) {
+      printed.values.emplace_back(ToString(wanted_[i].path), *std::move(value));
+      continue;
+    }
+    const std::scoped_lock lock(mutex_);
+    if (wanted_[i].is_found) {
+      row.columns->is_left_out[i] = true;
+      left_out_.push_back(value.error().message);
+    } else if (!mistake_) {
+      mistake_ = value.error();
+    }
+  }
+  return !mistake_ && !printed.values.empty();
+}
+
+bool RowPrinter::has_more() const {
+  const std::scoped_lock lock(mutex_);
+  return !rows_.is_empty();
+}
+
+std::size_t RowPrinter::waiting_bytes() const {
+  const std::scoped_lock lock(mutex_);
+  return rows_.bytes();
 }
 
 std::vector<std::string> RowPrinter::TakeComplaints() {
@@ -70,7 +149,7 @@ std::vector<std::string> RowPrinter::TakeComplaints() {
 
 bool RowPrinter::is_empty() const {
   const std::scoped_lock lock(mutex_);
-  return !is_left_out_.empty() && std::ranges::find(is_left_out_, false) == is_left_out_.end();
+  return columns_ && std::ranges::find(columns_->is_left_out, false) == columns_->is_left_out.end();
 }
 
 std::optional<tendon::Error> RowPrinter::mistake() const {
@@ -84,16 +163,16 @@ std::optional<tendon::Error> RowPrinter::interruption() const {
 }
 
 /// A number, or whatever else the path names, as JSON; "null" for what is not there in this row.
-tendon::Result<std::string> RowPrinter::Value(std::size_t index, const tendon::RowBatch& batch,
-                                              std::size_t row) const {
+tendon::Result<std::string> RowPrinter::Value(std::size_t index, const KeptRow& row) const {
   const auto& [path, column, is_found] = wanted_[index];
-  const auto cell = batch.cell(row, column);
-  if (const auto& channel = numbers_[index]) {
-    const auto number = ReadChannel(*channel, cell);
-    return number ? nlohmann::json(*number).dump() : "null";
+  const auto& cell = row.cells.at(column);
+  if (const auto& channel = row.columns->numbers[index]) {
+    const auto number = ReadExactly(*channel, cell);
+    return number ? ToJson(channel->schema, *number) : "null";
   }
-  const auto json = tendon::ToJson(schemas_.at(column), cell);
+  auto json = tendon::ToJson(row.columns->schemas.at(column), cell);
   if (!json) return std::string("null");
+  if (path.field.empty()) return json;
   auto part = tendon::client::JsonField(*json, path.field);
   if (part) return part;
   return tendon::Error{part.error().code, ToString(path) + ": " + part.error().message};

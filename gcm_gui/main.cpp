@@ -1,3 +1,5 @@
+#include <gcm_gui/fence/fence.h>
+#include <gcm_gui/fence/fenced_application.h>
 #include <gcm_gui/files/kept_values.h>
 #include <gcm_gui/language/language.h>
 #include <gcm_gui/language/words.h>
@@ -82,14 +84,21 @@ void KeepLayout(tendon::gui::MainWindow& window, tendon::gui::KeptValues& kept) 
   const auto geometry = QStringLiteral("geometry");
   const auto panels = QStringLiteral("panels");
   const auto columns = QStringLiteral("catalogueColumns");
-  window.restoreGeometry(kept.value(geometry));
-  window.panels().restore(kept.value(panels));
-  window.catalogue().tree().columns().restore(kept.value(columns));
+  // What was kept must not keep the window from opening.
+  const auto restore = [&](QWidget& view, auto&& part) {
+    tendon::gui::Fence::run(&view, tendon::gui::ViewWork::kHandling, part);
+  };
+  restore(window, [&] { window.restoreGeometry(kept.value(geometry)); });
+  restore(window, [&] { window.panels().restore(kept.value(panels)); });
+  restore(window.catalogue(),
+          [&] { window.catalogue().tree().columns().restore(kept.value(columns)); });
   QObject::connect(qApp, &QCoreApplication::aboutToQuit, &window,
                    [&window, &kept, geometry, panels, columns] {
-                     kept.set(geometry, window.saveGeometry());
-                     kept.set(panels, window.panels().state());
-                     kept.set(columns, window.catalogue().tree().columns().state());
+                     tendon::gui::Fence::run(&window, tendon::gui::ViewWork::kHandling, [&] {
+                       kept.set(geometry, window.saveGeometry());
+                       kept.set(panels, window.panels().state());
+                       kept.set(columns, window.catalogue().tree().columns().state());
+                     });
                    });
 }
 
@@ -159,7 +168,7 @@ int Run(const Options& options) {
   if (!options.layout.empty()) window.plots().openLayout(QString::fromStdString(options.layout));
   if (!options.no_tour && options.file.empty()) ShowAroundOnce(window, values);
   if (!options.file.empty()) window.files().bringUp(QString::fromStdString(options.file));
-  const int code = QApplication::exec();
+  const int code = tendon::gui::FencedApplication::exec();
   end.emplace();  // a process that hangs must not keep a window that is closed
   return code;
 }
@@ -181,9 +190,14 @@ int main(int argc, char** argv) {
                  "use gcm, and host a GCM with: gcm serve"});
   }
   tendon::gui::WatchedApplication application(argc, argv);
+  tendon::gui::Fence::instance();  // before there are threads that may need it
   QApplication::setApplicationName("gcm-gui");
   QApplication::setOrganizationName("tendon");
   tendon::gui::SpeakAs(QLocale::system());
   tendon::gui::Theme::instance().choose(ThemeChoice(options.theme));
-  return Run(options);
+  try {
+    return Run(options);
+  } catch (const std::exception& error) {  // before there is a window that could say so
+    return Fail({tendon::ErrorCode::kFailed, error.what()});
+  }
 }

@@ -1,4 +1,5 @@
 #include <lcm/lcm_program.h>
+#include <tendon/base/find_named.h>
 #include <tendon/base/log.h>
 #include <tendon/base/os/process.h>
 #include <tendon/base/os/termination.h>
@@ -6,6 +7,8 @@
 #include <tendon/gcm/system/leaders.h>
 #include <tendon/manager/bring_to.h>
 #include <tendon/manager/component_loader.h>
+#include <tendon/manager/unmet_need.h>
+#include <tendon/process/membership/own_address.h>
 #include <tendon/task/thread/threaded_task.h>
 
 #include <algorithm>
@@ -32,6 +35,7 @@ using namespace std::chrono_literals;
 struct Share {
   std::vector<tendon::SystemFile::Component> components;
   std::vector<tendon::SystemFile::Connection> connections;  ///< those it owns
+  bool is_strict = false;
 };
 
 Result<Share> ReadShare(const Options& options) {
@@ -47,6 +51,7 @@ Result<Share> ReadShare(const Options& options) {
                                            tendon::DidYouMean(options.name, names)};
   }
   share.components = process->components;
+  share.is_strict = system->strict;
   PutLeadersFirst(share.components);
   for (const auto& connection : system->connections) {
     if (connection.required.process == options.name) share.connections.push_back(connection);
@@ -107,7 +112,7 @@ Result<std::unique_ptr<tendon::Process>> MakeProcess(
     const Options& options, const std::shared_ptr<tendon::Middleware>& middleware,
     const std::shared_ptr<tendon::ComponentLoader>& loader) {
   if (!options.advertise.empty()) {
-    if (auto place = tendon::ParseAddress(options.advertise, 1); !place) return place.error();
+    if (auto good = tendon::CheckAdvertise(options.advertise); !good) return good.error();
   }
   if (auto own = program::CheckOwnPort("--listen", options.listen, options.gcm); !own) {
     return own.error();
@@ -186,6 +191,39 @@ bool Leads(const Share& share, const tendon::SystemFile::Component& component) {
                              [&](const auto& one) { return one.runs_after == component.name; });
 }
 
+/// Whether a component of a strict file may be started: what it needs is connected, or comes to be
+/// as long as `options` let a GCM take to come.
+Result<Told> AwaitNeeds(const tendon::Process& process, const std::string& component,
+                        const Options& options) {
+  constexpr auto kLook = 10ms;
+  const auto deadline = std::chrono::steady_clock::now() + options.timeout;
+  while (true) {
+    const auto all = process.components();
+    const auto* description = tendon::FindNamed(all, component);
+    const auto needs = description == nullptr ? std::vector<tendon::UnmetNeed>()
+                                              : UnmetNeedsOf(*description, process.connections());
+    const bool may_come =
+        !needs.empty() && std::ranges::all_of(needs, &tendon::UnmetNeed::has_connection);
+    const bool is_over = !may_come || std::chrono::steady_clock::now() >= deadline;
+    if (is_over) {
+      const auto met = CheckNeeds(component, needs);
+      return met ? Result<Told>(Told::kGoOn) : met.error();
+    }
+    if (tendon::os::TerminationAsked(kLook)) return Told::kEnd;
+  }
+}
+
+Result<Told> BringToState(const Share& share, tendon::Process& process,
+                          const std::string& component, ComponentState state,
+                          const Options& options) {
+  if (share.is_strict && IsRunning(state)) {
+    const auto told = AwaitNeeds(process, component, options);
+    if (!told || *told == Told::kEnd) return told;
+  }
+  const auto begun = BringTo(process, component, state);
+  return begun ? Result<Told>(Told::kGoOn) : begun.error();
+}
+
 /// The component's own errors do not end the others.
 Told Start(const Share& share, tendon::Process& process, const Options& options) {
   MakeConnections(share, process);
@@ -194,9 +232,9 @@ Told Start(const Share& share, tendon::Process& process, const Options& options)
     if (tendon::os::TerminationAsked(std::chrono::milliseconds(0))) return Told::kEnd;
     const bool rests_later = one.state == ComponentState::kSuspended && Leads(share, one);
     const auto state = rests_later ? ComponentState::kActive : one.state;
-    if (const auto begun = BringTo(process, one.name, state); !begun) {
-      tendon::Log(tendon::LogLevel::kError, options.name, begun.error().message);
-    }
+    const auto begun = BringToState(share, process, one.name, state, options);
+    if (begun && *begun == Told::kEnd) return Told::kEnd;
+    if (!begun) tendon::Log(tendon::LogLevel::kError, options.name, begun.error().message);
     if (rests_later) resting.push_back(one.name);
   }
   for (const std::string& name : resting) {

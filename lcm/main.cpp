@@ -20,7 +20,10 @@ int main(int argc, char** argv) {
   app.add_option("--system", options.system, "system file with this process' components");
   app.add_option("--listen", options.listen, "address for viewers and peers")
       ->capture_default_str();
-  app.add_option("--advertise", options.advertise, "address to tell others, where it differs");
+  app.add_option("--advertise", options.advertise,
+                 "address to tell others, or a host alone for the port of --listen (default: where "
+                 "it listens; "
+                 "for 0.0.0.0 and [::] the address from which it reaches the GCM)");
   app.set_version_flag("--version", "lcm " + tendon::OwnVersion().release);
   app.add_option("--timeout", timeout_ms,
                  "how long to look for the GCM at the start: 500ms, 5s, 2min or a number of ms")

@@ -1,17 +1,22 @@
 #include <program/command_line.h>
 #include <tendon/base/name.h>
 #include <tendon/base/printable.h>
+#include <tendon/payload/json/number_word.h>
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <utility>
 
 namespace program {
 namespace {
+
+using Kind = tendon::Schema::Kind;
+using Flaw = tendon::NumberFlaw;
 
 /// Of the program and of the verbs that were given.
 std::vector<std::string> OptionNames(const CLI::App& app) {
@@ -54,6 +59,44 @@ std::string Words(const CLI::ParseError& mistake) {
   return words;
 }
 
+/// What to write instead, where that is known: "; write 0.5s: the decimal sign is a point".
+std::string Hint(tendon::NumberWord word, const std::string& unit) {
+  if (word.meant.empty()) return {};
+  for (std::string& one : word.meant) one += unit;
+  return "; " + FlawText(word);
+}
+
+/// A finite number above 0.
+std::optional<double> Positive(const tendon::NumberWord& word) {
+  double number = 0.0;
+  const char* const end = word.json.data() + word.json.size();
+  const bool is_finite = std::from_chars(word.json.data(), end, number).ptr == end;
+  return is_finite && number > 0.0 ? std::optional(number) : std::nullopt;
+}
+
+/// Of "500ms", "10s", "2min" or a plain number of seconds; `hint` says what to write instead.
+std::optional<double> SecondsIn(const std::string& text, std::string& hint) {
+  constexpr std::array<std::pair<std::string_view, double>, 3> kUnits = {
+      {{"ms", 0.001}, {"min", 60.0}, {"s", 1.0}}};
+  for (const auto& [unit, factor] : kUnits) {
+    const bool is_in_unit = text.ends_with(unit);
+    if (!is_in_unit && factor != 1.0) continue;
+    const std::string number = text.substr(0, text.size() - (is_in_unit ? unit.size() : 0));
+    const tendon::NumberWord word = tendon::ReadNumberWord(Kind::kFloat64, number);
+    hint = Hint(word, std::string(is_in_unit ? unit : ""));
+    const auto seconds = Positive(word);
+    const bool is_time = seconds && std::isfinite(*seconds * factor) && *seconds * factor > 0.0;
+    return is_time ? std::optional(*seconds * factor) : std::nullopt;
+  }
+  return std::nullopt;
+}
+
+/// The shortest text that is the same number, in every locale.
+std::string TextOf(double number) {
+  std::array<char, 32> digits{};
+  return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr};
+}
+
 }  // namespace
 
 std::string SentenceOf(const CLI::ParseError& mistake, const CLI::App& app,
@@ -65,50 +108,46 @@ std::string SentenceOf(const CLI::ParseError& mistake, const CLI::App& app,
   return tendon::Printable(sentence) + (asks ? " " : "; ") + command + " --help tells more";
 }
 
-std::string CheckPositive(const std::string& text) {
-  double number = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  const bool is_number = error == std::errc() && end == text.data() + text.size();
-  if (is_number && std::isfinite(number) && number > 0.0) return {};
-  return "expected a number above 0, got '" + text + "'";
+std::string TransformPositive(std::string& text) {
+  const tendon::NumberWord word = tendon::ReadNumberWord(Kind::kFloat64, text);
+  if (const auto number = Positive(word)) {
+    text = TextOf(*number);
+    return {};
+  }
+  return "expected a number above 0, got '" + text + "'" + Hint(word, "");
 }
 
-std::string CheckCount(const std::string& text) {
-  std::uint64_t number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  const bool is_number = error == std::errc() && end == text.data() + text.size();
-  if (is_number && number > 0) return {};
-  return "expected a whole number above 0, got '" + text + "'";
+std::string TransformCount(std::string& text) {
+  const tendon::NumberWord word = tendon::ReadNumberWord(Kind::kUint64, text);
+  if (word.flaw == Flaw::kNone && word.json != "0") {
+    text = word.json;  // the library would read 010 as 8
+    return {};
+  }
+  return "expected a whole number above 0, got '" + text + "'" + Hint(word, "");
 }
 
 std::string TransformDuration(std::string& text) {
-  constexpr std::array<std::pair<std::string_view, double>, 3> kUnits = {
-      {{"ms", 0.001}, {"min", 60.0}, {"s", 1.0}}};
-  std::string number = text;
-  double factor = 1.0;
-  for (const auto& [unit, seconds] : kUnits) {
-    if (!number.ends_with(unit)) continue;
-    number.resize(number.size() - unit.size());
-    factor = seconds;
-    break;
+  std::string hint;
+  if (const auto seconds = SecondsIn(text, hint)) {
+    text = TextOf(*seconds);
+    return {};
   }
-  if (!CheckPositive(number).empty()) {
-    return "expected a time such as 500ms, 10s or 2min, got '" + text + "'";
-  }
-  text = std::to_string(std::stod(number) * factor);
-  return {};
+  return "expected a time such as 500ms, 10s or 2min, got '" + text + "'" + hint;
 }
 
 std::string TransformMilliseconds(std::string& text) {
   constexpr double kLongest = 3600000.0;
-  const bool is_plain = text.find_first_not_of("0123456789.") == std::string::npos;
-  std::string seconds = is_plain ? text + "ms" : text;
-  const bool is_time = TransformDuration(seconds).empty();
-  const double milliseconds = is_time ? std::stod(seconds) * 1000.0 : 0.0;
-  if (milliseconds < 1.0 || milliseconds > kLongest) {
-    return "expected a time of 1 ms to 60 min, such as 500ms, 5s or 2min, got '" + text + "'";
+  const bool is_plain = tendon::ReadNumberWord(Kind::kFloat64, text).flaw == Flaw::kNone;
+  std::string hint;
+  const double milliseconds = SecondsIn(is_plain ? text + "ms" : text, hint).value_or(0.0) * 1000.0;
+  const double whole = std::round(milliseconds);
+  const bool is_whole = std::abs(milliseconds - whole) < 1e-6;  // 0.7s is not quite 700 ms
+  if (!is_whole || whole < 1.0 || whole > kLongest) {
+    if (!is_whole) hint = "; write whole milliseconds";
+    return "expected a time of 1 ms to 60 min, such as 500ms, 5s or 2min, got '" + text + "'" +
+           hint;
   }
-  text = std::to_string(std::lround(milliseconds));
+  text = std::to_string(static_cast<std::int64_t>(whole));
   return {};
 }
 

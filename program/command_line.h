@@ -11,14 +11,16 @@ namespace program {
 std::string SentenceOf(const CLI::ParseError& mistake, const CLI::App& app,
                        const std::string& command);
 
-/// For CLI::Option::check(): a number above zero.
-std::string CheckPositive(const std::string& text);
+/// For CLI::Option::transform(), which take numbers as tendon::ReadNumberWord() does, in every
+/// locale alike, and say what to write instead of what is none.
+///
+/// A number above zero.
+std::string TransformPositive(std::string& text);
 
-/// For CLI::Option::check(): a whole number from 1 on.
-std::string CheckCount(const std::string& text);
+/// A whole number from 1 on.
+std::string TransformCount(std::string& text);
 
-/// For CLI::Option::transform(): "500ms", "10s", "2min" or a plain number becomes that many
-/// seconds.
+/// "500ms", "10s", "2min" or a plain number becomes that many seconds.
 std::string TransformDuration(std::string& text);
 
 /// The same in whole milliseconds, 1 to an hour, which a plain number is too.

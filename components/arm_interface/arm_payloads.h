@@ -28,6 +28,11 @@ struct JointGoal {
   double duration = 1.0;   ///< s
 };
 
+/// How fast to move from now on.
+struct JointVelocity {
+  JointVector velocity{};  ///< rad/s
+};
+
 /// A joint has come to the end of its range.
 struct LimitFault {
   std::int32_t joint = 0;  ///< 0 to 6
@@ -61,6 +66,10 @@ template <>
 inline constexpr auto tendon::kPayload<arm::JointGoal> =
     tendon::Describe("arm.JointGoal", tendon::Field{"position", &arm::JointGoal::position, "rad"},
                      tendon::Field{"duration", &arm::JointGoal::duration, "s"});
+
+template <>
+inline constexpr auto tendon::kPayload<arm::JointVelocity> = tendon::Describe(
+    "arm.JointVelocity", tendon::Field{"velocity", &arm::JointVelocity::velocity, "rad/s"});
 
 template <>
 inline constexpr auto tendon::kPayload<arm::LimitFault> =

@@ -18,6 +18,8 @@ class ArmSupervisor : public tendon::PeriodicTask {
  private:
   void Startup() override { events_ = {}; }
   void Run() override;
+  /// Another arm: where the last one had its flange says nothing.
+  void OnConnected(tendon::RequiredInterface& /*robot*/) override { flange_ = {}; }
 
   void OnGoalReached() { ++events_.goals; }
   void OnLimitExceeded(const LimitFault& /*fault*/) { ++events_.limits; }

@@ -17,6 +17,8 @@ class LegacyArm : public tendon::PeriodicTask {
 
  private:
   void Run() override;
+  /// It holds where it is, and waits to be told.
+  void OnResume() override { Stop(); }
 
   void MoveTo(const JointGoal& goal);
   void Stop() { goal_ = joints_.position; }

@@ -10,6 +10,7 @@ namespace {
 constexpr double kArrived = 1e-3;    // rad, and rad/s: near enough to a goal
 constexpr double kFurthest = 1e3;    // rad
 constexpr double kLongest = 3600.0;  // s
+constexpr double kGentle = 0.25;     // of the greatest acceleration, when it changes its velocity
 
 template <std::size_t... kIndex>
 std::array<Joint, kJoints> MakeJoints(const ArmConfiguration& configuration,
@@ -50,6 +51,19 @@ bool ArmMotion::MoveTo(const JointGoal& goal) {
   }
   elapsed_ = 0.0;
   has_goal_ = true;
+  is_cruising_ = false;
+  return true;
+}
+
+bool ArmMotion::MoveAt(const JointVector& velocity) {
+  if (!std::ranges::all_of(velocity, [](double one) { return std::isfinite(one); })) return false;
+  for (std::size_t joint = 0; joint < kJoints; ++joint) {
+    const double fastest = joints_[joint].limits().velocity;
+    wanted_[joint] = std::clamp(velocity[joint], -fastest, fastest);
+    if (!is_cruising_) cruise_[joint] = joints_[joint].point().velocity;
+  }
+  is_cruising_ = true;
+  has_goal_ = false;
   return true;
 }
 
@@ -61,6 +75,7 @@ void ArmMotion::Stop() {
   }
   elapsed_ = 0.0;
   has_goal_ = false;
+  is_cruising_ = false;
 }
 
 void ArmMotion::Rest() {
@@ -71,18 +86,27 @@ void ArmMotion::Rest() {
   duration_ = 0.0;
   elapsed_ = 0.0;
   has_goal_ = false;
+  is_cruising_ = false;
 }
 
 ArmMotion::Happenings ArmMotion::Step() {
   Happenings happenings;
   for (std::size_t joint = 0; joint < kJoints; ++joint) {
-    joints_[joint].Step(paths_[joint].At(elapsed_), step_);
+    joints_[joint].Step(ReferenceOf(joint), step_);
     happenings.limit_entered[joint] = joints_[joint].has_entered_limit();
   }
   elapsed_ = std::min(elapsed_ + step_, duration_);
   happenings.goal_reached = has_goal_ && HasArrived();
   if (happenings.goal_reached) has_goal_ = false;
   return happenings;
+}
+
+JointPoint ArmMotion::ReferenceOf(std::size_t joint) {
+  if (!is_cruising_) return paths_[joint].At(elapsed_);
+  const double most = kGentle * joints_[joint].limits().acceleration * step_;
+  const double change = std::clamp(wanted_[joint] - cruise_[joint], -most, most);
+  cruise_[joint] += change;
+  return {joints_[joint].point().position, cruise_[joint], change / step_};
 }
 
 JointState ArmMotion::state() const {
@@ -95,6 +119,7 @@ JointState ArmMotion::state() const {
 }
 
 JointGoal ArmMotion::goal() const {
+  if (is_cruising_) return {.position = state().position, .duration = 0.0};
   JointGoal goal{.position = {}, .duration = duration_};
   for (std::size_t joint = 0; joint < kJoints; ++joint) {
     goal.position[joint] = paths_[joint].goal();

@@ -1,5 +1,6 @@
 #include <components/simulated_arm/arm_kinematics.h>
 #include <components/simulated_arm/simulated_arm.h>
+#include <tendon/base/log.h>
 
 #include <chrono>
 #include <utility>
@@ -8,6 +9,7 @@ namespace arm {
 namespace {
 
 constexpr std::chrono::milliseconds kPeriod{1};
+constexpr std::chrono::milliseconds kRenewal{100};
 
 const ArmConfiguration& Checked(const ArmConfiguration& configuration, const std::string& name) {
   RequireValid(configuration, name);
@@ -27,6 +29,9 @@ SimulatedArm::SimulatedArm(std::string name, const Configuration& configuration)
   auto& control = AddProvidedInterface("Control");
   control.AddCommandVoid(&SimulatedArm::Stop, this, "Stop");
   control.AddCommandWrite(&SimulatedArm::MoveTo, this, "MoveTo").SetHazard("motion");
+  control.AddCommandWrite(&SimulatedArm::MoveAt, this, "MoveAt")
+      .SetHazard("motion")
+      .ExpiresAfter(kRenewal, &SimulatedArm::EndMoveAt, this);
   control.AddCommandReadState(state_table(), joints_, "GetJoints");
   control.AddCommandQualifiedRead(state_table(), joints_, &LinkPose, "GetLinkPose");
   control.AddEvent(limit_exceeded_, "LimitExceeded");
@@ -46,8 +51,24 @@ void SimulatedArm::Run() {
   if (happened.goal_reached) goal_reached_();
 }
 
+void SimulatedArm::OnResume() {
+  if (motion_.is_under_way()) {
+    Log(tendon::LogLevel::kWarning, name(),
+        "holds where it is: it was suspended on its way, and goes on when it is told anew");
+  }
+  motion_.Rest();
+}
+
 void SimulatedArm::MoveTo(const JointGoal& goal) {
   if (!motion_.MoveTo(goal)) ++refused_;
+}
+
+void SimulatedArm::MoveAt(const JointVelocity& velocity) {
+  if (!motion_.MoveAt(velocity.velocity)) ++refused_;
+}
+
+void SimulatedArm::EndMoveAt() {
+  if (motion_.is_cruising()) motion_.Stop();
 }
 
 void SimulatedArm::Measure() {

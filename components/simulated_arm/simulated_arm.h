@@ -28,8 +28,13 @@ class SimulatedArm : public tendon::PeriodicTask {
  private:
   void Startup() override;
   void Run() override;
+  /// It holds where it is: what it was told before was meant for the world as it was then.
+  void OnResume() override;
 
   void MoveTo(const JointGoal& goal);
+  void MoveAt(const JointVelocity& velocity);
+  /// Unless something else was told meanwhile.
+  void EndMoveAt();
   void Stop() { motion_.Stop(); }
   void Measure();
 

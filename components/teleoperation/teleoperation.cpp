@@ -62,7 +62,7 @@ void Teleoperation::Run() {
   ProcessQueuedCommands();
   JointState joints;
   const tendon::Status status = get_joints_(joints);
-  if (status == tendon::Status::kNotConnected) is_leading_ = false;
+  if (status == tendon::Status::kNotActive) is_leading_ = false;
   if (!status) return;
   if (!is_leading_) SetOut(joints);
   GoOn(joints);
@@ -100,9 +100,11 @@ void Teleoperation::GoOn(const JointState& joints) {
 }
 
 void Teleoperation::SendGoal() {
-  // A goal that is refused is no loss: the next one follows.
-  (void)move_to_({.position = PostureAt(kAhead), .duration = kDuration});
+  const tendon::Status status = move_to_({.position = PostureAt(kAhead), .duration = kDuration});
   cycles_to_goal_ = kCyclesPerGoal;
+  // An arm that rests is led anew once it goes on. Any other goal that is refused is no loss: the
+  // next one follows.
+  if (status == tendon::Status::kNotActive) is_leading_ = false;
 }
 
 JointVector Teleoperation::PostureAt(double time_ahead) const {

@@ -26,6 +26,10 @@ class Teleoperation : public tendon::PeriodicTask {
   void Startup() override { is_leading_ = false; }
   void Run() override;
   void Cleanup() override;
+  // In each case the arm may be elsewhere, or another one: it sets out anew from there.
+  void OnConnected(tendon::RequiredInterface& /*robot*/) override { is_leading_ = false; }
+  void OnDisconnected(tendon::RequiredInterface& /*robot*/) override { is_leading_ = false; }
+  void OnResume() override { is_leading_ = false; }
 
   void SetOut(const JointState& joints);
   void GoOn(const JointState& joints);

@@ -2,6 +2,8 @@
 #include <tendon/payload/schema/values_text.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -18,6 +20,15 @@ void AddField(const std::string& name, const Schema::Field& field, Table& table)
              field.help});
   if (field.schema.kind() != Kind::kStructure) return;
   for (const auto& inner : field.schema.fields()) AddField(name + "." + inner.name, inner, table);
+}
+
+/// For a field of integers, which takes no fraction and no exponent.
+ordered_json WholeNumber(double nearest) {
+  constexpr double kEnd = 0x1p63;
+  const double whole = nearest > 0.0 ? std::ceil(nearest) : std::floor(nearest);
+  if (whole >= -kEnd && whole < kEnd) return static_cast<std::int64_t>(whole);
+  return whole > 0.0 && whole < 2.0 * kEnd ? ordered_json(static_cast<std::uint64_t>(whole))
+                                           : ordered_json(0);
 }
 
 ordered_json ValueOf(const Schema& schema, const std::optional<tendon::Range>& range) {
@@ -50,7 +61,9 @@ ordered_json ValueOf(const Schema& schema, const std::optional<tendon::Range>& r
       break;
   }
   const double nearest = range ? std::clamp(0.0, range->lowest, range->highest) : 0.0;
-  return nearest == 0.0 ? ordered_json(0) : ordered_json(nearest);
+  const bool is_integer = schema.is_number() && schema.kind() < Kind::kFloat32;
+  if (nearest == 0.0 || is_integer) return WholeNumber(nearest);
+  return nearest;
 }
 
 }  // namespace

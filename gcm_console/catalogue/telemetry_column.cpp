@@ -3,7 +3,10 @@
 #include <tendon/gcm/lookup.h>
 
 #include <algorithm>
+#include <condition_variable>
 #include <iterator>
+#include <memory>
+#include <mutex>
 #include <utility>
 
 namespace console {
@@ -27,10 +30,13 @@ Result<std::vector<std::string>> ColumnsOf(const tendon::Catalog& catalog,
   const auto component = LookUpComponent(catalog, path.process, path.component);
   if (!component) return component.error();
   if (!IsTable(path.interface)) {
+    std::vector<std::string> tables;
+    for (const auto& table : (*component)->tables) tables.push_back(table.name);
     return Error{ErrorCode::kNotFound, "'" + text +
                                            "' is no column of a state table; list them with: gcm "
                                            "ls " +
-                                           path.process + "/" + path.component + "/state"};
+                                           path.process + "/" + path.component + "/state" +
+                                           tendon::DidYouMean(path.interface, tables)};
   }
   const auto provided = LookUpProvided(catalog, path.interface_name());
   if (!provided) return provided.error();
@@ -118,6 +124,32 @@ void Add(const tendon::Path& path, bool is_found, ColumnChoice& choice) {
   if (place == columns.end()) columns.push_back(path.member);
 }
 
+/// Hears when the newest row of a table was written.
+class NewestRow final : public tendon::RowSink {
+ public:
+  void OnSubscribed(const std::vector<tendon::Schema>& /*columns*/) override {}
+  std::size_t OnRows(const tendon::RowBatch& batch) override {
+    if (batch.count == 0) return 0;
+    const std::scoped_lock lock(mutex_);
+    written_ = batch.times[batch.count - 1] - batch.clock_offset.count();
+    came_.notify_all();
+    return 0;
+  }
+  void OnStale(const tendon::Error& /*reason*/) override {}
+
+  std::optional<std::chrono::nanoseconds> WaitForAge(std::chrono::milliseconds patience) {
+    std::unique_lock lock(mutex_);
+    if (!came_.wait_for(lock, patience, [this] { return written_.has_value(); })) return {};
+    const std::chrono::nanoseconds now = std::chrono::steady_clock::now().time_since_epoch();
+    return std::max(std::chrono::nanoseconds(0), now - std::chrono::nanoseconds(*written_));
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable came_;
+  std::optional<std::int64_t> written_;
+};
+
 }  // namespace
 
 bool IsTable(const std::string& interface) {
@@ -152,6 +184,37 @@ Result<tendon::TableSubscription> WholeTable(const tendon::Catalog& catalog,
   if (path->member.empty()) path->member = columns->front();
   if (auto good = CheckColumn(*path, *columns); !good) return good.error();
   return tendon::TableSubscription{path->process, path->component, path->interface, {path->member}};
+}
+
+std::optional<OldValues> OldValuesOf(tendon::GcmClient& client, const tendon::Path& path) {
+  constexpr std::chrono::milliseconds kPatience(500);
+  const tendon::Catalog catalog = client.catalog();
+  OldValues old{
+      path.process + "/" + path.component, StandstillOf(catalog, path.process, path.component), {}};
+  if (old.why == tendon::Standstill::kNone) return std::nullopt;
+  const auto* component = catalog.FindComponent(path.process, path.component);
+  const bool has_rows = component != nullptr && !component->tables.empty() &&
+                        old.why != tendon::Standstill::kNotStarted;
+  if (!has_rows) return old;
+  const auto& tables = component->tables;
+  const auto named = std::find_if(tables.begin(), tables.end(),
+                                  [&](const auto& one) { return one.name == path.interface; });
+  const auto& table = named == tables.end() ? *tables.begin() : *named;
+  if (table.columns.empty()) return old;
+  const auto row = std::make_shared<NewestRow>();
+  tendon::TableSubscription wanted{
+      path.process, path.component, table.name, {table.columns.front().name}};
+  wanted.rows.delivery = tendon::RowDelivery::kNewest;
+  const auto id = client.telemetry().Subscribe(wanted, row);
+  old.age = row->WaitForAge(kPatience);
+  client.telemetry().Unsubscribe(id);
+  return IsOld(old.why, old.age, 0) ? std::optional(old) : std::nullopt;
+}
+
+std::string ToText(const OldValues& values) {
+  std::string text = values.component + " is " + std::string(ToString(values.why));
+  if (values.why == tendon::Standstill::kNoAnswer) text = values.component + " gives no answer";
+  return values.age ? text + ": " + tendon::AgeText(*values.age) + " old" : text;
 }
 
 }  // namespace console

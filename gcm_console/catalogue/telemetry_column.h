@@ -1,10 +1,14 @@
 #pragma once
 
 #include <gcm_console/row_printer.h>
+#include <tendon/base/path.h>
 #include <tendon/base/result.h>
-#include <tendon/gcm/catalog.h>
+#include <tendon/gcm/client.h>
+#include <tendon/gcm/standstill.h>
 #include <tendon/process/telemetry_client.h>
 
+#include <chrono>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,5 +37,21 @@ tendon::Result<ColumnChoice> ColumnsThatFit(const tendon::Catalog& catalog,
 /// The rows of a table, by its path or that of a column: of this column, or the first.
 tendon::Result<tendon::TableSubscription> WholeTable(const tendon::Catalog& catalog,
                                                      const std::string& path);
+
+/// That the values of a component are old, and how old, where that is known.
+struct OldValues {
+  std::string component;  ///< "robot/arm"
+  tendon::Standstill why = tendon::Standstill::kNone;
+  std::optional<std::chrono::nanoseconds> age;
+};
+
+/// Of the component that `path` belongs to; nothing while it runs. The age is that of the newest
+/// row of its table, or of its first table where the path names none: waits for it for half a
+/// second, unless the component was not started.
+[[nodiscard]] std::optional<OldValues> OldValuesOf(tendon::GcmClient& client,
+                                                   const tendon::Path& path);
+
+/// "robot/arm is suspended: 12 s old".
+[[nodiscard]] std::string ToText(const OldValues& values);
 
 }  // namespace console

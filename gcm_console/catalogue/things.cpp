@@ -1,6 +1,7 @@
 #include <gcm_console/catalogue/telemetry_column.h>
 #include <gcm_console/catalogue/things.h>
 #include <gcm_console/place.h>
+#include <tendon/gcm/wiring/waiting.h>
 
 #include <algorithm>
 #include <map>
@@ -22,6 +23,15 @@ std::string TextOf(const std::vector<InterfaceName>& users) {
   return "<- " + ToString(users[0]) + (more == 0 ? "" : " and " + std::to_string(more) + " more");
 }
 
+/// What is wrong with it, or keeps it from its work.
+std::string DetailOf(const tendon::ProcessEntry& entry,
+                     const tendon::ComponentDescription& component) {
+  if (!component.fault.empty()) return component.fault;
+  const std::string waiting = WaitingReasons(WaitsOf(entry, component));
+  const bool is_both = !component.warning.empty() && !waiting.empty();
+  return component.warning + (is_both ? "; " : "") + waiting;
+}
+
 class Walk {
  public:
   Walk(const Catalog& catalog, const std::string& below) : catalog_(catalog), below_(below) {
@@ -34,16 +44,16 @@ class Walk {
     for (const auto& [name, entry] : catalog_.processes()) {
       host_ = entry.process.host;
       Add(name, "process", "", std::string(ToString(entry.process.state)), entry.process.reason);
-      for (const auto& [component, description] : entry.components) Go(name, description);
+      for (const auto& [component, description] : entry.components) Go(entry, description);
     }
   }
   std::vector<Thing> Take() { return std::move(things_); }
 
  private:
-  void Go(const std::string& process, const tendon::ComponentDescription& component) {
+  void Go(const tendon::ProcessEntry& entry, const tendon::ComponentDescription& component) {
+    const std::string& process = entry.process.name;
     Add(process + "/" + component.name, "component", component.class_name,
-        std::string(ToString(component.state)),
-        component.fault.empty() ? component.warning : component.fault);
+        std::string(ToString(component.state)), DetailOf(entry, component));
     for (const auto& one : component.provided) {
       const InterfaceName name(process, component.name, one.name);
       const auto users = users_.find(name);

@@ -24,16 +24,13 @@ class EventInbox::Sink final : public tendon::EventSink {
     const std::int64_t raised = tendon::WallTime() - age.count();
     const bool is_known = time.uncertainty != tendon::EventTime().uncertainty;
     const std::scoped_lock lock(inbox_->mutex_);
-    Content& content = inbox_->content_;
-    if (content.events.size() >= kMostWaiting) {
-      ++content.lost[PathOf(event)];
-      return;
-    }
-    content.events.push_back({.time_ns = raised,
-                              .uncertainty_ns = is_known ? time.uncertainty.count() : -1,
-                              .path = PathOf(event),
-                              .description = events_.at(event),
-                              .value = {value.begin(), value.end()}});
+    inbox_->events_.Push({.time_ns = raised,
+                          .uncertainty_ns = is_known ? time.uncertainty.count() : -1,
+                          .path = PathOf(event),
+                          .description = events_.at(event),
+                          .value = {value.begin(), value.end()}},
+                         sizeof(HeardEvent) + value.size(),
+                         [&](const HeardEvent& oldest) { ++inbox_->content_.lost[oldest.path]; });
   }
   void OnEventsLost(std::size_t event, std::uint64_t lost) override {
     const std::scoped_lock lock(inbox_->mutex_);
@@ -41,7 +38,7 @@ class EventInbox::Sink final : public tendon::EventSink {
   }
   void OnStale(const tendon::Error& reason) override {
     const std::scoped_lock lock(inbox_->mutex_);
-    inbox_->content_.complaints.push_back({tendon::ErrorCode::kFailed, reason.message});
+    inbox_->Complain({tendon::ErrorCode::kFailed, reason.message});
   }
 
  private:
@@ -61,12 +58,22 @@ std::shared_ptr<tendon::EventSink> EventInbox::SinkOf(
 
 EventInbox::Content EventInbox::Take() {
   const std::scoped_lock lock(mutex_);
-  return std::exchange(content_, {});
+  Content content = std::exchange(content_, {});
+  content.events = events_.Take(kMostTaken);
+  content.has_more = !events_.is_empty();
+  return content;
+}
+
+/// Under the lock. Whoever does not take them need not have all that were ever made.
+void EventInbox::Complain(const tendon::Error& complaint) {
+  constexpr std::size_t kMost = 100;
+  if (content_.complaints.size() < kMost) content_.complaints.push_back(complaint);
 }
 
 void EventInbox::OnSnapshot(const tendon::Catalog& /*catalog*/) {
   const std::scoped_lock lock(mutex_);
   content_.is_catalog_new = true;
+  if (std::exchange(is_gcm_lost_, false)) content_.is_gcm_back = true;
 }
 
 void EventInbox::OnChanges(const std::vector<tendon::CatalogChange>& /*changes*/) {
@@ -76,7 +83,9 @@ void EventInbox::OnChanges(const std::vector<tendon::CatalogChange>& /*changes*/
 
 void EventInbox::OnGcmLost(const tendon::Error& reason) {
   const std::scoped_lock lock(mutex_);
-  content_.complaints.push_back({tendon::ErrorCode::kUnreachable, reason.message});
+  Complain({tendon::ErrorCode::kUnreachable, reason.message});
+  is_gcm_lost_ = true;
+  content_.is_gcm_back = false;
 }
 
 }  // namespace console

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <tendon/base/dropping_queue.h>
 #include <tendon/gcm/client.h>
 
 #include <cstddef>
@@ -23,12 +24,15 @@ struct HeardEvent {
   std::vector<std::byte> value;  ///< the CDR body of its type
 };
 
-/// Keeps what is heard of all interfaces until the printing thread takes it. Events beyond
-/// kMostWaiting are counted as lost here.
+/// Keeps what is heard of all interfaces until the printing thread takes it. What waits is bounded
+/// in events and bytes; newer ones take the place of the oldest, which are counted as lost here.
 class EventInbox final : public tendon::GcmListener,
                          public std::enable_shared_from_this<EventInbox> {
  public:
-  static constexpr std::size_t kMostWaiting = 100000;
+  static constexpr tendon::QueueBound kMostWaiting = {.elements = 100000,
+                                                      .bytes = std::size_t{32} << 20U};
+  /// At one go, or a single event.
+  static constexpr std::size_t kMostTaken = std::size_t{1} << 20U;  // bytes
 
   struct Content {
     bool is_catalog_new = false;
@@ -37,12 +41,14 @@ class EventInbox final : public tendon::GcmListener,
     std::deque<HeardEvent> events;
     std::map<std::string, std::uint64_t> lost;  ///< since the last time, by path
     std::vector<tendon::Error> complaints;      ///< kUnreachable: of the GCM; else of a process
+    bool is_gcm_back = false;                   ///< after a complaint of it
+    bool has_more = false;                      ///< events that wait
   };
 
   /// Who hears the events of one interface for us.
   std::shared_ptr<tendon::EventSink> SinkOf(const tendon::EventSubscription& subscription);
 
-  /// All since the last time.
+  /// What has come since the last time; of the events the oldest that wait.
   Content Take();
 
   void OnSnapshot(const tendon::Catalog& catalog) override;
@@ -52,8 +58,12 @@ class EventInbox final : public tendon::GcmListener,
  private:
   class Sink;
 
+  void Complain(const tendon::Error& complaint);
+
   std::mutex mutex_;
-  Content content_;
+  Content content_;  // but for the events
+  tendon::DroppingQueue<HeardEvent> events_{kMostWaiting};
+  bool is_gcm_lost_ = false;
 };
 
 }  // namespace console

@@ -4,6 +4,7 @@
 #include <gcm_console/report.h>
 #include <gcm_console/verb.h>
 #include <program/command_line.h>
+#include <tendon/base/counted.h>
 #include <tendon/base/os/termination.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/text/wall_time.h>
@@ -132,24 +133,30 @@ class Listeners {
 };
 
 /// Of `content`; returns how many events are lost.
-std::uint64_t Remark(const EventInbox::Content& content, std::ostream& err) {
+std::uint64_t Remark(const EventInbox::Content& content, Context& context) {
+  std::ostream& err = context.err();
   for (const tendon::EventSubscription& one : content.begun) {
-    err << "gcm: listening to " << one.events.size()
-        << (one.events.size() == 1 ? " event of " : " events of ") << Plain(ToString(one.provided))
-        << '\n';
+    err << "gcm: listening to " << tendon::Counted(one.events.size(), "event of ", "events of ")
+        << Plain(ToString(one.provided)) << '\n';
   }
   std::uint64_t all = 0;
   for (const auto& [path, lost] : content.lost) {
     err << "gcm: lost " << lost << " of " << Plain(path)
         << ": they came faster than they were read\n";
+    if (context.settings().json) {
+      context.PrintJsonLine({{"gap", {{"path", path}, {"lost", lost}}}});
+    }
     all += lost;
   }
   return all;
 }
 
-void Complain(const EventInbox::Content& content, std::ostream& err) {
+void Complain(const EventInbox::Content& content, Context& context) {
   for (const Error& complaint : content.complaints) {
-    err << "gcm: " << Plain(complaint.message) << '\n';
+    context.err() << "gcm: " << Plain(complaint.message) << '\n';
+  }
+  if (content.is_gcm_back) {
+    context.err() << "gcm: the GCM at " << Plain(context.settings().gcm) << " is there again\n";
   }
 }
 
@@ -174,24 +181,28 @@ Result<ExitCode> PrintEvents(Context& context, const EventsOptions& options) {
            (options.count == 0 || writer.printed() < options.count) &&
            (options.seconds == 0.0 || passed.count() < options.seconds);
   };
+  bool has_more = false;
   while (wants_more()) {
-    is_interrupted = tendon::os::TerminationAsked(20ms);
+    is_interrupted = tendon::os::TerminationAsked(has_more ? 0ms : 20ms);
     const EventInbox::Content content = inbox->Take();
+    has_more = content.has_more;
     if (content.is_catalog_new) listeners.Follow(options.patterns);
     writer.Learn(content);
     for (const HeardEvent& event : content.events) {
-      if (options.count > 0 && writer.printed() == options.count) break;
+      if (is_interrupted || (options.count > 0 && writer.printed() == options.count)) break;
       writer.Write(event);
+      is_interrupted = tendon::os::TerminationAsked(0ms);
     }
+    lost += Remark(content, context);
     context.out().flush();
-    lost += Remark(content, context.err());
     if (options.ends_with_link && !content.complaints.empty()) {
       broken = content.complaints.front();  // which is said in the end
     } else {
-      Complain(content, context.err());
+      Complain(content, context);
     }
   }
-  context.err() << "gcm: " << writer.printed() << " events, " << lost << " lost\n";
+  context.err() << "gcm: " << tendon::Counted(writer.printed(), "event", "events") << ", " << lost
+                << " lost\n";
   if (broken) return *broken;
   return is_interrupted ? program::kInterrupted : program::kOk;
 }
@@ -203,7 +214,7 @@ Verb::Run PrepareEvents(CLI::App& app) {
         WordKind::kEvent)
       ->required();
   app.add_option("--count", options->count, "end after so many events")
-      ->check(&program::CheckCount);
+      ->transform(CLI::Validator(&program::TransformCount, ""));
   app.add_option("--for", options->seconds, "end after so long: 10s, 500ms, 2min")
       ->type_name("TIME")
       ->transform(CLI::Validator(&program::TransformDuration, ""));

@@ -43,7 +43,7 @@ const std::vector<Topic>& Topics() {
        {{"Results go to the standard output, remarks and errors to the standard error."},
         {"terminal", "tables with titles; --no-header leaves the titles out"},
         {"pipe or file", "one line a row, cells separated by tabs, no titles"},
-        {"--json", "one document with \"schema\": 1; rows, events, log records one a line"},
+        {"--json", "one document with \"schema\": 1; rows, events, log records, gaps one a line"},
         {"-q, -v", "no remarks; or more of them"},
         {"--color WHEN", "auto: on a terminal, unless NO_COLOR is set or TERM is dumb"}}}};
   return kTopics;

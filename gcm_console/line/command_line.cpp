@@ -6,6 +6,7 @@
 #include <tendon/base/name.h>
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <set>
 #include <sstream>
@@ -40,11 +41,42 @@ const CLI::Option* OptionOf(const CLI::App* part, const std::string& word) {
   return nullptr;
 }
 
-/// A list in JSON would be taken apart where several words may stand. The blank behind it prevents
-/// that, and is no part of what it means. "[::1]" is a host.
+/// "-inf", "-Infinity", "-NaN".
+bool IsNegativeName(const std::string& word) {
+  std::string name = word;
+  std::ranges::transform(name, name.begin(), [](unsigned char letter) {
+    return static_cast<char>(std::tolower(letter));
+  });
+  return name == "-inf" || name == "-infinity" || name == "-nan";
+}
+
+/// The library would take a word in brackets apart where several words may stand, and "-inf" for
+/// options of one letter. A blank behind the first and before the second prevents that; AsTyped()
+/// takes it away.
 std::string KeptWhole(const std::string& word) {
-  const bool is_host = word.find(':') != std::string::npos && word.find('"') == std::string::npos;
-  return word.starts_with('[') && word.ends_with(']') && !is_host ? word + ' ' : word;
+  const bool is_in_brackets = word.starts_with('[') && word.ends_with(']');
+  if (is_in_brackets || word.ends_with(' ')) return word + ' ';
+  return IsNegativeName(word) || word.starts_with(' ') ? ' ' + word : word;
+}
+
+std::string AsTyped(std::string& word) {
+  if (word.ends_with(' ')) {
+    word.pop_back();
+  } else if (word.starts_with(' ')) {
+    word.erase(0, 1);
+  }
+  return {};
+}
+
+/// Before all other transformations.
+void TakeAsTyped(CLI::App& app) {
+  for (CLI::Option* option : app.get_options()) {
+    const bool is_flag = option->get_items_expected_max() == 0;
+    if (!is_flag) option->transform(CLI::Validator(&AsTyped, ""));
+  }
+  for (CLI::App* part : app.get_subcommands([](CLI::App* /*part*/) { return true; })) {
+    TakeAsTyped(*part);
+  }
 }
 
 /// "no verb 'conect'; did you mean 'connect'? gcm --help lists them", for the first word where a
@@ -138,6 +170,7 @@ CommandLine::CommandLine(Settings usual, Complement complement)
   app_.fallthrough();
   AddSettings();
   for (const Verb& verb : AllVerbs()) AddVerb(verb);
+  TakeAsTyped(app_);
 }
 
 void CommandLine::AddSettings() {

@@ -1,6 +1,5 @@
 #include <gcm_console/screen/curve_feed.h>
 
-#include <cmath>
 #include <utility>
 
 namespace console {
@@ -53,7 +52,7 @@ void CurveFeed::Add(const RowPrinter::Wanted& wanted, const tendon::Schema& sche
                                  std::to_string(kMostCurves) + " numbers of a table are drawn");
     }
     sources_.push_back({wanted.column, number});
-    curves_.push_back({ToString(title), number.unit, {}});
+    curves_.push_back({ToString(title), number.unit, number.schema, {}});
   }
 }
 
@@ -63,8 +62,11 @@ std::size_t CurveFeed::OnRows(const tendon::RowBatch& batch) {
   for (std::size_t row = 0; row < batch.count; ++row) {
     const double time = static_cast<double>(batch.times[row]) * kNanosecond;
     for (std::size_t i = 0; i < curves_.size(); ++i) {
-      const auto value = ReadChannel(sources_[i].channel, batch.cell(row, sources_[i].column));
-      if (value && std::isfinite(*value)) curves_[i].samples.push_back({time, *value});
+      auto& samples = curves_[i].samples;
+      // A clock that went back belongs to another start of the source.
+      if (!samples.empty() && time < samples.back().time) samples.clear();
+      samples.push_back(
+          {time, ReadExactly(sources_[i].channel, batch.cell(row, sources_[i].column))});
     }
   }
   for (Curve& curve : curves_) {
@@ -72,6 +74,9 @@ std::size_t CurveFeed::OnRows(const tendon::RowBatch& batch) {
     while (!samples.empty() && samples.back().time - samples.front().time > window_) {
       samples.pop_front();
     }
+    if (samples.size() <= kMostSamples) continue;
+    is_cut_ = true;
+    samples.erase(samples.begin(), samples.end() - kMostSamples);
   }
   return 0;
 }
@@ -99,6 +104,10 @@ bool CurveFeed::is_empty() const {
 std::vector<std::string> CurveFeed::notes() const {
   const std::scoped_lock lock(mutex_);
   std::vector<std::string> notes = left_out_;
+  if (is_cut_) {
+    notes.push_back("the newest " + std::to_string(kMostSamples) +
+                    " samples of each curve are drawn; a shorter --window shows all of its time");
+  }
   if (!complaint_.empty()) notes.push_back(complaint_);
   return notes;
 }

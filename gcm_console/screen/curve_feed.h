@@ -15,12 +15,13 @@ namespace console {
 /// One number over the last seconds.
 struct Curve {
   struct Sample {
-    double time = 0.0;  ///< s on the source's clock
-    double value = 0.0;
+    double time = 0.0;                          ///< s on the source's clock
+    std::optional<tendon::ChannelValue> value;  ///< nothing where the row has none
   };
   std::string title;
   std::string unit;
-  std::deque<Sample> samples;
+  tendon::Schema schema;       ///< of the number
+  std::deque<Sample> samples;  ///< in the order of time
 };
 
 /// The numbers that are wanted of one table. Where a path names several, a vector say, each is a
@@ -29,6 +30,8 @@ class CurveFeed final : public tendon::RowSink {
  public:
   /// More are not kept.
   static constexpr std::size_t kMostCurves = 16;
+  /// Of a curve; newer samples take the place of the oldest.
+  static constexpr std::size_t kMostSamples = std::size_t{1} << 17U;
 
   /// `window`: s that are kept.
   CurveFeed(std::vector<RowPrinter::Wanted> wanted, double window)
@@ -62,6 +65,7 @@ class CurveFeed final : public tendon::RowSink {
   std::optional<tendon::Error> mistake_;
   std::vector<std::string> left_out_;
   std::string complaint_;
+  bool is_cut_ = false;  // the window is too long for as many samples as come
 };
 
 }  // namespace console

@@ -1,5 +1,7 @@
 #include <gcm_console/screen/task_feed.h>
 #include <tendon/gcm/lookup.h>
+#include <tendon/gcm/standstill.h>
+#include <tendon/gcm/wiring/waiting.h>
 #include <tendon/payload/plot_channel.h>
 
 #include <algorithm>
@@ -50,6 +52,7 @@ class TaskFeed::Listener final : public tendon::RowSink {
     const std::scoped_lock lock(mutex_);
     if (batch.count == 0) return 0;
     const std::size_t row = batch.count - 1;
+    written_ = batch.times[row] - batch.clock_offset.count();
     const auto value = [&](const std::optional<tendon::PlotChannel>& channel, std::size_t column) {
       return channel ? ReadChannel(*channel, batch.cell(row, column)).value_or(0.0) : 0.0;
     };
@@ -73,10 +76,18 @@ class TaskFeed::Listener final : public tendon::RowSink {
     const std::scoped_lock lock(mutex_);
     return figures_;
   }
+  /// Since its newest row was written.
+  std::optional<std::chrono::nanoseconds> age() {
+    const std::scoped_lock lock(mutex_);
+    if (!written_) return std::nullopt;
+    const std::chrono::nanoseconds now = std::chrono::steady_clock::now().time_since_epoch();
+    return std::max(std::chrono::nanoseconds(0), now - std::chrono::nanoseconds(*written_));
+  }
 
  private:
   std::mutex mutex_;
   TaskFigures figures_;
+  std::optional<std::int64_t> written_;
   std::optional<tendon::PlotChannel> cycles_;
   std::optional<tendon::PlotChannel> period_;
   std::optional<tendon::PlotChannel> late_;
@@ -108,12 +119,17 @@ std::vector<TaskFigures> TaskFeed::Look() {
       } else {
         there.insert(std::move(known));
       }
-      TaskFigures figures = there[path].listener->figures();
+      Listener& listener = *there[path].listener;
+      const auto why = StandstillOf(entry.process.state, component.state);
+      const bool is_old = IsOld(why, listener.age(), 0);
+      TaskFigures figures = is_old ? TaskFigures() : listener.figures();
+      if (is_old) figures.age = listener.age();
       figures.path = path;
       figures.state = ToString(component.state);
+      figures.detail = WaitingText(WaitsOf(entry, component));
       figures.period = component.period;
       const bool is_alive = entry.process.state == tendon::ProcessState::kAlive;
-      figures.is_awaited = is_alive && !figures.is_known;
+      figures.is_awaited = is_alive && (is_old ? !figures.age : !figures.is_known);
       all.push_back(std::move(figures));
     }
   }

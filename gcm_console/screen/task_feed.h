@@ -2,9 +2,11 @@
 
 #include <tendon/gcm/client.h>
 
+#include <chrono>
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,15 +17,17 @@ namespace console {
 struct TaskFigures {
   std::string path;  ///< of the component
   std::string state;
-  double rate = 0.0;          ///< cycles a second
-  double period = 0.0;        ///< s, as wanted; 0 where it has none
-  double late = 0.0;          ///< s: half of the cycles began no later than that
-  double latest = 0.0;        ///< s
-  double compute = 0.0;       ///< s, mean
-  double load = 0.0;          ///< part of the time that it computes
-  std::uint64_t skipped = 0;  ///< cycles, since its start
-  bool is_known = false;      ///< whether a second has been heard of
-  bool is_awaited = false;    ///< whether one may be heard of soon
+  std::string detail;                           ///< "waiting for Robot"
+  double rate = 0.0;                            ///< cycles a second
+  double period = 0.0;                          ///< s, as wanted; 0 where it has none
+  double late = 0.0;                            ///< s: half of the cycles began no later than that
+  double latest = 0.0;                          ///< s
+  double compute = 0.0;                         ///< s, mean
+  double load = 0.0;                            ///< part of the time that it computes
+  std::uint64_t skipped = 0;                    ///< cycles, since its start
+  std::optional<std::chrono::nanoseconds> age;  ///< since its last cycle, of one that stands still
+  bool is_known = false;    ///< whether a second has been heard of, and the task runs
+  bool is_awaited = false;  ///< whether one may be heard of soon
 };
 
 /// Listens to the tasks of a system, which come and go.

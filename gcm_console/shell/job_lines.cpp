@@ -1,4 +1,5 @@
 #include <gcm_console/shell/job_lines.h>
+#include <tendon/base/counted.h>
 
 #include <utility>
 
@@ -18,8 +19,8 @@ std::string JobLines::Take() {
   std::string all;
   for (const std::string& line : lines_) all += line + '\n';
   if (left_out_ > 0) {
-    all +=
-        "gcm: " + std::to_string(left_out_) + " lines are left out: there was no room for them\n";
+    all += "gcm: " + tendon::Counted(left_out_, "line is left out", "lines are left out") +
+           ": there was no room for more\n";
   }
   lines_.clear();
   left_out_ = 0;

@@ -2,6 +2,7 @@
 #include <gcm_console/catalogue_json.h>
 #include <gcm_console/show/details.h>
 #include <tendon/gcm/lookup.h>
+#include <tendon/gcm/wiring/waiting.h>
 
 #include <utility>
 
@@ -25,7 +26,8 @@ void ListProcesses(const Catalog& catalog, Table& table) {
 void ListComponents(const tendon::ProcessEntry& entry, Table& table) {
   for (const auto& [name, component] : entry.components) {
     table.Add({name, std::string(ToString(component.state)), component.class_name,
-               component.period > 0.0 ? ordered_json(component.period).dump() : "-"});
+               component.period > 0.0 ? ordered_json(component.period).dump() : "-",
+               WaitingText(WaitsOf(entry, component))});
   }
 }
 
@@ -78,7 +80,7 @@ Table ListingOf(const Catalog& catalog, const Place& place) {
     return table;
   }
   if (place.component == nullptr) {
-    Table table({"COMPONENT", "STATE", "CLASS", "PERIOD/s"});
+    Table table({"COMPONENT", "STATE", "CLASS", "PERIOD/s", "DETAIL"});
     ListComponents(*place.process, table);
     return table;
   }
@@ -122,7 +124,7 @@ ordered_json JsonOf(Context& context, const Catalog& catalog, const Place& place
     return json;
   }
   if (place.component != nullptr) {
-    ordered_json json = {{"component", ToJson(*place.component)}};
+    ordered_json json = {{"component", ToJson(*place.component, *place.process)}};
     if (const auto fill = AskFill(context, place)) json["mailbox"] = ToJson(*fill);
     return json;
   }

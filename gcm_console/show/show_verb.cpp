@@ -8,15 +8,19 @@
 #include <gcm_console/screen/task_feed.h>
 #include <gcm_console/show/details.h>
 #include <gcm_console/verb.h>
+#include <tendon/base/find_named.h>
 #include <tendon/gcm/argument/common_fields.h>
 #include <tendon/gcm/argument/matching_read.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/text/health_text.h>
+#include <tendon/gcm/text/plugin_text.h>
 #include <tendon/gcm/text/wall_time.h>
+#include <tendon/gcm/wiring/waiting.h>
 #include <tendon/payload/json.h>
 
 #include <CLI/CLI.hpp>
 #include <chrono>
+#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <ostream>
@@ -39,31 +43,47 @@ std::string ThreadText(const tendon::ComponentDescription& component) {
   return is_usual ? "" : tendon::ToJson(component.thread.front());
 }
 
-/// What there is to say of one thing, a line each.
-Table Facts(Context& context, const Catalog& catalog, const Place& place) {
-  Table table({"WHAT", "VALUE"});
-  const auto& process = place.process->process;
-  table.Add({"process", process.name});
-  if (place.component == nullptr) {
-    table.Add({"state", std::string(ToString(process.state))});
-    if (!process.reason.empty()) table.Add({"reason", process.reason});
-    table.Add({"since", tendon::WallTimeText(process.since)});
-    table.Add({"host", process.host});
-    table.Add({"pid", std::to_string(process.pid)});
-    table.Add({"address", process.address});
-    const SystemHealth system = AskHealth(context);
-    const auto* health = FindHealth(system, process);
-    table.Add({"cpu", tendon::CpuText(health)});
-    table.Add({"memory", tendon::MemoryText(health)});
-    table.Add({"clock", tendon::ClockText(health)});
-    return table;
-  }
-  const auto& component = *place.component;
+constexpr double kMilliseconds = 1e3;  // in a second
+
+/// From which file it was loaded, and what has become of that.
+void AddPlugin(const tendon::PluginDescription& plugin, Table& table) {
+  table.Add({"library", plugin.name + ": " + tendon::PluginText(plugin)});
+  const std::string change = tendon::PluginChangeText(plugin);
+  if (change.empty()) return;
+  const bool is_gone = plugin.state == tendon::PluginState::kGone;
+  table.Add({"its file", change + (is_gone ? "" : ", which is not what runs")});
+}
+
+void AddProcess(Context& context, const tendon::ProcessDescription& process, Table& table) {
+  table.Add({"state", std::string(ToString(process.state))});
+  if (!process.reason.empty()) table.Add({"reason", process.reason});
+  table.Add({"since", tendon::WallTimeText(process.since)});
+  table.Add({"host", process.host});
+  table.Add({"pid", std::to_string(process.pid)});
+  table.Add({"address", process.address});
+  const SystemHealth system = AskHealth(context);
+  const auto* health = FindHealth(system, process);
+  table.Add({"cpu", tendon::CpuText(health)});
+  table.Add({"memory", tendon::MemoryText(health)});
+  table.Add({"clock", tendon::ClockText(health)});
+  for (const tendon::PluginDescription& plugin : process.plugins) AddPlugin(plugin, table);
+}
+
+void AddComponent(const tendon::ProcessEntry& process,
+                  const tendon::ComponentDescription& component, Table& table) {
   table.Add({"component", component.name});
   table.Add({"class", component.class_name});
-  if (!component.library.empty()) table.Add({"library", component.library});
+  const auto* plugin = tendon::FindNamed(process.process.plugins, component.library);
+  if (plugin != nullptr) {
+    AddPlugin(*plugin, table);
+  } else if (!component.library.empty()) {
+    table.Add({"library", component.library});
+  }
   if (!component.configuration.empty()) table.Add({"configuration", component.configuration});
   table.Add({"state", std::string(ToString(component.state))});
+  for (const tendon::UnmetNeed& need : WaitsOf(process, component)) {
+    table.Add({"waiting for", need.interface + ": " + need.reason});
+  }
   if (!component.fault.empty()) {
     table.Add({"fault", component.fault});
     table.Add({"faulted at", tendon::WallTimeText(component.fault_time)});
@@ -76,6 +96,19 @@ Table Facts(Context& context, const Catalog& catalog, const Place& place) {
   if (const std::string thread = ThreadText(component); !thread.empty()) {
     table.Add({"thread", thread});
   }
+}
+
+/// What there is to say of one thing, a line each.
+Table Facts(Context& context, const Catalog& catalog, const Place& place) {
+  Table table({"WHAT", "VALUE"});
+  const auto& process = place.process->process;
+  table.Add({"process", process.name});
+  if (place.component == nullptr) {
+    AddProcess(context, process, table);
+    return table;
+  }
+  const auto& component = *place.component;
+  AddComponent(*place.process, component, table);
   const auto name_of = [&](const std::string& interface) {
     return InterfaceName(process.name, component.name, interface);
   };
@@ -93,6 +126,10 @@ Table Facts(Context& context, const Catalog& catalog, const Place& place) {
   }
   if (place.member != nullptr && !place.member->hazard.empty()) {
     table.Add({"hazard", place.member->hazard});
+  }
+  if (place.member != nullptr && place.member->expires_after > 0.0) {
+    const auto time = std::llround(kMilliseconds * place.member->expires_after);
+    table.Add({"expires", "unless called again within " + std::to_string(time) + " ms"});
   }
   return table;
 }

@@ -1,5 +1,6 @@
 #include <gcm_console/report.h>
 #include <gcm_console/verb.h>
+#include <program/command_line.h>
 #include <tendon/security/certificate_authority.h>
 #include <tendon/security/certificate_check.h>
 
@@ -191,6 +192,7 @@ void AddIssueOptions(CLI::App& app, CertArguments& arguments) {
       ->needs(process)
       ->allow_extra_args(false);
   app.add_option("--days", arguments.days, "how long it is valid")
+      ->transform(CLI::Validator(&program::TransformCount, ""))
       ->check(CLI::Range(1, 3650))
       ->capture_default_str();
   Names(app.add_option("--out", arguments.out, "folder of NAME.crt and NAME.key"), WordKind::kFile)

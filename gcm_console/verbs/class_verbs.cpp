@@ -1,11 +1,14 @@
+#include <gcm_console/catalogue_json.h>
 #include <gcm_console/outcomes.h>
 #include <gcm_console/parameters/parameter_source.h>
 #include <gcm_console/report.h>
 #include <gcm_console/verb.h>
+#include <tendon/base/find_named.h>
 #include <tendon/gcm/life/class_check.h>
 #include <tendon/gcm/life/life_plan.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/system_file.h>
+#include <tendon/gcm/text/plugin_text.h>
 #include <tendon/payload/json/strict_json.h>
 #include <tendon/payload/schema.h>
 
@@ -13,6 +16,7 @@
 #include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <ostream>
 
 namespace console {
@@ -76,6 +80,29 @@ Result<Classes> AskForClasses(Context& context, const std::string& process) {
   });
 }
 
+/// From which file the process has loaded the library that has the class; nothing where it does not
+/// tell. An empty library is the one that has the class.
+std::optional<tendon::PluginDescription> AskForPlugin(Context& context, const LifeOrder& order) {
+  const auto known = AskForClasses(context, order.process);
+  if (!known) return std::nullopt;
+  std::string library = order.library;
+  if (library.empty()) {
+    const auto* one = tendon::FindNamed(known->classes, order.class_name);
+    if (one != nullptr) library = one->library;
+  }
+  const auto* loaded = tendon::FindNamed(known->loaded, library);
+  return loaded == nullptr ? std::nullopt : std::optional(*loaded);
+}
+
+/// Where the file has not what runs, that is no mere remark.
+void WarnOfOld(const Context& context, const std::string& process,
+               const tendon::PluginDescription& plugin) {
+  const std::string old = tendon::OldPluginText(process, plugin);
+  if (old.empty()) return;
+  context.out().flush();
+  context.streams().err << "gcm: " << Plain(old) << '\n';
+}
+
 /// Whether the order would be carried out, as far as can be known before.
 Result<void> Check(Context& context, tendon::GcmClient& client, const LifeOrder& order) {
   if (auto allowed = CheckRole(context); !allowed) return allowed;
@@ -103,11 +130,20 @@ Result<ExitCode> Carry(Context& context, const LifeOrder& order, const std::stri
                    [&](tendon::GcmClient& asked, auto handler) { asked.Steer(order, handler); },
                    tendon::GcmClient::kOrdersOfALife);
   if (!outcome) return outcome.error();
+  const bool has_plugin = order.verb != LifeVerb::kConfigure;
+  const auto plugin = has_plugin ? AskForPlugin(context, order) : std::nullopt;
   if (context.settings().json) {
-    context.PrintJson({{"verb", ToString(order.verb)}, {"path", object}, {"dry_run", is_dry}});
+    nlohmann::ordered_json document = {
+        {"verb", ToString(order.verb)}, {"path", object}, {"dry_run", is_dry}};
+    if (plugin) document["plugin"] = ToJson(*plugin);
+    context.PrintJson(std::move(document));
   } else {
     context.out() << Plain(object) << '\t' << (is_dry ? "would be " : "") << done << '\n';
   }
+  if (!plugin) return program::kOk;
+  const bool is_current = plugin->state == tendon::PluginState::kCurrent;
+  if (is_current) context.err() << "gcm: " << Plain(tendon::PluginText(*plugin)) << '\n';
+  WarnOfOld(context, order.process, *plugin);
   return program::kOk;
 }
 
@@ -190,8 +226,12 @@ void PrintJson(const Context& context, const std::string& process, const Classes
                        {"configuration", one.configuration},
                        {"defaults", defaults.is_object() ? defaults : Json::object()}});
   }
-  context.PrintJson(
-      {{"process", process}, {"classes", std::move(classes)}, {"plugins", all.plugins}});
+  auto loaded = Json::array();
+  for (const tendon::PluginDescription& one : all.loaded) loaded.push_back(ToJson(one));
+  context.PrintJson({{"process", process},
+                     {"classes", std::move(classes)},
+                     {"plugins", all.plugins},
+                     {"loaded", std::move(loaded)}});
 }
 
 void Print(const Context& context, const ClassDescription& one) {
@@ -237,13 +277,18 @@ Result<ExitCode> List(Context& context, const ClassArguments& arguments) {
   }
   if (is_one) {
     Print(context, all->classes.front());
+    const auto* loaded = tendon::FindNamed(all->loaded, all->classes.front().library);
+    if (loaded != nullptr) WarnOfOld(context, *process, *loaded);
     return program::kOk;
   }
-  Table table({"CLASS", "LIBRARY", "CONFIGURATION"});
+  Table table({"CLASS", "LIBRARY", "CONFIGURATION", "FILE"});
   for (const ClassDescription& one : all->classes) {
-    table.Add({one.name, one.library, ConfigurationType(one)});
+    const auto* loaded = tendon::FindNamed(all->loaded, one.library);
+    table.Add({one.name, one.library, ConfigurationType(one),
+               loaded == nullptr ? "" : tendon::PluginText(*loaded)});
   }
   context.Print(table);
+  for (const auto& one : all->loaded) WarnOfOld(context, *process, one);
   std::string more;
   for (const std::string& plugin : all->plugins) {
     const auto is_loaded = [&](const ClassDescription& one) { return one.library == plugin; };

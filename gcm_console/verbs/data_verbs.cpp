@@ -7,6 +7,7 @@
 #include <gcm_console/verb.h>
 #include <program/command_line.h>
 #include <tendon/base/clock.h>
+#include <tendon/base/counted.h>
 #include <tendon/base/os/termination.h>
 #include <tendon/base/path.h>
 #include <tendon/payload/json/strict_json.h>
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <chrono>
 #include <iterator>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -28,7 +30,38 @@ namespace {
 using nlohmann::ordered_json;
 using namespace std::chrono_literals;
 
-/// One value, and nothing but it.
+ordered_json JsonOf(const OldValues& old) {
+  ordered_json json;
+  json["why"] = ToString(old.why);
+  if (old.age) json["age_s"] = std::chrono::duration<double>(*old.age).count();
+  return json;
+}
+
+/// Of components that stand still, each once.
+class OldComponents {
+ public:
+  explicit OldComponents(Context& context, tendon::GcmClient& client)
+      : context_(context), client_(client) {}
+
+  /// Of that of the path; says so the first time.
+  const std::optional<OldValues>& Of(const std::string& text) {
+    const auto path = tendon::ParsePath(text);
+    const std::string component = path ? path->process + "/" + path->component : text;
+    const auto [known, is_new] = known_.try_emplace(component);
+    if (is_new && path) known->second = OldValuesOf(client_, *path);
+    if (is_new && known->second) {
+      context_.err() << "gcm: " << Plain(ToText(*known->second)) << '\n';
+    }
+    return known->second;
+  }
+
+ private:
+  Context& context_;
+  tendon::GcmClient& client_;
+  std::map<std::string, std::optional<OldValues>> known_;
+};
+
+/// One value, and nothing but it; that it is old is a remark.
 Result<ExitCode> GetOne(Context& context, const std::string& text) {
   const auto path = tendon::ParsePath(text);
   if (!path) return path.error();
@@ -48,8 +81,12 @@ Result<ExitCode> GetOne(Context& context, const std::string& text) {
   const auto value = context.Ask<std::string>(
       [&](tendon::GcmClient& asked, auto handler) { asked.Call(text, "", handler); });
   if (!value) return value.error();
+  const auto old = OldValuesOf(**client, *path);
+  if (old) context.err() << "gcm: " << Plain(ToText(*old)) << '\n';
   if (context.settings().json) {
-    context.PrintJson({{"path", text}, {"value", tendon::JsonOrText(*value)}});
+    ordered_json document = {{"path", text}, {"value", tendon::JsonOrText(*value)}};
+    if (old) document["old"] = JsonOf(*old);
+    context.PrintJson(document);
   } else {
     context.out() << *value << '\n';
   }
@@ -82,6 +119,7 @@ Result<ExitCode> GetAll(Context& context, const std::string& glob) {
   const auto paths = ReadableThatFit((*client)->catalog(), glob);
   if (!paths) return paths.error();
   std::vector<Outcome> outcomes;
+  OldComponents old_components(context, **client);
   ordered_json values = ordered_json::array();
   for (const std::string& path : *paths) {
     const auto value = context.Ask<std::string>(
@@ -91,8 +129,11 @@ Result<ExitCode> GetAll(Context& context, const std::string& glob) {
       context.streams().err << "gcm: " << Plain(path) << ": " << Plain(value.error().message)
                             << '\n';
     } else if (context.settings().json) {
-      values.push_back({{"path", path}, {"value", tendon::JsonOrText(*value)}});
+      ordered_json one = {{"path", path}, {"value", tendon::JsonOrText(*value)}};
+      if (const auto& old = old_components.Of(path)) one["old"] = JsonOf(*old);
+      values.push_back(std::move(one));
     } else {
+      (void)old_components.Of(path);
       context.out() << Plain(path) << '\t' << *value << '\n';
     }
   }
@@ -151,27 +192,52 @@ class Watching {
       : telemetry_(telemetry) {
     for (TableChoice table : tables) {
       table.subscription.rows = rows;
-      const auto printer = std::make_shared<RowPrinter>(std::move(table.wanted));
-      tables_.push_back({printer, telemetry.Subscribe(table.subscription, printer)});
+      const auto printer = std::make_shared<RowPrinter>(std::move(table.wanted), rows.delivery);
+      const auto& [process, component, name, columns, choice] = table.subscription;
+      tables_.push_back({ToString(tendon::InterfaceName(process, component, name)), printer,
+                         telemetry.Subscribe(table.subscription, printer)});
     }
   }
   Watching(const Watching&) = delete;
   Watching& operator=(const Watching&) = delete;
-  ~Watching() {
+  ~Watching() { End(); }
+
+  /// No more rows come.
+  void End() {
+    if (std::exchange(has_ended_, true)) return;
     for (const Table& table : tables_) telemetry_.Unsubscribe(table.id);
   }
 
-  /// All rows since the last time, or the newest of each table: in order within a table, and as
-  /// far as they have come among tables.
-  std::vector<PrintedRow> Take(bool is_latest) {
-    std::vector<PrintedRow> all;
+  struct Row {
+    const std::string* table = nullptr;
+    PrintedRow content;
+  };
+  /// The next rows of each table: in order within a table, and as far as they have come among
+  /// tables.
+  std::vector<Row> Take() {
+    std::vector<Row> all;
     for (const Table& table : tables_) {
-      auto rows = table.printer->Take();
-      if (is_latest && !rows.empty()) rows.erase(rows.begin(), rows.end() - 1);
-      std::ranges::move(rows, std::back_inserter(all));
+      for (PrintedRow& row : table.printer->Take()) all.push_back({&table.name, std::move(row)});
     }
-    const auto time_here = [](const PrintedRow& row) { return row.time_ns - row.clock_offset_ns; };
+    const auto time_here = [](const Row& row) {
+      return row.content.time_ns - row.content.clock_offset_ns;
+    };
     if (tables_.size() > 1) std::ranges::stable_sort(all, {}, time_here);
+    return all;
+  }
+  [[nodiscard]] bool has_more() const {
+    return std::ranges::any_of(tables_, [](const Table& one) { return one.printer->has_more(); });
+  }
+  /// Of the rows that wait, in all tables.
+  [[nodiscard]] std::size_t waiting_bytes() const {
+    std::size_t all = 0;
+    for (const Table& table : tables_) all += table.printer->waiting_bytes();
+    return all;
+  }
+  /// What is lost behind the last row of each table.
+  std::vector<std::pair<const std::string*, LostRows>> Rest() {
+    std::vector<std::pair<const std::string*, LostRows>> all;
+    for (const Table& table : tables_) all.emplace_back(&table.name, table.printer->Rest());
     return all;
   }
   [[nodiscard]] std::optional<Error> mistake() const {
@@ -197,29 +263,27 @@ class Watching {
       }
     }
   }
-  [[nodiscard]] tendon::RowCounts counts() const {
-    tendon::RowCounts sum;
-    for (const Table& table : tables_) {
-      const tendon::RowCounts counts = telemetry_.CountsOf(table.id);
-      sum.received += counts.received;
-      sum.lost_table += counts.lost_table;
-      sum.lost_network += counts.lost_network;
-      sum.lost_viewer += counts.lost_viewer;
-    }
-    return sum;
-  }
 
  private:
   struct Table {
+    std::string name;
     std::shared_ptr<RowPrinter> printer;
     tendon::TelemetryClient::Id id;
   };
 
   tendon::TelemetryClient& telemetry_;
   std::vector<Table> tables_;
+  bool has_ended_ = false;
 };
 
+std::string LostText(const LostRows& lost) {
+  return std::to_string(lost.table) + " in the table, " + std::to_string(lost.network) +
+         " on the network, " + std::to_string(lost.viewer) + " here";
+}
+
 /// Prints rows, on a terminal under their titles. A row of one table has "-" for those of others.
+/// What is lost between rows is a record of its own in JSON; otherwise it is said beside them, not
+/// more than once a second.
 class RowWriter {
  public:
   RowWriter(Context& context, const WatchOptions& options, std::vector<std::string> paths)
@@ -232,25 +296,58 @@ class RowWriter {
   }
 
   /// False once as many rows as wanted are printed, or when the output is gone.
-  bool Write(const PrintedRow& row) {
+  bool Write(const std::string& table, const PrintedRow& row) {
+    Miss(table, row.lost_before);
     ++printed_;
     Print(row);
-    return (options_.count == 0 || printed_ < options_.count) && context_.out().good();
+    return !is_full() && context_.out().good();
   }
+  /// Rows that are not printed.
+  void Miss(const std::string& table, const LostRows& rows) {
+    if (rows.all() > 0) TellOfGap(table, rows);
+    lost_ += rows;
+  }
+  /// As many rows as wanted are printed.
+  [[nodiscard]] bool is_full() const { return options_.count > 0 && printed_ >= options_.count; }
+  /// Whether none but the newest row is wanted.
+  [[nodiscard]] bool is_latest() const { return options_.is_latest; }
   [[nodiscard]] std::uint64_t printed() const { return printed_; }
+  [[nodiscard]] const LostRows& lost() const { return lost_; }
 
  private:
-  void Print(const PrintedRow& row) {
+  void TellOfGap(const std::string& table, const LostRows& lost) {
     if (context_.settings().json) {
-      ordered_json values;
-      for (const auto& [path, value] : row.values) {
-        values[path] = tendon::JsonOrText(value);
-      }
-      return context_.PrintJsonLine({{"time_ns", row.time_ns},
-                                     {"clock_offset_ns", row.clock_offset_ns},
-                                     {"tick", row.tick},
-                                     {"values", values}});
+      return context_.PrintJsonLine({{"gap",
+                                      {{"table", table},
+                                       {"lost_table", lost.table},
+                                       {"lost_network", lost.network},
+                                       {"lost_viewer", lost.viewer}}}});
     }
+    untold_[table] += lost;
+    const auto now = std::chrono::steady_clock::now();
+    if (now - last_told_ < 1s) return;
+    last_told_ = now;
+    for (const auto& [name, some] : std::exchange(untold_, {})) {
+      context_.err() << "gcm: " << Plain(name) << ": "
+                     << tendon::Counted(some.all(), "row is lost", "rows are lost") << " ("
+                     << LostText(some) << ")\n";
+    }
+  }
+
+  /// The values are JSON already, perhaps of many megabytes: they are written as they are.
+  void PrintAsJson(const PrintedRow& row) {
+    std::ostream& out = context_.out();
+    out << R"({"schema":1,"time_ns":)" << row.time_ns << R"(,"clock_offset_ns":)"
+        << row.clock_offset_ns << R"(,"tick":)" << row.tick << R"(,"values":{)";
+    const char* separator = "";
+    for (const auto& [path, value] : row.values) {
+      out << std::exchange(separator, ",") << nlohmann::json(path) << ':' << value;
+    }
+    out << "}}\n";
+  }
+
+  void Print(const PrintedRow& row) {
+    if (context_.settings().json) return PrintAsJson(row);
     context_.out() << row.time_ns << '\t' << row.tick;
     auto next = row.values.begin();  // in the order of the paths
     for (const std::string& path : paths_) {
@@ -264,16 +361,111 @@ class RowWriter {
   const WatchOptions& options_;
   const std::vector<std::string> paths_;
   std::uint64_t printed_ = 0;
+  LostRows lost_;
+  std::map<std::string, LostRows> untold_;  // by table
+  std::chrono::steady_clock::time_point last_told_;
 };
 
-void Summarize(const RowWriter& writer, const tendon::RowCounts& counts, std::ostream& err) {
-  const std::uint64_t lost = counts.lost_table + counts.lost_network + counts.lost_viewer;
-  err << "gcm: " << writer.printed() << " rows, " << lost << " lost";
-  if (lost > 0) {
-    err << " (" << counts.lost_table << " in the table, " << counts.lost_network
-        << " on the network, " << counts.lost_viewer << " here)";
+/// Says once of each component that is watched that it stands still, and once that it runs again.
+/// Where it has to wait for the age of its values, the next component's turn is that of the next
+/// Look(): whoever watches many is not kept from hearing a signal.
+class StandstillRemarks {
+ public:
+  StandstillRemarks(Context& context, tendon::GcmClient& client,
+                    const std::vector<TableChoice>& tables)
+      : context_(context), client_(client) {
+    for (const TableChoice& table : tables) {
+      const auto& wanted = table.subscription;
+      const std::string name = wanted.process + "/" + wanted.component;
+      if (std::ranges::find(watched_, name, &Watched::name) != watched_.end()) continue;
+      watched_.push_back({.name = name,
+                          .path = {.process = wanted.process,
+                                   .component = wanted.component,
+                                   .interface = wanted.table}});
+    }
   }
+
+  void Look() {
+    constexpr std::chrono::milliseconds kOften(500);
+    if (std::chrono::steady_clock::now() < next_round_) return;
+    const tendon::Catalog catalog = client_.catalog();
+    while (next_ < watched_.size()) {
+      if (LookAt(catalog, watched_[next_++])) return;
+    }
+    next_ = 0;
+    next_round_ = std::chrono::steady_clock::now() + kOften;
+  }
+
+ private:
+  using Standstill = tendon::Standstill;
+  struct Watched {
+    std::string name;
+    tendon::Path path;
+    Standstill told = Standstill::kNone;
+  };
+
+  /// Whether it may have waited.
+  bool LookAt(const tendon::Catalog& catalog, Watched& watched) {
+    const Standstill why = StandstillOf(catalog, watched.path.process, watched.path.component);
+    // That a process is lost is complained of as the end of its rows.
+    if (why == watched.told || why == Standstill::kLost) return false;
+    if (why == Standstill::kNone) {
+      context_.err() << "gcm: " << Plain(watched.name) << " runs again\n";
+      watched.told = why;
+      return false;
+    }
+    if (const auto old = OldValuesOf(client_, watched.path)) {
+      context_.err() << "gcm: " << Plain(ToText(*old)) << '\n';
+      watched.told = why;
+    }
+    return true;
+  }
+
+  Context& context_;
+  tendon::GcmClient& client_;
+  std::vector<Watched> watched_;
+  std::size_t next_ = 0;
+  std::chrono::steady_clock::time_point next_round_;
+};
+
+void Summarize(const RowWriter& writer, std::ostream& err) {
+  const LostRows& lost = writer.lost();
+  err << "gcm: " << tendon::Counted(writer.printed(), "row", "rows") << ", " << lost.all()
+      << " lost";
+  if (lost.all() > 0) err << " (" << LostText(lost) << ')';
   err << '\n';
+}
+
+/// False once no more rows are wanted. After a signal a write that would have to wait fails, and
+/// the rows behind it are missed.
+bool WriteRows(RowWriter& writer, const std::vector<Watching::Row>& rows) {
+  std::map<std::string, LostRows> missed;
+  bool wants_more = true;
+  for (const auto& [table, row] : rows) {
+    if (wants_more) {
+      wants_more = writer.Write(*table, row);
+      continue;
+    }
+    missed[*table] += row.lost_before;
+    missed[*table].viewer += writer.is_latest() ? 0 : 1;
+  }
+  const bool is_left = !wants_more && !tendon::os::WasTerminationAsked();
+  if (writer.is_full() || is_left) return wants_more;  // whoever has left misses nothing
+  for (const auto& [table, lost] : missed) writer.Miss(table, lost);
+  return wants_more;
+}
+
+/// The rows that came since the last turn are printed where they are few, and otherwise missed.
+void WriteRest(Watching& watching, RowWriter& writer, Context& context) {
+  constexpr std::size_t kFew = std::size_t{64} << 10U;  // bytes
+  if (writer.is_full()) return;
+  watching.End();
+  if (context.out().good() && watching.waiting_bytes() <= kFew) {
+    WriteRows(writer, watching.Take());
+  }
+  if (writer.is_full()) return;
+  for (const auto& [table, lost] : watching.Rest()) writer.Miss(*table, lost);
+  context.out().flush();
 }
 
 Result<ExitCode> Watch(Context& context, const WatchOptions& options) {
@@ -287,25 +479,29 @@ Result<ExitCode> Watch(Context& context, const WatchOptions& options) {
   Watching watching((*client)->telemetry(), columns->tables, ChoiceOf(options));
   const auto begin = std::chrono::steady_clock::now();
   RowWriter writer(context, options, columns->paths);
+  StandstillRemarks remarks(context, **client, columns->tables);
   bool wants_more = true;
   bool interrupted = false;
   std::optional<Error> broken;
   while (wants_more && !interrupted && !broken) {
-    interrupted = tendon::os::TerminationAsked(20ms);
+    interrupted = tendon::os::TerminationAsked(watching.has_more() ? 0ms : 20ms);
     if (lost_gcm) broken = lost_gcm->reason();
     if (lost_gcm && !broken) broken = watching.interruption();
-    for (const PrintedRow& row : watching.Take(options.is_latest)) {
-      wants_more = writer.Write(row);
-      if (!wants_more) break;
-    }
+    if (!interrupted) wants_more = WriteRows(writer, watching.Take());
     context.out().flush();
+    interrupted = interrupted || tendon::os::TerminationAsked(0ms);
+    if (wants_more && !interrupted) remarks.Look();
     const auto mistake = watching.mistake();  // what has led to it is complained of first
     if (!broken) watching.Complain(context.err());
     if (mistake) return *mistake;
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
     if (options.seconds > 0.0 && passed.count() >= options.seconds) wants_more = false;
   }
-  if (context.out().good()) Summarize(writer, watching.counts(), context.err());
+  // Whoever reads no more has closed the output, or is stuck, and then it was interrupted.
+  if (context.out().good() || interrupted) {
+    WriteRest(watching, writer, context);
+    Summarize(writer, context.err());
+  }
   if (broken && wants_more && !interrupted) return Error{ErrorCode::kUnreachable, broken->message};
   return interrupted ? program::kInterrupted : program::kOk;
 }
@@ -336,11 +532,11 @@ std::vector<Verb> DataVerbs() {
                WordKind::kColumn)
              ->required();
          app.add_option("--hz", options->rate, "at most so many rows a second (default: all)")
-             ->check(&program::CheckPositive);
+             ->transform(CLI::Validator(&program::TransformPositive, ""));
          app.add_flag("--latest", options->is_latest,
                       "only what is the newest when there is time to print it");
          app.add_option("--count", options->count, "end after so many rows")
-             ->check(&program::CheckCount);
+             ->transform(CLI::Validator(&program::TransformCount, ""));
          app.add_option("--for", options->seconds, "end after so long: 10s, 500ms, 2min")
              ->type_name("TIME")
              ->transform(CLI::Validator(&program::TransformDuration, ""));

@@ -3,10 +3,14 @@
 #include <gcm_console/verb.h>
 #include <tendon/base/os/process.h>
 #include <tendon/base/os/socket.h>
+#include <tendon/gcm/diagnosis.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/text/health_text.h>
+#include <tendon/gcm/text/plugin_text.h>
 #include <tendon/gcm/text/version_text.h>
+#include <tendon/gcm/wiring/waiting.h>
 #include <tendon/middleware/hello.h>
+#include <tendon/process/membership/own_address.h>
 #include <tendon/process/program_messages.h>
 #include <tendon/security/certificate_check.h>
 
@@ -42,11 +46,6 @@ using Findings = std::vector<Finding>;
 std::string Milliseconds(std::chrono::nanoseconds time) {
   constexpr double kMillisecond = 1e6;
   return Fixed(static_cast<double>(time.count()) / kMillisecond, 1) + " ms";
-}
-
-bool IsLoopback(const std::string& address) {
-  return address.starts_with("127.") || address.starts_with("localhost:") ||
-         address.starts_with("[::1]");
 }
 
 /// The clock offset of a process, from the first rows of any of its tables.
@@ -102,7 +101,10 @@ class Doctor {
             [](tendon::GcmClient& asked, auto handler) { asked.GetHealth(handler); })) {
       health_ = *std::move(health);
     }
-    for (const auto& [name, entry] : catalog.processes()) ExamineProcess(**client, entry);
+    for (const auto& [name, entry] : catalog.processes()) {
+      ExamineProcess(**client, entry);
+      ExamineComponents(entry);
+    }
     ExamineConnections(catalog);
     return std::move(findings_);
   }
@@ -149,7 +151,7 @@ class Doctor {
   void ExaminePort() {
     const std::string& gcm = context_.settings().gcm;
     const auto place = tendon::ParseAddress(gcm, 1);
-    if (!place || !IsLoopback(gcm)) return;
+    if (!place || !tendon::IsOfOneHost(gcm)) return;
     if (const auto holder = tendon::os::HolderOf(place->port)) {
       Bad("port", gcm + " is held by " + *holder + ", which does not answer as a GCM",
           "end it, or choose another port: gcm serve --gcm HOST:PORT, here and in $TENDON_GCM");
@@ -186,13 +188,21 @@ class Doctor {
       findings_.push_back(
           {what, has_left ? Finding::Verdict::kUnknown : Finding::Verdict::kBad,
            std::string(ToString(process.state)) + ": " + process.reason,
-           "start it again by the command that it was started with, or take it off the list: gcm "
-           "forget " +
-               process.name});
+           HasFallenSilent(process)
+               ? AdviceFor(process)
+               : "start it again by the command that it was started with, or take it off the list: "
+                 "gcm forget " +
+                     process.name});
+      return;
+    }
+    if (process.state == tendon::ProcessState::kAlive && !process.reason.empty()) {
+      const std::size_t fix = process.reason.find("; start it ");
+      Bad(what, place + ", " + process.reason.substr(0, fix),
+          fix == std::string::npos ? "gcm show " + process.name : process.reason.substr(fix + 2));
       return;
     }
     const bool is_elsewhere = process.host != tendon::os::HostName();
-    if (is_elsewhere && IsLoopback(process.address)) {
+    if (is_elsewhere && tendon::IsOfOneHost(process.address)) {
       Bad(what, place + ", says it is reached at " + process.address + ", which only that host can",
           "start it with --listen and --advertise and an address of " + process.host);
       return;
@@ -201,13 +211,16 @@ class Doctor {
     const auto told = AskForVersion(process.name);
     const auto passed = std::chrono::steady_clock::now() - begin;
     if (!told && told.error().code != ErrorCode::kDenied) {
+      const std::string here = tendon::os::HostName();
       const bool is_silent = told.error().code == ErrorCode::kTimeout;
-      Bad(what, place + ", at " + process.address + ": " + told.error().message,
+      Bad(what,
+          place + ", at " + process.address + ": " + told.error().message + " (seen from host " +
+              here + ")",
           is_silent ? "it may hang: gcm log --from " + process.name
-                    : "see that it listens there, and that no firewall is between; where the "
-                      "address is wrong: start it with --advertise and one that leads to it");
+                    : tendon::FixOfUnreached(process.name, here, told.error()));
       return;
     }
+    ExaminePlugins(process);
     AddVersion(what, told,
                place + ", at " + process.address + ", answers within " + Milliseconds(passed) +
                    UsageText(process) + ClockText(client, entry),
@@ -254,6 +267,30 @@ class Doctor {
              Milliseconds(clock->uncertainty) + ")";
     }
     return "";
+  }
+  /// Whether the process runs what is in their files.
+  void ExaminePlugins(const tendon::ProcessDescription& process) {
+    const auto known = context_.Ask<tendon::message::Classes>(
+        [&](tendon::GcmClient& asked, auto handler) { asked.GetClasses(process.name, handler); });
+    for (const tendon::PluginDescription& plugin : known ? known->loaded : process.plugins) {
+      const std::string what = "plug-in " + process.name + " " + plugin.name;
+      const std::string old = OldPluginText(process.name, plugin);
+      if (old.empty()) {
+        Good(what, PluginText(plugin));
+        continue;
+      }
+      const std::size_t end = old.rfind(": ");
+      Bad(what, old.substr(0, end), old.substr(end + 2));
+    }
+  }
+  void ExamineComponents(const tendon::ProcessEntry& entry) {
+    for (const auto& [name, component] : entry.components) {
+      const std::string path = entry.process.name + "/" + name;
+      const auto waits = WaitsOf(entry, component);
+      if (waits.empty()) continue;
+      const std::string verb = waits.front().has_connection ? "gcm explain " : "gcm candidates ";
+      Bad("component " + path, WaitingReasons(waits), verb + path + "/" + waits.front().interface);
+    }
   }
   void ExamineConnections(const tendon::Catalog& catalog) {
     std::size_t active = 0;
@@ -318,7 +355,8 @@ Result<ExitCode> Examine(Context& context) {
 
 std::vector<Verb> DoctorVerbs() {
   return {{"doctor",
-           "look for what is wrong: keys, addresses, versions, processes, clocks, connections",
+           "look for what is wrong: keys, addresses, versions, processes, plug-ins, clocks, "
+           "connections",
            [](CLI::App&) -> Verb::Run { return &Examine; }}};
 }
 

@@ -6,6 +6,8 @@
 #include <gcm_console/screen/asking_turns.h>
 #include <gcm_console/verb.h>
 #include <tendon/gcm/lookup.h>
+#include <tendon/gcm/text/plugin_text.h>
+#include <tendon/gcm/wiring/waiting.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -92,23 +94,58 @@ struct StatusRow {
   std::string detail;
 };
 
+/// Those whose files have not what runs.
+void AddPlugins(const tendon::ProcessDescription& process, std::vector<StatusRow>& rows,
+                Health& health) {
+  for (const tendon::PluginDescription& plugin : process.plugins) {
+    if (plugin.state == tendon::PluginState::kCurrent || !IsPresent(process)) continue;
+    ++health.wrong;
+    health.verbs.insert("gcm doctor");
+    rows.push_back({"plug-in", process.name + " " + plugin.name,
+                    std::string(ToString(plugin.state)), OldPluginText(process.name, plugin)});
+  }
+}
+
+/// One that is faulted, late or waiting. A connection that does not stand counts by itself.
+void AddComponent(const tendon::ProcessEntry& entry, const tendon::ComponentDescription& component,
+                  std::vector<StatusRow>& rows, Health& health) {
+  const auto add = [&](const std::string& what) {
+    rows.push_back({"component", entry.process.name + "/" + component.name,
+                    std::string(ToString(component.state)), what});
+  };
+  const std::string& trouble = component.fault.empty() ? component.warning : component.fault;
+  if (!trouble.empty()) {
+    ++health.wrong;
+    health.verbs.insert("gcm log");
+    add(trouble);
+  }
+  const auto waits = WaitsOf(entry, component);
+  if (waits.empty()) return;
+  add(WaitingReasons(waits));
+  if (std::ranges::all_of(waits, &tendon::UnmetNeed::has_connection)) return;
+  ++health.wrong;
+  health.verbs.insert("gcm candidates");
+}
+
 std::vector<StatusRow> StatusRows(const Catalog& catalog, const Waits& waits, Health& health) {
   std::vector<StatusRow> rows;
   for (const auto& [name, entry] : catalog.processes()) {
     const auto& process = entry.process;
-    const bool is_well = process.state == tendon::ProcessState::kAlive;
+    const bool is_alive = process.state == tendon::ProcessState::kAlive;
+    const bool is_well = is_alive && process.reason.empty();
     ++health.processes;
     health.wrong += is_well ? 0 : 1;
-    if (!is_well) health.verbs.insert(IsPresent(process) ? "gcm log" : "gcm forget");
+    if (!is_well) {
+      const bool is_to_be_looked_at = is_alive || HasFallenSilent(process);
+      health.verbs.insert(is_to_be_looked_at   ? "gcm doctor"
+                          : IsPresent(process) ? "gcm log"
+                                               : "gcm forget");
+    }
     rows.push_back({"process", name, std::string(ToString(process.state)),
                     is_well ? StatesOf(entry) : process.reason});
+    AddPlugins(process, rows, health);
     for (const auto& [component, description] : entry.components) {
-      const std::string what = description.fault.empty() ? description.warning : description.fault;
-      if (what.empty()) continue;
-      ++health.wrong;
-      health.verbs.insert("gcm log");
-      rows.push_back(
-          {"component", name + "/" + component, std::string(ToString(description.state)), what});
+      AddComponent(entry, description, rows, health);
     }
   }
   for (const auto& connection : catalog.connections()) {

@@ -211,11 +211,12 @@ std::vector<Verb> HistoryVerbs() {
        [](CLI::App& app) -> Verb::Run {
          auto words = std::make_shared<UndoWords>();
          auto* const count = app.add_option("count", words->count, "how many of them")
+                                 ->transform(CLI::Validator(&program::TransformCount, ""))
                                  ->check(CLI::Range(1, 1000))
                                  ->capture_default_str();
          app.add_option("--step", words->step,
                         "only this one, where it still is the newest; gcm history has the numbers")
-             ->check(&program::CheckCount)
+             ->transform(CLI::Validator(&program::TransformCount, ""))
              ->excludes(count);
          app.add_flag("--skip", words->skip,
                       "pass over the newest for good where it cannot be undone as things are")
@@ -228,7 +229,7 @@ std::vector<Verb> HistoryVerbs() {
        [](CLI::App& app) -> Verb::Run {
          auto count = std::make_shared<std::size_t>(50);
          app.add_option("--count", *count, "how many, the newest")
-             ->check(&program::CheckCount)
+             ->transform(CLI::Validator(&program::TransformCount, ""))
              ->capture_default_str();
          return [count](Context& context) { return History(context, *count); };
        }},

@@ -5,13 +5,19 @@
 #include <tendon/base/path.h>
 #include <tendon/gcm/life/life_plan.h>
 #include <tendon/gcm/lookup.h>
+#include <tendon/gcm/system/running_system.h>
+#include <tendon/gcm/system/start_order.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstddef>
+#include <map>
 #include <memory>
 #include <optional>
 #include <ostream>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace console {
 namespace {
@@ -29,6 +35,7 @@ struct LifeArguments {
   std::vector<std::string> patterns;
   bool dry_run = false;
   bool yes = false;
+  bool is_strict = false;
 };
 
 /// Of one verb, "stop", "stopped".
@@ -56,6 +63,31 @@ struct Targets {
   }
 };
 
+/// As they stand in `order`; those that do not come last.
+template <typename Name, typename NameOf>
+void PutInOrder(const std::vector<Name>& order, NameOf name_of, std::vector<Path>& paths) {
+  std::map<Name, std::size_t> places;
+  for (std::size_t i = 0; i < order.size(); ++i) places.emplace(order[i], i);
+  std::ranges::stable_sort(paths, {}, [&](const Path& path) {
+    const auto place = places.find(name_of(path));
+    return place == places.end() ? order.size() : place->second;
+  });
+}
+
+/// Clients before their servers, which first execute what those send last.
+void PutClientsFirst(const Catalog& catalog, std::vector<Path>& paths) {
+  PutInOrder(
+      tendon::EndOrder(tendon::SystemOf(catalog, "").file),
+      [](const Path& path) { return tendon::ComponentPath(path.process, path.component); }, paths);
+}
+
+/// The same for whole processes.
+void PutClientProcessesFirst(const Catalog& catalog, std::vector<Path>& paths) {
+  PutInOrder(
+      tendon::ProcessEndOrder(tendon::SystemOf(catalog, "").file),
+      [](const Path& path) { return path.process; }, paths);
+}
+
 LifeOrder OrderOf(LifeVerb verb, const Path& path) {
   return {.verb = verb, .process = path.process, .component = path.component};
 }
@@ -71,6 +103,8 @@ Result<Targets> FindTargets(const Catalog& catalog, LifeVerb verb, const LifeArg
       targets.Add(path, is_glob, CheckLife(catalog, OrderOf(verb, path)).ok());
     }
   }
+  const bool is_end = verb == LifeVerb::kStop || verb == LifeVerb::kRemove;
+  if (is_end && targets.paths.size() > 1) PutClientsFirst(catalog, targets.paths);
   return targets;
 }
 
@@ -111,7 +145,8 @@ Result<ExitCode> Steer(Context& context, const Wording& wording, const LifeArgum
   }
   std::vector<Outcome> outcomes;
   for (const Path& path : targets->paths) {
-    const LifeOrder order = OrderOf(wording.verb, path);
+    LifeOrder order = OrderOf(wording.verb, path);
+    order.is_strict = arguments.is_strict;
     outcomes.push_back(
         {ToString(path), arguments.dry_run ? CheckLife(catalog, order) : Carry(context, order)});
   }
@@ -128,6 +163,11 @@ Verb SteeringVerb(std::string name, std::string summary, Wording wording) {
                 ->required();
             app.add_flag("--dry-run", arguments->dry_run, "say what would be done, and do nothing");
             app.add_flag("--yes", arguments->yes, "do not ask before a glob changes several");
+            if (wording.verb == LifeVerb::kStart) {
+              app.add_flag("--strict", arguments->is_strict,
+                           "refuse where a required interface is not connected that the component "
+                           "needs; otherwise it runs, and waits for that");
+            }
             return [=](Context& context) { return Steer(context, wording, *arguments); };
           }};
 }
@@ -202,6 +242,7 @@ Result<Targets> FindProcesses(const Catalog& catalog, const Ours& ours,
     return Error{ErrorCode::kNotFound,
                  "no process fits '" + pattern + "'; gcm ls lists what there is"};
   }
+  if (targets.paths.size() > 1) PutClientProcessesFirst(catalog, targets.paths);
   return targets;
 }
 

@@ -2,6 +2,8 @@
 #include <gcm_console/outcomes.h>
 #include <gcm_console/report.h>
 #include <gcm_console/verb.h>
+#include <tendon/base/counted.h>
+#include <tendon/base/dropping_queue.h>
 #include <tendon/base/os/termination.h>
 #include <tendon/base/path.h>
 #include <tendon/gcm/lookup.h>
@@ -48,46 +50,60 @@ LogLevel LevelOf(const std::string& name) {
   return LogLevel::kDebug;
 }
 
-/// Keeps what arrives until the printing thread takes it.
+/// Keeps what arrives until the printing thread takes it. Bounded in records and bytes: newer ones
+/// take the place of the oldest, which are counted as lost.
 class LogInbox final : public tendon::GcmListener {
  public:
-  static constexpr std::size_t kMostWaiting = 100000;
+  static constexpr tendon::QueueBound kMostWaiting = {.elements = 100000,
+                                                      .bytes = std::size_t{32} << 20U};
+  static constexpr std::size_t kMostTaken = std::size_t{1} << 20U;  // bytes at one go
 
   struct Content {
     std::deque<LogRecord> records;
     std::uint64_t lost = 0;
     bool is_current = false;
+    bool has_more = false;  // records that wait
+    bool is_gcm_back = false;
     std::string complaint;
   };
 
-  void OnSnapshot(const tendon::Catalog& /*catalog*/) override {}
+  void OnSnapshot(const tendon::Catalog& /*catalog*/) override {
+    const std::scoped_lock lock(mutex_);
+    content_.is_gcm_back = std::exchange(is_gcm_lost_, false) || content_.is_gcm_back;
+  }
   void OnChanges(const std::vector<tendon::CatalogChange>& /*changes*/) override {}
   void OnGcmLost(const Error& reason) override {
     const std::scoped_lock lock(mutex_);
     content_.complaint = reason.message;
+    content_.is_gcm_back = false;
+    is_gcm_lost_ = true;
   }
   void OnLog(const tendon::LogBatch& batch) override {
     const std::scoped_lock lock(mutex_);
     content_.lost += batch.lost;
     content_.is_current = batch.is_current;
     for (const LogRecord& record : batch.records) {
-      if (content_.records.size() < kMostWaiting) {
-        content_.records.push_back(record);
-      } else {
-        ++content_.lost;
-      }
+      const std::size_t size = sizeof record + record.text.size() + record.source.size();
+      records_.Push(record, size, [&](const LogRecord& /*oldest*/) { ++content_.lost; });
     }
   }
 
-  /// What has come since the last time.
+  /// What has come since the last time; of the records the oldest that wait.
   Content Take() {
     const std::scoped_lock lock(mutex_);
-    return std::exchange(content_, {.is_current = content_.is_current});
+    const bool is_current = content_.is_current;
+    Content content = std::exchange(content_, {.is_current = is_current});
+    content.records = records_.Take(kMostTaken);
+    content.has_more = !records_.is_empty();
+    content.is_current = is_current && !content.has_more;
+    return content;
   }
 
  private:
   std::mutex mutex_;
-  Content content_;
+  Content content_;  // but for the records
+  tendon::DroppingQueue<LogRecord> records_{kMostWaiting};
+  bool is_gcm_lost_ = false;
 };
 
 bool IsWanted(const LogRecord& record, const LogOptions& options) {
@@ -112,11 +128,19 @@ void Print(const LogRecord& record, const Context& context) {
                 << '\n';
 }
 
-void Remark(const LogInbox::Content& content, std::ostream& err) {
+void Remark(const LogInbox::Content& content, Context& context) {
+  std::ostream& err = context.err();
+  if (content.lost > 0 && context.settings().json) {
+    context.PrintJsonLine({{"gap", {{"lost", content.lost}}}});
+  }
   if (content.lost > 0) {
-    err << "gcm: " << content.lost << " records are lost: they came faster than they were read\n";
+    err << "gcm: " << tendon::Counted(content.lost, "record is lost", "records are lost")
+        << ": more came than could be printed\n";
   }
   if (!content.complaint.empty()) err << "gcm: " << Plain(content.complaint) << '\n';
+  if (content.is_gcm_back) {
+    err << "gcm: the GCM at " << Plain(context.settings().gcm) << " is there again\n";
+  }
 }
 
 /// Says that nothing that is kept is wanted; kNotFound where nobody is called so.
@@ -154,9 +178,11 @@ Result<ExitCode> ShowLog(Context& context, const LogOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   std::deque<LogRecord> kept;
   bool is_current = false;
+  bool has_more = false;
   while (true) {
-    const bool is_interrupted = tendon::os::TerminationAsked(20ms);
+    bool is_interrupted = tendon::os::TerminationAsked(has_more ? 0ms : 20ms);
     const LogInbox::Content content = inbox->Take();
+    has_more = content.has_more;
     if (!is_current) {
       kept.insert(kept.end(), content.records.begin(), content.records.end());
       if (content.is_current || is_interrupted) {
@@ -165,12 +191,14 @@ Result<ExitCode> ShowLog(Context& context, const LogOptions& options) {
       }
     } else {
       for (const LogRecord& record : content.records) {
+        if (is_interrupted) break;
         if (IsWanted(record, options)) Print(record, context);
+        is_interrupted = tendon::os::TerminationAsked(0ms);
       }
     }
     is_current = is_current || content.is_current;
+    Remark(content, context);
     context.out().flush();
-    Remark(content, context.err());
     if (is_interrupted) return program::kInterrupted;
     if (!context.out().good() || (content.is_current && !options.follow)) return program::kOk;
     if (options.follow || std::chrono::steady_clock::now() - begin < context.settings().timeout) {

@@ -6,6 +6,7 @@
 #include <gcm_console/show/details.h>
 #include <gcm_console/verb.h>
 #include <tendon/gcm/text/health_text.h>
+#include <tendon/gcm/wiring/waiting.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -91,7 +92,7 @@ void PrintTree(const Catalog& catalog, std::ostream& out) {
   for (const auto& [process_name, entry] : catalog.processes()) {
     out << Plain(process_name) << "  " << ToString(entry.process.state) << '\n';
     for (const auto& [name, component] : entry.components) {
-      out << "  " << Plain(name) << "  " << ToString(component.state) << '\n';
+      out << "  " << Plain(name) << "  " << Plain(StateText(entry, component)) << '\n';
       for (const auto& one : component.provided) {
         const std::string users = UsersOf(catalog, {process_name, name, one.name});
         out << "    " << Plain(one.name) << "  provided" << (users.empty() ? "" : "  ")

@@ -1,7 +1,7 @@
 #include <gcm_console/catalogue/telemetry_column.h>
 #include <gcm_console/report.h>
-#include <gcm_console/screen/braille.h>
 #include <gcm_console/screen/curve_feed.h>
+#include <gcm_console/screen/curve_picture.h>
 #include <gcm_console/screen/screen.h>
 #include <gcm_console/verb.h>
 #include <program/command_line.h>
@@ -12,11 +12,9 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <iterator>
 #include <memory>
 #include <optional>
-#include <sstream>
 
 namespace console {
 namespace {
@@ -80,63 +78,6 @@ class Plotting {
   std::vector<Table> tables_;
 };
 
-constexpr int kMargin = 12;  // letters, for the scale
-
-/// The curve from its lowest value to its highest, the newest sample at the right.
-void Draw(const Curve& curve, double window, int columns, int rows, std::ostream& picture) {
-  const auto& samples = curve.samples;
-  picture << curve.title;
-  if (samples.empty()) {
-    picture << "  no values yet\n";
-    return;
-  }
-  const auto [lowest, highest] = std::minmax_element(
-      samples.begin(), samples.end(),
-      [](const Curve::Sample& a, const Curve::Sample& b) { return a.value < b.value; });
-  const double low = lowest->value;
-  const double high = highest->value;
-  const bool is_flat = high <= low;
-  picture << " = " << Short(samples.back().value)
-          << (curve.unit.empty() ? "" : " " + Plain(curve.unit)) << '\n';
-  BrailleCanvas canvas(columns - kMargin, rows);
-  const auto x_of = [&](const Curve::Sample& sample) {
-    const double age = samples.back().time - sample.time;
-    return canvas.width() - 1 - static_cast<int>(age / window * (canvas.width() - 1));
-  };
-  const auto y_of = [&](const Curve::Sample& sample) {
-    if (is_flat) return canvas.height() / 2;
-    return static_cast<int>(
-        std::lround((high - sample.value) / (high - low) * (canvas.height() - 1)));
-  };
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const Curve::Sample& before = samples[i == 0 ? 0 : i - 1];
-    canvas.Line(x_of(before), y_of(before), x_of(samples[i]), y_of(samples[i]));
-  }
-  for (int row = 0; row < rows; ++row) {
-    const bool is_labelled = is_flat ? row == rows / 2 : row == 0 || row == rows - 1;
-    const std::string scale = is_labelled ? Short(row == 0 ? high : low) : "";
-    picture << std::string(kMargin - 2 - std::min<std::size_t>(scale.size(), kMargin - 2), ' ')
-            << scale << "  " << canvas.Row(row) << '\n';
-  }
-}
-
-constexpr int kFewestRows = 3;  // of a curve
-
-std::string PictureOf(const std::vector<Curve>& curves, double window, int columns, int rows) {
-  constexpr int kFewestColumns = kMargin + 8;
-  std::ostringstream picture;
-  const int each = curves.empty() ? rows : (rows - 1) / static_cast<int>(curves.size()) - 1;
-  const int wide = std::max(columns, kFewestColumns);
-  for (const Curve& curve : curves) {
-    Draw(curve, window, wide, std::max(each, kFewestRows), picture);
-  }
-  const std::string from = "-" + Short(window) + " s";
-  const int gap = wide - kMargin - static_cast<int>(from.size()) - 3;
-  picture << std::string(kMargin, ' ') << from
-          << std::string(static_cast<std::size_t>(std::max(gap, 1)), ' ') << "now\n";
-  return picture.str();
-}
-
 /// As many curves as the screen has room for; where that is not all, the line below says so.
 void Show(const Plotting& plotting, double window, Screen& screen) {
   const int rows = tendon::os::TerminalRows();
@@ -144,7 +85,7 @@ void Show(const Plotting& plotting, double window, Screen& screen) {
   std::vector<Curve> curves = plotting.curves();
   const std::vector<std::string> notes = plotting.notes();
   std::string footer = notes.empty() ? "" : notes.back();
-  const auto fit = static_cast<std::size_t>(std::max(1, (rows - 3) / (kFewestRows + 1)));
+  const auto fit = static_cast<std::size_t>(std::max(1, (rows - 3) / (kFewestCurveRows + 1)));
   if (curves.size() > fit) {
     footer = std::to_string(fit) + " of " + std::to_string(curves.size()) +
              " numbers fit on this screen; name those that matter";

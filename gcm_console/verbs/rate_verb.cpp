@@ -184,7 +184,7 @@ Verb::Run PrepareRate(CLI::App& app) {
         WordKind::kColumn)
       ->required();
   app.add_option("--count", options->count, "end after so many seconds' lines")
-      ->check(&program::CheckCount);
+      ->transform(CLI::Validator(&program::TransformCount, ""));
   app.add_option("--for", options->seconds, "end after so long: 10s, 500ms, 2min")
       ->type_name("TIME")
       ->transform(CLI::Validator(&program::TransformDuration, ""));

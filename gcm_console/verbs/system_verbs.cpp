@@ -210,14 +210,17 @@ void Print(const Plan& plan, Context& context) {
     for (const PlanStep& step : plan.steps) steps.push_back(ToJson(step));
     context.PrintJson({{"steps", std::move(steps)},
                        {"obstacles", plan.obstacles},
+                       {"notes", plan.notes},
                        {"untouched", plan.untouched}});
     return;
   }
   for (const PlanStep& step : plan.steps) {
     context.out() << (step.takes_away ? "! " : "  ") << Plain(ToString(step)) << '\n';
   }
-  for (const std::string& obstacle : plan.obstacles) {
-    context.streams().err << "gcm: " << Plain(obstacle) << '\n';
+  for (const auto* sentences : {&plan.obstacles, &plan.notes}) {
+    for (const std::string& one : *sentences) {
+      context.streams().err << "gcm: " << Plain(one) << '\n';
+    }
   }
   context.err() << "gcm: " << Counted(plan.steps.size(), "step") << ", "
                 << Counted(plan.untouched, "thing") << " untouched\n";
@@ -304,8 +307,10 @@ std::string WayBack(Context& context, std::uint64_t former) {
 
 void Summarise(Context& context, const PlanOutcome& outcome, const Plan& plan,
                std::uint64_t former) {
-  for (const std::string& obstacle : plan.obstacles) {
-    context.streams().err << "gcm: " << Plain(obstacle) << '\n';
+  for (const auto* sentences : {&plan.obstacles, &plan.notes}) {
+    for (const std::string& one : *sentences) {
+      context.streams().err << "gcm: " << Plain(one) << '\n';
+    }
   }
   const bool is_changed = outcome.done + outcome.failed > 0;  // a failed one may have been made
   context.err() << "gcm: " << Counted(outcome.done, "step") << " made, " << outcome.failed
@@ -350,6 +355,7 @@ Result<ExitCode> Execute(Context& context, const Plan& plan, const ApplyWords& w
   if (is_json) {
     context.PrintJson({{"steps", std::move(steps)},
                        {"obstacles", plan.obstacles},
+                       {"notes", plan.notes},
                        {"done", outcome.done},
                        {"failed", outcome.failed},
                        {"left", outcome.left},

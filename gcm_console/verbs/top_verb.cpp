@@ -8,6 +8,7 @@
 #include <tendon/base/os/screen/keyboard.h>
 #include <tendon/base/os/terminal.h>
 #include <tendon/base/os/termination.h>
+#include <tendon/gcm/standstill.h>
 #include <tendon/gcm/text/health_text.h>
 
 #include <CLI/CLI.hpp>
@@ -86,16 +87,18 @@ void Arrange(std::vector<ConnectionFigures>& connections, const TopOptions& opti
 Table TableOf(const std::vector<TaskFigures>& tasks) {
   constexpr double kMicro = 1e6;
   constexpr double kPercent = 100.0;
-  Table table(
-      {"TASK", "STATE", "RATE/Hz", "LATE/us", "LATEST/us", "COMPUTE/us", "LOAD/%", "SKIPPED"});
+  Table table({"TASK", "STATE", "RATE/Hz", "LATE/us", "LATEST/us", "COMPUTE/us", "LOAD/%",
+               "SKIPPED", "DETAIL"});
   for (const TaskFigures& task : tasks) {
     if (!task.is_known) {
-      table.Add({task.path, task.state, "-", "-", "-", "-", "-", "-"});
+      const std::string state =
+          task.age ? task.state + " " + tendon::AgeText(*task.age) : task.state;
+      table.Add({task.path, state, "-", "-", "-", "-", "-", "-", task.detail});
       continue;
     }
     table.Add({task.path, task.state, Fixed(task.rate, 1), Fixed(task.late * kMicro, 0),
                Fixed(task.latest * kMicro, 0), Fixed(task.compute * kMicro, 1),
-               Fixed(task.load * kPercent, 1), std::to_string(task.skipped)});
+               Fixed(task.load * kPercent, 1), std::to_string(task.skipped), task.detail});
   }
   return table;
 }
@@ -166,7 +169,9 @@ nlohmann::ordered_json JsonOf(const std::vector<ConnectionFigures>& connections)
 nlohmann::ordered_json JsonOf(const std::vector<TaskFigures>& tasks) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const TaskFigures& task : tasks) {
-    nlohmann::ordered_json one = {{"path", task.path}, {"state", task.state}};
+    nlohmann::ordered_json one = {
+        {"path", task.path}, {"state", task.state}, {"detail", task.detail}};
+    if (task.age) one["age_s"] = std::chrono::duration<double>(*task.age).count();
     if (task.is_known) {
       one["rate_hz"] = task.rate;
       one["late_s"] = task.late;

@@ -1,9 +1,13 @@
 #include <gcm_gui/activity/problems_model.h>
+#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/language/words.h>
+#include <gcm_gui/models/connection_index.h>
+#include <gcm_gui/models/plugin_words.h>
 #include <gcm_gui/models/row_roles.h>
 #include <gcm_gui/models/state_of.h>
 #include <gcm_gui/models/text.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace tendon::gui {
@@ -13,7 +17,8 @@ QString WithReason(const QString& text, const std::string& reason) {
   return reason.empty() ? text : text + QStringLiteral(": ") + ToQString(reason);
 }
 
-void AddProblemsOf(const ProcessEntry& entry, std::vector<Problem>& problems) {
+void AddProblemsOf(const ProcessEntry& entry, const ConnectionIndex& connections,
+                   std::vector<Problem>& problems) {
   const ProcessDescription& process = entry.process;
   const QString name = ToQString(process.name);
   if (process.state == ProcessState::kLost) {
@@ -25,11 +30,31 @@ void AddProblemsOf(const ProcessEntry& entry, std::vector<Problem>& problems) {
     problems.push_back({name, name + Words::tr(" does not answer; its values may be old"),
                         StateMark::kWarning, process.since});
   }
+  const bool is_hidden = process.state == ProcessState::kAlive && !process.reason.empty();
+  if (is_hidden) {
+    problems.push_back(
+        {name, WithReason(name, process.reason), StateMark::kWarning, process.since});
+  }
+  for (const PluginDescription& plugin : process.plugins) {
+    if (plugin.state == PluginState::kCurrent || IsGone(process.state)) continue;
+    problems.push_back(
+        {name, OldPluginWords(name, plugin), StateMark::kWarning, plugin.written_now});
+  }
   for (const auto& [component_name, component] : entry.components) {
-    if (component.state != ComponentState::kFaulted) continue;
     const QString path = name + '/' + ToQString(component_name);
-    problems.push_back({path, WithReason(path + Words::tr(" is faulted"), component.fault),
-                        StateMark::kFaulted, component.fault_time});
+    if (component.state == ComponentState::kFaulted) {
+      problems.push_back({path, WithReason(path + Words::tr(" is faulted"), component.fault),
+                          StateMark::kFaulted, component.fault_time});
+    }
+    auto waits = WaitsOf(connections, entry, component);
+    const auto& waiting = component.name;
+    std::erase_if(waits, [&](const UnmetNeed& need) {  // a problem of its own
+      const auto* connection = connections.Of({process.name, waiting, need.interface});
+      return connection != nullptr && connection->state == ConnectionState::kFailed;
+    });
+    if (waits.empty()) continue;
+    problems.push_back(
+        {path, path + Words::tr(" waits for ") + ReasonsText(waits), StateMark::kWarning, 0});
   }
   for (const auto& [id, connection] : entry.connections) {
     if (connection.state != ConnectionState::kFailed) continue;
@@ -62,7 +87,10 @@ QVariant ProblemsModel::data(const QModelIndex& index, int role) const {
 
 void ProblemsModel::update(const Catalog& catalogue) {
   of_system_.clear();
-  for (const auto& [name, entry] : catalogue.processes()) AddProblemsOf(entry, of_system_);
+  const ConnectionIndex connections(catalogue);
+  for (const auto& [name, entry] : catalogue.processes()) {
+    AddProblemsOf(entry, connections, of_system_);
+  }
   dropAnswered(catalogue);
   show();
 }
@@ -87,9 +115,24 @@ void ProblemsModel::hear(const Action& finished) {
   show();
 }
 
+void ProblemsModel::showFaults(const QList<ViewFault>& faults) {
+  of_views_.clear();
+  for (const ViewFault& fault : faults) {
+    const QString begin = fault.is_covered ? Words::tr("%1 has met an error and is not drawn: %2")
+                                           : Words::tr("%1 has met an error: %2");
+    QString text = begin.arg(fault.view, fault.what);
+    if (fault.count > 1) text += Words::tr(" (%1 times)").arg(fault.count);
+    of_views_.push_back({{}, text, StateMark::kFaulted, fault.first});
+  }
+  show();
+}
+
 void ProblemsModel::show() {
   std::vector<Problem> fresh = of_system_;
+  fresh.insert(fresh.end(), of_views_.begin(), of_views_.end());
   for (const auto& [required, problem] : refusals_) fresh.push_back(problem);
+  std::stable_partition(fresh.begin(), fresh.end(),
+                        [](const Problem& problem) { return problem.mark != StateMark::kWarning; });
   const int count = rowCount();
   showRows(std::move(fresh));
   if (rowCount() != count) Q_EMIT countChanged(rowCount());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <gcm_gui/activity/activity_model.h>
+#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/models/row_list_model.h>
 #include <gcm_gui/theme/state_mark.h>
 #include <tendon/gcm/catalog.h>
@@ -15,7 +16,7 @@ namespace tendon::gui {
 
 /// Something that is not as it should be, until it is.
 struct Problem {
-  QString path;  ///< of what has it
+  QString path;  ///< of what has it; empty for a view of the window
   QString text;
   StateMark mark = StateMark::kWarning;
   std::int64_t since = 0;  ///< ns since 1970; 0 where it is not known
@@ -23,8 +24,9 @@ struct Problem {
   bool operator==(const Problem&) const = default;
 };
 
-/// What is wrong now: lost processes, faulted components, failed connections, and refused requests
-/// until the interface is connected after all.
+/// What is wrong now: lost processes, plug-ins whose files have not what runs, components that are
+/// faulted or wait for a connection, failed connections, refused requests until the interface is
+/// connected after all, and views of this window that have thrown. Warnings come last.
 class ProblemsModel : public RowListModel<Problem> {
   Q_OBJECT
 
@@ -36,6 +38,7 @@ class ProblemsModel : public RowListModel<Problem> {
  public Q_SLOTS:
   void update(const tendon::Catalog& catalogue);
   void hear(const tendon::gui::Action& finished);
+  void showFaults(const QList<tendon::gui::ViewFault>& faults);
 
  Q_SIGNALS:
   void countChanged(int count);
@@ -46,6 +49,7 @@ class ProblemsModel : public RowListModel<Problem> {
 
   std::vector<Problem> of_system_;
   std::map<InterfaceName, Problem> refusals_;  // by the required interface
+  std::vector<Problem> of_views_;
 };
 
 }  // namespace tendon::gui

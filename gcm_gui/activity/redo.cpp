@@ -1,4 +1,5 @@
 #include <gcm_gui/activity/redo.h>
+#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/language/words.h>
 
 #include <utility>
@@ -17,7 +18,7 @@ Redo::Redo(ActivityModel& activity, SystemActions& actions, QObject* parent)
     : QObject(parent), actions_(actions) {
   connect(&activity, &ActivityModel::undone, this,
           [this](const Action& action) { undone_.push_back(action); });
-  connect(&activity, &ActivityModel::finished, this, &Redo::hearDone);
+  connect(&activity, &ActivityModel::finished, this, Fenced(this, &Redo::hearDone));
 }
 
 void Redo::hearDone(const Action& action) {

@@ -23,6 +23,7 @@
 #include <QPointer>
 #include <QScrollArea>
 #include <QShortcut>
+#include <QSignalBlocker>
 #include <QStackedWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -74,6 +75,12 @@ QString Readable(const std::string& json) {
   return text.left(kLongestAnswer) + Rest();
 }
 
+/// As it came, where numbers are shown rounded; as no markup, whatever is in it.
+QString WholeAnswer(const std::string& json) {
+  if (json.size() > static_cast<std::size_t>(kLongestAnswer)) return {};
+  return QStringLiteral("<qt>%1</qt>").arg(ToQString(json).toHtmlEscaped());
+}
+
 QLabel* MakeWords(const QString& name) {
   auto* words = new QLabel;
   words->setObjectName(name);
@@ -109,6 +116,9 @@ void CallPanel::build() {
   answer_ = MakeWords(QStringLiteral("call.answer"));
   answer_->setAccessibleName(Words::tr("Answer"));
   SetRole(*answer_, QStringLiteral("mono"));
+  expiry_ = MakeWords(QStringLiteral("call.expiry"));
+  SetRole(*expiry_, QStringLiteral("dim"));
+  expiry_->setContentsMargins(kInset, 2 * kGrid, kInset, 0);
   picture_ = new PictureView(QString());
   connect(picture_, &PictureView::shown, this,
           [this] { answer_->setVisible(picture_->image().isNull()); });
@@ -116,6 +126,7 @@ void CallPanel::build() {
   column->setContentsMargins(0, kGap, 0, 0);
   column->setSpacing(0);
   column->addWidget(head_);
+  column->addWidget(expiry_);
   column->addWidget(buildArgument());
   column->addWidget(buildButtons());
   column->addWidget(repeat_);
@@ -205,7 +216,9 @@ void CallPanel::showCommand(const QString& path, const MemberDescription& comman
   path_ = path;
   command_ = command;
   reads_ = reads;
-  repeat_->setCommand(path);
+  repeat_->setCommand(path, command.expires_after);
+  expiry_->setText(ExpiryText(command));
+  expiry_->setVisible(command.expires_after > 0);
   takes_argument_ = TakesArgument(command.signature);
   head_->setTitle(Words::tr("Call ") + ToQString(command.name));
   head_->setToolTip(path);
@@ -259,8 +272,7 @@ void CallPanel::showForm(const Schema& schema) {
   form_ = new ValueForm(schema);
   form_area_->setWidget(form_);  // deletes the one before
   form_->setAutoFillBackground(false);
-  form_area_->setFixedHeight(std::min(form_->sizeHint().height(), kMostFormHeight));
-  argument_->setFixedHeight(form_area_->height());
+  fitForm();
   argument_->setCurrentIndex(kFormPage);
   argument_->setVisible(true);
   as_json_->setVisible(true);
@@ -272,8 +284,18 @@ void CallPanel::showForm(const Schema& schema) {
   }
   connect(form_, &ValueForm::edited, this, [this] {
     is_touched_ = true;
+    fitForm();
     check();
   });
+}
+
+/// Its height changes with what is said of its fields.
+void CallPanel::fitForm() {
+  const int width = form_area_->viewport()->width();
+  const int height =
+      form_->hasHeightForWidth() ? form_->heightForWidth(width) : form_->sizeHint().height();
+  form_area_->setFixedHeight(std::min(height, kMostFormHeight));
+  argument_->setFixedHeight(as_json_->isChecked() ? kJsonHeight : form_area_->height());
 }
 
 void CallPanel::askForOffer(std::size_t read) {
@@ -324,11 +346,17 @@ void CallPanel::showAsJson(bool as_json) {
   if (as_json) {
     const std::string text = form_->json();
     json_->setPlainText(ToQString(JsonOrText(text).dump(2)));
+  } else if (const std::string text = json_->toPlainText().toStdString();
+             FromJson(*schema_, text)) {
+    form_->setJson(text);
   } else {
-    form_->setJson(json_->toPlainText().toStdString());
+    // The form would show other numbers than those that stand here.
+    const QSignalBlocker blocker(as_json_);
+    as_json_->setChecked(true);
+    return;
   }
   argument_->setCurrentIndex(as_json ? kJsonPage : kFormPage);
-  argument_->setFixedHeight(as_json ? kJsonHeight : form_area_->height());
+  fitForm();
   check();
 }
 
@@ -342,11 +370,18 @@ void CallPanel::check() {
   QString problem = unavailable_;
   if (problem.isEmpty() && schema_) {
     const auto body = FromJson(*schema_, argument());
-    if (!body) problem = ToQString(body.error().message);
+    if (!body) problem = problemOf(body.error());
   }
   call_->setEnabled(problem.isEmpty());
   repeat_->setCallable(problem.isEmpty());
   if (!under_way_ && !repeat_->repeater().isRunning()) tell(problem, QStringLiteral("warning"));
+}
+
+/// Of fields that are wrong each says it itself.
+QString CallPanel::problemOf(const Error& error) const {
+  const QStringList wrong = as_json_->isChecked() ? QStringList() : form_->wrongFields();
+  if (wrong.isEmpty()) return ToQString(error.message);
+  return Words::tr("To be corrected: %1").arg(wrong.join(QStringLiteral(", ")));
 }
 
 void CallPanel::setUnavailable(const QString& reason) {
@@ -404,6 +439,7 @@ void CallPanel::hearAnswer(const Result<std::string>& answer, double seconds) {
   tell(Words::tr("Done in ") + DurationText(seconds), QStringLiteral("ok"));
   if (answer->empty()) return;
   answer_->setText(Readable(*answer));
+  answer_->setToolTip(WholeAnswer(*answer));
   if (!LooksLikePicture(*answer)) return answer_->setVisible(true);
   const auto json = std::make_shared<const std::string>(*answer);
   picture_->showFrom([json] { return PictureOf(*json); });

@@ -74,11 +74,14 @@ class CallPanel : public QWidget {
   void askForValue(const std::string& read, const std::vector<std::string>& fields);
   void hearValue(const std::string& read, const std::vector<std::string>& fields,
                  const Result<std::string>& value);
+  void fitForm();
+  /// Not where what stands there is no JSON of the type: nothing of it would be lost.
   void showAsJson(bool as_json);
   /// What would be said now; empty for a command without an argument.
   [[nodiscard]] std::string argument() const;
   /// Says what is wrong with the argument, and keeps it from being called.
   void check();
+  [[nodiscard]] QString problemOf(const Error& error) const;
   void tell(const QString& text, const QString& role);
   void copyCommand() const;
 
@@ -98,6 +101,7 @@ class CallPanel : public QWidget {
 
   HeadRow* head_ = nullptr;
   QLabel* kind_ = nullptr;
+  QLabel* expiry_ = nullptr;
   QStackedWidget* argument_ = nullptr;
   QScrollArea* form_area_ = nullptr;
   ValueForm* form_ = nullptr;

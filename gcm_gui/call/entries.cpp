@@ -1,16 +1,22 @@
 #include <gcm_gui/call/entries.h>
+#include <gcm_gui/call/number_field.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
+#include <tendon/payload/json.h>
 #include <tendon/payload/json/strict_json.h>
+#include <tendon/payload/json/typed_value.h>
+#include <tendon/payload/schema/range.h>
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QGridLayout>
 #include <QLineEdit>
-#include <QRegularExpression>
 #include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
@@ -30,13 +36,6 @@ QString TextOf(const Json& value) {
   return ToQString(value.is_string() ? value.get<std::string>() : value.dump());
 }
 
-/// What is no JSON stays a text.
-Json Understood(const QString& text) {
-  const std::string trimmed = text.trimmed().toStdString();
-  const auto value = ParseOrderedJson(trimmed);
-  return value ? *value : Json(trimmed);
-}
-
 QLineEdit* MakeLine(const QString& name, const Edited& edited) {
   auto* line = new QLineEdit;
   SetRole(*line, QStringLiteral("mono"));
@@ -45,15 +44,56 @@ QLineEdit* MakeLine(const QString& name, const Edited& edited) {
   return line;
 }
 
-/// A number, or anything else that is written as JSON.
-class JsonEntry final : public Entry {
+class NumberEntry final : public Entry {
  public:
-  explicit JsonEntry(QLineEdit& line) : line_(line) {}
+  explicit NumberEntry(NumberField& field) : field_(field) {}
 
-  [[nodiscard]] Json value() const override { return Understood(line_.text()); }
-  void setValue(const Json& value) override { line_.setText(TextOf(value)); }
+  /// What is no number stays a text.
+  [[nodiscard]] Json value() const override {
+    const NumberWord word = field_.word();
+    if (word.flaw == NumberFlaw::kNone) return *ParseOrderedJson(word.json);
+    return field_.text().toStdString();
+  }
+  void setValue(const Json& value) override { field_.setText(TextOf(value)); }
+  [[nodiscard]] QStringList refusals() const override {
+    const QString refusal = field_.refusal();
+    return refusal.isEmpty() ? QStringList() : QStringList(refusal);
+  }
+  [[nodiscard]] QStringList notices() const override {
+    const QString& notice = field_.pasteRefusal();
+    return notice.isEmpty() ? QStringList() : QStringList(notice);
+  }
 
  private:
+  NumberField& field_;
+};
+
+/// Whatever is written as JSON.
+class JsonEntry final : public Entry {
+ public:
+  JsonEntry(const Schema& schema, const QString& name, QLineEdit& line)
+      : schema_(schema), name_(name.toStdString()), line_(line) {}
+
+  /// What is no JSON of the type stays a text.
+  [[nodiscard]] Json value() const override {
+    const auto value = typed();
+    return value ? *value : Json(line_.text().toStdString());
+  }
+  void setValue(const Json& value) override { line_.setText(TextOf(value)); }
+  [[nodiscard]] QStringList refusals() const override {
+    const auto value = typed();
+    if (!value) return {ToQString(value.error().message)};
+    const auto body = FromJson(schema_, value->dump());
+    return body ? QStringList() : QStringList(ToQString(body.error().message));
+  }
+
+ private:
+  [[nodiscard]] Result<Json> typed() const {
+    return TypedValue(schema_, name_, line_.text().trimmed().toStdString());
+  }
+
+  const Schema schema_;
+  const std::string name_;
   QLineEdit& line_;
 };
 
@@ -106,21 +146,53 @@ class ListEntry final : public Entry {
       elements_[i]->setValue(value[i]);
     }
   }
+  [[nodiscard]] QStringList refusals() const override { return OfAll(&Entry::refusals); }
+  [[nodiscard]] QStringList notices() const override { return OfAll(&Entry::notices); }
 
  private:
+  /// "[2]: write 0.5: the decimal sign is a point".
+  [[nodiscard]] QStringList OfAll(QStringList (Entry::*sentences)() const) const {
+    QStringList all;
+    for (std::size_t i = 0; i < elements_.size(); ++i) {
+      for (const QString& one : (*elements_[i].*sentences)()) {
+        all << QStringLiteral("[%1]: %2").arg(i).arg(one);
+      }
+    }
+    return all;
+  }
+
   std::vector<std::unique_ptr<Entry>> elements_;
 };
 
-/// The number closest to 0 that is allowed.
-double FirstNumber(const Schema::Field& field) {
-  return field.range ? std::clamp(0.0, field.range->lowest, field.range->highest) : 0.0;
+/// The number closest to 0 that is allowed, as it is: rounded it might not be.
+QString FirstNumber(const Schema::Field& field) {
+  if (!field.range) return QStringLiteral("0");
+  double number = std::clamp(0.0, field.range->lowest, field.range->highest);
+  const Schema& schema =
+      field.schema.kind() == Schema::Kind::kArray ? field.schema.element() : field.schema;
+  const bool is_integer = schema.is_number() && schema.kind() < Schema::Kind::kFloat32;
+  if (is_integer) number = number > 0 ? std::ceil(number) : std::floor(number);
+  std::array<char, 32> digits{};
+  const auto end =
+      is_integer ? std::to_chars(digits.begin(), digits.end(), number, std::chars_format::fixed).ptr
+                 : std::to_chars(digits.begin(), digits.end(), number).ptr;
+  return QString::fromLatin1(digits.data(), end - digits.data());
+}
+
+NumberField* MakeNumberField(const Schema::Field& field, const QString& name,
+                             const Edited& edited) {
+  auto* number = new NumberField(field);
+  number->setAccessibleName(name);
+  number->setText(FirstNumber(field));
+  QObject::connect(number, &QLineEdit::textChanged, number, [edited] { edited(); });
+  QObject::connect(number, &NumberField::pasteRefused, number, [edited] { edited(); });
+  return number;
 }
 
 EntryWidget MakeNumber(const Schema::Field& field, const QString& name, const Edited& edited) {
-  QLineEdit* line = MakeLine(name, edited);
-  line->setAlignment(Qt::AlignRight);
-  line->setText(NumberText(FirstNumber(field)));
-  return {std::make_unique<JsonEntry>(*line), line};
+  NumberField* number = MakeNumberField(field, name, edited);
+  number->setHelp(HelpOf(field));
+  return {std::make_unique<NumberEntry>(*number), number};
 }
 
 EntryWidget MakeSwitch(const QString& name, const Edited& edited) {
@@ -138,45 +210,25 @@ EntryWidget MakeChoice(const Schema& schema, const QString& name, const Edited& 
   return {std::make_unique<ChoiceEntry>(*box), box};
 }
 
-bool IsNumber(const Schema& schema) {
-  return schema.kind() != Schema::Kind::kBool &&
-         (schema.is_number() || schema.kind() == Schema::Kind::kDuration);
-}
-
-/// Numbers that were copied from anywhere, into one cell, fill it and those behind it.
-void SpreadPastedNumbers(const std::vector<QLineEdit*>& cells, std::size_t first) {
-  static const QRegularExpression between(QStringLiteral("[\\s,;\\[\\]]+"));
-  const QStringList words = cells[first]->text().split(between, Qt::SkipEmptyParts);
-  if (words.size() < 2) return;
-  for (qsizetype i = 0; i < words.size() && first < cells.size(); ++i, ++first) {
-    cells[first]->setText(words[i]);
-  }
-}
-
 EntryWidget MakeGrid(const Schema::Field& field, const QString& name, const Edited& edited) {
   auto* widget = new QWidget;
   auto* grid = new QGridLayout(widget);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setSpacing(kGrid);
   std::vector<std::unique_ptr<Entry>> elements;
-  std::vector<QLineEdit*> cells;
+  QList<NumberField*> cells;
   for (std::uint32_t i = 0; i < field.schema.length(); ++i) {
-    auto [entry, cell] = MakeNumber(field, QStringLiteral("%1[%2]").arg(name).arg(i), edited);
-    cells.push_back(static_cast<QLineEdit*>(cell));
-    cell->setToolTip(QStringLiteral("[%1]").arg(i));
-    cell->setMinimumWidth(kLeastCell);
     const auto place = static_cast<int>(i);
+    NumberField* cell =
+        MakeNumberField(field, QStringLiteral("%1[%2]").arg(name).arg(place), edited);
+    cell->setHelp(QStringLiteral("[%1]").arg(place));
+    cell->setMinimumWidth(kLeastCell);
     grid->addWidget(cell, place / kCellsInRow, place % kCellsInRow);
-    elements.push_back(std::move(entry));
+    elements.push_back(std::make_unique<NumberEntry>(*cell));
+    cells.append(cell);
   }
   for (int column = 0; column < kCellsInRow; ++column) grid->setColumnStretch(column, 1);
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    QObject::connect(cells[i], &QLineEdit::textChanged, widget,
-                     [cells, i, size = cells[i]->text().size()](const QString& text) mutable {
-                       const bool is_typed = text.size() == std::exchange(size, text.size()) + 1;
-                       if (!is_typed) SpreadPastedNumbers(cells, i);
-                     });
-  }
+  for (qsizetype i = 0; i < cells.size(); ++i) cells[i]->setRow(cells.mid(i));
   return {std::make_unique<ListEntry>(std::move(elements)), widget};
 }
 
@@ -189,14 +241,24 @@ EntryWidget MakeJson(const Schema& schema, const QString& name, const Edited& ed
   QLineEdit* line = MakeLine(name, edited);
   line->setText(QStringLiteral("[]"));
   line->setToolTip(Words::tr("JSON of ") + ToQString(schema.TypeName()));
-  return {std::make_unique<JsonEntry>(*line), line};
+  return {std::make_unique<JsonEntry>(schema, name, *line), line};
 }
 
 }  // namespace
 
+QString HelpOf(const Schema::Field& field) {
+  QStringList lines;
+  if (!field.help.empty()) lines << ToQString(field.help);
+  if (field.range) {
+    lines << (ToQString(payload::ToString(*field.range)) + ' ' + ToQString(field.unit)).trimmed();
+  }
+  lines << ToQString(field.schema.TypeName());
+  return lines.join('\n');
+}
+
 EntryWidget MakeEntry(const Schema::Field& field, const QString& name, const Edited& edited) {
   const Schema& schema = field.schema;
-  if (IsNumber(schema)) return MakeNumber(field, name, edited);
+  if (IsWrittenAsNumber(schema.kind())) return MakeNumber(field, name, edited);
   switch (schema.kind()) {
     case Schema::Kind::kBool:
       return MakeSwitch(name, edited);
@@ -205,7 +267,7 @@ EntryWidget MakeEntry(const Schema::Field& field, const QString& name, const Edi
     case Schema::Kind::kString:
       return MakeText(name, edited);
     case Schema::Kind::kArray:
-      if (IsNumber(schema.element()) && schema.length() <= kMostCells) {
+      if (IsWrittenAsNumber(schema.element().kind()) && schema.length() <= kMostCells) {
         return MakeGrid(field, name, edited);
       }
       break;

@@ -17,16 +17,11 @@ using Json = nlohmann::ordered_json;
 
 enum Column { kName, kEntry, kUnit, kColumns };
 
-QString HelpOf(const Schema::Field& field) {
-  QStringList lines;
-  if (!field.help.empty()) lines << ToQString(field.help);
-  if (field.range) {
-    lines << QStringLiteral("%1 to %2 %3")
-                 .arg(NumberText(field.range->lowest), NumberText(field.range->highest),
-                      ToQString(field.unit));
-  }
-  lines << ToQString(field.schema.TypeName());
-  return lines.join('\n');
+/// A field that says nothing of unit or range has those of what it is in.
+Schema::Field Within(const Schema::Field& outer, Schema::Field field) {
+  if (field.unit.empty()) field.unit = outer.unit;
+  if (!field.range) field.range = outer.range;
+  return field;
 }
 
 }  // namespace
@@ -60,8 +55,9 @@ ValueForm::ValueForm(const Schema& schema, QWidget* parent)
   grid_->setVerticalSpacing(kGrid);
   grid_->setColumnStretch(kEntry, 1);
   const bool has_fields = schema.kind() == Schema::Kind::kStructure;
-  entry_ = has_fields ? addFields(schema, {}, 0)
-                      : addField({.name = "value", .unit = {}, .schema = schema}, {}, 0);
+  const Schema::Field whole{.name = "value", .unit = {}, .schema = schema};
+  entry_ = has_fields ? addFields(whole, {}, 0) : addField(whole, {}, 0);
+  showRefusals();
 }
 
 ValueForm::~ValueForm() = default;
@@ -72,11 +68,32 @@ void ValueForm::setJson(const std::string& json) {
   if (const auto value = ParseOrderedJson(json)) entry_->setValue(*value);
 }
 
-std::unique_ptr<Entry> ValueForm::addFields(const Schema& structure, const QString& path,
+QStringList ValueForm::wrongFields() const {
+  QStringList names;
+  for (const Place& place : places_) {
+    if (!place.entry->refusals().isEmpty()) names << place.name;
+  }
+  return names;
+}
+
+void ValueForm::hearEdit() {
+  showRefusals();
+  Q_EMIT edited();
+}
+
+void ValueForm::showRefusals() {
+  for (const Place& place : places_) {
+    const QStringList sentences = place.entry->notices() + place.entry->refusals();
+    place.refusals->setText(sentences.join('\n'));
+    place.refusals->setVisible(!sentences.isEmpty());
+  }
+}
+
+std::unique_ptr<Entry> ValueForm::addFields(const Schema::Field& structure, const QString& path,
                                             int level) {
   auto entry = std::make_unique<Structure>();
-  for (const auto& field : structure.fields()) {
-    entry->add(field.name, addField(field, path, level));
+  for (const auto& field : structure.schema.fields()) {
+    entry->add(field.name, addField(Within(structure, field), path, level));
   }
   return entry;
 }
@@ -88,14 +105,21 @@ std::unique_ptr<Entry> ValueForm::addField(const Schema::Field& field, const QSt
   addName(field, name, level);
   const int row = grid_->rowCount() - 1;
   if (field.schema.kind() == Schema::Kind::kStructure) {
-    return addFields(field.schema, whole, level + 1);
+    return addFields(field, whole, level + 1);
   }
-  auto [entry, widget] = MakeEntry(field, whole, [this] { Q_EMIT edited(); });
+  auto [entry, widget] = MakeEntry(field, whole, [this] { hearEdit(); });
   widget->setObjectName(QStringLiteral("form.") + whole);
   if (widget->toolTip().isEmpty()) widget->setToolTip(HelpOf(field));
   const bool is_wide = field.schema.kind() == Schema::Kind::kArray;
   is_wide ? grid_->addWidget(widget, row + 1, kName, 1, kColumns)
           : grid_->addWidget(widget, row, kEntry);
+  auto* refusals = new QLabel;
+  refusals->setObjectName(QStringLiteral("refusals.") + whole);
+  refusals->setTextFormat(Qt::PlainText);
+  refusals->setWordWrap(true);
+  SetRole(*refusals, QStringLiteral("bad"));
+  grid_->addWidget(refusals, row + (is_wide ? 2 : 1), kName, 1, kColumns);
+  places_.push_back({.name = whole, .entry = entry.get(), .refusals = refusals});
   return std::move(entry);
 }
 

@@ -1,4 +1,5 @@
 #include <gcm_gui/connect/connect_mode.h>
+#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/connection_index.h>
 #include <gcm_gui/models/state_of.h>
@@ -43,8 +44,8 @@ QStringList Candidate::reasons() const {
 
 ConnectMode::ConnectMode(const CatalogueStore& store, SystemActions& actions, QObject* parent)
     : QObject(parent), store_(store), actions_(actions) {
-  connect(&store, &CatalogueStore::changed, this, &ConnectMode::follow);
-  connect(&store, &CatalogueStore::typesLearned, this, &ConnectMode::follow);
+  connect(&store, &CatalogueStore::changed, this, Fenced(this, &ConnectMode::follow));
+  connect(&store, &CatalogueStore::typesLearned, this, Fenced(this, &ConnectMode::follow));
 }
 
 const Candidate* ConnectMode::best() const {

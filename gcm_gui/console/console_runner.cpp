@@ -2,8 +2,11 @@
 #include <gcm_console/shell/shell.h>
 #include <gcm_gui/console/console_runner.h>
 #include <gcm_gui/console/output_pipe.h>
+#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/files/file_writer.h>
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
+#include <program/exit_code.h>
 #include <tendon/base/os/termination.h>
 
 #include <condition_variable>
@@ -14,6 +17,11 @@
 #include <utility>
 
 namespace tendon::gui {
+namespace {
+
+constexpr auto kThread = QT_TRANSLATE_NOOP("Words", "the console");
+
+}  // namespace
 
 /// What runner and thread share.
 struct ConsoleRunner::Desk {
@@ -29,6 +37,29 @@ struct ConsoleRunner::Desk {
   bool is_interrupted = false;               // since the last job was posted
   bool is_ending = false;
   bool is_done = false;  // the thread has ended
+};
+
+/// Says that a line has ended however it does: also where the thread has thrown, and where the line
+/// was never begun.
+class ConsoleRunner::End {
+ public:
+  End(ConsoleRunner& runner, std::shared_ptr<Courier> courier)
+      : runner_(runner), courier_(std::move(courier)) {}
+  End(const End&) = delete;
+  End& operator=(const End&) = delete;
+  ~End() {
+    Fence::run(kThread, [&] {
+      courier_->post(
+          [runner = &runner_, code = exit_code, text = prompt] { runner->finish(code, text); });
+    });
+  }
+
+  int exit_code = program::kRefused;
+  QString prompt = QStringLiteral("gcm> ");
+
+ private:
+  ConsoleRunner& runner_;
+  std::shared_ptr<Courier> courier_;
 };
 
 ConsoleRunner::ConsoleRunner(console::Settings settings, QObject* parent)
@@ -75,12 +106,15 @@ void ConsoleRunner::work(const std::shared_ptr<Desk>& desk) {
     desk->interruption = &interruption;
     desk->change.wait(lock, [&] { return !desk->jobs.empty() || desk->is_ending; });
     if (desk->is_ending) break;
-    const Job job = std::exchange(desk->jobs.front(), nullptr);
+    Job job = std::exchange(desk->jobs.front(), nullptr);
     desk->jobs.pop_front();
     if (desk->is_interrupted) interruption.Ask();  // also where nobody was there to hear it
     lock.unlock();
-    if (!shell || shell->has_ended()) shell.emplace(desk->settings);
-    job(*shell);
+    Fence::run(kThread, [&] {
+      if (!shell || shell->has_ended()) shell.emplace(desk->settings);
+      job(*shell);
+    });
+    job = nullptr;
     lock.lock();
   }
   desk->interruption = nullptr;
@@ -94,14 +128,18 @@ void ConsoleRunner::work(const std::shared_ptr<Desk>& desk) {
 void ConsoleRunner::run(const QString& line, int columns) {
   if (std::exchange(is_running_, true)) return;
   // Not the desk itself: it has the job.
-  post([this, courier = courier_, &pipe = desk_->pipe, line = line.toStdString(),
+  auto end = std::make_shared<End>(*this, courier_);
+  post([end = std::move(end), &pipe = desk_->pipe, line = line.toStdString(),
         columns](console::Shell& shell) {
     PipeStream out(pipe, OutputPipe::Kind::kOut);
     PipeStream err(pipe, OutputPipe::Kind::kError);
     const console::Streams streams{out, err, columns, nullptr, false};
-    const int exit_code = shell.Run(line, streams, console::Shell::AfterFailure::kGoOn);
-    const QString prompt = shell.has_ended() ? QStringLiteral("gcm> ") : ToQString(shell.prompt());
-    courier->post([this, exit_code, prompt] { finish(exit_code, prompt); });
+    try {
+      end->exit_code = shell.Run(line, streams, console::Shell::AfterFailure::kGoOn);
+    } catch (...) {
+      err << "gcm: " << WordsOfException().toStdString() << '\n';
+    }
+    if (!shell.has_ended()) end->prompt = ToQString(shell.prompt());
   });
 }
 

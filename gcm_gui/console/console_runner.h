@@ -45,6 +45,7 @@ class ConsoleRunner : public QObject {
  private:
   using Job = std::function<void(console::Shell& shell)>;
   struct Desk;
+  class End;
 
   void post(Job job);
   /// Outlives the runner where a request does not end.

@@ -1,4 +1,5 @@
 #include <gcm_gui/events/events_page.h>
+#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/row_roles.h>
 #include <gcm_gui/models/text.h>
@@ -51,10 +52,10 @@ EventsPage::EventsPage(SystemReports& reports, Selection& selection, QWidget* pa
     Q_EMIT pathChosen(index.data(kPathRole).toString());
   };
   connect(list_, &QTreeView::activated, this, choose);
-  connect(&reports, &SystemReports::eventsArrived, &events_, &EventsModel::hear);
-  connect(&reports, &SystemReports::eventsLost, &events_, &EventsModel::hearLost);
-  connect(&selection, &Selection::changed, this, &EventsPage::listen);
-  connect(&rate_timer_, &QTimer::timeout, this, &EventsPage::showRate);
+  connect(&reports, &SystemReports::eventsArrived, &events_, Fenced(&events_, &EventsModel::hear));
+  connect(&reports, &SystemReports::eventsLost, &events_, Fenced(&events_, &EventsModel::hearLost));
+  connect(&selection, &Selection::changed, this, Fenced(this, &EventsPage::listen));
+  connect(&rate_timer_, &QTimer::timeout, this, Fenced(this, &EventsPage::showRate));
   rate_timer_.start(kRatePeriod);
 }
 

@@ -1,3 +1,4 @@
+#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/files/background.h>
 
 #include <condition_variable>
@@ -41,10 +42,11 @@ void Background::start(Task task) {
   const std::lock_guard lock(queue_->mutex);
   queue_->tasks.push_back(std::move(task));
   queue_->changed.notify_all();
-  if (!thread_.joinable()) thread_ = std::thread([queue = queue_] { work(queue); });
+  if (!thread_.joinable())
+    thread_ = std::thread([what = what_, queue = queue_] { work(what, queue); });
 }
 
-void Background::work(const std::shared_ptr<Queue>& queue) {
+void Background::work(const char* what, const std::shared_ptr<Queue>& queue) {
   std::unique_lock lock(queue->mutex);
   while (true) {
     queue->changed.wait(lock, [&] { return queue->is_closed || !queue->tasks.empty(); });
@@ -52,7 +54,7 @@ void Background::work(const std::shared_ptr<Queue>& queue) {
     Task task = std::move(queue->tasks.front());
     queue->tasks.pop_front();
     lock.unlock();
-    task();
+    Fence::run(what, task);
     task = nullptr;
     lock.lock();
   }

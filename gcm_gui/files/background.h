@@ -9,13 +9,15 @@
 
 namespace tendon::gui {
 
-/// Does one task after another in a thread of its own. A task must need nothing of who has asked
-/// for it: one that takes too long at the end is left behind, and goes on.
+/// Does one task after another in a thread of its own; the Fence tells of one that throws. A task
+/// must need nothing of who has asked for it: one that takes too long at the end is left behind,
+/// and goes on.
 class Background {
  public:
   using Task = std::function<void()>;
 
-  /// `what` is being done, for stderr: "a system file". `patience`: of the destructor.
+  /// `what` is being done, for stderr and the Fence: QT_TRANSLATE_NOOP("Words", "a system file").
+  /// `patience`: of the destructor.
   explicit Background(const char* what, std::chrono::milliseconds patience = FileWriter::kPatience);
   Background(const Background&) = delete;
   Background& operator=(const Background&) = delete;
@@ -27,7 +29,7 @@ class Background {
  private:
   struct Queue;
 
-  static void work(const std::shared_ptr<Queue>& queue);
+  static void work(const char* what, const std::shared_ptr<Queue>& queue);
 
   const char* what_;
   const std::chrono::milliseconds patience_;

@@ -1,9 +1,23 @@
+#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/files/file_reader.h>
 
 #include <QFile>
 #include <utility>
 
 namespace tendon::gui {
+namespace {
+
+/// Why it cannot be read, else empty.
+QString Read(const QString& name, QByteArray& content) try {
+  QFile file(name);
+  if (!file.open(QIODevice::ReadOnly)) return file.errorString();
+  content = file.readAll();
+  return file.error() == QFileDevice::NoError ? QString() : file.errorString();
+} catch (...) {
+  return WordsOfException();
+}
+
+}  // namespace
 
 FileReader::FileReader(QObject* parent)
     : QObject(parent), courier_(std::make_shared<Courier>(this)) {}
@@ -12,13 +26,10 @@ FileReader::~FileReader() { courier_->detach(); }
 
 void FileReader::read(const QString& name, Done done) {
   thread_.start([courier = courier_, name, done = std::move(done)] {
-    QFile file(name);
-    const bool is_open = file.open(QIODevice::ReadOnly);
-    const QByteArray content = is_open ? file.readAll() : QByteArray();
-    const bool is_read = is_open && file.error() == QFileDevice::NoError;
-    courier->post([done, content, refusal = is_read ? QString() : file.errorString()] {
-      done(refusal.isEmpty() ? content : QByteArray(), refusal);
-    });
+    QByteArray content;
+    const QString refusal = Read(name, content);
+    courier->post(
+        [done, content, refusal] { done(refusal.isEmpty() ? content : QByteArray(), refusal); });
   });
 }
 

@@ -30,7 +30,7 @@ class FileReader : public QObject {
 
  private:
   std::shared_ptr<Courier> courier_;
-  Background thread_{"the reading of a file"};
+  Background thread_{QT_TRANSLATE_NOOP("Words", "the reading of a file")};
 };
 
 }  // namespace tendon::gui

@@ -1,3 +1,4 @@
+#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/files/file_writer.h>
 #include <gcm_gui/language/words.h>
 
@@ -25,7 +26,7 @@ FileWriter& OfApplication(QPointer<FileWriter>& writer) {
   return *writer;
 }
 
-QString Write(const QString& name, const FileWriter::Fill& fill, FileWriter::Readers readers) {
+QString Write(const QString& name, const FileWriter::Fill& fill, FileWriter::Readers readers) try {
   QSaveFile file(name);
   if (!file.open(QIODevice::WriteOnly)) return file.errorString();
   if (readers == FileWriter::Readers::kOwner) {
@@ -37,6 +38,8 @@ QString Write(const QString& name, const FileWriter::Fill& fill, FileWriter::Rea
                                                 : file.errorString();
   }
   return file.commit() ? QString() : file.errorString();
+} catch (...) {
+  return WordsOfException();
 }
 
 }  // namespace

@@ -1,3 +1,4 @@
+#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/graph/edge_health.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
@@ -18,9 +19,12 @@ constexpr std::chrono::seconds kBetween{1};
 QString TextOf(const ConnectionFlaw& flaw) {
   switch (flaw.kind) {
     case ConnectionFlaw::Kind::kCallsRefused:
-      return Words::tr("%1 calls found no room").arg(flaw.count);
+      return (flaw.count == 1 ? Words::tr("%1 call found no room")
+                              : Words::tr("%1 calls found no room"))
+          .arg(flaw.count);
     case ConnectionFlaw::Kind::kEventsLost:
-      return Words::tr("%1 events were lost").arg(flaw.count);
+      return (flaw.count == 1 ? Words::tr("%1 event was lost") : Words::tr("%1 events were lost"))
+          .arg(flaw.count);
     case ConnectionFlaw::Kind::kMailboxFull:
       return Words::tr("%1 of %2 calls wait").arg(flaw.count).arg(flaw.capacity);
     case ConnectionFlaw::Kind::kLate:
@@ -41,7 +45,7 @@ QString HealthWarning(const ConnectionCounts& now, const std::optional<Connectio
 EdgeHealth::EdgeHealth(SystemReports& reports, Seen seen, QObject* parent)
     : QObject(parent), reports_(reports), seen_(std::move(seen)) {
   second_.setInterval(kBetween);
-  connect(&second_, &QTimer::timeout, this, &EdgeHealth::look);
+  connect(&second_, &QTimer::timeout, this, Fenced(this, &EdgeHealth::look));
 }
 
 void EdgeHealth::setLooking(bool looking) { looking ? second_.start() : second_.stop(); }

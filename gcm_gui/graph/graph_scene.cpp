@@ -1,3 +1,4 @@
+#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/graph/card_place.h>
 #include <gcm_gui/graph/emphasis/emphasis.h>
 #include <gcm_gui/graph/emphasis/graph_hover.h>
@@ -76,8 +77,8 @@ GraphScene::GraphScene(const CatalogueStore& store, const Selection& selection,
     setBackgroundBrush(Theme::instance().color(Token::kCanvas));
     update();
   });
-  connect(&store, &CatalogueStore::changed, this, &GraphScene::showCatalogue);
-  connect(&selection, &Selection::changed, this, &GraphScene::showSelection);
+  connect(&store, &CatalogueStore::changed, this, Fenced(this, &GraphScene::showCatalogue));
+  connect(&selection, &Selection::changed, this, Fenced(this, &GraphScene::showSelection));
   connect(&mode, &ConnectMode::changed, this, &GraphScene::showMode);
   connect(places_, &GraphPlaces::changed, this, &GraphScene::showPlaces);
   connect(layout_, &LayoutWorker::arranged, this, &GraphScene::showArrangement);

@@ -1,3 +1,4 @@
+#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/inspector/cycle_figures.h>
 
 #include <algorithm>
@@ -9,7 +10,8 @@ namespace {
 std::optional<double> ValueOf(const ColumnValues& values, std::string_view field) {
   const auto& channels = *values.channels;
   for (std::size_t i = 0; i < std::min(channels.size(), values.values.size()); ++i) {
-    if (channels[i].path == field) return values.values[i];
+    const auto& value = values.values[i];
+    if (channels[i].path == field && value) return value->real();
   }
   return std::nullopt;
 }
@@ -18,7 +20,7 @@ std::optional<double> ValueOf(const ColumnValues& values, std::string_view field
 
 CycleFigures::CycleFigures(SignalSource& source, QObject* parent)
     : QObject(parent), source_(source) {
-  connect(&source, &SignalSource::valuesArrived, this, &CycleFigures::hearValues);
+  connect(&source, &SignalSource::valuesArrived, this, Fenced(this, &CycleFigures::hearValues));
 }
 
 QString CycleFigures::cycleColumn() const { return component_ + QStringLiteral("/state.Cycle"); }

@@ -1,4 +1,5 @@
 #include <gcm_gui/events/events_page.h>
+#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/inspector/event_list.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/views/link.h>
@@ -30,9 +31,9 @@ EventList::EventList(SystemReports& reports, QWidget* parent)
   column->setSpacing(0);
   column->addWidget(MakeToolRow({rate_}, {clear}));
   column->addWidget(list, 1);
-  connect(&reports, &SystemReports::eventsArrived, &events_, &EventsModel::hear);
-  connect(&reports, &SystemReports::eventsLost, &events_, &EventsModel::hearLost);
-  connect(&rate_timer_, &QTimer::timeout, this, &EventList::showRate);
+  connect(&reports, &SystemReports::eventsArrived, &events_, Fenced(&events_, &EventsModel::hear));
+  connect(&reports, &SystemReports::eventsLost, &events_, Fenced(&events_, &EventsModel::hearLost));
+  connect(&rate_timer_, &QTimer::timeout, this, Fenced(this, &EventList::showRate));
   rate_timer_.setInterval(kRatePeriod);
   connect(&events_, &QAbstractItemModel::rowsInserted, this, &EventList::showRate);
   connect(&events_, &QAbstractItemModel::rowsRemoved, this, &EventList::showRate);

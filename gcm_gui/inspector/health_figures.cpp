@@ -1,3 +1,4 @@
+#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/inspector/health_figures.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/state_of.h>
@@ -31,7 +32,7 @@ InterfaceHealth TextOf(const ConnectionCounts& counts) {
 HealthFigures::HealthFigures(SystemReports& reports, const CatalogueStore& store, QObject* parent)
     : QObject(parent), reports_(reports), store_(store) {
   timer_.setInterval(kAskPeriod);
-  connect(&timer_, &QTimer::timeout, this, &HealthFigures::ask);
+  connect(&timer_, &QTimer::timeout, this, Fenced(this, &HealthFigures::ask));
 }
 
 void HealthFigures::show(const std::string& process, const std::string& component) {

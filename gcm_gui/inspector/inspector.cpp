@@ -1,10 +1,12 @@
 #include <gcm_gui/call/call_panel.h>
 #include <gcm_gui/call/careful.h>
+#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/inspector/event_list.h>
 #include <gcm_gui/inspector/inspector.h>
 #include <gcm_gui/inspector/thread_facts.h>
 #include <gcm_gui/inspector/values_page.h>
 #include <gcm_gui/language/words.h>
+#include <gcm_gui/models/plugin_words.h>
 #include <gcm_gui/models/row_roles.h>
 #include <gcm_gui/models/state_of.h>
 #include <gcm_gui/models/text.h>
@@ -18,8 +20,11 @@
 #include <gcm_gui/views/row_view.h>
 #include <gcm_gui/views/state_label.h>
 #include <gcm_gui/views/tab_panel.h>
+#include <tendon/base/find_named.h>
 #include <tendon/base/path.h>
 #include <tendon/gcm/argument/matching_read.h>
+#include <tendon/gcm/text/wall_time.h>
+#include <tendon/gcm/wiring/waiting.h>
 
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -37,6 +42,19 @@ namespace {
 
 constexpr std::chrono::milliseconds kFiguresPeriod{250};
 enum Page { kNothingPage, kProcessPage, kComponentPage };
+
+/// From which file what runs was loaded, and what has become of that.
+QList<Fact> PluginFacts(const ProcessDescription& process, const std::string& library) {
+  const auto* plugin = FindNamed(process.plugins, library);
+  if (plugin == nullptr) return {};
+  const QString file = ToQString(plugin->file);
+  QList<Fact> facts{{Words::tr("Plug-in"), file.section('/', -1), file},
+                    {Words::tr("Written"), ToQString(WallTimeText(plugin->written)), file}};
+  if (const QString change = PluginChangeWords(*plugin); !change.isEmpty()) {
+    facts.append({Words::tr("Older than its file"), change, {}, Fact::Kind::kSentence});
+  }
+  return facts;
+}
 
 bool HasCycle(const ComponentDescription& component) {
   return std::any_of(component.tables.begin(), component.tables.end(), [](const auto& table) {
@@ -77,10 +95,10 @@ Inspector::Inspector(const CatalogueStore& store, Selection& selection, SignalSo
   column->addWidget(buildHead());
   column->addWidget(pages_, 1);
 
-  connect(&store, &CatalogueStore::changed, this, &Inspector::refresh);
-  connect(&selection, &Selection::changed, this, &Inspector::refresh);
+  connect(&store, &CatalogueStore::changed, this, Fenced(this, &Inspector::refresh));
+  connect(&selection, &Selection::changed, this, Fenced(this, &Inspector::showSelected));
   connect(values_, &ValuesPage::plotRequested, this, &Inspector::plotRequested);
-  connect(&figures_timer_, &QTimer::timeout, this, &Inspector::showFigures);
+  connect(&figures_timer_, &QTimer::timeout, this, Fenced(this, &Inspector::showFigures));
   connect(call_, &CallPanel::favouriteRequested, this, &Inspector::favouriteRequested);
   connect(&health_, &HealthFigures::changed, this, &Inspector::showHealth);
   figures_timer_.start(kFiguresPeriod);
@@ -138,10 +156,14 @@ QWidget* Inspector::buildComponentPage() {
   tabs_ = new TabPanel(QStringLiteral("inspectorTabs"));
   interfaces_page_ = tabs_->addPage(buildInterfaces(), Words::tr("Interfaces"));
   values_page_ = tabs_->addPage(values_, Words::tr("Values"));
-  tabs_->addPage(events_, Words::tr("Events"));
+  events_page_ = tabs_->addPage(events_, Words::tr("Events"));
   tabs_->addPage(buildThread(), Words::tr("Thread"));
   tabs_->addPage(buildConfiguration(), Words::tr("Config"));
   connect(tabs_, &TabPanel::currentChanged, this, &Inspector::watchValues);
+  Fence::setName(*this, Words::tr("Inspector"));
+  Fence::setName(*values_, Words::tr("Inspector: values"));
+  Fence::setName(*events_, Words::tr("Inspector: events"));
+  Fence::setName(*call_, Words::tr("Inspector: call"));
   column->addWidget(component_facts_);
   column->addWidget(steer_);
   column->addWidget(tabs_, 1);
@@ -244,6 +266,39 @@ void Inspector::addPeerLinks(QWidget& cell, const InterfaceRow& peer) {
           [this, name = peer.required] { actions_.disconnectInterface(name); });
 }
 
+void Inspector::showSelected() {
+  refresh();
+  showTabOfSelected();
+}
+
+/// What is selected must not lie behind another tab: a command with its form among the interfaces,
+/// a number among the values. An event is also in the tab of events, a column in both of the
+/// others.
+void Inspector::showTabOfSelected() {
+  if (pages_->currentIndex() != kComponentPage) return;
+  const auto path = ParsePath(selection_.current().toStdString());
+  if (!path.ok() || path->interface.empty()) return;
+  const auto* component = store_.catalogue().FindComponent(path->process, path->component);
+  if (component == nullptr) return;
+  const auto is_named = [](const std::string& name) {
+    return [&name](const auto& each) { return each.name == name; };
+  };
+  const auto& tables = component->tables;
+  const bool is_table = std::any_of(tables.begin(), tables.end(), is_named(path->interface));
+  const auto* provided = store_.catalogue().FindProvided(path->interface_name());
+  const bool is_event =
+      provided != nullptr &&
+      std::any_of(provided->events.begin(), provided->events.end(), is_named(path->member));
+  const int tab = tabs_->current();
+  if (is_table && !path->field.empty()) {
+    tabs_->setCurrent(values_page_);
+  } else if (is_table ? tab != values_page_ : !(is_event && tab == events_page_)) {
+    tabs_->setCurrent(interfaces_page_);
+  }
+  const int row = interfaces_.rowOf(selection_.current());
+  if (row >= 0) interface_list_->setCurrentIndex(interfaces_.index(row));
+}
+
 void Inspector::refresh() {
   const auto path = ParsePath(selection_.current().toStdString());
   if (!path.ok())
@@ -288,6 +343,7 @@ void Inspector::showProcessFacts() {
                     {Words::tr("Components"), QString::number(entry->components.size())},
                     {since, ClockText(process.since).section('.', 0, 0)}};
   facts += health_.processFacts();
+  for (const auto& plugin : process.plugins) facts += PluginFacts(process, plugin.name);
   if (!process.reason.empty()) {
     facts.append({Words::tr("Reason"), ToQString(process.reason), {}, Fact::Kind::kSentence});
   }
@@ -315,13 +371,18 @@ void Inspector::showComponent(const ProcessEntry& entry, const ComponentDescript
   const QString path = ToQString(entry.process.name + '/' + component.name);
   name_->setText(ToQString(component.name));
   state_->setVisible(true);
-  state_->show(gone ? StateMark::kLost : MarkOf(component.state));
+  const auto waits = WaitsOf(entry, component);
+  if (gone) {
+    state_->show(StateMark::kLost);
+  } else {
+    state_->show(MarkOf(component.state, waits), WordOf(component.state, waits));
+  }
   process_->setText(ToQString(entry.process.name));
   wanted_period_ = component.period;
   shown_component_ = path;
   steer_->show(store_.catalogue(), entry.process.name, component.name);
   interfaces_.show(store_.catalogue(), entry.process.name, component.name);
-  values_->showComponent(path, component, gone);
+  values_->showComponent(path, component, StandstillOf(entry.process.state, component.state));
   configuration_.show(component);
   events_->show(path);
   const bool runs = component.state == ComponentState::kActive && !gone;
@@ -360,7 +421,12 @@ void Inspector::showFigures() {
   const auto path = ParsePath(shown_component_.toStdString());
   const auto* component = store_.catalogue().FindComponent(path->process, path->component);
   if (component == nullptr) return;
+  const ProcessEntry& entry = *store_.catalogue().FindProcess(path->process);
   QList<Fact> facts{{Words::tr("Class"), ToQString(component->class_name)}};
+  if (const auto waits = WaitsOf(entry, *component); !waits.empty()) {
+    facts.append({Words::tr("Waits for"), ReasonsText(waits), {}, Fact::Kind::kSentence});
+  }
+  facts += PluginFacts(entry.process, component->library);
   if (!component->fault.empty()) {
     facts.append({Words::tr("Fault"), ToQString(component->fault), {}, Fact::Kind::kSentence});
   }

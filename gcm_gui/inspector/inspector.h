@@ -65,6 +65,8 @@ class Inspector : public QWidget {
   void showHealth();
   void showProcessFacts();
   void refresh();
+  void showSelected();
+  void showTabOfSelected();
   void showComponent(const ProcessEntry& process, const ComponentDescription& component);
   void showProcess(const ProcessEntry& process);
   /// The form of the command that is selected, if one is.
@@ -102,6 +104,7 @@ class Inspector : public QWidget {
   QStackedWidget* pages_;
   int interfaces_page_ = 0;
   int values_page_ = 0;
+  int events_page_ = 0;
   QString shown_component_;
   double wanted_period_ = 0;  // s
 };

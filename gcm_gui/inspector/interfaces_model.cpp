@@ -94,7 +94,8 @@ class RowBuilder {
            TypesText(member, TypeNames::kShort),
            value,
            {},
-           {}});
+           {},
+           ExpiryText(member)});
     }
   }
 
@@ -148,12 +149,12 @@ QVariant InterfacesModel::data(const QModelIndex& index, int role) const {
     case kPathRole:
       return row.path;
     case Qt::ToolTipRole: {
-      QStringList lines{row.path, row.types, health.whole};
+      QStringList lines{row.path, row.types, row.expiry, health.whole};
       lines.removeAll({});
       return lines.join('\n');
     }
     case Qt::AccessibleTextRole:
-      return QStringList{row.name, row.types, row.value}.join(' ').simplified();
+      return QStringList{row.name, row.types, row.value, row.expiry}.join(' ').simplified();
     case kTrailRole:
       return health.brief.isEmpty() ? row.value : row.value + QStringLiteral(" · ") + health.brief;
     default:
@@ -168,6 +169,13 @@ void InterfacesModel::show(const Catalog& catalogue, const std::string& process,
     fresh = RowBuilder(catalogue, process, *description).Build();
   }
   showRows(std::move(fresh));
+}
+
+int InterfacesModel::rowOf(const QString& path) const {
+  for (int i = 0; i < rowCount(); ++i) {
+    if (row(i).kind != Kind::kPeer && row(i).path == path) return i;
+  }
+  return -1;
 }
 
 void InterfacesModel::showHealth(const QHash<QString, InterfaceHealth>& health) {

@@ -21,6 +21,7 @@ struct InterfaceRow {
   QString value;
   StateMark mark = StateMark::kNotConnected;  ///< of interfaces and peers
   InterfaceName required;                     ///< of a peer: the required end of the connection
+  QString expiry = {};                        ///< of a command that ends by itself: when it does
 
   bool operator==(const InterfaceRow&) const = default;
 };
@@ -37,6 +38,8 @@ class InterfacesModel : public RowListModel<InterfaceRow> {
 
   /// Shows a component; nothing when there is none of these names.
   void show(const Catalog& catalogue, const std::string& process, const std::string& component);
+  /// That stands for this path itself; -1 where none does.
+  [[nodiscard]] int rowOf(const QString& path) const;
   /// How the connections of its interfaces do, by path of the interface.
   void showHealth(const QHash<QString, InterfaceHealth>& health);
 

@@ -3,10 +3,10 @@
 #include <gcm_gui/models/row_roles.h>
 #include <gcm_gui/models/table_columns.h>
 #include <gcm_gui/models/text.h>
+#include <gcm_gui/models/trend.h>
 #include <gcm_gui/plot/rate_badge.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace tendon::gui {
@@ -60,16 +60,18 @@ QVariant ValuesModel::data(const QModelIndex& index, int role) const {
     case kPathRole:
       return block->column + field;
     case Qt::ToolTipRole:
-      return isSilent(*block) ? silenceOf(*block) : block->column + field;
+      if (isSilent(*block)) return silenceOf(*block);
+      return QString(block->column + field + '\n' + wholeOf(place)).trimmed();
     case kFaceRole:
       return static_cast<int>(Face::kMono);
     case kDetailRole:
       return index.column() == kName ? detailOf(*block, channel) : QString();
     case kTrendRole:
       if (channel >= block->trends.size()) return {};
-      return QVariant::fromValue(block->trends[channel]);
+      return QVariant::fromValue(
+          TrendOf((*block->values.channels)[channel].schema, block->trends[channel]));
     case kStaleRole:
-      return stale_ || isOld(*block);
+      return isOld(*block);
     case kFreshRole:
       return index.column() == kValue ? valueOf(place, role) : QVariant();
     case Qt::AccessibleTextRole:
@@ -128,24 +130,33 @@ QVariant ValuesModel::valueOf(const Place& place, int role) const {
   return role == kUnitRole ? value.unit : value.number;
 }
 
+QString ValuesModel::wholeOf(const Place& place) {
+  const auto& values = place.block->values;
+  if (place.channel >= values.values.size()) return {};
+  return WholeText((*values.channels)[place.channel], values.values[place.channel]);
+}
+
 bool ValuesModel::isSilent(const Block& block) const {
-  if (block.isKnown() || stale_ || block.awaited == SteadyTime::max()) return false;
+  const bool can_answer = why_ == Standstill::kNone || why_ == Standstill::kNoAnswer;
+  if (block.isKnown() || !can_answer || block.awaited == SteadyTime::max()) return false;
   return !block.refusal.isEmpty() || clock_.Now() - block.awaited >= kPatience;
 }
 
-/// Later than the rate lets expect.
+std::optional<std::chrono::nanoseconds> ValuesModel::ageOf(const Block& block) const {
+  if (!block.isKnown()) return std::nullopt;
+  const SteadyTime written{std::chrono::nanoseconds(block.values.time)};
+  const auto age = clock_.Now() - (block.values.time == 0 ? block.arrived : written);
+  return std::max(std::chrono::nanoseconds(0), std::chrono::nanoseconds(age));
+}
+
 bool ValuesModel::isOld(const Block& block) const {
-  constexpr double kMostPeriods = 5;
-  constexpr double kLeast = 2;  // s
-  if (block.rate.hz() <= 0) return false;
-  const std::chrono::duration<double> age = clock_.Now() - block.arrived;
-  return age.count() > std::max(kLeast, kMostPeriods / block.rate.hz());
+  return IsOld(why_, ageOf(block), block.rate.hz());
 }
 
 QString ValuesModel::detailOf(const Block& block, std::size_t channel) const {
-  if (channel > 0 || block.rate.hz() <= 0) return {};
-  if (!isOld(block)) return RateText(block.rate.hz());
-  return Words::tr("%1 old").arg(AgeText((clock_.Now() - block.arrived).count()));
+  if (channel > 0) return {};
+  if (isOld(block)) return OldText(why_, ageOf(block));
+  return block.rate.hz() > 0 ? RateText(block.rate.hz()) : QString();
 }
 
 void ValuesModel::await() {
@@ -184,7 +195,7 @@ void ValuesModel::tick() {
   if (any) Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, kColumnCount - 1));
 }
 
-void ValuesModel::show(const QString& path, const ComponentDescription* component, bool stale) {
+void ValuesModel::show(const QString& path, const ComponentDescription* component, Standstill why) {
   std::vector<Block> fresh;
   if (component != nullptr) {
     for (const auto& table : component->tables) {
@@ -199,10 +210,10 @@ void ValuesModel::show(const QString& path, const ComponentDescription* componen
   if (fresh != blocks_) {
     beginResetModel();
     blocks_ = std::move(fresh);
-    stale_ = stale;
+    why_ = why;
     endResetModel();
-  } else if (stale != stale_) {
-    stale_ = stale;
+  } else if (why != why_) {
+    why_ = why;
     for (Block& block : blocks_) {  // whoever is back has all the time again
       if (block.awaited != SteadyTime::max()) block.awaited = clock_.Now();
       block.refusal.clear();
@@ -223,16 +234,14 @@ void ValuesModel::noteChanges(Block& block, const ColumnValues& values) const {
   block.changed.resize(values.values.size());
   for (std::size_t channel = 0; channel < std::min(before.size(), values.values.size());
        ++channel) {
-    const double now = values.values[channel];
-    const bool both_none = std::isnan(before[channel]) && std::isnan(now);
-    if (before[channel] != now && !both_none) block.changed[channel] = clock_.Now();
+    if (before[channel] != values.values[channel]) block.changed[channel] = clock_.Now();
   }
 }
 
 void ValuesModel::addToTrends(Block& block) {
   block.trends.resize(block.values.values.size());
   for (std::size_t channel = 0; channel < block.trends.size(); ++channel) {
-    QList<double>& trend = block.trends[channel];
+    QList<std::optional<ChannelValue>>& trend = block.trends[channel];
     trend.append(block.values.values[channel]);
     if (trend.size() > kTrend) trend.removeFirst();
   }

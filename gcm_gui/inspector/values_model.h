@@ -1,6 +1,7 @@
 #pragma once
 
 #include <gcm_gui/models/facts/row_rate.h>
+#include <gcm_gui/models/state_of.h>
 #include <gcm_gui/session/signal_source.h>
 #include <tendon/base/clock.h>
 #include <tendon/manager/description.h>
@@ -10,13 +11,14 @@
 #include <QSet>
 #include <QString>
 #include <chrono>
+#include <optional>
 #include <vector>
 
 namespace tendon::gui {
 
 /// Every number in the state tables of one component, with its newest value, its unit and how it
-/// went in the last seconds; the first of a column also with the rate of its rows, or how old they
-/// are. A column that does not answer says so in its own row.
+/// went in the last seconds; the first of a column also with the rate of its rows, or why and how
+/// old they are. A column that does not answer says so in its own row.
 class ValuesModel : public QAbstractTableModel {
   Q_OBJECT
 
@@ -37,8 +39,9 @@ class ValuesModel : public QAbstractTableModel {
   [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
   [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
 
-  /// `path` of the component; null for none. The values come by showValues().
-  void show(const QString& path, const ComponentDescription* component, bool stale);
+  /// `path` of the component; null for none. The values come by showValues(); they are old where
+  /// the component stands still.
+  void show(const QString& path, const ComponentDescription* component, Standstill why);
   /// The paths of its columns: what to watch.
   [[nodiscard]] QSet<QString> columns() const;
   /// Of a row; empty for none.
@@ -65,8 +68,8 @@ class ValuesModel : public QAbstractTableModel {
     QString column;
     QString name;
     ColumnValues values = {};
-    std::vector<QList<double>> trends = {};  // of each channel
-    std::vector<SteadyTime> changed = {};    // likewise
+    std::vector<QList<std::optional<ChannelValue>>> trends = {};  // of each channel
+    std::vector<SteadyTime> changed = {};                         // likewise
     SteadyTime awaited = SteadyTime::max();  // since then, while nothing has come
     QString refusal = {};                    // why nothing has come, where that is known
     SteadyTime arrived = {};                 // its newest row
@@ -85,17 +88,21 @@ class ValuesModel : public QAbstractTableModel {
   void noteChanges(Block& block, const ColumnValues& values) const;
   [[nodiscard]] bool isSilent(const Block& block) const;
   [[nodiscard]] bool isOld(const Block& block) const;
+  /// Since its newest row was written, or else since it came.
+  [[nodiscard]] std::optional<std::chrono::nanoseconds> ageOf(const Block& block) const;
   [[nodiscard]] QString detailOf(const Block& block, std::size_t channel) const;
   /// Why a silent one says so.
   [[nodiscard]] QString silenceOf(const Block& block) const;
   [[nodiscard]] QString spokenOf(const Place& place, const QString& field) const;
   [[nodiscard]] QVariant valueOf(const Place& place, int role) const;
+  /// All digits of a value that is shown rounded, else empty.
+  [[nodiscard]] static QString wholeOf(const Place& place);
   void replaceRows(Block& block, int first, const ColumnValues& values);
 
   const Clock& clock_;
   std::vector<Block> blocks_;
   SteadyTime ticked_{};
-  bool stale_ = false;
+  Standstill why_ = Standstill::kNone;
 };
 
 }  // namespace tendon::gui

@@ -1,3 +1,4 @@
+#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/inspector/values_page.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/row_roles.h>
@@ -22,9 +23,12 @@ ValuesPage::ValuesPage(Selection& selection, SignalSource& source, QWidget* pare
   list_->setColumnHidden(ValuesModel::kValue, true);
   list_->rows().setValueColumn(ValuesModel::kValue);
   list_->setSelectionMode(QAbstractItemView::ExtendedSelection);
-  connect(&source, &SignalSource::valuesArrived, &values_, &ValuesModel::showValues);
-  connect(&source, &SignalSource::valuesRefused, &values_, &ValuesModel::showRefusal);
-  connect(&source, &SignalSource::valuesArrived, pictures_, &PictureShelf::showValues);
+  connect(&source, &SignalSource::valuesArrived, &values_,
+          Fenced(&values_, &ValuesModel::showValues));
+  connect(&source, &SignalSource::valuesRefused, &values_,
+          Fenced(&values_, &ValuesModel::showRefusal));
+  connect(&source, &SignalSource::valuesArrived, pictures_,
+          Fenced(pictures_, &PictureShelf::showValues));
   connect(&values_, &QAbstractItemModel::dataChanged, list_->viewport(),
           [list = list_] { list->viewport()->update(); });
   connect(list_, &QTreeView::clicked, this, &ValuesPage::askAgain);
@@ -35,7 +39,7 @@ ValuesPage::ValuesPage(Selection& selection, SignalSource& source, QWidget* pare
   });
   connect(list_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
           &ValuesPage::publishSelection);
-  connect(&tick_, &QTimer::timeout, &values_, &ValuesModel::tick);
+  connect(&tick_, &QTimer::timeout, &values_, Fenced(&values_, &ValuesModel::tick));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
@@ -44,9 +48,10 @@ ValuesPage::ValuesPage(Selection& selection, SignalSource& source, QWidget* pare
 }
 
 void ValuesPage::showComponent(const QString& path, const ComponentDescription& component,
-                               bool stale) {
-  values_.show(path, &component, stale);
+                               Standstill why) {
+  values_.show(path, &component, why);
   pictures_->setColumns(values_.columns());
+  pictures_->setStandstill(why);
 }
 
 void ValuesPage::setWanted(bool wanted) {

@@ -22,8 +22,8 @@ class ValuesPage : public QWidget {
  public:
   ValuesPage(Selection& selection, SignalSource& source, QWidget* parent = nullptr);
 
-  /// `path` of the component, which is gone where `stale`.
-  void showComponent(const QString& path, const ComponentDescription& component, bool stale);
+  /// `path` of the component, and why its values are old.
+  void showComponent(const QString& path, const ComponentDescription& component, Standstill why);
   /// Whether anybody can see them.
   void setWanted(bool wanted);
 

@@ -4,6 +4,7 @@
 #include <QDir>
 #include <QLibraryInfo>
 #include <QTranslator>
+#include <clocale>
 #include <memory>
 
 namespace tendon::gui {
@@ -33,6 +34,8 @@ QStringList Languages() {
 }
 
 void SpeakAs(const QLocale& locale) {
+  QLocale::setDefault(QLocale::c());
+  std::setlocale(LC_NUMERIC, "C");  // NOLINT(concurrency-mt-unsafe): before other threads
   Install(locale, QStringLiteral("qtbase"), QLibraryInfo::path(QLibraryInfo::TranslationsPath));
   Install(locale, QStringLiteral("window"), kFolder);
 }

@@ -9,7 +9,9 @@ namespace tendon::gui {
 [[nodiscard]] QStringList Languages();
 
 /// From now on the window speaks the language of `locale`, and Qt's own dialogs too; English where
-/// there is no other. To be called once, before the first widget, on the GUI thread.
+/// there is no other. Numbers are the same in all of them: with a point, and nothing between
+/// thousands, as commands, JSON and CSV have them. To be called once, before the first widget, on
+/// the GUI thread.
 void SpeakAs(const QLocale& locale);
 
 }  // namespace tendon::gui

@@ -99,7 +99,7 @@ Die ganze Antwort: Als Befehl kopieren</translation>
     </message>
     <message>
         <source>Not called: hold the button for 0.4 s, for this can set something in motion</source>
-        <translation>Nicht aufgerufen: den Knopf 0,4&#xa0;s halten, denn das kann etwas in Bewegung setzen</translation>
+        <translation>Nicht aufgerufen: den Knopf 0.4&#xa0;s halten, denn das kann etwas in Bewegung setzen</translation>
     </message>
     <message>
         <source>Ask again</source>
@@ -147,7 +147,7 @@ Die ganze Antwort: Als Befehl kopieren</translation>
     </message>
     <message>
         <source>It can set something in motion: hold the button for 0.4 s, or press Ctrl+Enter twice</source>
-        <translation>Das kann etwas in Bewegung setzen: den Knopf 0,4&#xa0;s halten oder zweimal Strg+Enter drücken</translation>
+        <translation>Das kann etwas in Bewegung setzen: den Knopf 0.4&#xa0;s halten oder zweimal Strg+Enter drücken</translation>
     </message>
     <message>
         <source>Ctrl+Enter</source>
@@ -185,7 +185,7 @@ Die ganze Antwort: Als Befehl kopieren</translation>
         <source>
 It can set something in motion: hold the button for 0.4 s</source>
         <translation>
-Das kann etwas in Bewegung setzen: den Knopf 0,4&#xa0;s halten</translation>
+Das kann etwas in Bewegung setzen: den Knopf 0.4&#xa0;s halten</translation>
     </message>
     <message>
         <source>Show the command</source>
@@ -233,7 +233,7 @@ Das kann etwas in Bewegung setzen: den Knopf 0,4&#xa0;s halten</translation>
     </message>
     <message>
         <source>It can set something in motion: it is called as long as the button is held down, from 0.4 s on</source>
-        <translation>Das kann etwas in Bewegung setzen: Aufrufe erfolgen, solange der Knopf gehalten wird, ab 0,4&#xa0;s</translation>
+        <translation>Das kann etwas in Bewegung setzen: Aufrufe erfolgen, solange der Knopf gehalten wird, ab 0.4&#xa0;s</translation>
     </message>
     <message>
         <source>Candidates</source>
@@ -430,8 +430,16 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>%1 wurde nicht gespeichert: %2</translation>
     </message>
     <message>
+        <source>%1 call found no room</source>
+        <translation>%1 Aufruf fand keinen Platz</translation>
+    </message>
+    <message>
         <source>%1 calls found no room</source>
         <translation>%1 Aufrufe fanden keinen Platz</translation>
+    </message>
+    <message>
+        <source>%1 event was lost</source>
+        <translation>%1 Ereignis ging verloren</translation>
     </message>
     <message>
         <source>%1 events were lost</source>
@@ -778,10 +786,6 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Name</translation>
     </message>
     <message>
-        <source>Value</source>
-        <translation>Wert</translation>
-    </message>
-    <message>
         <source>Required</source>
         <translation>Benötigt</translation>
     </message>
@@ -836,6 +840,10 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
     <message>
         <source>%1 lost ones marked</source>
         <translation>%1 verlorene markiert</translation>
+    </message>
+    <message>
+        <source>Saved %1 row, %2, to %3</source>
+        <translation>%1 Zeile, %2, gespeichert in %3</translation>
     </message>
     <message>
         <source>Saved %1 rows, %2, to %3</source>
@@ -1090,6 +1098,10 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation> (Doppelklick)</translation>
     </message>
     <message>
+        <source>far beyond this axis: </source>
+        <translation>weit außerhalb dieser Achse: </translation>
+    </message>
+    <message>
         <source>0 and less has no place on this axis: </source>
         <translation>0 und weniger hat auf dieser Achse keinen Platz: </translation>
     </message>
@@ -1104,6 +1116,10 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
     <message>
         <source>Rate and lost rows: </source>
         <translation>Rate und verlorene Zeilen: </translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 row lost, %4 repeated</source>
+        <translation>%1: %2, %3 Zeile verloren, %4 wiederholt</translation>
     </message>
     <message>
         <source>%1: %2, %3 rows lost, %4 repeated</source>
@@ -2291,15 +2307,15 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
     </message>
     <message>
         <source>Nothing was done: hold the button for 0.4 s</source>
-        <translation>Nichts wurde getan: den Knopf 0,4 s lang halten</translation>
+        <translation>Nichts wurde getan: den Knopf 0.4 s lang halten</translation>
     </message>
     <message>
         <source>It can set something in motion: hold the button for 0.4 s</source>
-        <translation>Es kann etwas in Bewegung setzen: den Knopf 0,4 s lang halten</translation>
+        <translation>Es kann etwas in Bewegung setzen: den Knopf 0.4 s lang halten</translation>
     </message>
     <message>
         <source>It can set something in motion: hold the button for 0.4 s, or press Enter</source>
-        <translation>Es kann etwas in Bewegung setzen: den Knopf 0,4 s lang halten oder die Eingabetaste drücken</translation>
+        <translation>Es kann etwas in Bewegung setzen: den Knopf 0.4 s lang halten oder die Eingabetaste drücken</translation>
     </message>
     <message>
         <source>Select a component to start, suspend, stop or restart it</source>
@@ -2323,11 +2339,11 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
     </message>
     <message>
         <source>It ends what the component does: hold the button for 0.4 s</source>
-        <translation>Es beendet, was die Komponente tut: den Knopf 0,4 s lang halten</translation>
+        <translation>Es beendet, was die Komponente tut: den Knopf 0.4 s lang halten</translation>
     </message>
     <message>
         <source>It ends what the component does: hold the button for 0.4 s, or press Enter</source>
-        <translation>Es beendet, was die Komponente tut: den Knopf 0,4 s lang halten oder die Eingabetaste drücken</translation>
+        <translation>Es beendet, was die Komponente tut: den Knopf 0.4 s lang halten oder die Eingabetaste drücken</translation>
     </message>
     <message>
         <source>%1 has not answered for %2 s: a click, or Enter, asks it again</source>
@@ -2930,12 +2946,231 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <source>Scale, offset and axis</source>
         <translation>Faktor, Versatz und Achse</translation>
     </message>
-</context>
-<context>
-    <name>tendon::gui::Words::Words</name>
+    <message>
+        <source>To be corrected: %1</source>
+        <translation>Zu berichtigen: %1</translation>
+    </message>
+    <message>
+        <source>put a blank behind each comma between numbers</source>
+        <translation>hinter jedes Komma zwischen Zahlen ein Leerzeichen setzen</translation>
+    </message>
+    <message>
+        <source>there is an empty place in the list</source>
+        <translation>die Liste hat eine leere Stelle</translation>
+    </message>
+    <message>
+        <source>“%1” may be one number or several: put semicolons between numbers</source>
+        <translation>„%1“ kann eine Zahl sein oder mehrere: Semikolons zwischen die Zahlen setzen</translation>
+    </message>
+    <message>
+        <source>write a number from %1 to %2</source>
+        <translation>eine Zahl von %1 bis %2 schreiben</translation>
+    </message>
+    <message>
+        <source>Nothing was pasted: %1</source>
+        <translation>Nichts eingefügt: %1</translation>
+    </message>
+    <message>
+        <source>one number belongs here, and there are %1</source>
+        <translation>hierher gehört eine Zahl, und es sind %1</translation>
+    </message>
+    <message>
+        <source>there are %1 numbers, and %2 fields from here on</source>
+        <translation>es sind %1 Zahlen, und ab hier %2 Felder</translation>
+    </message>
+    <message>
+        <source> or </source>
+        <translation> oder </translation>
+    </message>
+    <message>
+        <source>a number is missing</source>
+        <translation>eine Zahl fehlt</translation>
+    </message>
+    <message>
+        <source>write %1: the decimal sign is a point, and nothing stands between thousands</source>
+        <translation>%1 schreiben: das Dezimalzeichen ist ein Punkt, und zwischen Tausendern steht nichts</translation>
+    </message>
+    <message>
+        <source>write %1: the decimal sign is a point</source>
+        <translation>%1 schreiben: das Dezimalzeichen ist ein Punkt</translation>
+    </message>
+    <message>
+        <source>write %1: nothing stands between thousands</source>
+        <translation>%1 schreiben: zwischen Tausendern steht nichts</translation>
+    </message>
+    <message>
+        <source>write %1</source>
+        <translation>%1 schreiben</translation>
+    </message>
+    <message>
+        <source>write the number alone, without “%1”</source>
+        <translation>nur die Zahl schreiben, ohne „%1“</translation>
+    </message>
+    <message>
+        <source>write the number alone, in %1</source>
+        <translation>nur die Zahl schreiben, in %1</translation>
+    </message>
+    <message>
+        <source>write a whole number</source>
+        <translation>eine ganze Zahl schreiben</translation>
+    </message>
+    <message>
+        <source>the type of this field holds no such number</source>
+        <translation>der Typ dieses Feldes fasst keine solche Zahl</translation>
+    </message>
+    <message>
+        <source>write a number in digits</source>
+        <translation>eine Zahl in Ziffern schreiben</translation>
+    </message>
+    <message>
+        <source>: the decimal sign is a point</source>
+        <translation>: das Dezimalzeichen ist ein Punkt</translation>
+    </message>
+    <message>
+        <source>%1 has met an error and is not drawn: %2</source>
+        <translation>%1: ein Fehler ist aufgetreten, die Ansicht wird nicht gezeichnet: %2</translation>
+    </message>
+    <message>
+        <source>%1 has met an error: %2</source>
+        <translation>%1: ein Fehler ist aufgetreten: %2</translation>
+    </message>
+    <message>
+        <source> (%1 times)</source>
+        <translation> (%1-mal)</translation>
+    </message>
+    <message>
+        <source>there is no memory for it</source>
+        <translation>dafür ist kein Speicher da</translation>
+    </message>
+    <message>
+        <source>an exception without words</source>
+        <translation>eine Ausnahme ohne Worte</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>This view has met an error and is not drawn. Problems says which.</source>
+        <translation>In dieser Ansicht ist ein Fehler aufgetreten, sie wird nicht gezeichnet. Unter Probleme steht, welcher.</translation>
+    </message>
+    <message>
+        <source>Show again</source>
+        <translation>Wieder zeigen</translation>
+    </message>
+    <message>
+        <source>Inspector: values</source>
+        <translation>Inspektor: Werte</translation>
+    </message>
+    <message>
+        <source>Inspector: events</source>
+        <translation>Inspektor: Ereignisse</translation>
+    </message>
+    <message>
+        <source>Inspector: call</source>
+        <translation>Inspektor: Aufruf</translation>
+    </message>
+    <message>
+        <source>not started</source>
+        <translation>nicht gestartet</translation>
+    </message>
+    <message>
+        <source>stood still</source>
+        <translation>stand still</translation>
+    </message>
+    <message>
+        <source> cannot be shown: </source>
+        <translation> kann nicht gezeigt werden: </translation>
+    </message>
+    <message>
+        <source>It is told that it was suspended. It begins from the world as it is now where its author has seen to that; otherwise it goes on with what it was doing.</source>
+        <translation>Sie erfährt, dass sie angehalten war. Sie beginnt von der Welt, wie sie jetzt ist, wenn ihr Autor dafür gesorgt hat; sonst macht sie mit dem weiter, was sie tat.</translation>
+    </message>
+    <message>
+        <source>It begins anew: nothing of what it was doing goes on.</source>
+        <translation>Sie beginnt von vorn: nichts von dem, was sie tat, geht weiter.</translation>
+    </message>
+    <message>
+        <source>%1 for %2</source>
+        <comment>a state, a time</comment>
+        <translation>%1 seit %2</translation>
+    </message>
+    <message>
+        <source>%1 has met an error: see Problems</source>
+        <translation>%1: ein Fehler ist aufgetreten, siehe Probleme</translation>
+    </message>
+    <message>
+        <source> waits for </source>
+        <translation> wartet auf </translation>
+    </message>
+    <message>
+        <source>Waits for</source>
+        <translation>Wartet auf</translation>
+    </message>
+    <message>
+        <source> runs </source>
+        <translation> führt </translation>
+    </message>
+    <message>
+        <source>the file is gone: put it back before the process is started anew</source>
+        <translation>die Datei ist weg: vor einem neuen Start des Prozesses zurücklegen</translation>
+    </message>
+    <message>
+        <source>the file was written again at %1: start the process anew to run that</source>
+        <translation>die Datei wurde um %1 neu geschrieben: dafür den Prozess neu starten</translation>
+    </message>
+    <message>
+        <source>Plug-in</source>
+        <translation>Plug-in</translation>
+    </message>
+    <message>
+        <source>Older than its file</source>
+        <translation>Älter als die Datei</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <comment>a file, and when it was written</comment>
+        <translation>%1 vom %2</translation>
+    </message>
+    <message>
+        <source>the console</source>
+        <translation>die Konsole</translation>
+    </message>
+    <message>
+        <source>a picture for the clipboard</source>
+        <translation>ein Bild für die Zwischenablage</translation>
+    </message>
+    <message>
+        <source>the layout of the graph</source>
+        <translation>die Anordnung des Graphen</translation>
+    </message>
+    <message>
+        <source>the reading of a file</source>
+        <translation>das Lesen einer Datei</translation>
+    </message>
+    <message>
+        <source>a step of a plan</source>
+        <translation>ein Schritt eines Plans</translation>
+    </message>
+    <message>
+        <source>a system file</source>
+        <translation>eine Systemdatei</translation>
+    </message>
+    <message>
+        <source>the comparison with a system file</source>
+        <translation>der Vergleich mit einer Systemdatei</translation>
+    </message>
+    <message>
+        <source>Ends unless called again within %1</source>
+        <translation>Endet, wenn nicht binnen %1 wieder aufgerufen</translation>
+    </message>
     <message>
         <source>%1 curves</source>
         <translation>%1 Kurven</translation>
+    </message>
+    <message>
+        <source>Written</source>
+        <translation>Geschrieben</translation>
     </message>
 </context>
 </TS>

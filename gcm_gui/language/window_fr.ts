@@ -99,7 +99,7 @@ La réponse entière&#xa0;: Copier en commande</translation>
     </message>
     <message>
         <source>Not called: hold the button for 0.4 s, for this can set something in motion</source>
-        <translation>Pas appelée&#xa0;: maintenir le bouton 0,4&#xa0;s, car cela peut mettre quelque chose en mouvement</translation>
+        <translation>Pas appelée&#xa0;: maintenir le bouton 0.4&#xa0;s, car cela peut mettre quelque chose en mouvement</translation>
     </message>
     <message>
         <source>Ask again</source>
@@ -147,7 +147,7 @@ La réponse entière&#xa0;: Copier en commande</translation>
     </message>
     <message>
         <source>It can set something in motion: hold the button for 0.4 s, or press Ctrl+Enter twice</source>
-        <translation>Cela peut mettre quelque chose en mouvement&#xa0;: maintenir le bouton 0,4&#xa0;s ou appuyer deux fois sur Ctrl+Entrée</translation>
+        <translation>Cela peut mettre quelque chose en mouvement&#xa0;: maintenir le bouton 0.4&#xa0;s ou appuyer deux fois sur Ctrl+Entrée</translation>
     </message>
     <message>
         <source>Ctrl+Enter</source>
@@ -185,7 +185,7 @@ La réponse entière&#xa0;: Copier en commande</translation>
         <source>
 It can set something in motion: hold the button for 0.4 s</source>
         <translation>
-Cela peut mettre quelque chose en mouvement&#xa0;: maintenir le bouton 0,4&#xa0;s</translation>
+Cela peut mettre quelque chose en mouvement&#xa0;: maintenir le bouton 0.4&#xa0;s</translation>
     </message>
     <message>
         <source>Show the command</source>
@@ -233,7 +233,7 @@ Cela peut mettre quelque chose en mouvement&#xa0;: maintenir le bouton 0,4&#xa0;
     </message>
     <message>
         <source>It can set something in motion: it is called as long as the button is held down, from 0.4 s on</source>
-        <translation>Cela peut mettre quelque chose en mouvement&#xa0;: les appels durent tant que le bouton est maintenu, à partir de 0,4&#xa0;s</translation>
+        <translation>Cela peut mettre quelque chose en mouvement&#xa0;: les appels durent tant que le bouton est maintenu, à partir de 0.4&#xa0;s</translation>
     </message>
     <message>
         <source>Candidates</source>
@@ -430,8 +430,16 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>%1 n&apos;a pas été enregistré&#xa0;: %2</translation>
     </message>
     <message>
+        <source>%1 call found no room</source>
+        <translation>%1 appel n&apos;a pas trouvé de place</translation>
+    </message>
+    <message>
         <source>%1 calls found no room</source>
         <translation>%1 appels n&apos;ont pas trouvé de place</translation>
+    </message>
+    <message>
+        <source>%1 event was lost</source>
+        <translation>%1 événement a été perdu</translation>
     </message>
     <message>
         <source>%1 events were lost</source>
@@ -778,10 +786,6 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Nom</translation>
     </message>
     <message>
-        <source>Value</source>
-        <translation>Valeur</translation>
-    </message>
-    <message>
         <source>Required</source>
         <translation>Requise</translation>
     </message>
@@ -836,6 +840,10 @@ Possède %1 des commandes et événements requis.</translation>
     <message>
         <source>%1 lost ones marked</source>
         <translation>%1 perdues marquées</translation>
+    </message>
+    <message>
+        <source>Saved %1 row, %2, to %3</source>
+        <translation>%1 ligne, %2, enregistrée dans %3</translation>
     </message>
     <message>
         <source>Saved %1 rows, %2, to %3</source>
@@ -1090,6 +1098,10 @@ Possède %1 des commandes et événements requis.</translation>
         <translation> (double clic)</translation>
     </message>
     <message>
+        <source>far beyond this axis: </source>
+        <translation>bien au-delà de cet axe : </translation>
+    </message>
+    <message>
         <source>0 and less has no place on this axis: </source>
         <translation>0 et moins n&apos;a pas de place sur cet axe&#xa0;: </translation>
     </message>
@@ -1104,6 +1116,10 @@ Possède %1 des commandes et événements requis.</translation>
     <message>
         <source>Rate and lost rows: </source>
         <translation>Cadence et lignes perdues&#xa0;: </translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 row lost, %4 repeated</source>
+        <translation>%1&#xa0;: %2, %3 ligne perdue, %4 en double</translation>
     </message>
     <message>
         <source>%1: %2, %3 rows lost, %4 repeated</source>
@@ -2291,15 +2307,15 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source>Nothing was done: hold the button for 0.4 s</source>
-        <translation>Rien n&apos;a été fait : maintenez le bouton 0,4 s</translation>
+        <translation>Rien n&apos;a été fait : maintenez le bouton 0.4 s</translation>
     </message>
     <message>
         <source>It can set something in motion: hold the button for 0.4 s</source>
-        <translation>Cela peut mettre quelque chose en mouvement : maintenez le bouton 0,4 s</translation>
+        <translation>Cela peut mettre quelque chose en mouvement : maintenez le bouton 0.4 s</translation>
     </message>
     <message>
         <source>It can set something in motion: hold the button for 0.4 s, or press Enter</source>
-        <translation>Cela peut mettre quelque chose en mouvement : maintenez le bouton 0,4 s ou appuyez sur Entrée</translation>
+        <translation>Cela peut mettre quelque chose en mouvement : maintenez le bouton 0.4 s ou appuyez sur Entrée</translation>
     </message>
     <message>
         <source>Select a component to start, suspend, stop or restart it</source>
@@ -2323,11 +2339,11 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source>It ends what the component does: hold the button for 0.4 s</source>
-        <translation>Cela met fin à ce que fait le composant : maintenir le bouton 0,4 s</translation>
+        <translation>Cela met fin à ce que fait le composant : maintenir le bouton 0.4 s</translation>
     </message>
     <message>
         <source>It ends what the component does: hold the button for 0.4 s, or press Enter</source>
-        <translation>Cela met fin à ce que fait le composant : maintenir le bouton 0,4 s ou appuyer sur Entrée</translation>
+        <translation>Cela met fin à ce que fait le composant : maintenir le bouton 0.4 s ou appuyer sur Entrée</translation>
     </message>
     <message>
         <source>%1 has not answered for %2 s: a click, or Enter, asks it again</source>
@@ -2930,12 +2946,231 @@ Possède %1 des commandes et événements requis.</translation>
         <source>Scale, offset and axis</source>
         <translation>Échelle, décalage et axe</translation>
     </message>
-</context>
-<context>
-    <name>tendon::gui::Words::Words</name>
+    <message>
+        <source>To be corrected: %1</source>
+        <translation>À corriger : %1</translation>
+    </message>
+    <message>
+        <source>put a blank behind each comma between numbers</source>
+        <translation>mettre une espace après chaque virgule entre les nombres</translation>
+    </message>
+    <message>
+        <source>there is an empty place in the list</source>
+        <translation>la liste a une place vide</translation>
+    </message>
+    <message>
+        <source>“%1” may be one number or several: put semicolons between numbers</source>
+        <translation>« %1 » peut être un nombre ou plusieurs : mettre des points-virgules entre les nombres</translation>
+    </message>
+    <message>
+        <source>write a number from %1 to %2</source>
+        <translation>écrire un nombre de %1 à %2</translation>
+    </message>
+    <message>
+        <source>Nothing was pasted: %1</source>
+        <translation>Rien n’a été collé : %1</translation>
+    </message>
+    <message>
+        <source>one number belongs here, and there are %1</source>
+        <translation>il faut ici un nombre, et il y en a %1</translation>
+    </message>
+    <message>
+        <source>there are %1 numbers, and %2 fields from here on</source>
+        <translation>il y a %1 nombres, et %2 champs à partir d’ici</translation>
+    </message>
+    <message>
+        <source> or </source>
+        <translation> ou </translation>
+    </message>
+    <message>
+        <source>a number is missing</source>
+        <translation>il manque un nombre</translation>
+    </message>
+    <message>
+        <source>write %1: the decimal sign is a point, and nothing stands between thousands</source>
+        <translation>écrire %1 : le signe décimal est un point, et rien ne sépare les milliers</translation>
+    </message>
+    <message>
+        <source>write %1: the decimal sign is a point</source>
+        <translation>écrire %1 : le signe décimal est un point</translation>
+    </message>
+    <message>
+        <source>write %1: nothing stands between thousands</source>
+        <translation>écrire %1 : rien ne sépare les milliers</translation>
+    </message>
+    <message>
+        <source>write %1</source>
+        <translation>écrire %1</translation>
+    </message>
+    <message>
+        <source>write the number alone, without “%1”</source>
+        <translation>écrire le nombre seul, sans « %1 »</translation>
+    </message>
+    <message>
+        <source>write the number alone, in %1</source>
+        <translation>écrire le nombre seul, en %1</translation>
+    </message>
+    <message>
+        <source>write a whole number</source>
+        <translation>écrire un nombre entier</translation>
+    </message>
+    <message>
+        <source>the type of this field holds no such number</source>
+        <translation>le type de ce champ ne peut contenir un tel nombre</translation>
+    </message>
+    <message>
+        <source>write a number in digits</source>
+        <translation>écrire un nombre en chiffres</translation>
+    </message>
+    <message>
+        <source>: the decimal sign is a point</source>
+        <translation>: le signe décimal est un point</translation>
+    </message>
+    <message>
+        <source>%1 has met an error and is not drawn: %2</source>
+        <translation>%1 a rencontré une erreur et n&apos;est pas dessiné : %2</translation>
+    </message>
+    <message>
+        <source>%1 has met an error: %2</source>
+        <translation>%1 a rencontré une erreur : %2</translation>
+    </message>
+    <message>
+        <source> (%1 times)</source>
+        <translation> (%1 fois)</translation>
+    </message>
+    <message>
+        <source>there is no memory for it</source>
+        <translation>il n’y a pas de mémoire pour cela</translation>
+    </message>
+    <message>
+        <source>an exception without words</source>
+        <translation>une exception sans texte</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenêtre</translation>
+    </message>
+    <message>
+        <source>This view has met an error and is not drawn. Problems says which.</source>
+        <translation>Cette vue a rencontré une erreur et n&apos;est pas dessinée. L&apos;onglet Problèmes dit laquelle.</translation>
+    </message>
+    <message>
+        <source>Show again</source>
+        <translation>Afficher à nouveau</translation>
+    </message>
+    <message>
+        <source>Inspector: values</source>
+        <translation>Inspecteur : valeurs</translation>
+    </message>
+    <message>
+        <source>Inspector: events</source>
+        <translation>Inspecteur : événements</translation>
+    </message>
+    <message>
+        <source>Inspector: call</source>
+        <translation>Inspecteur : appel</translation>
+    </message>
+    <message>
+        <source>not started</source>
+        <translation>non démarré</translation>
+    </message>
+    <message>
+        <source>stood still</source>
+        <translation>à l’arrêt</translation>
+    </message>
+    <message>
+        <source> cannot be shown: </source>
+        <translation> ne peut pas être affiché : </translation>
+    </message>
+    <message>
+        <source>It is told that it was suspended. It begins from the world as it is now where its author has seen to that; otherwise it goes on with what it was doing.</source>
+        <translation>Il apprend qu&apos;il était suspendu. Il part du monde tel qu&apos;il est maintenant si son auteur y a veillé ; sinon il continue ce qu&apos;il faisait.</translation>
+    </message>
+    <message>
+        <source>It begins anew: nothing of what it was doing goes on.</source>
+        <translation>Il recommence : rien de ce qu&apos;il faisait ne continue.</translation>
+    </message>
+    <message>
+        <source>%1 for %2</source>
+        <comment>a state, a time</comment>
+        <translation>%1 depuis %2</translation>
+    </message>
+    <message>
+        <source>%1 has met an error: see Problems</source>
+        <translation>%1 a rencontré une erreur : voir Problèmes</translation>
+    </message>
+    <message>
+        <source> waits for </source>
+        <translation> attend </translation>
+    </message>
+    <message>
+        <source>Waits for</source>
+        <translation>Attend</translation>
+    </message>
+    <message>
+        <source> runs </source>
+        <translation> exécute </translation>
+    </message>
+    <message>
+        <source>the file is gone: put it back before the process is started anew</source>
+        <translation>le fichier a disparu : le remettre avant de relancer le processus</translation>
+    </message>
+    <message>
+        <source>the file was written again at %1: start the process anew to run that</source>
+        <translation>le fichier a été réécrit à %1 : relancer le processus pour l’exécuter</translation>
+    </message>
+    <message>
+        <source>Plug-in</source>
+        <translation>Module</translation>
+    </message>
+    <message>
+        <source>Older than its file</source>
+        <translation>Plus ancien que son fichier</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <comment>a file, and when it was written</comment>
+        <translation>%1 du %2</translation>
+    </message>
+    <message>
+        <source>the console</source>
+        <translation>la console</translation>
+    </message>
+    <message>
+        <source>a picture for the clipboard</source>
+        <translation>une image pour le presse-papiers</translation>
+    </message>
+    <message>
+        <source>the layout of the graph</source>
+        <translation>la disposition du graphe</translation>
+    </message>
+    <message>
+        <source>the reading of a file</source>
+        <translation>la lecture d’un fichier</translation>
+    </message>
+    <message>
+        <source>a step of a plan</source>
+        <translation>une étape d’un plan</translation>
+    </message>
+    <message>
+        <source>a system file</source>
+        <translation>un fichier système</translation>
+    </message>
+    <message>
+        <source>the comparison with a system file</source>
+        <translation>la comparaison avec un fichier système</translation>
+    </message>
+    <message>
+        <source>Ends unless called again within %1</source>
+        <translation>S’arrête si elle n’est pas rappelée sous %1</translation>
+    </message>
     <message>
         <source>%1 curves</source>
         <translation>%1 courbes</translation>
+    </message>
+    <message>
+        <source>Written</source>
+        <translation>Écrit</translation>
     </message>
 </context>
 </TS>

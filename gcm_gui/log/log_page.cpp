@@ -1,3 +1,4 @@
+#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/log/log_page.h>
 #include <gcm_gui/models/row_roles.h>
@@ -36,7 +37,7 @@ LogPage::LogPage(SystemReports& reports, const CatalogueStore& store, SystemActi
   };
   connect(list_, &QTreeView::activated, this, choose);
   connect(list_, &QTreeView::clicked, this, choose);
-  connect(&reports, &SystemReports::logArrived, &log_, &LogModel::hear);
+  connect(&reports, &SystemReports::logArrived, &log_, Fenced(&log_, &LogModel::hear));
   for (const auto signal : {&QAbstractItemModel::rowsInserted, &QAbstractItemModel::rowsRemoved}) {
     connect(&filter_, signal, this, &LogPage::showCount);
   }

@@ -212,14 +212,19 @@ std::unique_ptr<CatalogueItem> BuildComponent(const ConnectionIndex& connections
   Item item = MakeItem(ItemKind::kComponent, ToQString(component.name),
                        ToQString(process + '/' + component.name));
   item->gone = IsGone(entry.process.state);
+  item->still = StandstillOf(entry.process.state, component.state);
   item->state = item->gone ? QStringLiteral("lost") : ToQString(ToString(component.state));
   item->detail = ToQString(component.class_name);
   item->connected = PeersOf(connections, process, component);
   if (!item->gone) {
-    item->mark = MarkOf(component.state);
-    const bool active = component.state == ComponentState::kActive;
-    item->value =
-        active && component.period > 0 ? RateOfPeriodText(component.period) : WordOf(*item->mark);
+    const auto waits = WaitsOf(connections, entry, component);
+    item->mark = MarkOf(component.state, waits);
+    const bool works = component.state == ComponentState::kActive && waits.empty();
+    item->value = works && component.period > 0 ? RateOfPeriodText(component.period)
+                                                : WordOf(component.state, waits);
+    if (!waits.empty()) {
+      item->detail += QStringLiteral("\n") + Words::tr("waiting for ") + ReasonsText(waits);
+    }
   }
   for (const auto& required : component.required) {
     item->Add(

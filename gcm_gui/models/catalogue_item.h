@@ -41,9 +41,10 @@ struct CatalogueItem {
   /// none.
   std::optional<QString> connected;
   std::optional<StateMark> mark;
-  QString state;           ///< the word for filters: "active", "lost", "connected"
-  bool gone = false;       ///< its process is lost or has left
-  QString host;            ///< of a process, in lower case
+  QString state;                         ///< the word for filters: "active", "lost", "connected"
+  bool gone = false;                     ///< its process is lost or has left
+  Standstill still = Standstill::kNone;  ///< of a component: why its values are old
+  QString host;                          ///< of a process, in lower case
   std::int64_t since = 0;  ///< of a process: when it came into its state, ns since 1970
   Fingerprint type;        ///< of a column
   int channel = -1;        ///< of a number: which of its column's channels

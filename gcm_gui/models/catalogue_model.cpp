@@ -21,8 +21,8 @@ bool IsSame(const CatalogueItem& a, const CatalogueItem& b) {
 /// Takes over what `fresh` says of the row itself; false when nothing differs.
 bool TakeOver(CatalogueItem& item, const CatalogueItem& fresh) {
   const auto all = [](auto& i) {
-    return std::tie(i.name, i.detail, i.value, i.unit, i.connected, i.mark, i.state, i.gone, i.host,
-                    i.since, i.type, i.channel);
+    return std::tie(i.name, i.detail, i.value, i.unit, i.connected, i.mark, i.state, i.gone,
+                    i.still, i.host, i.since, i.type, i.channel);
   };
   if (all(item) == all(fresh)) return false;
   all(item) = all(fresh);
@@ -43,7 +43,10 @@ void CollectSignals(const CatalogueItem& item, QList<CurveKey>& names) {
 }  // namespace
 
 CatalogueModel::CatalogueModel(QObject* parent, const Clock& clock)
-    : QAbstractItemModel(parent), root_(std::make_unique<CatalogueItem>()), arrivals_(clock) {}
+    : QAbstractItemModel(parent),
+      root_(std::make_unique<CatalogueItem>()),
+      clock_(clock),
+      arrivals_(clock) {}
 
 CatalogueModel::~CatalogueModel() = default;
 
@@ -108,6 +111,11 @@ QList<CurveKey> CatalogueModel::signalsBelow(const QString& path) const {
     names.append({path, ToQString(values->channels->front().unit)});
   }
   return names;
+}
+
+Standstill CatalogueModel::standstill(const QString& path) const {
+  const CatalogueItem* component = by_path_.value(path.section('/', 0, 1));
+  return component == nullptr ? Standstill::kNone : standstillOf(*component);
 }
 
 QString CatalogueModel::columnOf(const QModelIndex& index) const {

@@ -12,6 +12,7 @@
 #include <QList>
 #include <QSet>
 #include <QString>
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -52,6 +53,8 @@ class CatalogueModel : public QAbstractItemModel {
 
   /// The numbers at and below a path, in order; empty where nothing is known of it yet.
   [[nodiscard]] QList<CurveKey> signalsBelow(const QString& path) const;
+  /// Why values at and below the path of a component, or of one of its signals, are old.
+  [[nodiscard]] Standstill standstill(const QString& path) const;
   /// The column that a row at or below it belongs to, or empty.
   [[nodiscard]] QString columnOf(const QModelIndex& index) const;
 
@@ -88,6 +91,8 @@ class CatalogueModel : public QAbstractItemModel {
   /// What there is of a column or a number; nothing before a row has come.
   [[nodiscard]] std::optional<Quantity> quantityOf(const CatalogueItem& item) const;
   [[nodiscard]] QString unitText(const CatalogueItem& item) const;
+  /// All of a value that is shown rounded, or may be too long for its column; else empty.
+  [[nodiscard]] QString wholeText(const CatalogueItem& item) const;
   [[nodiscard]] QVariant nameData(const CatalogueItem& item, int role) const;
   [[nodiscard]] QVariant valueData(const CatalogueItem& item, int role) const;
   /// Of the columns behind the value; a dash stands for what is not known.
@@ -96,10 +101,17 @@ class CatalogueModel : public QAbstractItemModel {
   [[nodiscard]] QString spokenText(const CatalogueItem& item, int column) const;
   [[nodiscard]] std::optional<double> rateOf(const CatalogueItem& item) const;       // Hz
   [[nodiscard]] std::optional<std::int64_t> ageOf(const CatalogueItem& item) const;  // ns
+  /// Why the values of its component are old.
+  [[nodiscard]] static Standstill standstillOf(const CatalogueItem& item);
+  /// Of a value: since its row was written.
+  [[nodiscard]] std::optional<std::chrono::nanoseconds> rowAgeOf(const CatalogueItem& item) const;
+  /// "suspended · 12 s old" of a value that is old, else empty.
+  [[nodiscard]] QString oldTextOf(const CatalogueItem& item) const;
 
   std::unique_ptr<CatalogueItem> root_;
   QHash<QString, CatalogueItem*> by_path_;
   QHash<QString, ColumnValues> values_;  // of columns
+  const Clock& clock_;
   ColumnArrivals arrivals_;
   QHash<QString, std::int64_t> fresh_;  // of rows that are new, by path: until when
   std::int64_t now_ = 0;

@@ -4,6 +4,7 @@
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/plot/rate_badge.h>
 
+#include <QRegularExpression>
 #include <algorithm>
 
 // What the cells of the catalogue say.
@@ -93,10 +94,15 @@ QVariant CatalogueModel::data(const QModelIndex& index, int role) const {
     case kKindRole:
       return static_cast<int>(item.kind);
     case kStaleRole:
-      return item.gone || (outdated_ && item.kind < ItemKind::kColumn);
+      return item.gone || (outdated_ && item.kind < ItemKind::kColumn) ||
+             !oldTextOf(item).isEmpty();
     case Qt::ToolTipRole:
       if (index.column() == kConnected && item.connected) return factText(item, kConnected);
-      return item.detail.isEmpty() ? item.path : item.path + '\n' + item.detail;
+      return QStringList{item.path, index.column() == kValue ? wholeText(item) : QString(),
+                         item.detail, oldTextOf(item)}
+          .join('\n')
+          .replace(QRegularExpression(QStringLiteral("\n+")), QStringLiteral("\n"))
+          .trimmed();
     case Qt::AccessibleTextRole:
       return spokenText(item, index.column());
     default:
@@ -118,6 +124,8 @@ QVariant CatalogueModel::nameData(const CatalogueItem& item, int role) const {
       return item.name;
     case kGlyphRole:
       return Glyph(item.kind);
+    case kDetailRole:
+      return item.kind == ItemKind::kColumn ? oldTextOf(item) : QString();
     case kGlyphMarkRole:
       if (item.kind == ItemKind::kProvided) return QVariant::fromValue(StateMark::kConnected);
       return item.kind == ItemKind::kRequired ? QVariant::fromValue(*item.mark) : QVariant();
@@ -172,6 +180,17 @@ std::optional<Quantity> CatalogueModel::quantityOf(const CatalogueItem& item) co
   return QuantityOf((*values->channels)[channel], values->values[channel]);
 }
 
+QString CatalogueModel::wholeText(const CatalogueItem& item) const {
+  if (item.kind != ItemKind::kColumn && item.kind != ItemKind::kChannel) return {};
+  const auto values = values_.constFind(columnFor(item)->path);
+  const auto channel = static_cast<std::size_t>(std::max(item.channel, 0));
+  if (values == values_.constEnd()) return {};
+  const bool scalar = values->channels->size() == 1 && item.children.empty();
+  if (item.kind == ItemKind::kColumn && !scalar) return values->text;
+  if (channel >= values->values.size()) return {};
+  return WholeText((*values->channels)[channel], values->values[channel]);
+}
+
 QString CatalogueModel::unitText(const CatalogueItem& item) const {
   const auto quantity = quantityOf(item);
   const QString unit = quantity ? quantity->unit : item.unit;
@@ -207,7 +226,7 @@ QString CatalogueModel::factText(const CatalogueItem& item, int column) const {
 
 /// Of what holds several columns that of the fastest.
 std::optional<double> CatalogueModel::rateOf(const CatalogueItem& item) const {
-  if (item.gone) return std::nullopt;
+  if (item.gone || standstillOf(item) != Standstill::kNone) return std::nullopt;
   if (item.kind >= ItemKind::kColumn) return arrivals_.rate(columnFor(item)->path);
   std::optional<double> fastest;
   if (item.kind != ItemKind::kComponent && item.kind != ItemKind::kProvided) return fastest;
@@ -217,13 +236,43 @@ std::optional<double> CatalogueModel::rateOf(const CatalogueItem& item) const {
 
 std::optional<std::int64_t> CatalogueModel::ageOf(const CatalogueItem& item) const {
   if (item.kind == ItemKind::kProcess && item.since > 0) return now_ - item.since;
-  if (item.kind < ItemKind::kColumn || item.gone) return std::nullopt;
-  return arrivals_.age(columnFor(item)->path);
+  if (item.kind < ItemKind::kColumn) return std::nullopt;
+  if (standstillOf(item) == Standstill::kNone) return arrivals_.age(columnFor(item)->path);
+  const auto age = rowAgeOf(item);
+  return age ? std::optional(age->count()) : std::nullopt;
+}
+
+Standstill CatalogueModel::standstillOf(const CatalogueItem& item) {
+  const CatalogueItem* component = &item;
+  while (component != nullptr && component->kind != ItemKind::kComponent) {
+    component = component->parent;
+  }
+  return component == nullptr ? Standstill::kNone : component->still;
+}
+
+std::optional<std::chrono::nanoseconds> CatalogueModel::rowAgeOf(const CatalogueItem& item) const {
+  const auto values = values_.constFind(columnFor(item)->path);
+  if (values == values_.constEnd() || values->time == 0) return std::nullopt;
+  const std::chrono::nanoseconds now = clock_.Now().time_since_epoch();
+  return std::max(std::chrono::nanoseconds(0), now - std::chrono::nanoseconds(values->time));
+}
+
+QString CatalogueModel::oldTextOf(const CatalogueItem& item) const {
+  if (item.kind < ItemKind::kColumn) return {};
+  const CatalogueItem& column = *columnFor(item);
+  if (!values_.contains(column.path)) return {};
+  const Standstill why = standstillOf(item);
+  // Of what runs and is not listened to nothing is known.
+  const auto age =
+      why == Standstill::kNone && !arrivals_.age(column.path) ? std::nullopt : rowAgeOf(item);
+  return IsOld(why, age, arrivals_.usualRate(column.path)) ? OldText(why, age) : QString();
 }
 
 QString CatalogueModel::spokenText(const CatalogueItem& item, int column) const {
   if (column <= kValue) {
-    return QStringList{item.name, KindWord(item.kind), valueText(item)}.join(QStringLiteral(", "));
+    QStringList words{item.name, KindWord(item.kind), valueText(item)};
+    if (const QString old = oldTextOf(item); !old.isEmpty()) words.append(old);
+    return words.join(QStringLiteral(", "));
   }
   const QString text = factText(item, column);
   return TitleOf(column) + QStringLiteral(": ") +

@@ -26,7 +26,7 @@ enum RowRole : int {
   kObjectRole,                   ///< QString: what the name is about, a path; after the name
   kQuietRole,                    ///< bool: a value that is set dim
   kProseRole,                    ///< bool: a value that is words, not a number
-  kTrendRole,                    ///< QList<double>: the last values, oldest first
+  kTrendRole,                    ///< Trend: how a value went
   kLeftRole,                     ///< bool: a value that is words which begin at the left
   kFreshRole,  ///< bool: a value that has just changed, or the name of a row that is new
 };

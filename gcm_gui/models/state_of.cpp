@@ -1,5 +1,10 @@
 #include <gcm_gui/language/words.h>
+#include <gcm_gui/models/connection_index.h>
 #include <gcm_gui/models/state_of.h>
+#include <gcm_gui/models/text.h>
+#include <tendon/gcm/wiring/waiting.h>
+
+#include <QStringList>
 
 namespace tendon::gui {
 
@@ -53,6 +58,32 @@ StateMark MarkOf(const ConnectionDescription* connection) {
   return connection == nullptr ? StateMark::kNotConnected : MarkOf(connection->state);
 }
 
+std::vector<UnmetNeed> WaitsOf(const ConnectionIndex& connections, const ProcessEntry& process,
+                               const ComponentDescription& component) {
+  return tendon::WaitsOf(process, component, [&](const std::string& interface) {
+    return connections.Of({process.process.name, component.name, interface});
+  });
+}
+
+StateMark MarkOf(ComponentState state, const std::vector<UnmetNeed>& waits) {
+  return waits.empty() ? MarkOf(state) : StateMark::kWarning;
+}
+
+QString WordOf(ComponentState state, const std::vector<UnmetNeed>& waits) {
+  return waits.empty() ? WordOf(MarkOf(state))
+                       : Words::tr("waiting for ") + ToQString(NamesOf(waits));
+}
+
+QString ReasonsText(const std::vector<UnmetNeed>& waits) {
+  QStringList reasons;
+  for (const UnmetNeed& need : waits) {
+    const QString reason =
+        need.has_connection ? ToQString(need.reason) : WordOf(StateMark::kNotConnected);
+    reasons << ToQString(need.interface) + QStringLiteral(": ") + reason;
+  }
+  return reasons.join(QStringLiteral("; "));
+}
+
 QString WordOf(ProcessState state) {
   switch (state) {
     case ProcessState::kAlive:
@@ -67,6 +98,33 @@ QString WordOf(ProcessState state) {
       break;
   }
   return Words::tr("left", "of a process");
+}
+
+QString WordOf(Standstill why) {
+  switch (why) {
+    case Standstill::kNone:
+      break;
+    case Standstill::kNotStarted:
+      return Words::tr("not started");
+    case Standstill::kSuspended:
+      return WordOf(StateMark::kSuspended);
+    case Standstill::kFinished:
+      return WordOf(StateMark::kFinished);
+    case Standstill::kFaulted:
+      return WordOf(StateMark::kFaulted);
+    case Standstill::kNoAnswer:
+      return WordOf(ProcessState::kSuspect);
+    case Standstill::kLost:
+      return WordOf(StateMark::kLost);
+  }
+  return {};
+}
+
+QString OldText(Standstill why, std::optional<std::chrono::nanoseconds> age) {
+  const QString word = WordOf(why);
+  if (!age) return word;
+  const QString old = Words::tr("%1 old").arg(AgeText(age->count()));
+  return word.isEmpty() ? old : word + QStringLiteral(" · ") + old;
 }
 
 bool IsGone(ProcessState state) {

@@ -1,4 +1,6 @@
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
+#include <tendon/gcm/standstill.h>
 
 #include <QDateTime>
 #include <algorithm>
@@ -8,7 +10,8 @@
 namespace tendon::gui {
 namespace {
 
-constexpr std::int64_t kSecond = 1'000'000'000;
+constexpr double kLastExact = 1e15;  // up to here a double holds every integer
+constexpr double kMostPlain = 1e12;  // so that seconds since 1970 are still read as such
 
 /// `value` with so many decimals that four digits are seen.
 QString FourDigits(double value) {
@@ -27,15 +30,9 @@ Quantity DurationOf(double seconds) {
   return {QString::number(seconds, 'f', 2), QStringLiteral("s")};
 }
 
-QString ChannelText(const PlotChannel& channel, double value) {
-  if (std::isnan(value)) return QStringLiteral("–");
-  if (channel.schema.kind() == Schema::Kind::kBool) {
-    return value != 0 ? QStringLiteral("true") : QStringLiteral("false");
-  }
-  for (const auto& enumerator : channel.schema.enumerators()) {
-    if (enumerator.value == static_cast<std::int32_t>(value)) return ToQString(enumerator.name);
-  }
-  return NumberText(value);
+/// Whether it is no state or count, of which every digit matters.
+bool IsRounded(const ChannelValue& value) {
+  return value.is_real() || value.kind() == ChannelValue::Kind::kDuration;
 }
 
 }  // namespace
@@ -47,16 +44,27 @@ QString ToQString(std::string_view text) {
 QString NumberText(double value) {
   const double size = std::abs(value);
   if (!std::isfinite(value)) return QString::number(value);
-  if (value == std::floor(value) && size < 1e9) return QString::number(value, 'f', 0);
-  if (size >= 1e6) return QString::number(value, 'e', 3);
+  if (value == std::floor(value) && size < kLastExact) return QString::number(value, 'f', 0);
+  if (size >= kMostPlain) return QString::number(value, 'e', 3);
   if (size >= 1) return FourDigits(value);
   return size >= 0.01 ? QString::number(value, 'f', 4) : QString::number(value, 'g', 4);
 }
 
-Quantity QuantityOf(const PlotChannel& channel, double value) {
-  const bool part_of_a_second = value != 0 && std::abs(value) < 1;
-  if (channel.unit == "s" && part_of_a_second) return DurationOf(value);
-  return {ChannelText(channel, value), ToQString(channel.unit)};
+Quantity QuantityOf(const PlotChannel& channel, const std::optional<ChannelValue>& value) {
+  const QString unit = ToQString(channel.unit);
+  if (!value) return {QStringLiteral("–"), unit};
+  if (!IsRounded(*value)) return {ToQString(ToString(channel.schema, *value)), unit};
+  const double real = value->real();
+  if (channel.unit == "s" && real != 0 && std::abs(real) < 1) return DurationOf(real);
+  return {NumberText(real), unit};
+}
+
+QString WholeText(const PlotChannel& channel, const std::optional<ChannelValue>& value) {
+  if (!value || !IsRounded(*value)) return {};
+  const Quantity whole{ToQString(ToString(*value)), ToQString(channel.unit)};
+  const Quantity shown = QuantityOf(channel, value);
+  if (whole.number == shown.number && whole.unit == shown.unit) return {};
+  return whole.unit.isEmpty() ? whole.number : whole.number + ' ' + whole.unit;
 }
 
 QString RateOfPeriodText(double period) {
@@ -72,10 +80,7 @@ QString DurationText(double seconds) {
 }
 
 QString AgeText(std::int64_t nanoseconds) {
-  const std::int64_t seconds = std::max<std::int64_t>(0, nanoseconds / kSecond);
-  if (seconds < 120) return QStringLiteral("%1 s").arg(seconds);
-  if (seconds < 7200) return QStringLiteral("%1 min").arg(seconds / 60);
-  return QStringLiteral("%1 h").arg(seconds / 3600);
+  return ToQString(tendon::AgeText(std::chrono::nanoseconds(nanoseconds)));
 }
 
 QString ClockText(std::int64_t when) {
@@ -96,6 +101,14 @@ QString TypesText(const MemberDescription& member, TypeNames names) {
   const QString out = name(member.out_type);
   if (in.isEmpty()) return out;
   return out.isEmpty() ? in : in + QStringLiteral(" → ") + out;
+}
+
+QString ExpiryText(const MemberDescription& member) {
+  if (member.expires_after <= 0) return {};
+  const bool is_short = member.expires_after < 1;
+  const QString time = QString::number(member.expires_after * (is_short ? 1000 : 1), 'g', 4);
+  return Words::tr("Ends unless called again within %1")
+      .arg(time + (is_short ? QStringLiteral(" ms") : QStringLiteral(" s")));
 }
 
 QString ShellWord(QString word) {

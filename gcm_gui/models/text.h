@@ -5,6 +5,7 @@
 
 #include <QString>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 /// Numbers and times as the window's tables show them: short, of steady width, without locale.
@@ -12,8 +13,8 @@ namespace tendon::gui {
 
 [[nodiscard]] QString ToQString(std::string_view text);
 
-/// "0.2013", "-1.250", "1.2e+07", "12": integers as they are, else four significant digits at
-/// least.
+/// "0.2013", "-1.250", "1764300000", "1.200e+15", "12": integers as they are, else four significant
+/// digits at least.
 [[nodiscard]] QString NumberText(double value);
 
 /// What is shown of a number, and the unit behind it, which may be empty.
@@ -22,9 +23,15 @@ struct Quantity {
   QString unit;
 };
 
-/// A number as its channel means it: "on", "true", "12", "0.2013" "rad"; "–" for none. Parts of a
-/// second come in the unit that fits: "19.6" "µs".
-[[nodiscard]] Quantity QuantityOf(const PlotChannel& channel, double value);
+/// A number as its channel means it: "on", "true", "12", "0.2013" "rad"; "–" for none. Integers
+/// have all their digits. Parts of a second come in the unit that fits: "19.6" "µs".
+[[nodiscard]] Quantity QuantityOf(const PlotChannel& channel,
+                                  const std::optional<ChannelValue>& value);
+
+/// All digits of it with the unit, where QuantityOf() has rounded: "0.20134000000000002 rad"; empty
+/// where it has not.
+[[nodiscard]] QString WholeText(const PlotChannel& channel,
+                                const std::optional<ChannelValue>& value);
 
 /// Of a period in seconds: "1 kHz", "50 Hz", "0.5 Hz"; empty for none.
 [[nodiscard]] QString RateOfPeriodText(double period);
@@ -45,6 +52,9 @@ struct Quantity {
 /// "arm.LinkId → geometry_msgs.Pose".
 enum class TypeNames { kShort, kWhole };
 [[nodiscard]] QString TypesText(const MemberDescription& member, TypeNames names);
+
+/// "Ends unless called again within 100 ms"; empty for a command that does not end by itself.
+[[nodiscard]] QString ExpiryText(const MemberDescription& member);
 
 /// As one word of a shell: 'it'\''s' for "it's".
 [[nodiscard]] QString ShellWord(QString word);

@@ -26,12 +26,18 @@ void PictureShelf::setColumns(const QSet<QString>& columns) {
   setVisible(!views_.isEmpty());
 }
 
+void PictureShelf::setStandstill(Standstill why) {
+  still_ = WordOf(why);
+  for (PictureView* view : views_) view->setOld(still_);
+}
+
 void PictureShelf::showValues(const QString& column, const ColumnValues& values) {
   if (values.picture == nullptr || !columns_.contains(column)) return;
   PictureView*& view = views_[column];
   if (view == nullptr) {
     view = new PictureView(column.section('.', -1));
     layout()->addWidget(view);
+    view->setOld(still_);
     show();
   }
   view->show(*values.picture);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <gcm_gui/models/state_of.h>
 #include <gcm_gui/session/signal_source.h>
 
 #include <QMap>
@@ -21,12 +22,15 @@ class PictureShelf : public QWidget {
 
   /// Of these alone, from now on.
   void setColumns(const QSet<QString>& columns);
+  /// Why they are old: it stands below each.
+  void setStandstill(Standstill why);
 
  public Q_SLOTS:
   void showValues(const QString& column, const tendon::gui::ColumnValues& values);
 
  private:
   QSet<QString> columns_;
+  QString still_;
   QMap<QString, PictureView*> views_;
 };
 

@@ -1,3 +1,4 @@
+#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/pictures/picture_view.h>
 #include <gcm_gui/theme/metrics.h>
@@ -14,6 +15,7 @@ namespace tendon::gui {
 namespace {
 
 constexpr int kMostHeight = 240;
+constexpr double kOldOpacity = 0.45;
 constexpr int kMostKept = 1920;  // of a side; what is larger is made smaller once
 
 QString Caption(const QString& name, const RawPicture& picture) {
@@ -58,18 +60,26 @@ void PictureView::clear() {
   take(std::nullopt);
 }
 
+std::optional<PictureView::Shown> PictureView::Prepare(const std::optional<RawPicture>& picture,
+                                                       const QString& name) {
+  if (!picture) return std::nullopt;
+  auto image = Draw(*picture);
+  if (!image) return Shown{{}, QString::fromStdString(image.error().message)};
+  if (std::max(image->width(), image->height()) > kMostKept) {
+    *image = image->scaled(kMostKept, kMostKept, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+  }
+  return Shown{*image, Caption(name, *picture)};
+}
+
 void PictureView::begin() {
   is_busy_ = true;
   QThreadPool::globalInstance()->start([this, courier = courier_, name = name_, version = version_,
                                         source = std::exchange(next_, {})] {
     std::optional<Shown> shown;
-    if (const auto picture = source()) {
-      auto image = Draw(*picture);
-      if (image && std::max(image->width(), image->height()) > kMostKept) {
-        *image = image->scaled(kMostKept, kMostKept, Qt::KeepAspectRatio, Qt::SmoothTransformation);
-      }
-      shown = image ? Shown{*image, Caption(name, *picture)}
-                    : Shown{{}, QString::fromStdString(image.error().message)};
+    try {
+      shown = Prepare(source(), name);
+    } catch (...) {
+      shown = Shown{{}, WordsOfException()};
     }
     courier->post([this, shown, version] {
       is_busy_ = false;
@@ -84,11 +94,24 @@ void PictureView::begin() {
 
 void PictureView::take(const std::optional<Shown>& shown) {
   image_ = shown ? shown->image : QImage();
-  words_->setText(shown ? shown->words : QString());
-  setAccessibleName(image_.isNull() ? words_->text() : Words::tr("Picture, ") + words_->text());
+  caption_ = shown ? shown->words : QString();
+  showWords();
   SetRole(*words_, image_.isNull() ? QStringLiteral("warning") : QStringLiteral("dim"));
   setVisible(shown.has_value());
   fit();
+}
+
+void PictureView::setOld(const QString& words) {
+  if (words == old_) return;
+  old_ = words;
+  showWords();
+  update();
+}
+
+void PictureView::showWords() {
+  words_->setText(old_.isEmpty() || caption_.isEmpty() ? caption_
+                                                       : caption_ + QStringLiteral(" · ") + old_);
+  setAccessibleName(image_.isNull() ? words_->text() : Words::tr("Picture, ") + words_->text());
 }
 
 /// As wide as there is room, never larger than it is.
@@ -116,7 +139,9 @@ void PictureView::paintEvent(QPaintEvent*) {
   const QRect place(QPoint(kInset, kGrid), drawnSize());
   QPainter painter(this);
   painter.setRenderHint(QPainter::SmoothPixmapTransform);
+  painter.setOpacity(old_.isEmpty() ? 1.0 : kOldOpacity);
   painter.drawImage(place, image_);
+  painter.setOpacity(1.0);
   painter.setPen(Theme::instance().color(Token::kLine));
   painter.drawRect(place.adjusted(0, 0, -1, -1));
 }

@@ -29,6 +29,8 @@ class PictureView : public QWidget {
   /// What `source`, which is called in another thread, finds; hidden where that is nothing.
   void showFrom(Source source);
   void clear();
+  /// Drawn faint, with these words below it; empty for one that is live.
+  void setOld(const QString& words);
   /// Null where there is none.
   [[nodiscard]] const QImage& image() const { return image_; }
   [[nodiscard]] QString words() const;
@@ -48,12 +50,18 @@ class PictureView : public QWidget {
   };
 
   void begin();
+  /// In any thread.
+  static std::optional<Shown> Prepare(const std::optional<RawPicture>& picture,
+                                      const QString& name);
   void take(const std::optional<Shown>& shown);
   void fit();
+  void showWords();
   [[nodiscard]] QSize drawnSize() const;
 
   QString name_;
   QLabel* words_;
+  QString caption_;
+  QString old_;
   QImage image_;
   Source next_;
   bool is_busy_ = false;

@@ -1,3 +1,4 @@
+#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/files/file_reader.h>
 #include <gcm_gui/files/file_writer.h>
 #include <gcm_gui/language/words.h>
@@ -49,7 +50,7 @@ PlotPanel::PlotPanel(QWidget* parent)
   buildTabs();
   connectHead();
   connect(&csv_, &CsvExport::finished, this, &PlotPanel::notice);
-  connect(&head_timer_, &QTimer::timeout, this, &PlotPanel::updateHead);
+  connect(&head_timer_, &QTimer::timeout, this, Fenced(this, &PlotPanel::updateHead));
   head_timer_.start(kHeadPeriod);
   addPlot();
 }
@@ -110,7 +111,9 @@ void PlotPanel::addSignal(const QString& path, const QString& unit) {
 void PlotPanel::add(PlotView& view, const CurveKey& key) {
   if (view.curve(key.path) != nullptr) return;
   const bool wanted = !isPlotted(key.path);
+  const ValueNamesPointer names = namesOf(key.path);
   view.addCurve(key);
+  view.setNames(key.path, names);
   if (losses_) view.curve(key.path)->setLossesBefore(losses_(key.path));
   shareMemory();
   nameTab(view);
@@ -132,6 +135,14 @@ void PlotPanel::removeFrom(PlotView& view, const QString& given) {
   if (!isPlotted(path)) Q_EMIT subscriptionReleased(path);
 }
 
+// Of a signal that another plot shows: they are told but once.
+ValueNamesPointer PlotPanel::namesOf(const QString& path) const {
+  for (const PlotView* view : plots()) {
+    if (const Curve* curve = view->curve(path)) return curve->allNames();
+  }
+  return nullptr;
+}
+
 bool PlotPanel::isPlotted(const QString& path) const { return paths().contains(path); }
 
 QStringList PlotPanel::paths() const {
@@ -148,6 +159,10 @@ void PlotPanel::append(const QString& path, std::span<const Sample> samples) {
   for (PlotView* view : plots()) {
     if (Curve* curve = view->curve(path)) curve->append(samples);
   }
+}
+
+void PlotPanel::setNames(const QString& path, const ValueNamesPointer& names) {
+  for (PlotView* view : plots()) view->setNames(path, names);
 }
 
 void PlotPanel::addMark(Mark mark) {
@@ -172,6 +187,26 @@ void PlotPanel::setStale(const QString& path, const QString& reason) {
   for (PlotView* view : plots()) {
     Curve* curve = view->curve(path);
     if (curve != nullptr) curve->setStale(reason.isEmpty() ? WaitingFor(path) : reason);
+  }
+}
+
+void PlotPanel::setStandstills(Standstills standstills) {
+  standstills_ = std::move(standstills);
+  updateStandstills();
+}
+
+void PlotPanel::updateStandstills() {
+  if (!standstills_) return;
+  for (PlotView* view : plots()) {
+    for (const auto& curve : view->curves().curves()) {
+      const SampleRing& samples = curve->samples();
+      const auto newest =
+          samples.empty() ? std::nullopt : std::optional(samples.time(samples.endIndex() - 1));
+      const QString why = standstills_(curve->path(), newest);
+      if (why == curve->standstill()) continue;
+      curve->setStandstill(why);
+      view->curveStateChanged();
+    }
   }
 }
 
@@ -243,8 +278,13 @@ void PlotPanel::openLayout(const QString& name) {
     if (!refusal.isEmpty()) {
       return Q_EMIT notice(name + Words::tr(" cannot be read: ") + refusal);
     }
-    if (const auto reason = ShowLayout(*this, content)) {
-      Q_EMIT notice(name + Words::tr(" is no layout of plots: ") + *reason);
+    try {
+      if (const auto reason = ShowLayout(*this, content)) {
+        Q_EMIT notice(name + Words::tr(" is no layout of plots: ") + *reason);
+      }
+    } catch (...) {
+      Fence::instance().hear(this, ViewWork::kHandling);
+      Q_EMIT notice(name + Words::tr(" cannot be shown: ") + WordsOfException());
     }
   });
 }
@@ -318,6 +358,7 @@ void PlotPanel::shareMemory() {
 
 void PlotPanel::updateHead() {
   if (plotCount() == 0) return;
+  updateStandstills();
   std::size_t used = 0;
   bool is_thinned = false;
   for (PlotView* view : plots()) {

@@ -5,11 +5,14 @@
 #include <gcm_gui/plot/row_losses.h>
 #include <gcm_gui/plot/series/sample_ring.h>
 #include <gcm_gui/plot/series/signal_path.h>
+#include <gcm_gui/plot/series/value_names.h>
 
 #include <QTimer>
 #include <QWidget>
 #include <chrono>
+#include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -41,6 +44,9 @@ class PlotPanel : public QWidget {
   void removeSignal(const QString& path);
   /// Of paths in no plot nothing is kept.
   void append(const QString& path, std::span<const Sample> samples);
+  /// The values of a signal have these names; null for numbers. In all plots, and in those that
+  /// come to show it.
+  void setNames(const QString& path, const ValueNamesPointer& names);
   /// The source was restarted: its ticks begin anew.
   void beginEpoch(const QString& path);
   /// Nothing comes until append() is called again; an empty `reason` says whose rows are waited
@@ -77,6 +83,11 @@ class PlotPanel : public QWidget {
   void setCandidates(std::function<QList<CurveKey>(const QString& path)> candidates);
   /// Where rows of a signal were lost.
   void setLosses(std::function<RowLosses(const QString& path)> losses);
+  /// Why what a signal shows is old, and how old; empty where it is not. `newest_ns` is the time of
+  /// its newest sample. See Curve::setStandstill(); asked a few times a second.
+  using Standstills =
+      std::function<QString(const QString& path, std::optional<std::int64_t> newest_ns)>;
+  void setStandstills(Standstills standstills);
   void toggleCursors();
 
   /// For the samples of all plots, in bytes.
@@ -130,8 +141,10 @@ class PlotPanel : public QWidget {
                   FileHandler handler);
   void nameTab(PlotView& view);
   void updateHead();
+  void updateStandstills();
   void shareMemory();
   [[nodiscard]] bool isPlotted(const QString& path) const;
+  [[nodiscard]] ValueNamesPointer namesOf(const QString& path) const;
 
   CsvExport csv_;
   FileReader* reader_;
@@ -140,6 +153,7 @@ class PlotPanel : public QWidget {
   QStackedWidget* pages_;
   std::function<QList<CurveKey>(const QString& path)> candidates_;
   std::function<RowLosses(const QString& path)> losses_;
+  Standstills standstills_;
   QTimer head_timer_;
   std::size_t memory_ = kDefaultMemory;
   bool paused_ = false;

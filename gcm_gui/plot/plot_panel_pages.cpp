@@ -1,3 +1,4 @@
+#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/link/plot_page.h>
 #include <gcm_gui/plot/plot_head.h>
@@ -118,6 +119,7 @@ void PlotPanel::nameTab(PlotView& view) {
     const QString number = i == 0 ? QString() : ' ' + QString::number(i + 1);
     views[i]->setAccessibleName(Words::tr("Plot ") + name_of(*views[i]) + number);
     views[i]->canvas()->setAccessibleName(views[i]->accessibleName());
+    Fence::setName(*views[i], {});
   }
   const auto named = std::find_if(views.begin(), views.end(),
                                   [](const PlotView* each) { return !each->curves().empty(); });

@@ -1,3 +1,4 @@
+#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/canvas/cursor_lines.h>
 #include <gcm_gui/plot/canvas/curve_layer.h>
@@ -68,7 +69,7 @@ PlotView::PlotView(std::shared_ptr<TimeLink> link, QWidget* parent)
   curvesChanged();
   connect(&Theme::instance(), &Theme::changed, this, &PlotView::takeTheme);
   timer_.setTimerType(Qt::PreciseTimer);
-  connect(&timer_, &QTimer::timeout, this, &PlotView::refresh);
+  connect(&timer_, &QTimer::timeout, this, &PlotView::refreshFenced);
 }
 
 PlotView::~PlotView() { link_->leave(curves_); }
@@ -145,8 +146,8 @@ void PlotView::curvesChanged() {
   overlay_->setHint(empty ? Words::tr(kHint) : QString());
   grid_->setVisible(!empty);
   axes_.setVisible(!empty);
-  setAccessibleDescription(empty ? Words::tr(kHint)
-                                 : Words::tr("%1 curves").arg(curves_.curves().size()));
+  const QString curves = Words::tr("%1 curves").arg(curves_.curves().size());
+  setAccessibleDescription(empty ? Words::tr(kHint) : curves);
   if (isVisible() && !empty) timer_.start(kFrame);
   changed();
   axes_.showTime(window_);
@@ -172,6 +173,13 @@ void PlotView::setLook(const QString& path, const CurveLook& look) {
   Curve* const shown = curve(path);
   if (shown == nullptr || shown->look() == look) return;
   curves_.setLook(*shown, look);
+  curvesChanged();
+}
+
+void PlotView::setNames(const QString& path, const ValueNamesPointer& names) {
+  Curve* const named = curve(path);
+  if (named == nullptr || named->allNames() == names) return;
+  curves_.setNames(*named, names);
   curvesChanged();
 }
 
@@ -303,6 +311,13 @@ std::vector<SeenSlices> PlotView::seenSlices() const {
   return seen;
 }
 
+/// What cannot be computed cannot be drawn either: the plot rests below its cover.
+void PlotView::refreshFenced() {
+  if (!Fence::instance().isCovered(this)) {
+    Fence::run(this, ViewWork::kDrawing, [this] { refresh(); });
+  }
+}
+
 void PlotView::refresh() {
   noticeSamples();
   window_.follow(now(), columns() * devicePixelRatioF());
@@ -319,9 +334,14 @@ void PlotView::refresh() {
   const std::vector<SeenSlices> seen = seenSlices();
   curves_.fitAxes(seen);
   const QStringList without = curves_.withoutPlace(seen);
-  overlay_->setNote(without.isEmpty()
-                        ? QString()
-                        : Words::tr("0 and less has no place on this axis: ") + without.join(", "));
+  QStringList notes;
+  if (!without.isEmpty()) {
+    notes << Words::tr("0 and less has no place on this axis: ") + without.join(", ");
+  }
+  if (!curves_.beyondAxes().isEmpty()) {
+    notes << Words::tr("far beyond this axis: ") + curves_.beyondAxes().join(", ");
+  }
+  overlay_->setNote(notes.join("; "));
   axes_.showValues(curves_.axes(), curves_.scale());
   replot();
   using Time = FrameGovernor::Time;
@@ -339,8 +359,10 @@ void PlotView::noticeSideRoom() {
 
 void PlotView::drawItems(QPainter* painter, const QRectF& canvas_rect,
                          const QwtScaleMap maps[QwtAxis::AxisPositions]) const {
-  if (!window_.isSweeping()) return QwtPlot::drawItems(painter, canvas_rect, maps);
-  DrawSweep(*this, window_, *painter, canvas_rect, maps);
+  Fence::run(const_cast<PlotView*>(this), ViewWork::kDrawing, [&] {
+    if (!window_.isSweeping()) return QwtPlot::drawItems(painter, canvas_rect, maps);
+    DrawSweep(*this, window_, *painter, canvas_rect, maps);
+  });
 }
 
 void PlotView::drawCanvas(QPainter* painter) {

@@ -49,6 +49,8 @@ class PlotView : public QwtPlot {
   /// The one there is, when the path is plotted already. Feed it by Curve::append().
   Curve& addCurve(const CurveKey& key);
   void removeCurve(const QString& path);
+  /// Draws anew what was said to a curve.
+  void curveStateChanged() { changed(); }
   /// Of all plots of this program only this one has it.
   [[nodiscard]] std::uint64_t id() const { return id_; }
   /// With its samples, for adoptCurve() of another plot; nullptr when there is none.
@@ -118,6 +120,8 @@ class PlotView : public QwtPlot {
   [[nodiscard]] ValueScale scale() const { return curves_.scale(); }
   /// What is shown of a curve that is there; its axis is fitted anew.
   void setLook(const QString& path, const CurveLook& look);
+  /// The names of its values, of a curve that is there; null for numbers.
+  void setNames(const QString& path, const ValueNamesPointer& names);
   /// Asks the user for it.
   void askForLook(const QString& path);
   /// The legend tells lowest, highest, mean and more of what is seen of each curve.
@@ -163,6 +167,7 @@ class PlotView : public QwtPlot {
 
  private:
   void build();
+  void refreshFenced();
   void takeTheme();
   void startDrag(const QString& path);
   void noticeSamples();
@@ -173,6 +178,7 @@ class PlotView : public QwtPlot {
   void updateLive();
   void describeMarks();
   void curvesChanged();
+  void choose(UnitAxis& axis, const AxisRange& range) const;
   [[nodiscard]] double columns() const;
   [[nodiscard]] bool isFitted() const;
   [[nodiscard]] bool isFirst() const;

@@ -67,15 +67,25 @@ void PlotView::zoomTime(double factor, double x) {
   changed();
 }
 
+// Beyond what can be shown it goes no further, and neither does it between two whole numbers, where
+// there is nothing to write at the axis.
+void PlotView::choose(UnitAxis& axis, const AxisRange& range) const {
+  constexpr double kNarrower = 1 - 1e-9;  // more than what rounding leaves of a range that is moved
+  const bool has_whole =
+      curves_.scale() == ValueScale::kLinear && axis.numbers == NumberKind::kWhole;
+  const bool is_between = has_whole && range.span() < std::min(1.0, axis.range.span() * kNarrower);
+  if (IsShowable(range) && !is_between) axis.range = range;
+  axis.fitted = false;
+}
+
 void PlotView::zoomValues(double factor, double y) {
   link_->remember(TimeLink::Gesture::kZoomValues);
   const QwtScaleMap map = canvasMap(QwtAxis::YLeft);
   const double at = (y - map.p1()) / (map.p2() - map.p1());  // of the height, from below
   for (UnitAxis& axis : curves_.axes()) {
     const double fixed = axis.range.low + at * axis.range.span();
-    axis.range = {.low = fixed + (axis.range.low - fixed) * factor,
-                  .high = fixed + (axis.range.high - fixed) * factor};
-    axis.fitted = false;
+    choose(axis, {.low = fixed + (axis.range.low - fixed) * factor,
+                  .high = fixed + (axis.range.high - fixed) * factor});
   }
   changed();
 }
@@ -90,8 +100,7 @@ void PlotView::panValues(double pixels) {
   link_->remember(TimeLink::Gesture::kMove);
   for (UnitAxis& axis : curves_.axes()) {
     const double by = axis.range.span() * pixels / canvas()->height();
-    axis.range = {.low = axis.range.low + by, .high = axis.range.high + by};
-    axis.fitted = false;
+    choose(axis, {.low = axis.range.low + by, .high = axis.range.high + by});
   }
   changed();
 }
@@ -104,9 +113,8 @@ void PlotView::zoomTo(const QRect& rect) {
   const auto part = [&](int y) { return (y - map.p1()) / (map.p2() - map.p1()); };
   for (UnitAxis& axis : curves_.axes()) {
     const AxisRange all = axis.range;
-    axis.range = {.low = all.low + part(rect.bottom()) * all.span(),
-                  .high = all.low + part(rect.top()) * all.span()};
-    axis.fitted = false;
+    choose(axis, {.low = all.low + part(rect.bottom()) * all.span(),
+                  .high = all.low + part(rect.top()) * all.span()});
   }
   changed();
 }

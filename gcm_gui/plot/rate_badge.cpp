@@ -74,7 +74,8 @@ void RateBadge::setFigures(const std::vector<SourceFigures>& figures) {
   SetRole(*this, Lost(figures) > 0 ? "mono bad" : "mono dim");
   QStringList lines;
   for (const SourceFigures& each : figures) {
-    lines << Words::tr("%1: %2, %3 rows lost, %4 repeated")
+    lines << (each.lost == 1 ? Words::tr("%1: %2, %3 row lost, %4 repeated")
+                             : Words::tr("%1: %2, %3 rows lost, %4 repeated"))
                      .arg(each.source, RateText(each.rate))
                      .arg(each.lost)
                      .arg(each.repeated) +

@@ -1,5 +1,6 @@
 #include <gcm_gui/session/catalogue_store.h>
 
+#include <chrono>
 #include <utility>
 
 namespace tendon::gui {
@@ -52,6 +53,10 @@ void TouchAll(Touched& touched, const Catalog& catalogue) {
   }
 }
 
+std::int64_t Now() {
+  return std::chrono::nanoseconds(std::chrono::system_clock::now().time_since_epoch()).count();
+}
+
 /// Moves about so many components from the front of `parts` to the result, each once: a whole
 /// process stands for all of its components.
 Touched TakeSome(Touched& parts, const Catalog& catalogue, std::size_t most) {
@@ -86,7 +91,29 @@ void CatalogueStore::tell() {
   Q_EMIT changed(catalogue_, some);
 }
 
+void CatalogueStore::noteState(const std::string& process, const ComponentDescription& component,
+                               std::optional<std::int64_t> changed_at) {
+  const auto [known, is_new] = states_.try_emplace(TouchedPart{process, component.name});
+  if (!is_new && known->second.state == component.state) return;
+  known->second.state = component.state;
+  known->second.since = is_new ? std::nullopt : changed_at;
+}
+
+std::optional<std::int64_t> CatalogueStore::stateSince(const std::string& process,
+                                                       const std::string& component) const {
+  const auto known = states_.find(TouchedPart{process, component});
+  return known == states_.end() ? std::nullopt : known->second.since;
+}
+
 void CatalogueStore::replace(Catalog catalogue) {
+  std::erase_if(states_, [&](const auto& known) {
+    return catalogue.FindComponent(known.first.process, known.first.component) == nullptr;
+  });
+  for (const auto& [name, entry] : catalogue.processes()) {
+    for (const auto& [unused, component] : entry.components) {
+      noteState(name, component, std::nullopt);  // it changed while nobody listened
+    }
+  }
   TouchAll(untold_, catalogue_);
   TouchAll(untold_, catalogue);
   catalogue_ = std::move(catalogue);
@@ -97,7 +124,12 @@ void CatalogueStore::apply(const std::vector<CatalogChange>& changes) {
   for (const auto& change : changes) {
     Touched here;
     Touch(here, catalogue_, change);
-    if (catalogue_.Apply(change)) untold_.merge(here);
+    if (!catalogue_.Apply(change)) continue;
+    untold_.merge(here);
+    for (const auto& component : change.components) noteState(change.process, component, Now());
+    if (change.kind == CatalogChange::Kind::kComponentRemoved) {
+      states_.erase(TouchedPart{change.process, change.component});
+    }
   }
   if (!untold_.empty()) tell();
 }

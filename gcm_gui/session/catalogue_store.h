@@ -5,6 +5,9 @@
 #include <QObject>
 #include <QTimer>
 #include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -33,6 +36,11 @@ class CatalogueStore : public QObject {
 
   [[nodiscard]] const Catalog& catalogue() const { return catalogue_; }
 
+  /// Since when a component is in its state, ns since 1970; nothing where this window was not there
+  /// when it changed.
+  [[nodiscard]] std::optional<std::int64_t> stateSince(const std::string& process,
+                                                       const std::string& component) const;
+
   /// A snapshot: all of the old and the new one counts as touched.
   void replace(Catalog catalogue);
   /// The next changes; those that do not follow are left out, and a snapshot will come.
@@ -48,9 +56,17 @@ class CatalogueStore : public QObject {
   void typesLearned();
 
  private:
+  struct KnownState {
+    ComponentState state = ComponentState::kConstructed;
+    std::optional<std::int64_t> since;
+  };
+
   void tell();
+  void noteState(const std::string& process, const ComponentDescription& component,
+                 std::optional<std::int64_t> changed_at);
 
   Catalog catalogue_;
+  std::map<TouchedPart, KnownState> states_;
   Touched untold_;
   QTimer next_;
 };

@@ -29,18 +29,68 @@ bool SameShape(const std::vector<PlotChannel>& a, const std::vector<PlotChannel>
                     [](const PlotChannel& x, const PlotChannel& y) { return x.path == y.path; });
 }
 
+/// Of those that are too many; returns how many that were.
+std::size_t DropOldest(std::vector<ColumnFeed::Run>& runs, std::size_t& waiting) {
+  if (waiting <= ColumnFeed::kMostWaiting) return 0;
+  std::size_t dropped = 0;
+  const std::size_t wanted = waiting - ColumnFeed::kMostWaiting;
+  for (ColumnFeed::Run& run : runs) {
+    const std::size_t some = std::min(wanted - dropped, run.samples.size());
+    run.samples.erase(run.samples.begin(), run.samples.begin() + static_cast<std::ptrdiff_t>(some));
+    dropped += some;
+  }
+  waiting -= dropped;
+  return dropped;
+}
+
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+ExactNumber NumberOf(const PlotChannel& channel, std::span<const std::byte> body) {
+  const auto value = ReadExactly(channel, body);
+  if (!value) return kNone;
+  // Those of a state are signed, whose names are by signed numbers.
+  const bool is_state = channel.schema.kind() == Schema::Kind::kBool;
+  if (value->kind() == ChannelValue::Kind::kSigned || is_state) {
+    return ExactNumber::Signed(value->integer());
+  }
+  if (value->kind() == ChannelValue::Kind::kUnsigned) {
+    return ExactNumber::Unsigned(static_cast<std::uint64_t>(value->integer()));
+  }
+  return value->real();
+}
+
+ValueNamesPointer NamesOf(const Schema& schema) {
+  ValueNames names;
+  if (schema.kind() == Schema::Kind::kBool) {
+    names = {.type = QStringLiteral("bool"),
+             .all = {{0, QStringLiteral("false")}, {1, QStringLiteral("true")}}};
+  } else if (schema.kind() == Schema::Kind::kEnum) {
+    names.type = ToQString(schema.name());
+    for (const auto& one : schema.enumerators()) {
+      names.all.push_back({one.value, ToQString(one.name)});
+    }
+    std::stable_sort(names.all.begin(), names.all.end(),
+                     [](const auto& a, const auto& b) { return a.value < b.value; });
+  } else {
+    return nullptr;
+  }
+  return std::make_shared<const ValueNames>(std::move(names));
+}
 
 }  // namespace
 
 void ColumnFeed::OnSubscribed(const std::vector<Schema>& columns) {
   const std::lock_guard lock(mutex_);
   if (columns.empty()) return;
+  const bool is_healed = schema_.has_value();
   schema_ = columns.front();
   is_picture_ = DescribesPicture(*schema_);
   varies_ = !is_picture_ && HasSequence(*schema_);
   shape_ = std::make_shared<const std::vector<PlotChannel>>(Channels(*schema_));
-  newest_row_.clear();
+  if (is_healed) {  // else it is the one that was there before
+    newest_row_.clear();
+    is_healed_ = true;
+  }
   fresh_ = true;
   stale_.reset();
   for (auto& [field, tap] : taps_) resolve(field, tap);
@@ -50,6 +100,7 @@ void ColumnFeed::resolve(const std::string& field, Tap& tap) const {
   if (!schema_) return;
   auto channel = FindChannel(*schema_, field);
   if (channel.ok()) {
+    tap.names = NamesOf(channel->schema);
     tap.channel = std::move(*channel);
     tap.stale.reset();
   } else {
@@ -67,13 +118,37 @@ std::size_t ColumnFeed::OnRows(const RowBatch& batch) {
   epoch_ = batch.epoch;
   std::size_t left_out = 0;
   for (auto& [field, tap] : taps_) left_out = std::max(left_out, feed(tap, batch, new_epoch));
+  keepNewest(batch);
+  rows_ += batch.count;
+  losses_.viewer += left_out;
+  return left_out;
+}
+
+void ColumnFeed::keepNewest(const RowBatch& batch) {
   const auto row = batch.cell(batch.count - 1, 0);
   newest_row_.assign(row.begin(), row.end());
   newest_time_ = batch.times[batch.count - 1] - batch.clock_offset.count();
-  rows_ += batch.count;
   fresh_ = true;
-  losses_.viewer += left_out;
-  return left_out;
+}
+
+void ColumnFeed::takeStanding(const RowBatch& batch) {
+  const std::lock_guard lock(mutex_);
+  if (newest_row_.empty() && batch.count > 0) keepNewest(batch);
+}
+
+bool ColumnFeed::hasRow() {
+  const std::unique_lock lock(mutex_, std::try_to_lock);
+  return lock && !newest_row_.empty();
+}
+
+bool ColumnFeed::lacksRow() {
+  const std::unique_lock lock(mutex_, std::try_to_lock);
+  return lock && newest_row_.empty();
+}
+
+bool ColumnFeed::takeHealed() {
+  const std::unique_lock lock(mutex_, std::try_to_lock);
+  return lock && std::exchange(is_healed_, false);
 }
 
 QString ColumnFeed::refusal() {
@@ -91,15 +166,13 @@ std::size_t ColumnFeed::feed(Tap& tap, const RowBatch& batch, bool new_epoch) co
   if (!tap.channel) return 0;
   tap.stale.reset();
   if (new_epoch || tap.runs.empty()) tap.runs.push_back({new_epoch, {}});
-  std::size_t waiting = 0;
-  for (const Run& run : tap.runs) waiting += run.samples.size();
   std::vector<Sample>& samples = tap.runs.back().samples;
-  const std::size_t fit = std::min(batch.count, kMostWaiting - std::min(waiting, kMostWaiting));
-  for (std::size_t row = 0; row < fit; ++row) {
-    const double value = ReadChannel(*tap.channel, batch.cell(row, 0)).value_or(kNone);
-    samples.push_back({batch.times[row] - batch.clock_offset.count(), batch.ticks[row], value});
+  for (std::size_t row = 0; row < batch.count; ++row) {
+    samples.push_back({batch.times[row] - batch.clock_offset.count(), batch.ticks[row],
+                       NumberOf(*tap.channel, batch.cell(row, 0))});
   }
-  return batch.count - fit;
+  tap.waiting += batch.count;
+  return DropOldest(tap.runs, tap.waiting);
 }
 
 void ColumnFeed::OnStale(const Error& reason) {
@@ -138,7 +211,10 @@ ColumnFeed::Taken ColumnFeed::take(const std::string& field) {
   obey();
   const auto it = taps_.find(field);
   if (it == taps_.end()) return {};
-  return {std::exchange(it->second.runs, {}), std::exchange(it->second.stale, std::nullopt)};
+  Tap& tap = it->second;
+  tap.waiting = 0;
+  return {std::exchange(tap.runs, {}), std::exchange(tap.stale, std::nullopt),
+          std::exchange(tap.names, std::nullopt)};
 }
 
 ChannelList ColumnFeed::shapeOf(const std::vector<std::byte>& row) {
@@ -155,7 +231,7 @@ std::optional<ColumnValues> ColumnFeed::takeValues() {
   const std::unique_lock lock(mutex_, std::try_to_lock);
   if (!lock) return std::nullopt;
   obey();
-  if (!std::exchange(fresh_, false)) return std::nullopt;
+  if (!schema_ || !std::exchange(fresh_, false)) return std::nullopt;
   ColumnValues values;
   values.channels = shapeOf(newest_row_);
   if (newest_row_.empty()) return values;
@@ -163,7 +239,7 @@ std::optional<ColumnValues> ColumnFeed::takeValues() {
   values.time = newest_time_;
   values.values.reserve(values.channels->size());
   for (const PlotChannel& channel : *values.channels) {
-    values.values.push_back(ReadChannel(channel, newest_row_).value_or(kNone));
+    values.values.push_back(ReadExactly(channel, newest_row_));
   }
   if (is_picture_) {
     if (auto picture = PictureOf(*schema_, newest_row_)) {

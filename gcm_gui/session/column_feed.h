@@ -1,6 +1,7 @@
 #pragma once
 
 #include <gcm_gui/plot/series/sample_ring.h>
+#include <gcm_gui/plot/series/value_names.h>
 #include <gcm_gui/session/signal_source.h>
 #include <tendon/process/telemetry_client.h>
 
@@ -20,7 +21,8 @@ namespace tendon::gui {
 /// which all other functions are, never waits for them: it gets, and taps, the next time.
 class ColumnFeed final : public RowSink {
  public:
-  /// At most so many samples of a number wait to be taken; more are left out, and seen as lost.
+  /// At most so many samples of a number wait to be taken; newer ones take the place of the oldest,
+  /// which are seen as lost.
   static constexpr std::size_t kMostWaiting = std::size_t{1} << 18;
 
   /// Samples of one start of the source.
@@ -31,11 +33,22 @@ class ColumnFeed final : public RowSink {
   struct Taken {
     std::vector<Run> runs;
     std::optional<QString> stale;  ///< since then nothing has come, and why
+    /// The names of its values, since they have become known; null for numbers.
+    std::optional<ValueNamesPointer> names;
   };
 
   void OnSubscribed(const std::vector<Schema>& columns) override;
   std::size_t OnRows(const RowBatch& batch) override;
   void OnStale(const Error& reason) override;
+  /// The row that was there before the subscription, of a source that may write no more of them;
+  /// nothing where rows have come already.
+  void takeStanding(const RowBatch& batch);
+  /// These are also false while a batch is read.
+  [[nodiscard]] bool hasRow();
+  [[nodiscard]] bool lacksRow();
+  /// Whether the subscription has been made anew since the last call, which forgets the newest row:
+  /// that may be one of long ago.
+  [[nodiscard]] bool takeHealed();
 
   /// `field` is what follows the column in a path: ".position[0]", or empty. While a batch is read,
   /// it is tapped when something is taken the next time.
@@ -53,7 +66,9 @@ class ColumnFeed final : public RowSink {
   struct Tap {
     std::optional<PlotChannel> channel;
     std::vector<Run> runs;
+    std::size_t waiting = 0;  // samples in the runs
     std::optional<QString> stale;
+    std::optional<ValueNamesPointer> names;
   };
 
   /// Of the GUI thread, for the taps.
@@ -66,7 +81,8 @@ class ColumnFeed final : public RowSink {
   /// Under the lock: what was ordered is done.
   void obey();
   void resolve(const std::string& field, Tap& tap) const;
-  /// How many rows there was no room for.
+  void keepNewest(const RowBatch& batch);
+  /// How many rows had to make room.
   std::size_t feed(Tap& tap, const RowBatch& batch, bool new_epoch) const;
   [[nodiscard]] ChannelList shapeOf(const std::vector<std::byte>& row);
 
@@ -84,6 +100,7 @@ class ColumnFeed final : public RowSink {
   RowLosses told_losses_;      // of the GUI thread
   std::vector<Order> orders_;  // of the GUI thread
   bool fresh_ = false;
+  bool is_healed_ = false;
   ChannelList shape_;
 };
 

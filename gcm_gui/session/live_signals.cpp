@@ -2,6 +2,8 @@
 #include <gcm_gui/session/column_feed.h>
 #include <gcm_gui/session/live_signals.h>
 
+#include <utility>
+
 namespace tendon::gui {
 namespace {
 
@@ -16,6 +18,23 @@ constexpr int kIdleSweeps = 3;
 std::string FieldOf(const QString& column, const QString& signal) {
   return signal.mid(column.size()).toStdString();
 }
+
+/// Every row means every one from now on: what was written before comes by a subscription of its
+/// own.
+class StandingRow final : public RowSink {
+ public:
+  explicit StandingRow(std::shared_ptr<ColumnFeed> feed) : feed_(std::move(feed)) {}
+
+  void OnSubscribed(const std::vector<Schema>& /*columns*/) override {}
+  std::size_t OnRows(const RowBatch& batch) override {
+    feed_->takeStanding(batch);
+    return 0;
+  }
+  void OnStale(const Error& /*reason*/) override {}
+
+ private:
+  const std::shared_ptr<ColumnFeed> feed_;
+};
 
 }  // namespace
 
@@ -37,7 +56,12 @@ LiveSignals::LiveSignals(TelemetryClient& telemetry, QObject* parent)
 }
 
 LiveSignals::~LiveSignals() {
-  for (const auto& [path, column] : columns_) telemetry_.Unsubscribe(column.id);
+  for (const auto& [path, column] : columns_) end(column);
+}
+
+void LiveSignals::end(const Column& column) {
+  telemetry_.Unsubscribe(column.id);
+  if (column.standing) telemetry_.Unsubscribe(*column.standing);
 }
 
 LiveSignals::Column* LiveSignals::open(const QString& path) {
@@ -46,8 +70,8 @@ LiveSignals::Column* LiveSignals::open(const QString& path) {
   if (!parsed.ok() || parsed->member.empty()) return nullptr;
   Column& column = columns_[path];
   column.feed = std::make_shared<ColumnFeed>();
-  column.id = telemetry_.Subscribe(
-      {parsed->process, parsed->component, parsed->interface, {parsed->member}}, column.feed);
+  column.table = {parsed->process, parsed->component, parsed->interface, {parsed->member}};
+  column.id = telemetry_.Subscribe(column.table, column.feed);
   return &column;
 }
 
@@ -80,8 +104,24 @@ void LiveSignals::watch(const QObject* owner, const QSet<QString>& columns) {
     if (!columns.contains(path)) column.watchers.remove(owner);
   }
   for (const QString& path : columns) {
-    if (Column* column = open(path)) column->watchers.insert(owner);
+    Column* column = open(path);
+    if (column == nullptr) continue;
+    column->watchers.insert(owner);
+    seekStandingRow(*column);
   }
+}
+
+void LiveSignals::seekStandingRow(Column& column) {
+  if (column.feed->takeHealed()) endStanding(column);  // its row may have been forgotten
+  if (column.standing && column.feed->hasRow()) endStanding(column);
+  if (column.standing || column.watchers.isEmpty() || !column.feed->lacksRow()) return;
+  TableSubscription wanted = column.table;
+  wanted.rows.delivery = RowDelivery::kNewest;
+  column.standing = telemetry_.Subscribe(wanted, std::make_shared<StandingRow>(column.feed));
+}
+
+void LiveSignals::endStanding(Column& column) {
+  if (column.standing) telemetry_.Unsubscribe(*std::exchange(column.standing, std::nullopt));
 }
 
 RowLosses LiveSignals::losses(const QString& signal) const {
@@ -107,6 +147,7 @@ void LiveSignals::drain() {
 
 void LiveSignals::drainSignal(Column& column, const QString& signal) {
   const ColumnFeed::Taken taken = column.feed->take(FieldOf(ColumnPathOf(signal), signal));
+  if (taken.names) Q_EMIT namesLearned(signal, *taken.names);
   for (const auto& run : taken.runs) {
     if (run.begins_epoch) Q_EMIT epochBegan(signal);
     if (!run.samples.empty()) Q_EMIT samplesArrived(signal, run.samples);
@@ -118,6 +159,7 @@ void LiveSignals::drainValues() {
   QList<std::pair<QString, ColumnValues>> arrived;
   QList<std::pair<QString, QString>> refused;
   for (auto& [path, column] : columns_) {
+    seekStandingRow(column);
     if (column.watchers.isEmpty()) continue;
     if (auto values = column.feed->takeValues()) arrived.append({path, std::move(*values)});
     const QString refusal = column.feed->refusal();
@@ -135,7 +177,7 @@ void LiveSignals::dropUnused() {
       ++it;
       continue;
     }
-    telemetry_.Unsubscribe(column.id);
+    end(column);
     it = columns_.erase(it);
   }
 }

@@ -11,15 +11,16 @@
 #include <chrono>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace tendon::gui {
 
 class ColumnFeed;
 
-/// Live data over the network: one subscription a column, shared by all who look at it, kept for a
-/// moment after the last has looked away. Rows are handed out 30 times a second, newest values 10
-/// times.
+/// Live data over the network: one subscription a column, shared by all who look at it, and a
+/// second one until the row that was there before it has come; kept for a moment after the last has
+/// looked away. Rows are handed out 30 times a second, newest values 10 times.
 class LiveSignals : public SignalSource {
   Q_OBJECT
 
@@ -46,8 +47,10 @@ class LiveSignals : public SignalSource {
  private:
   struct Column {
     std::shared_ptr<ColumnFeed> feed;
+    TableSubscription table;
     TelemetryClient::Id id = 0;
-    std::map<QString, int> users;  // of each signal
+    std::optional<TelemetryClient::Id> standing;  // until a row is there
+    std::map<QString, int> users;                 // of each signal
     QSet<const QObject*> watchers;
     int idle_sweeps = 0;
 
@@ -56,7 +59,12 @@ class LiveSignals : public SignalSource {
 
   /// Null for what is no path of a column.
   Column* open(const QString& column);
+  /// Asks for the row that was there before, where somebody looks at the column and none has come;
+  /// also after the link was cut, when it is another one.
+  void seekStandingRow(Column& column);
+  void endStanding(Column& column);
   void drainSignal(Column& column, const QString& signal);
+  void end(const Column& column);
 
   TelemetryClient& telemetry_;
   std::map<QString, Column> columns_;

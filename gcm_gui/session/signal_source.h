@@ -2,6 +2,7 @@
 
 #include <gcm_gui/plot/row_losses.h>
 #include <gcm_gui/plot/series/sample_ring.h>
+#include <gcm_gui/plot/series/value_names.h>
 #include <tendon/payload/plot_channel.h>
 
 #include <QObject>
@@ -9,6 +10,7 @@
 #include <QString>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,9 +23,10 @@ using ChannelList = std::shared_ptr<const std::vector<PlotChannel>>;
 
 /// The newest row of one column, taken apart.
 struct ColumnValues {
-  ChannelList channels;        ///< never null
-  std::vector<double> values;  ///< of each channel; NaN where the row has none. Empty before a row
-  QString text;                ///< of a column without numbers, as JSON
+  ChannelList channels;  ///< never null
+  /// Of each channel; nothing where the row has none. Empty before a row.
+  std::vector<std::optional<ChannelValue>> values;
+  QString text;                                    ///< of a column without numbers, as JSON
   std::shared_ptr<const RawPicture> picture = {};  ///< of a column that holds one, else null
   std::uint64_t rows = 0;                          ///< that have come so far, this one among them
   std::int64_t time = 0;  ///< of this row, ns on this process' steady clock
@@ -56,6 +59,9 @@ class SignalSource : public QObject {
  Q_SIGNALS:
   /// In order, none left out that arrived. The samples are valid during the call.
   void samplesArrived(const QString& signal, std::span<const tendon::gui::Sample> samples);
+  /// The values of a signal have these names; null where they are numbers. Before its samples, and
+  /// once more when its type may have changed.
+  void namesLearned(const QString& signal, const tendon::gui::ValueNamesPointer& names);
   /// What follows comes from a new start of the source; its ticks begin anew.
   void epochBegan(const QString& signal);
   /// Nothing arrives for now, and why; empty when its process cannot be reached.

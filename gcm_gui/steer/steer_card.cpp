@@ -37,15 +37,17 @@ SteerCard::SteerCard(QWidget& place)
   addToHead(button_);
 }
 
-void SteerCard::ask(LifeVerb verb, const std::vector<Path>& components) {
+void SteerCard::ask(LifeVerb verb, const std::vector<Path>& components, const QStringList& lines,
+                    const QStringList& effects) {
   verb_ = verb;
   components_ = components;
   QStringList names;
   for (const Path& component : components) names.append(ToQString(ToString(component)));
   head().setTitle(TitleOf(verb, components.size()));
   setAccessibleName(WordOf(verb) + ' ' + names.join(' '));
-  names_->setText(names.join('\n'));
-  advice_->setText(CardAdviceOf(verb));
+  setAccessibleDescription(effects.join(' '));
+  names_->setText(lines.join('\n'));
+  advice_->setText((effects + QStringList{CardAdviceOf(verb)}).join('\n'));
   button_->setText(HoldWordOf(verb));
   open();
   setFocus(Qt::ShortcutFocusReason);

@@ -21,7 +21,9 @@ class SteerCard : public OverlayCard {
   /// Over `place`, a part of the window.
   explicit SteerCard(QWidget& place);
 
-  void ask(LifeVerb verb, const std::vector<Path>& components);
+  /// `lines` name the components, `effects` say what will happen to them.
+  void ask(LifeVerb verb, const std::vector<Path>& components, const QStringList& lines,
+           const QStringList& effects);
 
  Q_SIGNALS:
   void confirmed(tendon::LifeVerb verb, const std::vector<tendon::Path>& components);

@@ -35,7 +35,9 @@ void SteerRow::show(const Catalog& catalogue, const std::string& process,
   for (std::size_t i = 0; i < kSteerVerbs.size(); ++i) {
     const auto checked =
         CheckLife(catalogue, {.verb = kSteerVerbs[i], .process = process, .component = component});
-    buttons_[i]->setToolTip(checked ? ButtonAdviceOf(kSteerVerbs[i])
+    const auto* known = catalogue.FindComponent(process, component);
+    const QString effect = known == nullptr ? QString() : EffectOf(kSteerVerbs[i], known->state);
+    buttons_[i]->setToolTip(checked ? (effect + ' ' + ButtonAdviceOf(kSteerVerbs[i])).trimmed()
                                     : ToQString(checked.error().message));
     buttons_[i]->setEnabled(checked.ok());
   }

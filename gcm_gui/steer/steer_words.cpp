@@ -1,4 +1,5 @@
 #include <gcm_gui/language/words.h>
+#include <gcm_gui/models/state_of.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/steer/steer_words.h>
 
@@ -56,6 +57,27 @@ QString TitleOf(LifeVerb verb, std::size_t components) {
     default:
       return WordOf(verb);
   }
+}
+
+QString EffectOf(LifeVerb verb, ComponentState state) {
+  const bool is_suspended = state == ComponentState::kSuspended;
+  if (verb == LifeVerb::kStart && is_suspended) {
+    return Words::tr(
+        "It is told that it was suspended. It begins from the world as it is now "
+        "where its author has seen to that; otherwise it goes on with what it was doing.");
+  }
+  if (verb == LifeVerb::kStart || verb == LifeVerb::kRestart) {
+    return Words::tr("It begins anew: nothing of what it was doing goes on.");
+  }
+  return {};
+}
+
+QString SteeredText(const QString& path, ComponentState state, std::optional<std::int64_t> since,
+                    std::int64_t now) {
+  const QString word = WordOf(MarkOf(state));
+  return path + QStringLiteral(" · ") +
+         (since ? Words::tr("%1 for %2", "a state, a time").arg(word, AgeText(now - *since))
+                : word);
 }
 
 QString ButtonAdviceOf(LifeVerb verb) {

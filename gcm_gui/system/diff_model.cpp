@@ -30,6 +30,7 @@ DifferenceWords WordsOf(SystemDifference::Kind kind) {
 StateMark MarkOf(PlanLine::Kind kind) {
   switch (kind) {
     case PlanLine::Kind::kObstacle:
+    case PlanLine::Kind::kNote:
       return StateMark::kWarning;
     case PlanLine::Kind::kWaiting:
       return StateMark::kConstructed;
@@ -132,6 +133,9 @@ void PlanModel::show(const Restore& restore) {
   std::vector<PlanLine> lines;
   for (const std::string& obstacle : restore.plan().obstacles) {
     lines.push_back({PlanLine::Kind::kObstacle, ToQString(obstacle), Words::tr("cannot be")});
+  }
+  for (const std::string& note : restore.plan().notes) {
+    lines.push_back({PlanLine::Kind::kNote, ToQString(note), {}});
   }
   const auto& outcomes = restore.outcomes();
   const auto& steps = restore.plan().steps;

@@ -24,7 +24,7 @@ class DiffModel : public RowListModel<SystemDifference> {
 
 /// A line of a plan: a step and how it went, or what no step can bring about.
 struct PlanLine {
-  enum class Kind { kObstacle, kWaiting, kDone, kFailed, kLeft };
+  enum class Kind { kObstacle, kNote, kWaiting, kDone, kFailed, kLeft };
 
   Kind kind = Kind::kWaiting;
   QString text;
@@ -33,7 +33,7 @@ struct PlanLine {
   bool operator==(const PlanLine&) const = default;
 };
 
-/// The steps of a plan in their order, after what is in its way.
+/// The steps of a plan in their order, after what is in its way and what else is to be known.
 class PlanModel : public RowListModel<PlanLine> {
   Q_OBJECT
 

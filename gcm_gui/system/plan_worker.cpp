@@ -1,3 +1,4 @@
+#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/system/plan_worker.h>
 #include <tendon/gcm/system/client_executor.h>
 
@@ -23,13 +24,19 @@ void PlanWorker::carryOut(Plan plan, AfterError after_error, Progress progress, 
   thread_.start([client = client_, timeout = timeout_, courier = courier_, is_stopped = is_stopped_,
                  plan = std::move(plan), after_error, progress = std::move(progress),
                  done = std::move(done)] {
-    ClientExecutor executor(*client, timeout);
-    const PlanOutcome outcome = ExecutePlan(
-        plan, executor, after_error,
-        [&](std::size_t number, const PlanStep& /*of the plan*/, const StepOutcome& came) {
-          courier->post([progress, number, came] { progress(number, came); });
-        },
-        [&] { return is_stopped->Get(); });
+    PlanOutcome outcome;
+    try {
+      ClientExecutor executor(*client, timeout);
+      outcome = ExecutePlan(
+          plan, executor, after_error,
+          [&](std::size_t number, const PlanStep& /*of the plan*/, const StepOutcome& came) {
+            courier->post([progress, number, came] { progress(number, came); });
+          },
+          [&] { return is_stopped->Get(); });
+    } catch (...) {
+      outcome.error = Error{ErrorCode::kFailed, WordsOfException().toStdString()};
+      outcome.failed = 1;
+    }
     courier->post([done, outcome] { done(outcome); });
   });
 }

@@ -30,7 +30,7 @@ class PlanWorker final : public QObject, public PlanRunner {
   const std::chrono::milliseconds timeout_;
   std::shared_ptr<Courier> courier_;
   std::shared_ptr<Flag> is_stopped_;  // of the newest plan: it is left after the step that is made
-  Background thread_{"a step of a plan"};
+  Background thread_{QT_TRANSLATE_NOOP("Words", "a step of a plan")};
 };
 
 }  // namespace tendon::gui

@@ -1,3 +1,4 @@
+#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/system/system_document.h>
@@ -112,7 +113,7 @@ SystemDocument::SystemDocument(const CatalogueStore& store, SystemReports& repor
     : QObject(parent), store_(store), reports_(reports), courier_(std::make_shared<Courier>(this)) {
   soon_.setSingleShot(true);
   soon_.setInterval(kSoon);
-  connect(&soon_, &QTimer::timeout, this, &SystemDocument::hear);
+  connect(&soon_, &QTimer::timeout, this, Fenced(this, &SystemDocument::hear));
   connect(&store, &CatalogueStore::changed, this, [this] {
     if (!soon_.isActive()) soon_.start();
   });
@@ -139,11 +140,14 @@ void SystemDocument::compare() {
   if (is_behind_) return;
   comparing_.start([this, courier = courier_, version = version_, file = file_,
                     running = SystemOf(store_.catalogue(), file_.name).file] {
-    auto comparison = CompareSystems(file, running, Starts::kUnknownInSecond);
-    courier->post([this, version, comparison = std::move(comparison)] {
+    SystemComparison comparison;
+    const bool is_done =
+        Fence::run(QT_TRANSLATE_NOOP("Words", "the comparison with a system file"),
+                   [&] { comparison = CompareSystems(file, running, Starts::kUnknownInSecond); });
+    courier->post([this, version, is_done, comparison = std::move(comparison)] {
       is_comparing_ = false;
       const bool is_old = version != version_;
-      if (!is_old) show(comparison);
+      if (!is_old && is_done) show(comparison);
       if (is_old || is_behind_) compare();
     });
   });

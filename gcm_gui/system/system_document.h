@@ -100,8 +100,8 @@ class SystemDocument : public QObject {
   bool is_behind_ = false;     // compare once more
   std::uint64_t version_ = 0;  // of file_
   std::shared_ptr<Courier> courier_;
-  Background thread_{"a system file"};
-  Background comparing_{"the comparison with a system file"};
+  Background thread_{QT_TRANSLATE_NOOP("Words", "a system file")};
+  Background comparing_{QT_TRANSLATE_NOOP("Words", "the comparison with a system file")};
 };
 
 }  // namespace tendon::gui

@@ -4,6 +4,9 @@
 
 #include <QAbstractItemView>
 #include <QAbstractScrollArea>
+#include <QAbstractSpinBox>
+#include <QComboBox>
+#include <QEvent>
 #include <QLabel>
 #include <QPainter>
 #include <QPolygonF>
@@ -50,6 +53,20 @@ void TendonStyle::polish(QWidget* widget) {
   auto* const label = qobject_cast<QLabel*>(widget);
   const bool guesses = label != nullptr && label->textFormat() == Qt::AutoText;
   if (guesses) label->setTextFormat(Qt::PlainText);
+  if (qobject_cast<QAbstractSpinBox*>(widget) != nullptr ||
+      qobject_cast<QComboBox*>(widget) != nullptr) {
+    if (widget->focusPolicy() == Qt::WheelFocus) widget->setFocusPolicy(Qt::StrongFocus);
+    widget->installEventFilter(this);  // once, however often it is polished
+  }
+}
+
+// An event that is not accepted goes on to the parent.
+bool TendonStyle::eventFilter(QObject* watched, QEvent* event) {
+  const auto* const widget = qobject_cast<QWidget*>(watched);
+  const bool passes = event->type() == QEvent::Wheel && widget != nullptr && !widget->hasFocus();
+  if (!passes) return QProxyStyle::eventFilter(watched, event);
+  event->ignore();
+  return true;
 }
 
 int TendonStyle::pixelMetric(PixelMetric metric, const QStyleOption* option,

@@ -7,8 +7,9 @@ class QAbstractScrollArea;
 namespace tendon::gui {
 
 /// What palette and style sheet cannot say: the height of rows, the arrows of trees, how wide
-/// splitters are, and that labels and tool tips show text as it is, unless they ask for another
-/// format. Item views are drawn here and not by the style sheet, which would slow them.
+/// splitters are, that labels and tool tips show text as it is, unless they ask for another format,
+/// and that a wheel over a spin box or a choice that has no focus scrolls what it is in. Item views
+/// are drawn here and not by the style sheet, which would slow them.
 class TendonStyle : public QProxyStyle {
   Q_OBJECT
 
@@ -25,6 +26,7 @@ class TendonStyle : public QProxyStyle {
                          const QWidget* widget) const override;
   void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                      const QWidget* widget) const override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
 };
 
 /// It has the focus, and it came there by a key: then it has to be shown where it is.

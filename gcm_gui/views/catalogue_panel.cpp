@@ -1,3 +1,4 @@
+#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/theme/head_row.h>
@@ -65,11 +66,11 @@ CataloguePanel::CataloguePanel(CatalogueFilter& filter, Selection& selection, Si
 
   count_soon_.setSingleShot(true);
   count_soon_.setInterval(kCountPause);
-  connect(&count_soon_, &QTimer::timeout, this, &CataloguePanel::showCount);
+  connect(&count_soon_, &QTimer::timeout, this, Fenced(this, &CataloguePanel::showCount));
   connect(field_, &QLineEdit::textChanged, &filter_, &CatalogueFilter::setText);
   connect(&filter_, &CatalogueFilter::filterApplied, this, &CataloguePanel::showCount);
   connect(&filter_, &CatalogueFilter::filterApplied, this, &CataloguePanel::foldGone);
-  connect(&selection, &Selection::changed, this, &CataloguePanel::showSelected);
+  connect(&selection, &Selection::changed, this, Fenced(this, &CataloguePanel::showSelected));
   connect(gone_, &QToolButton::toggled, this, &CataloguePanel::foldGone);
   const auto hear_rows = [this](const QModelIndex& below) {
     count_soon_.start();

@@ -1,3 +1,4 @@
+#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/row_roles.h>
 #include <gcm_gui/views/catalogue_tree.h>
@@ -29,7 +30,7 @@ CatalogueTree::CatalogueTree(CatalogueFilter& filter, Selection& selection, Sign
   columns_ = new CatalogueColumns(*this);
   settle_.setSingleShot(true);
   settle_.setInterval(kSettle);
-  connect(&settle_, &QTimer::timeout, this, &CatalogueTree::watchVisible);
+  connect(&settle_, &QTimer::timeout, this, Fenced(this, &CatalogueTree::watchVisible));
   connectModel();
   restore({}, 0, filter.rowCount({}) - 1);
 }
@@ -52,7 +53,7 @@ void CatalogueTree::connectModel() {
             if (roles.isEmpty()) settle_.start();
           });
   connect(&filter_, &CatalogueFilter::filterApplied, this, &CatalogueTree::applyFilter);
-  connect(&selection_, &Selection::changed, this, &CatalogueTree::showSelection);
+  connect(&selection_, &Selection::changed, this, Fenced(this, &CatalogueTree::showSelection));
   connect(selectionModel(), &QItemSelectionModel::selectionChanged, this,
           &CatalogueTree::publishSelection);
   connect(this, &QTreeView::doubleClicked, this, &CatalogueTree::activateRow);

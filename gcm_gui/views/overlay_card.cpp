@@ -1,3 +1,4 @@
+#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/theme/head_row.h>
 #include <gcm_gui/theme/metrics.h>
@@ -34,6 +35,7 @@ OverlayCard::OverlayCard(QWidget& place, QWidget* body)
       leave_(new QToolButton),
       scroll_(new QScrollArea) {
   setProperty("role", QStringLiteral("card"));
+  Fence::setName(*this, {});
   setFocusPolicy(Qt::StrongFocus);
   setAutoFillBackground(true);
   leave_->setObjectName(QStringLiteral("closeCard"));

@@ -1,5 +1,6 @@
 #include <gcm_gui/models/row_roles.h>
 #include <gcm_gui/models/state_of.h>
+#include <gcm_gui/models/trend.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
 #include <gcm_gui/views/row_delegate.h>
@@ -10,6 +11,7 @@
 #include <QPolygonF>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace tendon::gui {
 namespace {
@@ -34,11 +36,17 @@ int PaintText(QPainter& painter, const QRect& rect, const QString& text, const Q
 }
 
 /// Nothing where only the beginning of a word fits: a letter and three dots tell nobody anything.
-void PaintDetail(QPainter& painter, const QRect& rect, const QString& text) {
+/// Returns what it takes of the width. Of "suspended · 5 s old" the age alone where there is no
+/// room for both: the component says its state.
+int PaintDetail(QPainter& painter, const QRect& rect, QString text) {
   constexpr int kFewest = 8;  // letters
   const QFont& mono = Theme::instance().mono();
-  if (rect.width() < QFontMetrics(mono).horizontalAdvance(text.left(kFewest))) return;
-  PaintText(painter, rect, text, mono, Token::kDim, Qt::AlignLeft);
+  const QFontMetrics metrics(mono);
+  if (rect.width() < metrics.horizontalAdvance(text)) {
+    text = text.section(QStringLiteral(" · "), -1);
+  }
+  if (rect.width() < metrics.horizontalAdvance(text.left(kFewest))) return 0;
+  return PaintText(painter, rect, text, mono, Token::kDim, Qt::AlignLeft);
 }
 
 /// Behind words of this width at the right of `room`.
@@ -77,12 +85,12 @@ void RowDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
     if (buttons != nullptr) rect.setRight(rect.right() - buttons->childrenRect().width() - kInset);
   }
   const bool is_value = index.column() > 0 && !all_left_ && !index.data(kLeftRole).toBool();
-  if (index.column() == 0 && value_column_ >= 0) {
-    const QRect row = rect;
+  const QRect row = rect;
+  const bool has_value = index.column() == 0 && value_column_ >= 0;
+  if (has_value) {
     rect =
         paintValue(*painter, rect, index.siblingAtColumn(value_column_), roomForName(rect, index));
     rect.setRight(rect.right() - kSpace);
-    paintTrend(*painter, row, rect.right(), index);
   }
   if (const QString trail = index.data(kTrailRole).toString(); !trail.isEmpty()) {
     rect.setRight(rect.right() - kInset);
@@ -93,7 +101,8 @@ void RowDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
   if (is_value) {
     paintValue(*painter, rect, index, 0);
   } else {
-    paintName(*painter, rect, index);
+    const QRect free = paintName(*painter, rect, index);
+    if (has_value) paintTrend(*painter, row, free, index);
   }
   painter->restore();
 }
@@ -140,28 +149,29 @@ QRect RowDelegate::paintValue(QPainter& painter, QRect rect, const QModelIndex& 
   return rect.adjusted(0, 0, -used, 0);
 }
 
-void RowDelegate::paintTrend(QPainter& painter, const QRect& row, int right,
+void RowDelegate::paintTrend(QPainter& painter, const QRect& row, const QRect& free,
                              const QModelIndex& index) const {
-  const auto values = index.data(kTrendRole).value<QList<double>>();
-  const int name =
-      left_inset_ + kSpace + QFontMetrics(FontOf(index)).horizontalAdvance(index.data().toString());
+  const auto trend = index.data(kTrendRole).value<Trend>();
   const QRect place(row.right() - kTrendRight - kTrendWidth, row.top() + 5, kTrendWidth,
                     row.height() - 10);
-  if (values.size() < 2 || place.right() > right || place.left() < row.left() + name) return;
-  QPolygonF line;
-  const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  const double range = *high - *low;
-  if (!std::isfinite(range)) return;
-  // The newest stands at the right edge from the first value on.
-  const double step = place.width() / 99.0;
-  for (qsizetype i = 0; i < values.size(); ++i) {
-    const double x = place.right() - step * static_cast<double>(values.size() - 1 - i);
-    const double part = range > 0 ? (values[i] - *low) / range : 0.5;
-    line << QPointF(x, place.bottom() - part * place.height());
-  }
+  const bool is_free = free.left() <= place.left() && place.right() <= free.right();
+  if (trend.parts.size() < 2 || !is_free) return;
   const bool stale = index.data(kStaleRole).toBool();
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(QPen(Theme::instance().color(stale ? Token::kStale : Token::kAccent), 1.2));
+  // The newest stands at the right edge from the first value on.
+  const double step = place.width() / 99.0;
+  QPolygonF line;
+  for (qsizetype i = 0; i < trend.parts.size(); ++i) {
+    if (std::isnan(trend.parts[i])) {
+      painter.drawPolyline(std::exchange(line, {}));
+      continue;
+    }
+    const QPointF point(place.right() - step * static_cast<double>(trend.parts.size() - 1 - i),
+                        place.bottom() - trend.parts[i] * place.height());
+    if (trend.is_stepped && !line.isEmpty()) line << QPointF(point.x(), line.last().y());
+    line << point;
+  }
   painter.drawPolyline(line);
   painter.setRenderHint(QPainter::Antialiasing, false);
 }
@@ -202,7 +212,8 @@ QRect RowDelegate::paintName(QPainter& painter, QRect rect, const QModelIndex& i
     const int width = PaintText(painter, rect, object, mono, Token::kText, Qt::AlignLeft);
     rect.setLeft(rect.left() + width + 2 * kSpace);
   }
-  PaintDetail(painter, rect, index.data(kDetailRole).toString());
+  const int detail = PaintDetail(painter, rect, index.data(kDetailRole).toString());
+  if (detail > 0) rect.setLeft(rect.left() + detail + kSpace);
   return rect;
 }
 

@@ -32,8 +32,9 @@ class RowDelegate : public QStyledItemDelegate {
   // Both return what is left of `rect`; of a value at least `name` pixels.
   QRect paintValue(QPainter& painter, QRect rect, const QModelIndex& index, int name) const;
   QRect paintName(QPainter& painter, QRect rect, const QModelIndex& index) const;
-  /// At a fixed place, so that trends stand below each other; `values` begin at `right`.
-  void paintTrend(QPainter& painter, const QRect& row, int right, const QModelIndex& index) const;
+  /// At a fixed place, so that trends stand below each other; nothing where that is not `free`.
+  void paintTrend(QPainter& painter, const QRect& row, const QRect& free,
+                  const QModelIndex& index) const;
 
   int value_column_ = -1;
   bool all_left_ = false;

@@ -1,3 +1,4 @@
+#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/tendon_style.h>
 #include <gcm_gui/theme/theme.h>
@@ -36,6 +37,17 @@ RowView::RowView(QWidget* parent) : QTreeView(parent), delegate_(new RowDelegate
 
 void RowView::drawRow(QPainter* painter, const QStyleOptionViewItem& option,
                       const QModelIndex& index) const {
+  drawInside([&] { drawFencedRow(painter, option, index); });
+}
+
+/// An exception must not pass the frame of QTreeView::paintEvent(), whose painter nobody would end.
+void RowView::drawInside(const std::function<void()>& draw) const {
+  auto* view = const_cast<RowView*>(this);
+  if (!Fence::instance().isCovered(view)) Fence::run(view, ViewWork::kDrawing, draw);
+}
+
+void RowView::drawFencedRow(QPainter* painter, const QStyleOptionViewItem& option,
+                            const QModelIndex& index) const {
   const bool selected = selectionModel() != nullptr && selectionModel()->isSelected(index);
   const bool hovered =
       option.rect.contains(viewport()->mapFromGlobal(QCursor::pos())) && viewport()->underMouse();
@@ -52,7 +64,7 @@ void RowView::drawRow(QPainter* painter, const QStyleOptionViewItem& option,
 }
 
 void RowView::drawBranches(QPainter* painter, const QRect& rect, const QModelIndex& index) const {
-  QTreeView::drawBranches(painter, rect.translated(kTreeInset, 0), index);
+  drawInside([&] { QTreeView::drawBranches(painter, rect.translated(kTreeInset, 0), index); });
 }
 
 void RowView::paintEvent(QPaintEvent* event) {

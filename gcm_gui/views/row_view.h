@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QTreeView>
+#include <functional>
 
 namespace tendon::gui {
 
@@ -26,6 +27,10 @@ class RowView : public QTreeView {
   void currentChanged(const QModelIndex& current, const QModelIndex& previous) override;
 
  private:
+  void drawInside(const std::function<void()>& draw) const;
+  void drawFencedRow(QPainter* painter, const QStyleOptionViewItem& option,
+                     const QModelIndex& index) const;
+
   RowDelegate* delegate_;
   QString empty_text_;
 };

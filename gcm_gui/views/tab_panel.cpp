@@ -1,3 +1,4 @@
+#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/theme/head_row.h>
 #include <gcm_gui/views/tab_panel.h>
 
@@ -32,6 +33,7 @@ TabPanel::TabPanel(const QString& name, QWidget* parent)
 
 int TabPanel::addPage(QWidget* page, const QString& title) {
   pages_->addWidget(page);
+  Fence::setName(*page, title);
   return tabs_->addTab(title);
 }
 

@@ -1,3 +1,4 @@
+#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/session/connection_checks.h>
@@ -26,8 +27,8 @@ std::optional<InterfaceName> RequiredOf(const Catalog& catalogue, const QString&
 WhyBinding::WhyBinding(WhyCard& card, const CatalogueStore& store, ConnectionChecks& checks,
                        SystemActions& actions, QObject* parent)
     : QObject(parent), card_(card), store_(store), checks_(checks), actions_(actions) {
-  connect(&store, &CatalogueStore::changed, this, &WhyBinding::follow);
-  connect(&store, &CatalogueStore::typesLearned, this, &WhyBinding::check);
+  connect(&store, &CatalogueStore::changed, this, Fenced(this, &WhyBinding::follow));
+  connect(&store, &CatalogueStore::typesLearned, this, Fenced(this, &WhyBinding::check));
   connect(&refusals_, &Refusals::changed, this, &WhyBinding::check);
   connect(&card, &WhyCard::closed, this, [this] { wire_.reset(); });
   connect(&card, &WhyCard::retryRequested, this, &WhyBinding::retry);

@@ -1,3 +1,4 @@
+#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/theme/metrics.h>
@@ -68,7 +69,7 @@ EmptyState::EmptyState(const GcmLink& link, Offers offers, QWidget* parent)
   middle->addStretch(1);
   middle->addWidget(body, 100, Qt::AlignVCenter);
   middle->addStretch(1);
-  connect(&link, &GcmLink::changed, this, &EmptyState::refresh);
+  connect(&link, &GcmLink::changed, this, Fenced(this, &EmptyState::refresh));
   refresh();
 }
 

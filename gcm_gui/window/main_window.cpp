@@ -2,6 +2,7 @@
 #include <gcm_gui/call/favourites/favourite_bar.h>
 #include <gcm_gui/connect/candidate_panel.h>
 #include <gcm_gui/connect/match_card.h>
+#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/graph/edge_health.h>
 #include <gcm_gui/graph/emphasis/graph_hover.h>
 #include <gcm_gui/graph/graph_scene.h>
@@ -42,6 +43,7 @@
 #include <gcm_gui/window/plots/mark_binding.h>
 #include <gcm_gui/window/steer/steer_commands.h>
 #include <gcm_gui/window/zoom_buttons.h>
+#include <tendon/base/log.h>
 #include <tendon/base/path.h>
 
 #include <QHeaderView>
@@ -81,11 +83,12 @@ MainWindow::MainWindow(WindowParts parts)
   setWindowIcon(ThemeIcon(QStringLiteral("logo"), Token::kAccent));
   resize(kWindow);
   connectModels();
+  connectFence();
   buildViews();
   connectViews();
   addCommands();
   second_.start(kSecond);
-  connect(&second_, &QTimer::timeout, this, &MainWindow::tick);
+  connect(&second_, &QTimer::timeout, this, Fenced(this, &MainWindow::tick));
   tick();
   showPage();
   showLink();
@@ -96,13 +99,16 @@ MainWindow::~MainWindow() = default;
 
 void MainWindow::connectModels() {
   CatalogueStore& store = parts_.store;
-  connect(&store, &CatalogueStore::changed, &catalogue_model_, &CatalogueModel::update);
-  connect(&store, &CatalogueStore::changed, &connections_, &ConnectionsModel::update);
-  connect(&store, &CatalogueStore::changed, &problems_, &ProblemsModel::update);
-  connect(&store, &CatalogueStore::changed, this, &MainWindow::showPage);
+  connect(&store, &CatalogueStore::changed, &catalogue_model_,
+          Fenced(&catalogue_model_, &CatalogueModel::update));
+  connect(&store, &CatalogueStore::changed, &connections_,
+          Fenced(&connections_, &ConnectionsModel::update));
+  connect(&store, &CatalogueStore::changed, &problems_, Fenced(&problems_, &ProblemsModel::update));
+  connect(&store, &CatalogueStore::changed, this, Fenced(this, &MainWindow::showPage));
   connect(&parts_.source, &SignalSource::valuesArrived, &catalogue_model_,
-          &CatalogueModel::showValues);
-  connect(&parts_.activity, &ActivityModel::finished, &problems_, &ProblemsModel::hear);
+          Fenced(&catalogue_model_, &CatalogueModel::showValues));
+  connect(&parts_.activity, &ActivityModel::finished, &problems_,
+          Fenced(&problems_, &ProblemsModel::hear));
   Touched all;
   for (const auto& [name, entry] : store.catalogue().processes()) all.insert({name, {}});
   catalogue_model_.update(store.catalogue(), all);
@@ -110,8 +116,28 @@ void MainWindow::connectModels() {
   problems_.update(store.catalogue());
 }
 
+void MainWindow::connectFence() {
+  Fence::setName(catalogue_model_, Words::tr("Catalogue"));
+  Fence::setName(filter_, Words::tr("Catalogue"));
+  Fence::setName(connections_, Words::tr("Connections"));
+  Fence::setName(problems_, Words::tr("Problems"));
+  Fence& fence = Fence::instance();
+  connect(&fence, &Fence::changed, &problems_,
+          [this, &fence] { problems_.showFaults(fence.faults()); });
+  connect(&fence, &Fence::told, this, [this](const ViewFault& fault) {
+    Log(LogLevel::kError, "gcm-gui",
+        QStringLiteral("%1: %2 (%3 times)")
+            .arg(fault.view, fault.what)
+            .arg(fault.count)
+            .toStdString());
+    if (!fault.is_covered) return;  // Problems counts it; what was done may say more
+    notice_->tell(Words::tr("%1 has met an error: see Problems").arg(fault.view));
+  });
+}
+
 void MainWindow::buildViews() {
   catalogue_ = new CataloguePanel(filter_, selection_, parts_.source);
+  Fence::setName(*catalogue_, Words::tr("Catalogue"));
   strip_ = new ActivityStrip(parts_, problems_, selection_);
   setMenuWidget(buildTop());
   QSplitter* centre = buildCentre();
@@ -174,6 +200,8 @@ QSplitter* MainWindow::buildCentre() {
   plots_->setAutoFillBackground(true);
   plots_->setMinimumHeight(kLeastPlotsHeight);
   binding_ = new PlotBinding(*plots_, parts_.source, catalogue_model_, this);
+  Fence::setName(*plots_, Words::tr("Plots"));
+  Fence::setName(*binding_, Words::tr("Plots"));
   new MarkBinding(*plots_, parts_.store, parts_.activity, parts_.reports, plots_);
   auto* rows = new QSplitter(Qt::Vertical);
   rows->setObjectName(QStringLiteral("centreRows"));
@@ -189,6 +217,7 @@ QSplitter* MainWindow::buildCentre() {
 
 QWidget* MainWindow::buildGraphPage() {
   scene_ = new GraphScene(parts_.store, selection_, mode_, this);
+  Fence::setName(*scene_, Words::tr("Graph"));
   graph_ = new GraphView(*scene_, selection_, mode_);
   new ZoomButtons(*graph_);
   graph_commands_ = new GraphCommands(parts_, *graph_, *this);
@@ -268,7 +297,7 @@ void MainWindow::connectViews() {
   connect(plots_, &PlotPanel::pausedChanged, top_bar_, &TopBar::showPaused);
   connect(&problems_, &ProblemsModel::countChanged, top_bar_, &TopBar::showProblemCount);
   top_bar_->showProblemCount(problems_.rowCount());
-  connect(&parts_.link, &GcmLink::changed, this, &MainWindow::showLink);
+  connect(&parts_.link, &GcmLink::changed, this, Fenced(this, &MainWindow::showLink));
   connectModeToViews();
   connectWhy();
 }
@@ -276,7 +305,8 @@ void MainWindow::connectViews() {
 void MainWindow::connectWhy() {
   why_card_ = new WhyCard(*centralWidget());
   why_ = new WhyBinding(*why_card_, parts_.store, parts_.checks, parts_.actions, this);
-  connect(&parts_.activity, &ActivityModel::finished, &why_->refusals(), &Refusals::hear);
+  connect(&parts_.activity, &ActivityModel::finished, &why_->refusals(),
+          Fenced(&why_->refusals(), &Refusals::hear));
   connect(&mode_, &ConnectMode::misfitPicked, &parts_.activity,
           [&activity = parts_.activity](const message::Wire& wire, const QString& reason) {
             activity.finish(activity.begin({.required = wire.required, .provided = wire.provided}),
@@ -377,6 +407,7 @@ void MainWindow::callSelection() {
 }
 
 void MainWindow::goTo(const QString& path) {
+  if (path.isEmpty()) return;  // of a problem of the window itself
   selection_.select(path);
   revealSelection();
 }
@@ -430,11 +461,18 @@ void MainWindow::showPerspective(Panels::Perspective perspective) {
 
 void MainWindow::tick() {
   const qint64 now = WallClock();
-  catalogue_model_.setNow(now);
-  catalogue_->setNow(now);
-  scene_->setNow(now);
-  top_bar_->setNow(now);
-  lost_->setNow(now);
+  const auto tell = [now](auto& view) {
+    Fence::run(&view, ViewWork::kHandling, [&] { view.setNow(now); });
+  };
+  tell(catalogue_model_);
+  tell(*catalogue_);
+  tell(*scene_);
+  tell(*top_bar_);
+  tell(*lost_);
+  // Those that are over go by and by.
+  Fence::run(&problems_, ViewWork::kHandling,
+             [this] { problems_.showFaults(Fence::instance().faults()); });
+  Fence::instance().noteUnnoted();
 }
 
 }  // namespace tendon::gui

@@ -3,6 +3,7 @@
 #include <gcm_gui/activity/problems_model.h>
 #include <gcm_gui/call/favourites/favourites.h>
 #include <gcm_gui/connect/connect_mode.h>
+#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/models/connections_model.h>
 #include <gcm_gui/models/filter/catalogue_filter.h>
 #include <gcm_gui/models/selection.h>
@@ -87,6 +88,8 @@ class MainWindow : public QMainWindow {
 
  private:
   void connectModels();
+  /// Tells of views that have thrown.
+  void connectFence();
   void buildViews();
   [[nodiscard]] QWidget* buildTop();
   [[nodiscard]] QWidget* buildRight();

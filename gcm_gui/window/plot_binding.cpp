@@ -1,3 +1,4 @@
+#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/catalogue_model.h>
 #include <gcm_gui/models/row_roles.h>
@@ -5,6 +6,7 @@
 #include <gcm_gui/window/plot_binding.h>
 
 #include <algorithm>
+#include <chrono>
 
 namespace tendon::gui {
 
@@ -13,10 +15,14 @@ PlotBinding::PlotBinding(PlotPanel& panel, SignalSource& source, const Catalogue
     : QObject(parent), panel_(panel), model_(model) {
   connect(&panel, &PlotPanel::subscriptionWanted, &source, &SignalSource::subscribe);
   connect(&panel, &PlotPanel::subscriptionReleased, &source, &SignalSource::release);
-  connect(&source, &SignalSource::samplesArrived, &panel, &PlotPanel::append);
-  connect(&source, &SignalSource::epochBegan, &panel, &PlotPanel::beginEpoch);
-  connect(&source, &SignalSource::wentStale, this, &PlotBinding::showStale);
+  connect(&source, &SignalSource::namesLearned, &panel, Fenced(&panel, &PlotPanel::setNames));
+  connect(&source, &SignalSource::samplesArrived, &panel, Fenced(&panel, &PlotPanel::append));
+  connect(&source, &SignalSource::epochBegan, &panel, Fenced(&panel, &PlotPanel::beginEpoch));
+  connect(&source, &SignalSource::wentStale, this, Fenced(this, &PlotBinding::showStale));
   panel.setLosses([&source](const QString& path) { return source.losses(path); });
+  panel.setStandstills([this](const QString& path, std::optional<std::int64_t> newest_ns) {
+    return standstillOf(path, newest_ns);
+  });
   panel.setCandidates([this](const QString& path) { return candidatesFor(path); });
 }
 
@@ -25,6 +31,18 @@ void PlotBinding::showStale(const QString& path, const QString& reason) {
   // That a process is gone is said in many places; the legend says whose rows it waits for.
   const bool gone = process == nullptr || process->gone;
   panel_.setStale(path, gone ? QString() : reason);
+}
+
+QString PlotBinding::standstillOf(const QString& path,
+                                  std::optional<std::int64_t> newest_ns) const {
+  const Standstill why = model_.standstill(path);
+  if (why == Standstill::kNone) return {};
+  std::optional<std::chrono::nanoseconds> age;
+  if (newest_ns) {
+    const std::chrono::nanoseconds now = SteadyClock().Now().time_since_epoch();
+    age = std::max(std::chrono::nanoseconds(0), now - std::chrono::nanoseconds(*newest_ns));
+  }
+  return IsOld(why, age, 0) ? OldText(why, age) : QString();
 }
 
 // Those that end alike come first: a component that was renamed has the same table.

@@ -5,6 +5,8 @@
 
 #include <QObject>
 #include <QString>
+#include <cstdint>
+#include <optional>
 
 namespace tendon::gui {
 
@@ -34,6 +36,8 @@ class PlotBinding : public QObject {
  private:
   [[nodiscard]] QList<CurveKey> candidatesFor(const QString& path) const;
   void showStale(const QString& path, const QString& reason);
+  [[nodiscard]] QString standstillOf(const QString& path,
+                                     std::optional<std::int64_t> newest_ns) const;
 
   PlotPanel& panel_;
   const CatalogueModel& model_;

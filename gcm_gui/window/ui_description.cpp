@@ -73,6 +73,14 @@ QJsonObject Connections(const Catalog& catalogue) {
   return connections;
 }
 
+// JSON of Qt has integers of 64 bits with a sign; the rest of those without are texts.
+QJsonValue Exactly(const ExactNumber& number) {
+  const auto integer = static_cast<std::int64_t>(number.word());
+  if (!number.isInteger()) return number.nearest();
+  if (number.kind() == ExactNumber::Kind::kUnsigned && integer < 0) return number.text();
+  return qint64{integer};
+}
+
 QJsonObject Curves(const PlotPanel& plots) {
   QJsonObject curves;
   for (int plot = 0; plot < plots.plotCount(); ++plot) {
@@ -83,7 +91,7 @@ QJsonObject Curves(const PlotPanel& plots) {
                           {"repeated", static_cast<double>(samples.repeated())},
                           {"rate", curve->rate()},
                           {"stale", curve->isStale()}};
-      if (const auto value = curve->latestValue()) figures["value"] = *value;
+      if (const auto number = curve->latestNumber()) figures["value"] = Exactly(*number);
       if (!samples.empty()) {
         figures["tick"] = static_cast<double>(samples.tick(samples.endIndex() - 1));
       }

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <QApplication>
+#include <gcm_gui/fence/fenced_application.h>
+
 #include <chrono>
 #include <cstdint>
 
@@ -10,11 +11,11 @@ namespace tendon::gui {
 /// often handlers have waited. Waiting for the processor does not count, so a busy machine does not
 /// look like a stall; nor does the event loop's own waiting for the next event, nor what Qt waits
 /// while it paints: it shares large areas with threads of its own.
-class WatchedApplication : public QApplication {
+class WatchedApplication : public FencedApplication {
   Q_OBJECT
 
  public:
-  using QApplication::QApplication;
+  using FencedApplication::FencedApplication;
 
   bool notify(QObject* receiver, QEvent* event) override;
 

@@ -1,6 +1,7 @@
 #include <benchmarks/measurement.h>
 #include <benchmarks/memory.h>
 #include <benchmarks/report.h>
+#include <tendon/base/log.h>
 
 #include <CLI/CLI.hpp>
 #include <exception>
@@ -77,6 +78,8 @@ int Main(int argc, char** argv) {
     app.parse(argc, argv);
     if (options.effort.is_tiny) options.effort.repetitions = 1;
     KeepMemory();
+    // Processes come and go here by the hundred, each with its lines.
+    SetLogLevel(LogLevel::kWarning);
     const auto cases = Choose(AllCases(options.effort), options.only);
     if (Report(cases, options)) return 0;
     std::cerr << "report: cannot write '" << *options.json << "'" << '\n';

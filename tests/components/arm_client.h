@@ -17,6 +17,7 @@ class ArmClient : public tendon::Component {
     auto& robot = AddRequiredInterface("Robot");
     robot.AddFunction(stop, "Stop");
     robot.AddFunction(move_to, "MoveTo");
+    robot.AddFunction(move_at, "MoveAt", tendon::Need::kOptional);
     robot.AddFunction(get_joints, "GetJoints");
     robot.AddFunction(get_link_pose, "GetLinkPose");
     robot.AddEventHandlerWrite(&ArmClient::OnLimitExceeded, this, "LimitExceeded");
@@ -26,6 +27,7 @@ class ArmClient : public tendon::Component {
 
   tendon::VoidFunction stop;
   tendon::WriteFunction<arm::JointGoal> move_to;
+  tendon::WriteFunction<arm::JointVelocity> move_at;
   tendon::ReadFunction<arm::JointState> get_joints;
   tendon::QualifiedReadFunction<arm::LinkId, arm::Pose> get_link_pose;
 

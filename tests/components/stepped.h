@@ -20,6 +20,7 @@ class Stepped final : public T {
   bool Cycle(int count = 1) {
     bool is_good = true;
     for (int i = 0; i < count; ++i) {
+      if (this->has_orders()) this->ObeyOrders();  // what has changed around it
       now_ += std::chrono::nanoseconds(static_cast<std::int64_t>(this->period() * 1e9));
       is_good = this->DoCycle(now_);
     }
@@ -41,6 +42,11 @@ class Stepped final : public T {
  private:
   tendon::Result<void> Launch() override {
     this->SetState(tendon::ComponentState::kActive);
+    return {};
+  }
+  void Pause() override { this->SetState(tendon::ComponentState::kSuspended); }
+  tendon::Result<void> Resume() override {
+    if (this->TellOfResume()) this->SetState(tendon::ComponentState::kActive);
     return {};
   }
   void Halt() override { this->SetState(tendon::ComponentState::kFinished); }

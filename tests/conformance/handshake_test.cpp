@@ -7,8 +7,12 @@
 namespace tendon::conformance {
 namespace {
 
-const std::string kOurs = std::to_string(FrameHeader::kOldestVersion) + "-" +
+const std::string kOurs = (FrameHeader::kOldestVersion < FrameHeader::kProtocolVersion
+                               ? std::to_string(FrameHeader::kOldestVersion) + "-"
+                               : "") +
                           std::to_string(FrameHeader::kProtocolVersion);
+constexpr std::uint16_t kNewer = FrameHeader::kProtocolVersion + 1;
+const std::string kNewerText = std::to_string(kNewer);
 
 /// The same of one that speaks this protocol version alone.
 Hello Speaking(Hello hello, std::uint16_t version) {
@@ -45,7 +49,7 @@ TEST_P(ChannelContract, TheNewestVersionThatBothSpeakIsSpoken) {
 
 TEST_P(ChannelContract, AnotherProtocolVersionIsRefusedWithWhomToUpdate) {
   Start(Channel::Acceptor(HelloOf("robot"), [] { return std::make_shared<Oracle>(); }));
-  const Hello newer = Speaking(HelloOf("desk"), 9);
+  const Hello newer = Speaking(HelloOf("desk"), kNewer);
   const auto client = std::make_shared<Oracle>();
 
   const auto channel = Channel::Open(*pair_.client, listener_->address(), newer, client, kPatience);
@@ -53,22 +57,22 @@ TEST_P(ChannelContract, AnotherProtocolVersionIsRefusedWithWhomToUpdate) {
   ASSERT_FALSE(channel);
   EXPECT_EQ(channel.error().code, ErrorCode::kIncompatible);
   EXPECT_EQ(channel.error().message,
-            "robot speaks protocol " + kOurs + ", this program 9: update robot");
+            "robot speaks protocol " + kOurs + ", this program " + kNewerText + ": update robot");
   ASSERT_TRUE(client->Wait([](const Oracle& oracle) { return !oracle.closed_.empty(); }));
   EXPECT_EQ(client->closed_.size(), 1U);
   EXPECT_EQ(client->peer_, "");
 }
 
 TEST_P(ChannelContract, AnOlderProgramIsToldToUpdateItself) {
-  const Hello newer = Speaking(HelloOf("robot"), 9);
+  const Hello newer = Speaking(HelloOf("robot"), kNewer);
   Start(Channel::Acceptor(newer, [] { return std::make_shared<Oracle>(); }));
 
   const auto channel = Channel::Open(*pair_.client, listener_->address(), HelloOf("desk"),
                                      std::make_shared<Oracle>(), kPatience);
 
   ASSERT_FALSE(channel);
-  EXPECT_EQ(channel.error().message,
-            "robot speaks protocol 9, this program " + kOurs + ": update this program");
+  EXPECT_EQ(channel.error().message, "robot speaks protocol " + kNewerText + ", this program " +
+                                         kOurs + ": update this program");
 }
 
 TEST_P(CookieContract, AWrongCookieIsDeniedAndNoOpenIsHeard) {

@@ -25,7 +25,7 @@ using ConsoleTest = DemoFixture;
 TEST_F(ConsoleTest, ListsAndShowsTheSystem) {
   EXPECT_TRUE(EventuallySays({"ls"}, "robot\talive"));
   EXPECT_THAT(Gcm({"ls", "robot/arm"}).out,
-              HasSubstr("Control\tprovided\t6\t<- desk/supervisor/Robot"));
+              HasSubstr("Control\tprovided\t7\t<- desk/supervisor/Robot"));
   EXPECT_THAT(Gcm({"ls", "robot/arm/Control"}).out,
               HasSubstr("MoveTo\twrite command\tarm.JointGoal"));
   EXPECT_THAT(Gcm({"tree"}).out, HasSubstr("Robot  required  not connected"));
@@ -380,7 +380,7 @@ TEST_F(ConsoleTest, RefusalsHaveOneSentenceAndTheirExitCode) {
       {{"ls", "robt"}, program::kNotFound, "no process 'robt'; did you mean 'robot'?"},
       {{"connect", "desk/teleop/Robot", "robot/arm/Control"},
        program::kNotFound,
-       "no component 'desk/teleop'; there is"},
+       "no component 'desk/teleop'; did you mean 'teleoperation'?"},
       {{"connect", "desk/teleoperation/Robot", "robot/arn/Control"},
        program::kNotFound,
        "did you mean 'arm'?"},

@@ -24,8 +24,9 @@ TEST_F(LookTest, StatusIsOneScreenOfWhatThereIsAndWhatIsWrong) {
   EXPECT_THAT(well.out, HasSubstr("process\trobot\talive\tcomponents: 2 active\n"));
   EXPECT_THAT(well.out,
               HasSubstr("connection\tdesk/supervisor/Robot\tactive\t-> robot/arm/Control\n"));
-  EXPECT_EQ(well.err, "gcm: 2 processes, 1 connection; all is well\n");
   EXPECT_EQ(Gcm({"-q", "status"}).err, "");
+  ASSERT_EQ(Gcm({"stop", "desk/teleoperation"}).exit_code, program::kOk);
+  EXPECT_EQ(Gcm({"status"}).err, "gcm: 2 processes, 1 connection; all is well\n");
   ASSERT_EQ(Gcm({"suspend", "robot/arm"}).exit_code, program::kOk);
   EXPECT_EQ(Gcm({"status"}).err,
             "gcm: 2 processes, 1 connection; nothing is wrong, but what has connections does not "
@@ -38,6 +39,49 @@ TEST_F(LookTest, StatusIsOneScreenOfWhatThereIsAndWhatIsWrong) {
                              "connection\tdesk/supervisor/Robot\tpending\t"
                              "-> robot/arm/Control: the connection of "
                              "desk/supervisor/Robot is pending for "));
+}
+
+TEST_F(LookTest, AComponentThatLacksWhatItNeedsIsSaidToWait) {
+  const std::string path = "desk/teleoperation";
+  EXPECT_THAT(Gcm({"ls", "desk"}).out,
+              HasSubstr("teleoperation\tactive\tTeleoperation\t0.02\twaiting for Robot\n"));
+  EXPECT_THAT(Gcm({"ls", "-l", "desk"}).out,
+              HasSubstr(path + "\tcomponent\tTeleoperation\tactive\twaiting for Robot: not "
+                               "connected\n"));
+  EXPECT_THAT(Gcm({"tree"}).out, HasSubstr("  teleoperation  active, waiting for Robot\n"));
+  EXPECT_THAT(Gcm({"show", path}).out, HasSubstr("waiting for\tRobot: not connected\n"));
+  EXPECT_THAT(Gcm({"top"}).out, testing::ContainsRegex(path + "\tactive\t.*\twaiting for Robot\n"));
+  const Outcome status = Gcm({"status"});
+  EXPECT_THAT(status.out,
+              HasSubstr("component\t" + path + "\tactive\twaiting for Robot: not connected\n"));
+  EXPECT_EQ(status.err,
+            "gcm: 2 processes, 1 connection; 1 thing not as it should be: see gcm candidates\n");
+  const Outcome doctor = Gcm({"doctor"});
+  EXPECT_EQ(doctor.exit_code, program::kRefused);
+  EXPECT_THAT(doctor.out, testing::ContainsRegex("BAD  component " + path +
+                                                 " +waiting for Robot: not connected\n +fix: gcm "
+                                                 "candidates " +
+                                                 path + "/Robot\n"));
+  const json shown = json::parse(Gcm({"show", path, "--json"}).out);
+  EXPECT_EQ(shown["component"]["waiting_for"],
+            json::parse(R"([{"required": "Robot", "reason": "not connected"}])"));
+}
+
+TEST_F(LookTest, AComponentWhosePeerIsGoneWaitsWithTheReason) {
+  robot->Signal(SIGKILL);
+  ASSERT_TRUE(EventuallySays({"ls"}, "robot\tlost"));
+
+  EXPECT_TRUE(EventuallySays({"show", "desk/supervisor"}, "waiting for\tRobot: pending: "));
+  EXPECT_THAT(Gcm({"doctor"}).out, HasSubstr("fix: gcm explain desk/supervisor/Robot"));
+}
+
+TEST_F(LookTest, NobodyWaitsOnceAllIsConnected) {
+  ASSERT_EQ(Gcm({"connect", "desk/teleoperation/Robot", "robot/arm/Control"}).exit_code,
+            program::kOk);
+
+  EXPECT_EQ(Gcm({"status"}).err, "gcm: 2 processes, 2 connections; all is well\n");
+  EXPECT_THAT(Gcm({"tree"}).out, testing::Not(HasSubstr("waiting")));
+  EXPECT_EQ(Gcm({"doctor"}).exit_code, program::kOk);
 }
 
 TEST_F(LookTest, StatusAsksAProcessAboutSomeConnectionsAndKnowsTheOthersByTheGcm) {

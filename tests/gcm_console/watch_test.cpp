@@ -105,7 +105,7 @@ TEST_F(WatchTest, NoReconnectEndsItWithTheGcm) {
   gcm->Signal(SIGKILL);
 
   EXPECT_EQ(watch->Wait(), program::kUnreachable);
-  EXPECT_THAT(watch->err(), testing::ContainsRegex("gcm: [0-9]+ rows, .*\ngcm: no GCM at "));
+  EXPECT_THAT(watch->err(), testing::ContainsRegex("gcm: [0-9]+ rows?, .*\ngcm: no GCM at "));
 }
 
 TEST_F(WatchTest, NoReconnectEndsItWithTheProcess) {
@@ -115,7 +115,33 @@ TEST_F(WatchTest, NoReconnectEndsItWithTheProcess) {
   robot->Signal(SIGKILL);
 
   EXPECT_EQ(watch->Wait(), program::kUnreachable);
-  EXPECT_THAT(watch->err(), testing::ContainsRegex("gcm: [0-9]+ rows, .*\ngcm: process 'robot'"));
+  EXPECT_THAT(watch->err(), testing::ContainsRegex("gcm: [0-9]+ rows?, .*\ngcm: process 'robot'"));
+}
+
+TEST_F(WatchTest, ValuesOfASuspendedComponentAreToldAsOldUntilItRunsAgain) {
+  const auto watch = Watch();
+  ASSERT_TRUE(GoesOn(*watch)) << watch->err();
+  EXPECT_EQ(Gcm({"get", column}).err, "");
+
+  ASSERT_EQ(Gcm({"suspend", "robot/arm"}).exit_code, program::kOk);
+  EXPECT_TRUE(EventuallyTrue([&] {
+    return watch->err().find("gcm: robot/arm is suspended: ") != std::string::npos;
+  })) << watch->err();
+  EXPECT_THAT(Gcm({"get", column}).err,
+              testing::MatchesRegex("gcm: robot/arm is suspended: [0-9]+ s old\n"));
+  EXPECT_THAT(Gcm({"get", "robot/arm/Control.GetJoints"}).err,
+              testing::HasSubstr("robot/arm is suspended: "));
+  EXPECT_THAT(Gcm({"--json", "get", column}).out,
+              testing::AllOf(testing::HasSubstr("\"why\": \"suspended\""),
+                             testing::HasSubstr("\"age_s\": ")));
+  EXPECT_THAT(Gcm({"top"}).out, testing::ContainsRegex("robot/arm\tsuspended [0-9]+ s\t-\t-\t"));
+
+  ASSERT_EQ(Gcm({"start", "robot/arm"}).exit_code, program::kOk);
+  EXPECT_TRUE(EventuallyTrue([&] {
+    return watch->err().find("gcm: robot/arm runs again") != std::string::npos;
+  })) << watch->err();
+  EXPECT_TRUE(GoesOn(*watch)) << watch->err();
+  EXPECT_EQ(Gcm({"get", column}).err, "");
 }
 
 }  // namespace

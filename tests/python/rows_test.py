@@ -65,16 +65,24 @@ class Rows(unittest.TestCase):
         self.assertEqual((self.watch.lost_table, self.watch.lost_network), (3, 4))
 
     def test_that_nobody_takes_are_dropped_and_counted(self):
-        row = [(1, 0, 0, "x" * (1 << 20))]
-        for count in range(40):
-            self.hear(body_of(count, row))
+        def body(count):
+            return body_of(count, [(count, 0, 0, "x" * (1 << 20))])
 
-        kept = MOST_WAITING // len(body_of(0, row))
+        for count in range(40):
+            self.hear(body(count))
+
+        kept = MOST_WAITING // len(body(0))
         self.assertEqual(self.watch.lost_viewer, 40 - kept)
         self.assertEqual(self.watch.lost_network, 0)
-        self.assertEqual(len([next(self.watch) for _ in range(kept)]), kept)
-        self.hear(body_of(40, row))
+        taken = [next(self.watch).tick for _ in range(kept)]
+        self.assertEqual(taken, list(range(40 - kept, 40)), "the oldest made room")
+        self.hear(body(40))
+        self.assertEqual(next(self.watch).tick, 40)
+
+    def test_one_that_is_larger_than_all_that_may_wait_is_kept(self):
+        self.hear(body_of(0, [(1, 0, 0, "x" * (MOST_WAITING + 1))]))
         self.assertEqual(next(self.watch).tick, 1)
+        self.assertEqual(self.watch.lost_viewer, 0)
 
     def test_that_do_not_come_are_not_waited_for_forever(self):
         with self.assertRaisesRegex(TimedOut, "no row within 0.01 s"):

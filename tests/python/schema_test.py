@@ -51,6 +51,26 @@ class Codec(unittest.TestCase):
                     self.assertEqual(schema.decode(body), value)
         self.assertTrue(math.isnan(Number("float64").decode(Number("float64").encode(math.nan))))
 
+    def test_integers_beyond_doubles_are_exact(self):
+        for kind, value in (("int64", 2**53 + 1), ("uint64", 2**53 + 1), ("int64", -2**53 - 1),
+                            ("uint64", 2**64 - 2)):
+            with self.subTest(kind=kind, value=value):
+                read = Number(kind).decode(Number(kind).encode(value))
+                self.assertIs(type(read), int)
+                self.assertEqual(read, value)
+
+    def test_every_double_keeps_its_bits(self):
+        random = Random(20)
+        edges = (-0.0, 5e-324, -5e-324, 1.7976931348623157e308, 0.1 + 0.2, math.inf, -math.inf)
+        for _ in range(1000):
+            bits = struct.pack("<Q", random.getrandbits(64))
+            value = struct.unpack("<d", bits)[0]
+            if not math.isnan(value):
+                self.assertEqual(Number("float64").encode(value), bits)
+        for value in edges:
+            body = Number("float64").encode(value)
+            self.assertEqual(struct.pack("<d", Number("float64").decode(body)), body)
+
     def test_durations_are_seconds(self):
         self.assertEqual(Duration().encode(-1.5), b"\xfe\xff\xff\xff\x00\x65\xcd\x1d")
         self.assertEqual(Duration().decode(b"\xfe\xff\xff\xff\x00\x65\xcd\x1d"), -1.5)

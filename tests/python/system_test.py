@@ -1,7 +1,9 @@
 """system_test.py BIN ROOT: the package with a real GCM and real processes: the demo system."""
 import contextlib
 import io
+import itertools
 import json
+import math
 import os
 import pathlib
 import re
@@ -22,6 +24,8 @@ from free_port import free_port  # noqa: E402  pylint: disable=wrong-import-posi
 PATIENCE = 60  # s, for a machine that is busy
 GUEST = {"version": 1, "name": "guest", "processes": [{"name": "guest", "components": [
     {"name": "host_monitor", "class": "HostMonitor", "library": "host_monitor"}]}]}
+TRACK = {"version": 1, "name": "track", "processes": [{"name": "track", "components": [
+    {"name": "odometer", "class": "Odometer", "library": "odometer"}]}]}
 ROBOT = "desk/teleoperation/Robot"
 CONTROL = "robot/arm/Control"
 
@@ -193,6 +197,35 @@ class InTheDemoSystem(unittest.TestCase):
             self.system.disconnect(ROBOT)
         with self.assertRaisesRegex(tendon.Incompatible, "old_arm"):
             self.system.connect(ROBOT, "desk/old_arm/Control")
+
+    def test_numbers_that_no_double_holds_are_exact(self):
+        file = pathlib.Path(self.place.folder.name) / "track.json"
+        file.write_text(json.dumps(TRACK), encoding="utf-8")
+        self.place.run("track", file)
+        self.system.wait_until(lambda system: is_active(system, "track", "odometer"), PATIENCE)
+
+        columns = ["Count", "Stamp", "Ready", "Mode"]
+        with self.system.watch("track/odometer", columns, timeout=PATIENCE) as rows:
+            first, second = next(rows), next(rows)
+        self.assertEqual(self.system.read("track/odometer/state.Last"), 2**64 - 1)
+        self.assertGreater(first["Count"], 2**53)
+        self.assertEqual(second["Count"] - first["Count"], second.tick - first.tick)
+        self.assertEqual(first["Stamp"] % 10_000_000, 1)
+        self.assertIsInstance(first["Ready"], bool)
+        self.assertIn(first["Mode"], ("fault", "idle", "moving"))
+
+        edges = self.system.read("track/odometer/state.Edges")
+        self.assertEqual(math.copysign(1, edges["zero"]), -1)
+        self.assertTrue(math.isnan(edges["none"]))
+        self.assertEqual((edges["endless"], edges["largest"], edges["smallest"], edges["sum"]),
+                         (-math.inf, sys.float_info.max, 5e-324, 0.1 + 0.2))
+
+        self.system.call("track/odometer/Control.SetCount", 2**64 - 2**20 - 1)
+        with self.system.watch("track/odometer", ["Count"], timeout=PATIENCE) as rows:
+            some = itertools.islice(rows, 1000)
+            self.assertTrue(any(row["Count"] >= 2**64 - 2**20 - 1 for row in some))
+        self.assertGreaterEqual(self.system.read("track/odometer/Control.GetCount"),
+                                2**64 - 2**20 - 1)
 
     def test_a_process_that_is_killed_ends_what_it_sent_and_is_found_again(self):
         file = pathlib.Path(self.place.folder.name) / "guest.json"

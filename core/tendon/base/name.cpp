@@ -30,6 +30,14 @@ std::string Printable(std::string_view text) {
   return out;
 }
 
+std::string Lower(std::string_view text) {
+  std::string lower(text);
+  for (char& letter : lower) {
+    if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+  }
+  return lower;
+}
+
 /// How many letters to insert, delete, replace or swap with a neighbour (optimal string alignment).
 std::size_t EditDistance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before_last(b.size() + 1);
@@ -48,6 +56,21 @@ std::size_t EditDistance(std::string_view a, std::string_view b) {
     }
   }
   return row[b.size()];
+}
+
+/// Of a name that was not typed to its end; empty where there are several.
+std::string OnlyOneThatBegins(std::string_view beginning, std::span<const std::string> candidates) {
+  constexpr std::size_t kShortest = 2;
+  std::string found;
+  if (beginning.size() < kShortest) return found;
+  for (const std::string& candidate : candidates) {
+    const bool begins = candidate.size() > beginning.size() &&
+                        Lower(candidate.substr(0, beginning.size())) == Lower(beginning);
+    if (!begins) continue;
+    if (!found.empty() && found != candidate) return {};
+    found = candidate;
+  }
+  return found;
 }
 
 }  // namespace
@@ -84,13 +107,13 @@ std::string Nearest(std::string_view name, std::span<const std::string> candidat
   for (const std::string& candidate : candidates) {
     const auto [shorter, longer] = std::minmax({name.size(), candidate.size()});
     if (longer - shorter > limit) continue;  // of a name from outside, which may have megabytes
-    const std::size_t distance = EditDistance(name, candidate);
-    if (distance < best_distance) {
+    const std::size_t distance = EditDistance(Lower(name), Lower(candidate));
+    if (2 * distance <= shorter && distance < best_distance) {
       best = candidate;
       best_distance = distance;
     }
   }
-  return best;
+  return best.empty() ? OnlyOneThatBegins(name, candidates) : best;
 }
 
 std::string DidYouMean(std::string_view name, std::span<const std::string> candidates) {

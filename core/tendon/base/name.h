@@ -30,8 +30,9 @@ struct PlacedName {
   SourcePlace place;
 };
 
-/// The candidate most like `name`, or empty when none is near (edit distance over a third of its
-/// length, or over 3).
+/// The candidate most like `name`, or empty when none is near: an edit distance of a third of its
+/// length or 1, of 3 at most, and no more than half of either name; else the only one that begins
+/// with `name`, of two letters at least. Case makes no difference.
 [[nodiscard]] std::string Nearest(std::string_view name, std::span<const std::string> candidates);
 
 /// "; did you mean 'arm'?" or, when nothing is near, the empty string.

@@ -1,5 +1,8 @@
+#include <tendon/base/os/process.h>
+#include <tendon/base/os/route.h>
 #include <tendon/gcm/diagnosis.h>
 #include <tendon/gcm/lookup.h>
+#include <tendon/process/membership/own_address.h>
 
 #include <algorithm>
 #include <array>
@@ -75,7 +78,7 @@ void CheckProcesses(const ProcessDescription& required, const ProcessDescription
     return examination.Bad(
         ErrorCode::kUnreachable,
         "process '" + process->name + "' is " + std::string(ToString(process->state)) + reason,
-        "start it again");
+        AdviceFor(*process));
   }
   const bool is_one = required.name == provided.name;
   examination.Good(is_one ? "process " + required.name + " is there"
@@ -120,9 +123,19 @@ void CheckSignatures(const message::Wire& wire, const RequiredDescription& requi
 
 /// An address of this machine alone, told to a process on another one.
 bool IsOutOfReach(const ProcessDescription& required, const ProcessDescription& provided) {
-  const bool is_loopback =
-      provided.address.starts_with("127.") || provided.address.starts_with("[::1]");
-  return is_loopback && required.host != provided.host;
+  return IsOfOneHost(provided.address) && required.host != provided.host;
+}
+
+std::string SeenFrom(const std::string& host) { return " (seen from host " + host + ")"; }
+
+/// It is tried again by itself, which may help or not.
+std::string FixOfPending(const ProcessDescription& required, const ProcessDescription& provided,
+                         const std::string& reason) {
+  if (os::TellsOfNoRoute(reason)) {
+    return FixOfUnreached(provided.name, required.host, {ErrorCode::kUnreachable, reason});
+  }
+  if (!provided.reason.empty()) return provided.name + " " + provided.reason;
+  return "it is tried again by itself; look at " + provided.name;
 }
 
 /// Steps 5 and 6.
@@ -139,8 +152,9 @@ void CheckConnection(const Catalog& catalog, const message::Wire& wire, Examinat
   }
   if (connection == nullptr) return;  // nobody has tried
   if (connection->state == ConnectionState::kPending) {
-    return examination.Bad(ErrorCode::kTimeout, "it is pending: " + connection->reason,
-                           "it is tried again by itself; look at " + provided.name);
+    return examination.Bad(ErrorCode::kTimeout,
+                           "it is pending: " + connection->reason + SeenFrom(required.host),
+                           FixOfPending(required, provided, connection->reason));
   }
   examination.Good(required.name == provided.name
                        ? "both ends are in one process"
@@ -246,24 +260,35 @@ void AddRoundTrip(Diagnosis& diagnosis, const Result<std::chrono::microseconds>&
   const std::string process = "process '" + name + "'";
   if (round_trip) {
     if (is_trying) return;
-    diagnosis.steps.back() = {
-        Verdict::kGood,
-        process + " answers within " + std::to_string(round_trip->count()) + " us",
-        {},
-        {}};
+    diagnosis.steps.back() = {Verdict::kGood,
+                              process + " answers within " + std::to_string(round_trip->count()) +
+                                  " us" + SeenFrom(os::HostName()),
+                              {},
+                              {}};
     return;
   }
-  const bool is_silent = round_trip.error().code == ErrorCode::kTimeout;
   const bool is_made = diagnosis.steps.at(kReached).verdict == Verdict::kGood;
-  const std::string fix = is_silent
-                              ? "look at " + process + ", which may hang"
-                              : "see that " + name +
-                                    " listens there, and that no firewall is between; where the "
-                                    "address is wrong: start " +
-                                    name + " with --advertise and one that leads to it";
   DiagnosisStep& step = is_made ? diagnosis.steps.back() : diagnosis.steps.at(kReached);
-  step = {Verdict::kBad, is_trying ? step.text : round_trip.error().message, fix, {}};
+  if (is_trying && os::TellsOfNoRoute(step.text)) return;  // the required side knows best
+  const std::string fix = FixOfUnreached(name, os::HostName(), round_trip.error());
+  step = {Verdict::kBad,
+          is_trying ? step.text : round_trip.error().message + SeenFrom(os::HostName()),
+          fix,
+          {}};
   diagnosis.failure = Error{round_trip.error().code, step.text + "; " + fix};
+}
+
+std::string FixOfUnreached(const std::string& name, const std::string& host, const Error& reason) {
+  if (os::TellsOfNoRoute(reason.message)) {
+    return "give host " + host +
+           " a route to it; where another address leads to it from there: "
+           "start " +
+           name + " with --advertise and that";
+  }
+  if (reason.code == ErrorCode::kTimeout) return "look at process '" + name + "', which may hang";
+  return "see that " + name +
+         " listens there, and that no firewall is between; where the address is wrong: start " +
+         name + " with --advertise and one that leads to it";
 }
 
 void AddActivity(Diagnosis& diagnosis, const Catalog& catalog) {

@@ -58,9 +58,10 @@ void AddHealth(Diagnosis& diagnosis, const std::vector<ConnectionFlaw>& flaws);
 /// tries that, too.
 [[nodiscard]] bool IsTrying(const Diagnosis& diagnosis);
 
-/// What a catalogue cannot know: how long the provider's process took to answer, or why it did not:
-/// of the last step where the connection was made, else of that at which the processes reach each
-/// other. kTimeout: it is reached, and silent. Does nothing where a step is bad, unless IsTrying().
+/// What a catalogue cannot know: how long the provider's process took to answer us, on this host,
+/// or why it did not: of the last step where the connection was made, else of that at which the
+/// processes reach each other. kTimeout: it is reached, and silent. Does nothing where a step is
+/// bad, unless IsTrying().
 void AddRoundTrip(Diagnosis& diagnosis, const Result<std::chrono::microseconds>& round_trip);
 
 /// Of a connection that stands: whether a component at one of its ends does not run, so that it is
@@ -73,6 +74,11 @@ void AddActivity(Diagnosis& diagnosis, const Catalog& catalog);
 /// provider. Does nothing where the connection is wanted, so that its required side goes on trying.
 void AddRemainders(Diagnosis& diagnosis, const Catalog& catalog,
                    const Result<ConnectionCounts>& served);
+
+/// What to do where process `name` was looked for from `host` and not reached: where it is silent,
+/// not there, or `host` has no route to it, which is no fault of the process.
+[[nodiscard]] std::string FixOfUnreached(const std::string& name, const std::string& host,
+                                         const Error& reason);
 
 /// A provided interface that a required one might be connected to.
 struct Candidate {

@@ -1,3 +1,4 @@
+#include <tendon/base/counted.h>
 #include <tendon/base/log.h>
 #include <tendon/base/os/file.h>
 #include <tendon/gcm/history.h>
@@ -156,7 +157,8 @@ void History::Load() {
   }
   if (unreadable > 0) {
     Log(LogLevel::kWarning, "gcm",
-        std::to_string(unreadable) + " lines of " + file_.string() + " do not read: left out");
+        Counted(unreadable, "line", "lines") + " of " + file_.string() +
+            " cannot be read: left out");
   }
   const std::size_t read = steps_.size();
   for (auto& step : std::exchange(steps_, {})) {

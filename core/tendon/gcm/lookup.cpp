@@ -62,13 +62,30 @@ Result<void> CheckFullName(const InterfaceName& name) {
   return CheckName("interface", name.interface);
 }
 
+/// Between the required and the provided interface.
+std::string StandOf(ConnectionState state) {
+  switch (state) {
+    case ConnectionState::kPending:
+      return " waits to be connected to ";
+    case ConnectionState::kFailed:
+      return " was refused by ";
+    default:
+      return " is connected to ";
+  }
+}
+
 std::string Connected(const ConnectionDescription& connection, const InterfaceName& wanted) {
   const std::string required = ToString(connection.required);
-  if (connection.provided == wanted) {
-    return required + " is connected to " + ToString(wanted) + " already";
+  const std::string stand = required + StandOf(connection.state) + ToString(connection.provided);
+  if (connection.provided == wanted && connection.state == ConnectionState::kActive) {
+    return stand + " already";
   }
-  return required + " is connected to " + ToString(connection.provided) +
-         "; to replace that: gcm connect " + required + " " + ToString(wanted) + " --replace";
+  if (connection.provided == wanted) {
+    return stand + " already: " + connection.reason + "; look with: gcm explain " + required +
+           "; take it back: gcm disconnect " + required;
+  }
+  return stand + "; to replace that: gcm connect " + required + " " + ToString(wanted) +
+         " --replace";
 }
 
 /// A connection that works makes no room for one that would wait for its provider.
@@ -251,6 +268,17 @@ bool IsPresent(const ProcessDescription& process) {
   return process.state == ProcessState::kAlive || process.state == ProcessState::kSuspect;
 }
 
+bool HasFallenSilent(const ProcessDescription& process) {
+  return process.state == ProcessState::kLost && process.reason.starts_with(kNoRenewal);
+}
+
+std::string AdviceFor(const ProcessDescription& process) {
+  if (!HasFallenSilent(process)) return "start it again";
+  const std::string pid = std::to_string(process.pid);
+  return "it may be stopped, hang, or be cut off from the GCM: on host " + process.host +
+         ", kill -CONT " + pid + " lets a stopped one go on, and kill -9 " + pid + " ends it";
+}
+
 Result<void> RequirePresent(const ProcessDescription& process) {
   if (IsPresent(process)) return {};
   if (process.state == ProcessState::kStarting) {
@@ -260,7 +288,8 @@ Result<void> RequirePresent(const ProcessDescription& process) {
   const std::string state = process.state == ProcessState::kLeft ? "has left" : "is lost";
   const std::string reason = process.reason.empty() ? "" : " (" + process.reason + ")";
   return Error{ErrorCode::kFailed,
-               "process '" + process.name + "' " + state + reason + "; start it again first"};
+               "process '" + process.name + "' " + state + reason + "; " +
+                   (HasFallenSilent(process) ? AdviceFor(process) : "start it again first")};
 }
 
 }  // namespace tendon

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 /// Names that people type, looked up in a catalogue. Errors are of code kNotFound unless they say
 /// otherwise, name what is missing and what is near. The pointers live as long as the catalogue is
@@ -56,6 +57,17 @@ Result<InterfaceName> LookUpConnected(const Catalog& catalog, const std::string&
 
 /// Whether the process can be talked to: it is there, if perhaps a little late.
 [[nodiscard]] bool IsPresent(const ProcessDescription& process);
+
+/// What the reason of a lost process begins with where nothing came while its link stood.
+inline constexpr std::string_view kNoRenewal = "no renewal of its lease for ";
+
+/// Whether the process was lost in silence: its program may be stopped, hang, or be cut off, and
+/// come back by itself. One whose link broke has ended.
+[[nodiscard]] bool HasFallenSilent(const ProcessDescription& process);
+
+/// What to do where a process is gone: "start it again", or, where it has fallen silent, how to
+/// wake or to end its program.
+[[nodiscard]] std::string AdviceFor(const ProcessDescription& process);
 
 /// kFailed, "process 'robot' is lost (reason)" or "is starting", unless it is present.
 Result<void> RequirePresent(const ProcessDescription& process);

@@ -91,6 +91,7 @@ OrderedJson JsonOf(const SystemFile& system) {
   OrderedJson json;
   json["version"] = SystemFile::kVersion;
   json["name"] = system.name;
+  if (system.strict) json["strict"] = true;
   AddComment(json, system.comment);
   json["processes"] = OrderedJson::array();
   for (const auto& process : system.processes) json["processes"].push_back(JsonOf(process));

@@ -39,8 +39,9 @@ namespace tendon {
 /// thread of its own; one that has neither runs as its class chooses. A "class" of null is that of
 /// a component which its own program makes. A process with "start", such as {"restart":
 /// "on-failure"} or {}, which is to restart never, is an `lcm` that the GCM starts on its own host.
-/// Everything may have a "comment". What a component may have may be missing, and so may
-/// "connections" and "layout".
+/// With "strict": true no component is started that lacks the connection of a required interface
+/// which it needs; otherwise it runs, and waits for that. Everything may have a "comment". What a
+/// component may have may be missing, and so may "connections", "layout" and "strict".
 struct SystemFile {
   /// One to make, and how.
   struct Component {
@@ -96,6 +97,7 @@ struct SystemFile {
   std::vector<Connection> connections;
   std::map<std::string, Position> layout{};  ///< by "process/component"
   std::string comment{};
+  bool strict = false;
 
   /// Null where there is none; by looking at all, unlike a SystemIndex.
   [[nodiscard]] const Process* FindProcess(const std::string& process_name) const;

@@ -226,11 +226,12 @@ void CheckVersion(const Json& json) {
 
 SystemFile ReadSystem(const Json& json) {
   CheckVersion(json);  // first: another version may have other keys
-  const FileObject object(json, "",
-                          {"version", "name", "processes", "connections", "layout", "comment"});
+  const FileObject object(
+      json, "", {"version", "name", "strict", "processes", "connections", "layout", "comment"});
   object.Require("version");
   SystemFile system;
   system.name = Printable(object.Text("name"), 256);
+  system.strict = object.Flag("strict");
   object.Require("processes");
   file::NewNames names("process");
   object.ForEach("processes", [&](const Json& element, const std::string& place) {

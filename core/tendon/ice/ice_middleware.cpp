@@ -1,6 +1,7 @@
 #include <Ice/Ice.h>
 #include <IceUtil/Timer.h>
 #include <tendon/base/log.h>
+#include <tendon/base/os/route.h>
 #include <tendon/base/os/socket.h>
 #include <tendon/ice/fan_out/ice_fan_out.h>
 #include <tendon/ice/ice_middleware.h>
@@ -102,8 +103,7 @@ Error WhyNotOpened(const std::exception_ptr& why, const HostPort& place,
                                          " closed the connection at once; is it a program of "
                                          "Tendon, and does it want a --certificate?"};
   } catch (const Ice::SyscallException& failure) {
-    return {ErrorCode::kUnreachable, "nobody answers at " + ToString(place) + " (" +
-                                         std::generic_category().message(failure.error) + ")"};
+    return {ErrorCode::kUnreachable, os::WhyNotReached(ToString(place), failure.error)};
   } catch (const Ice::Exception& failure) {
     if (tls != nullptr) return tls->NotAccepted(place);
     return {ErrorCode::kUnreachable,
@@ -120,7 +120,6 @@ class IceMiddleware final : public Middleware {
         communicator_(MakeCommunicator(tls_, links_)),
         opened_(communicator_->createObjectAdapter("")),
         fan_out_(communicator_, tls_ != nullptr) {
-    WarnOfExposure(exposure, "ice");
     if (!RefusesImpossibleSizes(communicator_)) {
       Log(LogLevel::kWarning, "ice",
           "this build of Ice believes impossible sizes: a stranger on this machine can exhaust its "
@@ -156,6 +155,7 @@ class IceMiddleware final : public Middleware {
       adapter->activate();
       const std::uint16_t port = PortOf(*adapter);
       os::AdoptSocket(port, 0);
+      WarnOfExposure(exposure_, "ice");
       return MakeListener(ToString(HostPort{place->host, port}), [adapter, servant] {
         servant->Stop();
         adapter->destroy();

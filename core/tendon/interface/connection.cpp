@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 #include <thread>
+#include <utility>
 
 namespace tendon {
 namespace {
@@ -51,15 +52,25 @@ Result<std::unique_ptr<Connection>> Connection::Make(RequiredInterface& required
                  required_name + " would wait for its own thread: " + *waiting + " of " +
                      provided_name + " is executed by the task that calls it; call the method"};
   }
-  std::unique_ptr<Connection> connection(new Connection(required, provided));
+  std::unique_ptr<Connection> connection(new Connection(required, provided, required_name));
   connection->OpenMailboxes();
-  connection->BindHandlers();
   connection->BindFunctions();
+  if (connection->is_told_here()) {
+    required.Announce(connection->peer_);
+    connection->BindHandlers();
+    required.AdmitPeer();
+  } else {
+    connection->BindHandlers();
+    required.Announce(connection->peer_);
+  }
   return connection;
 }
 
-Connection::Connection(RequiredInterface& required, ProvidedInterface& provided)
-    : required_(required), provided_(provided), lost_before_(required.lost_events()) {}
+Connection::Connection(RequiredInterface& required, ProvidedInterface& provided, std::string client)
+    : required_(required),
+      provided_(provided),
+      client_(std::move(client)),
+      lost_before_(required.lost_events()) {}
 
 Connection::~Connection() { Close(std::chrono::milliseconds(0)); }
 
@@ -97,6 +108,8 @@ void Connection::OpenMailboxes() {
   if (required_.inbox() != nullptr && !required_.handlers_.empty()) {
     events_ = &required_.inbox()->Open(capacity, event_shape, provided_.raisers(),
                                        &required_.event_time_);
+    if (required_.has_hearer()) events_->Hold();  // until the component was told
+    peer_.events = events_;
   }
 }
 
@@ -131,12 +144,13 @@ void Connection::BindFunctions() {
     members_.push_back({command, &offer->enabled(), provided_.host()});
   }
   members_.emplace_back();
-  required_.binding_.Exchange(members_.data());
+  peer_.members = members_.data();
 }
 
 std::size_t Connection::Close(std::chrono::milliseconds patience) {
   if (!open_) return 0;
   open_ = false;
+  if (is_told_here()) required_.AnnounceNone();
   const auto deadline = std::chrono::steady_clock::now() + patience;
   if (commands_ != nullptr) {
     // Callers that wait are inside the binding: they must be served, or sent away, before it goes.
@@ -144,11 +158,12 @@ std::size_t Connection::Close(std::chrono::milliseconds patience) {
     LetDrain(commands_, deadline);
     commands_->completions().Cancel();
   }
-  required_.binding_.Exchange(nullptr);
+  required_.Withdraw();
   for (const Subscription& one : subscriptions_) one.event->Unsubscribe(*one.handler);
   LetDrain(commands_, deadline);  // what has slipped in meanwhile
-  LetDrain(events_, deadline);
+  if (events_ != nullptr && !events_->is_held()) LetDrain(events_, deadline);
   const auto last = std::max(deadline, std::chrono::steady_clock::now() + kGrace);
+  const std::uint64_t number = commands_ != nullptr ? commands_->number() : 0;
   std::size_t dropped = 0;
   if (commands_ != nullptr) {
     dropped += provided_.inbox()->Remove(*commands_, std::move(functions_), last);
@@ -161,7 +176,17 @@ std::size_t Connection::Close(std::chrono::milliseconds patience) {
   functions_.clear();
   queued_handlers_.clear();
   direct_handlers_.clear();
+  if (!is_told_here()) required_.AnnounceNone();  // behind its last event
+  TellClientGone(number);
   return dropped;
+}
+
+void Connection::TellClientGone(std::uint64_t number) {
+  const bool has_called = std::ranges::any_of(
+      members_, [](const BoundMember& member) { return member.command != nullptr; });
+  const Host* const host = provided_.host();
+  if (!has_called || host == nullptr || !host->hears_of_connections()) return;
+  host->TellClientGone({.provided = &provided_, .name = client_, .connection = number});
 }
 
 std::uint64_t Connection::taken() const {

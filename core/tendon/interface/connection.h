@@ -20,7 +20,9 @@ class Connection {
  public:
   /// Binds all functions and handlers, or nothing: kIncompatible with the sentence that names both
   /// ends, or where a task would wait for itself; kExists when `required` is connected already. The
-  /// interfaces must outlive the connection.
+  /// interfaces must outlive the connection. A component that requires hears of it in its own
+  /// thread before its functions reach the other end (Component::OnConnected); one without a thread
+  /// here, before anything is bound.
   static Result<std::unique_ptr<Connection>> Make(RequiredInterface& required,
                                                   ProvidedInterface& provided,
                                                   const std::string& required_name,
@@ -37,8 +39,10 @@ class Connection {
 
   /// No call and no event enters any more; lets both ends execute what they accepted for at most
   /// `patience`. Then whoever still waits for a call gets kNotConnected, and everything is freed;
-  /// what a handler uses that does not return is freed once it has. Returns how many accepted calls
-  /// and events were dropped. Never from a thread that executes either end's mailboxes.
+  /// what a handler uses that does not return is freed once it has. Both components hear of it in
+  /// their own threads (Component::OnDisconnected, OnClientGone); one without a thread that
+  /// requires hears of it here, first of all. Returns how many accepted calls and events were
+  /// dropped. Never from a thread that executes either end's mailboxes.
   std::size_t Close(std::chrono::milliseconds patience);
 
   /// When it was made.
@@ -61,16 +65,23 @@ class Connection {
   [[nodiscard]] const std::vector<std::string>& converted() const { return converted_; }
 
  private:
-  Connection(RequiredInterface& required, ProvidedInterface& provided);
+  Connection(RequiredInterface& required, ProvidedInterface& provided, std::string client);
   static Mailbox::SlotShape CommandShape(const RequiredInterface& required,
                                          const ProvidedInterface& provided);
   static Mailbox::SlotShape EventShape(const RequiredInterface& required);
   void OpenMailboxes();
   void BindFunctions();
   void BindHandlers();
+  /// Whether the component that requires is told in the thread that changes the connection.
+  [[nodiscard]] bool is_told_here() const {
+    return required_.inbox() == nullptr && required_.has_hearer();
+  }
+  void TellClientGone(std::uint64_t number);
 
   RequiredInterface& required_;
   ProvidedInterface& provided_;
+  std::string client_;
+  RequiredInterface::Peer peer_;
   Mailbox* commands_ = nullptr;  // at the server
   Mailbox* events_ = nullptr;    // at the client
   using Commands = std::vector<std::unique_ptr<CommandBase>>;

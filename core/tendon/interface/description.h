@@ -16,6 +16,8 @@ struct MemberDescription {
   std::string out_type;
   bool optional = false;  ///< functions and handlers only: the interface connects without it
   std::string hazard;     ///< commands only: "motion" where a call can set something in motion
+  /// s, commands only: what a call sets going ends where it is not renewed by then; 0 for never.
+  double expires_after = 0.0;
 
   bool operator==(const MemberDescription&) const = default;
 };
@@ -44,7 +46,8 @@ inline constexpr auto kPayload<MemberDescription> = Describe(
     "tendon.MemberDescription", Field{"name", &MemberDescription::name},
     Field{"signature", &MemberDescription::signature},
     Field{"in_type", &MemberDescription::in_type}, Field{"out_type", &MemberDescription::out_type},
-    Field{"optional", &MemberDescription::optional}, Field{"hazard", &MemberDescription::hazard});
+    Field{"optional", &MemberDescription::optional}, Field{"hazard", &MemberDescription::hazard},
+    Field{"expires_after", &MemberDescription::expires_after, "s"});
 
 template <>
 inline constexpr auto kPayload<ProvidedDescription> =

@@ -17,7 +17,7 @@ Mailbox& Inbox::Open(std::size_t capacity, Mailbox::SlotShape argument, Callers 
   auto next = Copy();
   const std::size_t place = FreePlace(*next);
   auto mailbox = std::make_unique<Mailbox>(capacity, argument, callers, server_,
-                                           next->FlagOf(place), event_time);
+                                           next->FlagOf(place), event_time, ++opened_);
   Mailbox& opened = *mailbox;
   next->mailboxes[place] = &opened;
   mailboxes_.push_back(std::move(mailbox));
@@ -97,6 +97,7 @@ std::size_t Inbox::ExecuteQueued(std::size_t limit) {
   const bool lowers = ++passes_ % kPasses == 0;
   const auto if_empty = lowers ? ReadyFlag<>::IfEmpty::kLower : ReadyFlag<>::IfEmpty::kLeaveUp;
   list->ForEachReady(if_empty, [&](Mailbox& mailbox, std::size_t waiting) {
+    if (mailbox.is_held()) return true;
     waiting = std::min(waiting, limit - executed);
     for (std::size_t i = 0; i < waiting && !mailbox.is_abandoned() && mailbox.ExecuteOne(); ++i) {
       ++executed;
@@ -111,9 +112,9 @@ bool Inbox::has_queued() noexcept {
   const List* const list = call.get();
   bool is_queued = false;
   if (list == nullptr) return false;
-  list->ForEachReady(ReadyFlag<>::IfEmpty::kLeaveUp, [&](const Mailbox&, std::size_t) {
-    is_queued = true;
-    return false;
+  list->ForEachReady(ReadyFlag<>::IfEmpty::kLeaveUp, [&](const Mailbox& mailbox, std::size_t) {
+    is_queued = !mailbox.is_held();
+    return !is_queued;
   });
   return is_queued;
 }

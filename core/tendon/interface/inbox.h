@@ -6,6 +6,7 @@
 
 #include <array>
 #include <chrono>
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <mutex>
@@ -113,6 +114,7 @@ class Inbox {
   std::vector<std::unique_ptr<Mailbox>> mailboxes_;
   std::unique_ptr<List> list_;
   std::vector<Retired> retired_;
+  std::uint64_t opened_ = 0;                     // mailboxes
   alignas(kSeparation) bool executing_ = false;  // of the executing thread, as the next two
   unsigned passes_ = 0;
   GuardedPointer<List> current_;

@@ -1,7 +1,11 @@
+#include <tendon/base/clock.h>
+#include <tendon/interface/execution/patient_calls.h>
 #include <tendon/interface/mailbox.h>
 
 #include <algorithm>
 #include <bit>
+#include <chrono>
+#include <thread>
 
 namespace tendon {
 namespace {
@@ -23,13 +27,14 @@ std::size_t Mailbox::SlotBytes(const SlotShape& argument, std::size_t before) {
 }
 
 Mailbox::Mailbox(std::size_t capacity, SlotShape argument, Callers callers, const Server& server,
-                 ReadyFlag<>& ready, SteadyTime* event_time)
+                 ReadyFlag<>& ready, SteadyTime* event_time, std::uint64_t number)
     : capacity_(capacity),
       argument_offset_(
           ArgumentOffset(argument, event_time == nullptr ? kEntryBytes : kTimedEntryBytes)),
       server_(server),
       ready_(ready),
       event_time_(event_time),
+      number_(number),
       completions_(std::bit_ceil(std::max<std::size_t>(capacity + argument.reserve, 1))) {
   const std::size_t size = argument_offset_ + argument.size;
   const std::size_t alignment = std::max(alignof(Entry*), argument.alignment);
@@ -51,6 +56,18 @@ void Mailbox::GiveUp(std::byte* argument) noexcept {
   };
   static Nothing& nothing = *new Nothing;  // a task may come upon it while the program ends
   Publish(argument, nothing);
+}
+
+/// Null at once in a thread without PatientCalls, and in the one that would have to make the room.
+std::byte* Mailbox::AwaitRoom() noexcept {
+  constexpr std::chrono::microseconds kBetweenLooks(200);
+  const SteadyTime deadline = PatientCalls::deadline();
+  std::byte* slot = nullptr;
+  while (slot == nullptr && is_open() && !is_executed_here() && SteadyClock().Now() < deadline) {
+    std::this_thread::sleep_for(kBetweenLooks);
+    slot = TryClaim();
+  }
+  return slot;
 }
 
 bool Mailbox::DropOne() noexcept { return many_ ? DropIn(*many_) : DropIn(*one_); }

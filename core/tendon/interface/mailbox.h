@@ -10,6 +10,7 @@
 
 #include <cassert>
 #include <cstddef>
+#include <cstdint>
 #include <new>
 #include <optional>
 #include <thread>
@@ -26,7 +27,8 @@ enum class Callers {
 /// slot holds the command and its argument together, usually in one cache line.
 ///
 /// Thread safety: one thread or many, as it was made for, post (Claim, Publish); one thread
-/// executes (ExecuteOne). Posting never waits, locks or allocates.
+/// executes (ExecuteOne). Posting never locks or allocates, and waits only in a thread
+/// with PatientCalls.
 class Mailbox {
  public:
   /// Whoever can execute what a slot holds.
@@ -66,10 +68,14 @@ class Mailbox {
   /// `server` and `ready`, which is raised after every post, outlive it. Where there is an
   /// `event_time`, each slot has the time of its post, which stands there when it is executed.
   Mailbox(std::size_t capacity, SlotShape argument, Callers callers, const Server& server,
-          ReadyFlag<>& ready, SteadyTime* event_time = nullptr);
+          ReadyFlag<>& ready, SteadyTime* event_time = nullptr, std::uint64_t number = 0);
+
+  /// Of all mailboxes that its inbox has ever had, no other has it.
+  [[nodiscard]] std::uint64_t number() const noexcept { return number_; }
 
   /// Room for the next call's argument, which must be published if there are many callers. Null
-  /// when the mailbox is full, which is counted, or not open; nothing has happened.
+  /// when the mailbox is full, which is counted, or not open; nothing has happened. In a thread
+  /// with PatientCalls it is null only once that has waited for room.
   std::byte* Claim() noexcept;
   /// Room in the reserve; null when whoever asked for it takes more than it asked for.
   std::byte* ClaimReserved() noexcept;
@@ -90,6 +96,10 @@ class Mailbox {
   /// From now on Claim() refuses.
   void Close() noexcept { closed_.Set(true); }
   [[nodiscard]] bool is_open() const noexcept { return !closed_.Get() && accepting(); }
+  /// While it is held, calls arrive and wait: nothing is executed.
+  void Hold() noexcept { held_.Set(true); }
+  void Release() noexcept { held_.Set(false); }
+  [[nodiscard]] bool is_held() const noexcept { return held_.Get(); }
   /// What waits will not be executed any more.
   void Abandon() noexcept { abandoned_.Set(true); }
   [[nodiscard]] bool is_abandoned() const noexcept { return abandoned_.Get(); }
@@ -119,6 +129,8 @@ class Mailbox {
   void CountReplaced() noexcept { replaced_.Add(); }
 
  private:
+  [[nodiscard]] std::byte* TryClaim() noexcept { return many_ ? many_->Claim() : one_->Claim(); }
+  std::byte* AwaitRoom() noexcept;
   template <typename Ring>
   bool ExecuteIn(Ring& ring);
   template <typename Ring>
@@ -137,8 +149,10 @@ class Mailbox {
   const Server& server_;
   ReadyFlag<>& ready_;
   SteadyTime* event_time_;
+  std::uint64_t number_;
   Flag closed_;
   Flag abandoned_;
+  Flag held_;
   CompletionPool completions_;
   // Of callers, some of whom try again and again: apart from what the server reads.
   alignas(kSeparation) SharedCounter<> refused_;
@@ -147,7 +161,8 @@ class Mailbox {
 
 inline std::byte* Mailbox::Claim() noexcept {
   if (!is_open()) return nullptr;
-  std::byte* const slot = many_ ? many_->Claim() : one_->Claim();
+  std::byte* slot = TryClaim();
+  if (slot == nullptr) slot = AwaitRoom();
   if (slot != nullptr) return slot + argument_offset_;
   refused_.Add();
   return nullptr;

@@ -7,6 +7,9 @@
 #include <tendon/interface/execution/queued_command.h>
 #include <tendon/payload/schema.h>
 
+#include <chrono>
+#include <concepts>
+#include <functional>
 #include <memory>
 #include <utility>
 
@@ -21,7 +24,8 @@ MemberDescription DescribeMember(std::string name, CommandKind kind) {
           .in_type = SchemaOf<In>().TypeName(),
           .out_type = SchemaOf<Out>().TypeName(),
           .optional = false,
-          .hazard = {}};
+          .hazard = {},
+          .expires_after = 0.0};
 }
 
 /// What happens to a call when its mailbox is full.
@@ -66,6 +70,20 @@ class Offer {
            !WaitsForServer(description_.signature.kind);
   }
 
+  /// For queued commands of a task, in the constructor: what a call sets going must be renewed by
+  /// the next one. Where none was executed for `after`, or where the client of the last one is
+  /// gone, `method` runs in the component's thread: in ProcessQueuedCommands(), and at the latest
+  /// at the end of the first cycle after that. So a robot stops whose operator is cut off. It
+  /// also runs where another command has taken over since, or has ended all: the method must look
+  /// whether what it ends still goes on. `after` is 1 ms to 3600 s. ConfigurationError for what
+  /// does not wait for the component.
+  template <typename Owner, std::derived_from<Owner> Object>
+  Offer& ExpiresAfter(std::chrono::nanoseconds after, void (Owner::*method)(), Object* object) {
+    return SetExpiry(after, [method, object] { (object->*method)(); });
+  }
+  /// Null where calls need not be renewed.
+  [[nodiscard]] Expiry* expiry() const { return expiry_.get(); }
+
   /// Says that a call answers with the newest value of a column, which outlives the offer.
   Offer& SetSource(const ColumnSource& source) {
     source_ = source;
@@ -105,7 +123,10 @@ class Offer {
   [[nodiscard]] const Host* host() const { return host_; }
 
  private:
+  Offer& SetExpiry(std::chrono::nanoseconds after, std::function<void()> end);
+
   MemberDescription description_;
+  std::unique_ptr<Expiry> expiry_;
   Overflow overflow_ = Overflow::kRefuse;
   ColumnSource source_;
   bool reads_table_only_ = false;
@@ -134,10 +155,11 @@ class QueuedOffer : public Offer {
   [[nodiscard]] std::unique_ptr<Command<In, Out>> BindTyped(Mailbox* mailbox) const {
     if constexpr (kMayReplace) {
       if (overflow() == Overflow::kLatestOnly && mailbox != nullptr) {
-        return std::make_unique<LatestCommand<In, Handler>>(handler_, *mailbox);
+        return std::make_unique<LatestCommand<In, Handler>>(handler_, *mailbox, expiry());
       }
     }
-    return std::make_unique<QueuedCommand<In, Out, Handler>>(handler_, mailbox, this->host());
+    return std::make_unique<QueuedCommand<In, Out, Handler>>(handler_, mailbox, this->host(),
+                                                             expiry());
   }
 
  private:

@@ -44,6 +44,14 @@ std::vector<std::string> ProvidedInterface::latest_only() const {
   return names;
 }
 
+std::vector<Expiry*> ProvidedInterface::expiries() const {
+  std::vector<Expiry*> all;
+  for (const auto& offer : commands_) {
+    if (offer->expiry() != nullptr) all.push_back(offer->expiry());
+  }
+  return all;
+}
+
 ProvidedDescription ProvidedInterface::description() const {
   ProvidedDescription description{.name = name_, .commands = {}, .events = {}};
   for (const auto& offer : commands_) description.commands.push_back(offer->description());

@@ -185,6 +185,9 @@ class ProvidedInterface {
   [[nodiscard]] const Offer* FindCommand(const std::string& name) const;
   [[nodiscard]] EventBase* FindEvent(const std::string& name) const;
 
+  /// Of its commands that must be renewed.
+  [[nodiscard]] std::vector<Expiry*> expiries() const;
+
   /// See EventBase: of all its events.
   void SetSourceFaulted(bool faulted);
 

@@ -18,6 +18,56 @@ Offer& RequiredInterface::AddOffer(std::unique_ptr<Offer> handler, SourcePlace p
   return *handlers_.back();
 }
 
+void RequiredInterface::Seal() {
+  for (const auto& handler : handlers_) {
+    if (handler->expiry() == nullptr) continue;
+    throw ConfigurationError("event handler '" + handler->description().name + "' of '" + name_ +
+                             "' cannot expire: only commands can");
+  }
+  names_.Seal();
+}
+
+bool RequiredInterface::TakePeer() noexcept {
+  const GuardedPointer<const Peer>::Call call(announced_);
+  if (call.get() == nullptr) return false;
+  told_ = call.get()->number;
+  generation_.Set(generation_.Get() + 1);
+  return true;
+}
+
+void RequiredInterface::AdmitPeer() noexcept {
+  const GuardedPointer<const Peer>::Call call(announced_);
+  const Peer* const peer = call.get();
+  if (peer == nullptr || peer->number != told_) return;
+  binding_.SetByCaller(peer->members);
+  if (peer->events != nullptr) peer->events->Release();
+}
+
+void RequiredInterface::AdmitPeerAtRest() noexcept {
+  const Peer* const peer = announced_.Get();
+  if (peer == nullptr || callers() == Callers::kManyThreads) return;
+  binding_.Exchange(peer->members);
+  if (peer->events != nullptr) peer->events->Release();
+}
+
+void RequiredInterface::Announce(Peer& peer) {
+  peer.number = ++peers_;
+  peer_.Set(peer.number);  // before the component can know it by its number
+  announced_.Exchange(&peer);
+  if (has_hearer()) return host_->TellPeerChanged(*this);
+  if (TakePeer()) binding_.Exchange(peer.members);
+}
+
+void RequiredInterface::Withdraw() noexcept {
+  announced_.Exchange(nullptr);  // nobody is admitting it any more
+  binding_.Exchange(nullptr);
+}
+
+void RequiredInterface::AnnounceNone() {
+  peer_.Set(kNoPeer);
+  if (has_hearer()) host_->TellPeerChanged(*this);
+}
+
 void RequiredInterface::SetMailboxCapacity(std::size_t capacity) {
   constexpr std::size_t kMost = std::size_t{1} << 24U;
   if (capacity < 1 || capacity > kMost) {

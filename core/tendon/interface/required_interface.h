@@ -135,12 +135,58 @@ class RequiredInterface {
   [[nodiscard]] bool handles_in_raiser() const;
   /// The names of the event handlers that keep the latest event only.
   [[nodiscard]] std::vector<std::string> latest_only() const;
-  [[nodiscard]] bool is_connected() const { return binding_.Get() != nullptr; }
+  /// Whether there is a connection. The functions reach the peer once the component was told of it:
+  /// Component::OnConnected().
+  [[nodiscard]] bool is_connected() const noexcept { return peer_.Get() != kNoPeer; }
+  /// Counts up with each new peer, when the component is told of it; 0 before the first. Who
+  /// remembers a number knows by another one that what he has heard came from somebody else. Any
+  /// thread.
+  [[nodiscard]] std::uint64_t generation() const noexcept { return generation_.Get(); }
 
-  void Seal() { names_.Seal(); }
+  void Seal();
+
+  // For the component, in its own thread, which tells itself of each change before it goes on.
+
+  enum class PeerChange { kNone, kGone, kNew };
+  [[nodiscard]] PeerChange peer_change() const noexcept {
+    const std::uint64_t peer = peer_.Get();
+    if (peer == told_) return PeerChange::kNone;
+    return told_ != kNoPeer ? PeerChange::kGone : PeerChange::kNew;
+  }
+  /// After kGone.
+  void ForgetPeer() noexcept { told_ = kNoPeer; }
+  /// After kNew: the next generation begins. False where the peer has gone meanwhile.
+  bool TakePeer() noexcept;
+  /// From now on calls reach the peer and its events are handled, unless it has gone meanwhile.
+  void AdmitPeer() noexcept;
+
+  /// For managers, while its component does not run, which is told when it starts: admits calls of
+  /// what nobody else may call meanwhile.
+  void AdmitPeerAtRest() noexcept;
 
  private:
   friend class Connection;
+
+  /// What a connection has made for the component.
+  struct Peer {
+    const BoundMember* members = nullptr;
+    Mailbox* events = nullptr;
+    std::uint64_t number = kNoPeer;
+  };
+  static constexpr std::uint64_t kNoPeer = 0;
+
+  // For connections, in the thread of a manager.
+
+  /// Whether its component is told of its peers, and admits them.
+  [[nodiscard]] bool has_hearer() const {
+    return host_ != nullptr && host_->hears_of_connections();
+  }
+  /// There is a peer, which must stay where it is until it is withdrawn; `peer` gets its number.
+  void Announce(Peer& peer);
+  /// No call reaches the peer any more.
+  void Withdraw() noexcept;
+  /// There is none any more.
+  void AnnounceNone();
 
   struct NamedCaller {
     MemberDescription description;
@@ -185,6 +231,11 @@ class RequiredInterface {
   std::vector<NamedCaller> callers_;
   std::vector<std::unique_ptr<Offer>> handlers_;
   BindingGate binding_;
+  std::uint64_t peers_ = 0;  // there have been
+  Published<std::uint64_t> peer_{kNoPeer};
+  GuardedPointer<const Peer> announced_;
+  std::uint64_t told_ = kNoPeer;  // of the component's thread: the peer it knows
+  Published<std::uint64_t> generation_{0};
   SteadyTime event_time_{};  // of the component's thread
   SharedCounter<> lost_events_;
 };

@@ -75,6 +75,12 @@ class GuardedPointer {
     }
   }
 
+  /// Instead of an exchange where there is no object yet, by the calling thread between two of its
+  /// calls. Costs a store. The side that replaces must not do so meanwhile.
+  void SetByCaller(T* object) noexcept {
+    pointer_.store(object, std::memory_order_release);  // (A)
+  }
+
   /// For the side that replaces.
   [[nodiscard]] T* Get() const noexcept { return pointer_.load(std::memory_order_acquire); }
 

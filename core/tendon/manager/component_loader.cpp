@@ -48,10 +48,10 @@ Result<void> ComponentLoader::Load(const std::string& library) {
   if (loaded_.contains(library)) return {};
   const auto file = Find(library);
   if (!file) return file.error();
-  if (auto probed = ProbePlugin(*file); !probed) return probed;
-  auto registry = OpenPlugin(*file);
-  if (!registry) return registry.error();
-  loaded_.emplace(library, *std::move(registry));
+  auto plugin = LoadPlugin(*file);
+  if (!plugin) return plugin.error();
+  loaded_.emplace(library, std::move(plugin->registry));
+  files_->Add(library, std::move(plugin->content));
   return {};
 }
 

@@ -1,15 +1,18 @@
 #pragma once
 
 #include <tendon/manager/component_registry.h>
+#include <tendon/manager/plugin_files.h>
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace tendon {
 
 /// Loads component classes from plug-ins: shared libraries `NAME.so` in a list of folders, which
-/// export TendonRegisterComponents. A plug-in stays loaded for the life of the process.
+/// export TendonRegisterComponents. A plug-in stays loaded for the life of the process, as it was
+/// when it was loaded, whatever becomes of its file: files() tells that.
 ///
 /// One thread at a time.
 class ComponentLoader {
@@ -31,6 +34,8 @@ class ComponentLoader {
 
   /// The classes of each library that is loaded, by its name.
   [[nodiscard]] const std::map<std::string, ComponentRegistry>& loaded() const { return loaded_; }
+  /// From which files; shared with those who look at them in other threads.
+  [[nodiscard]] const std::shared_ptr<PluginFiles>& files() const { return files_; }
   /// The name of each library in the folders, in order; whether it loads is not tried.
   [[nodiscard]] std::vector<std::string> available() const;
 
@@ -39,6 +44,7 @@ class ComponentLoader {
 
   std::vector<std::filesystem::path> folders_;
   std::map<std::string, ComponentRegistry> loaded_;
+  std::shared_ptr<PluginFiles> files_ = std::make_shared<PluginFiles>();
 };
 
 }  // namespace tendon

@@ -32,6 +32,35 @@ struct TableDescription {
   bool operator==(const TableDescription&) const = default;
 };
 
+/// What has become of the file of a plug-in since it was loaded.
+enum class PluginState : std::int32_t {
+  kCurrent,  ///< has what runs
+  kChanged,  ///< has something else, which only a new process runs
+  kGone,
+};
+
+template <>
+inline constexpr auto kPayload<PluginState> = DescribeEnum(
+    "tendon.PluginState", Enumerator{"current", PluginState::kCurrent},
+    Enumerator{"changed", PluginState::kChanged}, Enumerator{"gone", PluginState::kGone});
+
+/// "current", "changed", "gone".
+[[nodiscard]] constexpr std::string_view ToString(PluginState state) noexcept {
+  return NameOf(state);
+}
+
+/// A plug-in that a process has loaded. It stays loaded as it was then.
+struct PluginDescription {
+  std::string name;
+  std::string file;  ///< from where
+  std::int64_t written =
+      0;  ///< when what runs was written to that file, ns since 1970 (for people)
+  PluginState state = PluginState::kCurrent;
+  std::int64_t written_now = 0;  ///< kChanged: when what is there now was written
+
+  bool operator==(const PluginDescription&) const = default;
+};
+
 /// A component as others see it.
 struct ComponentDescription {
   std::string name;
@@ -128,6 +157,14 @@ inline constexpr auto tendon::kPayload<tendon::TableDescription> = tendon::Descr
     "tendon.TableDescription", tendon::Field{"name", &tendon::TableDescription::name},
     tendon::Field{"length", &tendon::TableDescription::length},
     tendon::Field{"columns", &tendon::TableDescription::columns});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::PluginDescription> = tendon::Describe(
+    "tendon.PluginDescription", tendon::Field{"name", &tendon::PluginDescription::name},
+    tendon::Field{"file", &tendon::PluginDescription::file},
+    tendon::Field{"written", &tendon::PluginDescription::written, "ns"},
+    tendon::Field{"state", &tendon::PluginDescription::state},
+    tendon::Field{"written_now", &tendon::PluginDescription::written_now, "ns"});
 
 template <>
 inline constexpr auto tendon::kPayload<tendon::ComponentDescription> = tendon::Describe(

@@ -49,7 +49,11 @@ ConnectionCounts CountsOf(const Connection& connection) {
           .lost_events = connection.lost_events()};
 }
 
-LocalManager::~LocalManager() { Clear(); }
+LocalManager::~LocalManager() {
+  SetObserver(nullptr);
+  EndAll(SteadyClock().Now() + kEndPatience);
+  Clear();
+}
 
 void LocalManager::Clear() {
   SetObserver(nullptr);
@@ -96,12 +100,23 @@ Result<void> LocalManager::Remove(const std::string& component, Patience patienc
     const auto found = Require(component);
     if (!found) return found.error();
     removed = *found;
-    OnRemoving(*removed);
-    DisconnectAll(component);
   }
   const SteadyTime deadline = DeadlineAfter(patience);
-  (void)MakeRequest(
-      removed, [](Component& one) { return one.Stop(kNoWait); }, deadline);
+  (void)StopInOrder(
+      [&](const Component& one) { return &one == removed.get() || RunsAfter(one, *removed); },
+      std::min<SteadyTime>(deadline, SteadyClock().Now() + kEndPatience));
+  {
+    const auto lock = Lock();
+    if (Find(component) != removed.get()) {
+      return Error{ErrorCode::kNotFound, "component '" + component + "' was removed meanwhile"};
+    }
+    OnRemoving(*removed);  // what still waits for a peer waits no longer
+    DisconnectAll(component);
+  }
+  if (!removed->is_at_rest() && !removed->is_stopping()) {
+    const auto stop = [](Component& one) { return one.Stop(kNoWait); };
+    (void)MakeRequest(removed, stop, deadline);
+  }
   Result<void> stopped;
   if (!removed->is_at_rest()) {
     stopped = removed->WaitFor(ComponentState::kFinished,

@@ -3,6 +3,7 @@
 #include <tendon/base/result.h>
 #include <tendon/interface/connection.h>
 #include <tendon/manager/description.h>
+#include <tendon/manager/orderly_end.h>
 #include <tendon/manager/turns.h>
 #include <tendon/manager/watchdog.h>
 #include <tendon/task/component.h>
@@ -53,7 +54,8 @@ class LocalManager {
   LocalManager() = default;
   LocalManager(const LocalManager&) = delete;
   LocalManager& operator=(const LocalManager&) = delete;
-  /// Disconnects, stops and destroys everything.
+  /// Stops everything in order, as StopAll() does within kEndPatience, then disconnects and
+  /// destroys it; waits for components that are busy in their own functions, as long as it takes.
   virtual ~LocalManager();
 
   /// Makes a component T(name, arguments...) and takes it in. ConfigurationError when the name is
@@ -68,8 +70,9 @@ class LocalManager {
   }
   Component& Add(std::unique_ptr<Component> component, ComponentOrigin origin);
 
-  /// Disconnects it, stops it and destroys it. kTimeout when it does not stop: it is still there
-  /// then, without its connections.
+  /// Stops it while its connections stand, lets servers execute what it has sent last, disconnects
+  /// it and destroys it. kTimeout when it does not stop: it is still there then, without its
+  /// connections.
   Result<void> Remove(const std::string& component, Patience patience = kPatience);
 
   /// Puts `component` in the place of the one of its name, which is destroyed: nobody finds none
@@ -102,13 +105,19 @@ class LocalManager {
   Result<void> Start(const std::string& component, Patience patience,
                      std::function<bool()> proceed);
   Result<void> Suspend(const std::string& component, Patience patience = kPatience);
+  /// Those that run after it stop before it. Waits for servers to execute what its Cleanup() has
+  /// sent last, for at most kDrainPatience.
   Result<void> Stop(const std::string& component, Patience patience = kPatience);
   /// All that are not active, one after the other: in the order they were added, those that run
   /// after another one after it. `patience` is that for all of them; the first error, but the
   /// others are started all the same.
   Result<void> StartAll(Patience patience = kPatience);
-  /// All that are active (or suspended, for the second), in the reverse order.
+  /// All that are active, in the reverse order.
   Result<void> SuspendAll(Patience patience = kPatience);
+  /// All that run: clients before their servers, which first execute what those have sent last; and
+  /// those that run after another one before it. Those that do not depend on each other stop at the
+  /// same time. Where connections lead around in a circle, one ends before its client: always the
+  /// same, which the order decides in which they were added.
   Result<void> StopAll(Patience patience = kPatience);
   /// Returns once they are in that state: kTimeout when they are not within `patience`, kFailed
   /// when one is faulted meanwhile.
@@ -128,6 +137,9 @@ class LocalManager {
 
   /// How long a disconnect lets servers execute what they have accepted.
   static constexpr std::chrono::milliseconds kDrainPatience{500};
+  /// How long the end of a manager waits for its components, all together, before it disconnects
+  /// them: with what follows, a program that is told to end does so within 2 s.
+  static constexpr std::chrono::milliseconds kEndPatience{1300};
 
  protected:
   /// Either end, or kNotFound with a suggestion.
@@ -146,7 +158,11 @@ class LocalManager {
   /// Called with the lock held before a component goes, so that what else is tied to it can go
   /// first.
   virtual void OnRemoving(const Component& /*component*/) {}
-  /// For destructors of derived classes: what ~LocalManager() does.
+  /// Whether calls that the component has sent, and its servers can execute, are not executed yet.
+  [[nodiscard]] virtual bool HasCallsUnderWay(const Component& client) const;
+  // For destructors of derived classes: what ~LocalManager() does.
+  /// As StopAll(), with a deadline; what did not end in order is in the log.
+  void EndAll(SteadyTime deadline);
   void Clear();
 
  private:
@@ -167,6 +183,13 @@ class LocalManager {
   [[nodiscard]] Result<std::shared_ptr<Component>> Require(const std::string& component) const;
   /// All of them, each after the one it runs after.
   [[nodiscard]] Components InOrder() const;
+  using IsMeant = std::function<bool(const Component&)>;
+  /// Those that are meant, each after its clients and those that run after it.
+  [[nodiscard]] std::vector<OrderlyEnd::Member> InEndOrder(const IsMeant& is_meant) const;
+  Result<void> StopInOrder(const IsMeant& is_meant, SteadyTime deadline);
+  [[nodiscard]] bool IsAtRest(const Component& component) const;
+  /// Until what it has sent is executed; the log says where it is not by `deadline`.
+  void LetExecute(const Component& client, SteadyTime deadline) const;
   Result<void> Ask(const std::string& component, const Request& request, ComponentState wanted,
                    Patience patience);
   Result<void> AskAll(const Components& components, const Request& request, ComponentState wanted,

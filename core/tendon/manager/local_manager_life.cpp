@@ -1,7 +1,10 @@
+#include <tendon/base/dependency_order.h>
+#include <tendon/base/log.h>
 #include <tendon/manager/local_manager.h>
 #include <tendon/task/thread/threaded_task.h>
 
 #include <algorithm>
+#include <thread>
 
 namespace tendon {
 namespace {
@@ -45,7 +48,19 @@ Result<void> LocalManager::Suspend(const std::string& component, Patience patien
 }
 
 Result<void> LocalManager::Stop(const std::string& component, Patience patience) {
-  return Ask(component, &tendon::Stop, ComponentState::kFinished, patience);
+  if (patience <= kNoWait) {
+    return Ask(component, &tendon::Stop, ComponentState::kFinished, patience);
+  }
+  const auto found = Require(component);
+  if (!found) return found.error();
+  const SteadyTime deadline = DeadlineAfter(patience);
+  (void)StopInOrder([&](const Component& one) { return RunsAfter(one, **found); }, deadline);
+  const Patience left = std::max<Patience>(Turns::kShortest, deadline - SteadyClock().Now());
+  const auto stopped = AskAll({*found}, &tendon::Stop, ComponentState::kFinished, left);
+  if (stopped) {
+    LetExecute(**found, std::min<SteadyTime>(deadline, SteadyClock().Now() + kDrainPatience));
+  }
+  return stopped;
 }
 
 Result<void> LocalManager::StartAll(Patience patience) {
@@ -62,13 +77,95 @@ Result<void> LocalManager::SuspendAll(Patience patience) {
 }
 
 Result<void> LocalManager::StopAll(Patience patience) {
-  Components all = InOrder();
-  std::reverse(all.begin(), all.end());
-  std::erase_if(all, [this](const auto& one) {
-    const auto lock = Lock();
-    return one->is_at_rest() && !turns_.IsInUse(*one);
-  });
+  const auto any = [](const Component& /*one*/) { return true; };
+  if (patience > kNoWait) return StopInOrder(any, DeadlineAfter(patience));
+  Components all;
+  for (OrderlyEnd::Member& one : InEndOrder(any)) all.push_back(std::move(one.component));
+  std::erase_if(all, [this](const auto& one) { return IsAtRest(*one); });
   return AskAll(all, &tendon::Stop, ComponentState::kFinished, patience);
+}
+
+void LocalManager::EndAll(SteadyTime deadline) {
+  const auto ended = StopInOrder([](const Component& /*one*/) { return true; }, deadline);
+  if (ended) return;
+  Log(LogLevel::kWarning, "manager", "the end is not in order: " + ended.error().message);
+}
+
+Result<void> LocalManager::StopInOrder(const IsMeant& is_meant, SteadyTime deadline) {
+  const auto stop = [this](const std::shared_ptr<Component>& one) {
+    return MakeRequest(one, &tendon::Stop, SteadyClock().Now());
+  };
+  OrderlyEnd end(
+      InEndOrder(is_meant),
+      {.is_at_rest = [this](const Component& one) { return IsAtRest(one); },
+       .stop = stop,
+       .has_calls_under_way = [this](const Component& one) { return HasCallsUnderWay(one); }});
+  return end.Run(deadline);
+}
+
+/// And is not asked to leave its rest right now.
+bool LocalManager::IsAtRest(const Component& component) const {
+  const auto lock = Lock();
+  return component.is_at_rest() && !turns_.IsInUse(component);
+}
+
+void LocalManager::LetExecute(const Component& client, SteadyTime deadline) const {
+  constexpr std::chrono::microseconds kBetweenLooks(500);
+  while (HasCallsUnderWay(client)) {
+    if (SteadyClock().Now() >= deadline) return OrderlyEnd::LogNotExecuted(client);
+    std::this_thread::sleep_for(kBetweenLooks);
+  }
+}
+
+/// Those of which no other thread makes cycles execute nothing while this one waits.
+bool LocalManager::HasCallsUnderWay(const Component& client) const {
+  const auto lock = Lock();
+  return std::ranges::any_of(connections_, [&](const auto& one) {
+    const ConnectionDescription& ends = one.second.description;
+    if (ends.required.component != client.name()) return false;
+    if (one.second.connection->waiting() == 0) return false;
+    const auto server = FindProvided(ends.provided);
+    const Inbox* const inbox = server ? (*server)->inbox() : nullptr;
+    return inbox != nullptr && inbox->accepting() && inbox->IsForeignThread();
+  });
+}
+
+std::vector<OrderlyEnd::Member> LocalManager::InEndOrder(const IsMeant& is_meant) const {
+  const auto lock = Lock();
+  std::map<std::string, std::size_t> numbers;  // of the entries
+  for (const Entry& entry : entries_) numbers.emplace(entry.component->name(), numbers.size());
+  Dependencies needed(entries_.size());
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    const auto* const task = dynamic_cast<const Task*>(entries_[i].component.get());
+    if (task != nullptr && task->leader() != nullptr) {
+      needed[i].push_back(numbers.at(task->leader()->name()));
+    }
+  }
+  for (const auto& [id, connection] : connections_) {
+    const std::size_t client = numbers.at(connection.description.required.component);
+    const std::size_t server = numbers.at(connection.description.provided.component);
+    // Who runs after its own client ends with it, and cannot end after it.
+    if (RunsAfter(*entries_[server].component, *entries_[client].component)) continue;
+    needed[client].push_back(server);
+  }
+  std::vector<OrderlyEnd::Member> members;
+  std::map<std::size_t, std::size_t> places;  // in the order of the end, by number
+  std::vector<std::size_t> order = DependencyOrder(needed);
+  std::reverse(order.begin(), order.end());
+  for (const std::size_t number : order) {
+    if (!is_meant(*entries_[number].component)) continue;
+    places.emplace(number, members.size());
+    members.push_back({.component = entries_[number].component, .before = {}});
+  }
+  for (const auto& [number, place] : places) {
+    for (const std::size_t server : needed[number]) {
+      const auto later = places.find(server);
+      if (later != places.end() && later->second > place) {
+        members[later->second].before.push_back(place);
+      }
+    }
+  }
+  return members;
 }
 
 Result<void> LocalManager::WaitFor(const std::string& component, ComponentState state,

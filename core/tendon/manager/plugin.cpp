@@ -1,11 +1,16 @@
 #include <tendon/base/os/loading/child_process.h>
+#include <tendon/base/os/loading/library_copy.h>
 #include <tendon/base/os/loading/shared_library.h>
 #include <tendon/base/os/process.h>
 #include <tendon/base/printable.h>
 #include <tendon/manager/plugin.h>
 #include <tendon/manager/plugin_abi.h>
 
+#include <array>
 #include <exception>
+#include <map>
+#include <mutex>
+#include <utility>
 
 namespace tendon {
 namespace {
@@ -37,6 +42,41 @@ Result<void> CheckAbi(void* library) {
                                        "; build it again against this version"};
 }
 
+/// The library is told apart from others by its bytes: one that was written again is another one.
+using LoadedFile = std::pair<fs::path, std::array<std::uint64_t, 2>>;
+std::mutex loaded_mutex;
+std::map<LoadedFile, void*>& LoadedLibraries() {
+  static std::map<LoadedFile, void*> libraries;
+  return libraries;
+}
+
+Result<void*> LoadGuarded(const fs::path& file, const fs::path& original) {
+  try {
+    const auto loaded = os::LoadSharedLibrary(file, original);
+    return loaded ? loaded : Refusal(original, loaded.error().message);
+  } catch (...) {
+    return Refusal(original, kLoads + ("its start-up " + ThrownWords()));
+  }
+}
+
+/// Lets a library that is loaded register its classes.
+Result<ComponentRegistry> LetRegister(void* library, const fs::path& original) {
+  void* const entry = os::FindSymbol(library, kRegister);
+  if (entry == nullptr) {
+    return Refusal(original, std::string("expected the function ") + kRegister +
+                                 ", found none; it is no plug-in with components");
+  }
+  if (auto checked = CheckAbi(library); !checked) return Refusal(original, checked.error().message);
+  ComponentRegistry registry;
+  try {
+    reinterpret_cast<void (*)(ComponentRegistry&)>(entry)(registry);
+  } catch (...) {
+    return Refusal(original, std::string("expected ") + kRegister + " to return, found that it " +
+                                 ThrownWords());
+  }
+  return registry;
+}
+
 fs::path ProbeProgram() {
   constexpr const char* kName = "tendon-probe";
   const fs::path library = os::FileOf(reinterpret_cast<const void*>(&OpenPlugin));
@@ -59,42 +99,42 @@ std::string DescribePluginAbi(std::uint64_t abi) {
          strings;
 }
 
-Result<ComponentRegistry> OpenPlugin(const fs::path& file) {
-  void* library = nullptr;
-  try {
-    const auto loaded = os::LoadSharedLibrary(file);
-    if (!loaded) return Refusal(file, loaded.error().message);
+Result<Plugin> LoadPlugin(const fs::path& file, std::chrono::milliseconds patience) {
+  auto copy = os::LibraryCopy::Make(file);
+  if (!copy) return Refusal(file, copy.error().message);
+  Plugin plugin{.registry = {}, .content = (*copy)->content()};
+  const std::scoped_lock lock(loaded_mutex);
+  void*& library = LoadedLibraries()[{plugin.content.file, plugin.content.hash}];
+  if (library == nullptr) {
+    if (auto probed = ProbePlugin((*copy)->path(), file, patience); !probed) return probed.error();
+    const auto loaded = LoadGuarded((*copy)->path(), file);
+    if (!loaded) return loaded.error();
     library = *loaded;
-  } catch (...) {
-    return Refusal(file, kLoads + ("its start-up " + ThrownWords()));
+    os::LibraryCopy::Keep(*std::move(copy));
   }
-  void* const entry = os::FindSymbol(library, kRegister);
-  if (entry == nullptr) {
-    return Refusal(file, std::string("expected the function ") + kRegister +
-                             ", found none; it is no plug-in with components");
-  }
-  if (auto checked = CheckAbi(library); !checked) return Refusal(file, checked.error().message);
-  ComponentRegistry registry;
-  try {
-    reinterpret_cast<void (*)(ComponentRegistry&)>(entry)(registry);
-  } catch (...) {
-    return Refusal(
-        file, std::string("expected ") + kRegister + " to return, found that it " + ThrownWords());
-  }
-  return registry;
+  auto registry = LetRegister(library, file);
+  if (!registry) return registry.error();
+  plugin.registry = *std::move(registry);
+  return plugin;
 }
 
-Result<void> ProbePlugin(const fs::path& file, std::chrono::milliseconds patience) {
+Result<ComponentRegistry> OpenPlugin(const fs::path& file, const fs::path& original) {
+  const auto library = LoadGuarded(file, original);
+  return library ? LetRegister(*library, original) : library.error();
+}
+
+Result<void> ProbePlugin(const fs::path& file, const fs::path& original,
+                         std::chrono::milliseconds patience) {
   if (auto checked = os::CheckSharedLibrary(file); !checked) {
-    return Refusal(file, checked.error().message);
+    return Refusal(original, checked.error().message);
   }
   const fs::path program = ProbeProgram();
   if (program.empty()) return {};
-  const auto outcome = os::RunProgram(program, {file.string()}, patience);
+  const auto outcome = os::RunProgram(program, {file.string(), original.string()}, patience);
   if (!outcome) {
     if (outcome.error().code != ErrorCode::kTimeout) return outcome.error();
-    return Refusal(
-        file, kLoads + ("it has not finished after " + std::to_string(patience.count()) + " ms"));
+    return Refusal(original, kLoads + ("it has not finished after " +
+                                       std::to_string(patience.count()) + " ms"));
   }
   // A plug-in may write, too, and end the process with any code.
   const std::string& out = outcome->out;
@@ -105,7 +145,7 @@ Result<void> ProbePlugin(const fs::path& file, std::chrono::milliseconds patienc
   }
   const std::string how =
       outcome->exit_code ? "exit code " + std::to_string(*outcome->exit_code) : outcome->signal;
-  return Refusal(file, kLoads + ("it ends the process that loads it with " + how));
+  return Refusal(original, kLoads + ("it ends the process that loads it with " + how));
 }
 
 }  // namespace tendon

@@ -5,6 +5,14 @@
 
 namespace tendon {
 
+bool RunsAfter(const Component& component, const Component& leader) {
+  const auto* task = dynamic_cast<const Task*>(&component);
+  while (task != nullptr && (task = task->leader()) != nullptr) {
+    if (task == &leader) return true;
+  }
+  return false;
+}
+
 Turns::Turn::Turn(Turns& turns, const Component& component,
                   std::unique_lock<std::recursive_mutex>& lock, SteadyTime deadline)
     : turns_(turns), component_(component) {
@@ -26,10 +34,7 @@ Turns::Turn::~Turn() {
 
 bool Turns::IsInUse(const Component& component) const {
   return std::ranges::any_of(asked_, [&component](const Component* asked) {
-    if (asked == &component) return true;
-    const auto* task = dynamic_cast<const Task*>(asked);
-    while (task != nullptr && task != &component) task = task->leader();
-    return task != nullptr;
+    return asked == &component || RunsAfter(*asked, component);
   });
 }
 

@@ -9,6 +9,9 @@
 
 namespace tendon {
 
+/// Whether `component` runs after `leader`, or after one that does.
+[[nodiscard]] bool RunsAfter(const Component& component, const Component& leader);
+
 /// Which components are asked something now: one request at a time for each, while others are
 /// asked something, too. Everything here is called with the owner's lock held.
 class Turns {

@@ -4,16 +4,19 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
+#include <charconv>
 
 namespace tendon {
 namespace {
 
 /// "10 ms", "0.5 ms".
 std::string Milliseconds(std::chrono::duration<double> time) {
+  constexpr int kDigits = 4;
   std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.4g ms", time.count() * 1e3);
-  return text.data();
+  const auto end = std::to_chars(text.begin(), text.end(), time.count() * 1e3,
+                                 std::chars_format::general, kDigits)
+                       .ptr;
+  return std::string(text.data(), end) + " ms";
 }
 
 }  // namespace

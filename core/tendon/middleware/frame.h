@@ -36,9 +36,9 @@ struct FrameHeader {
 
   static constexpr std::uint32_t kMagic = 0x4e444e54;  // "TNDN"
   /// Raised when a message or what it means changes: a body says nothing of the fields it has.
-  static constexpr std::uint16_t kProtocolVersion = 8;
+  static constexpr std::uint16_t kProtocolVersion = 9;
   /// The oldest one that is spoken too; what newer ones add is kept from a peer that has it not.
-  static constexpr std::uint16_t kOldestVersion = 6;
+  static constexpr std::uint16_t kOldestVersion = 9;
   static constexpr std::size_t kSize = 24;
 };
 

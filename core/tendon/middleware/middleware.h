@@ -217,7 +217,7 @@ Result<void> CheckExposure(const std::string& host, Exposure exposure);
 Result<HostPort> ParseAllowedAddress(const std::string& address, std::uint16_t lowest_port,
                                      Exposure exposure);
 
-/// Logs a warning if `exposure` is kInsecure; a middleware does so when it starts.
+/// Logs a warning if `exposure` is kInsecure; a middleware does so when it listens.
 void WarnOfExposure(Exposure exposure, std::string_view middleware);
 
 }  // namespace tendon

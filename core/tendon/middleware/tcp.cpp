@@ -402,9 +402,8 @@ class Door final : public Served, public std::enable_shared_from_this<Door> {
 
 class TcpMiddleware final : public Middleware {
  public:
-  explicit TcpMiddleware(Exposure exposure) : exposure_(exposure), loop_(std::make_shared<Loop>()) {
-    WarnOfExposure(exposure, "tcp");
-  }
+  explicit TcpMiddleware(Exposure exposure)
+      : exposure_(exposure), loop_(std::make_shared<Loop>()) {}
   ~TcpMiddleware() override { loop_->Stop(); }
 
   [[nodiscard]] std::string_view name() const override { return "tcp"; }
@@ -417,6 +416,7 @@ class TcpMiddleware final : public Middleware {
     const std::string where = os::LocalAddress(*socket);
     auto door = std::make_shared<Door>(loop_, *std::move(socket), std::move(accept));
     door->Begin();
+    WarnOfExposure(exposure_, "tcp");
     return MakeListener(
         where, [loop = loop_, door = std::move(door)] { loop->Execute([&] { door->Shut(); }); });
   }

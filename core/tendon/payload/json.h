@@ -1,6 +1,7 @@
 #pragma once
 
 #include <tendon/base/result.h>
+#include <tendon/payload/channel_value.h>
 #include <tendon/payload/codec.h>
 #include <tendon/payload/schema.h>
 
@@ -13,13 +14,16 @@
 
 /// JSON for people and scripts, made from a schema alone. A structure is an object with its fields
 /// in order, an enum the name of its value, a duration a number of seconds, None is null. Numbers
-/// have the shortest form that reads back the same; those which JSON lacks are "nan", "inf" and
-/// "-inf".
+/// have the shortest form that reads back the same, integers all their digits, negative zero is
+/// -0.0; the numbers which JSON lacks are "nan", "inf" and "-inf".
 namespace tendon {
 
 /// The error says what is wrong with the body. An enum's value without a name is shown as a number,
 /// so that a viewer shows what is there.
 [[nodiscard]] Result<std::string> ToJson(const Schema& schema, std::span<const std::byte> body);
+
+/// The same of one number: a bool, an integer, a float, an enum or a duration.
+[[nodiscard]] std::string ToJson(const Schema& number, const ChannelValue& value);
 
 /// The body of a value: every field once, in its range; at most 16 MiB, 64 levels. The error says
 /// where, what was expected and found: "goal.position[3]: expected a number (rad), got string 'x'".

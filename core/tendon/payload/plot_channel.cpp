@@ -23,15 +23,15 @@ std::string UnitOf(const Schema& number, const std::string& unit) {
 }
 
 /// Reads what is next as a number.
-std::optional<double> ReadNumber(const Schema& schema, CdrReader& reader) {
+std::optional<ChannelValue> ReadNumber(const Schema& schema, CdrReader& reader) {
   if (schema.kind() == Schema::Kind::kDuration) {
     payload::CdrDuration duration;
     if (!payload::ReadDuration(reader, duration)) return std::nullopt;
-    return duration.sec + 1e-9 * duration.nanosec;
+    return ChannelValue(duration);
   }
-  return payload::WithNumber(schema.kind(), [&](auto number) -> std::optional<double> {
+  return payload::WithNumber(schema.kind(), [&](auto number) -> std::optional<ChannelValue> {
     if (!reader.Read(number)) return std::nullopt;
-    return static_cast<double>(number);
+    return ChannelValue(number);
   });
 }
 
@@ -234,7 +234,8 @@ Result<PlotChannel> FindChannel(const Schema& schema, std::string_view path) {
   return found;
 }
 
-std::optional<double> ReadChannel(const PlotChannel& channel, std::span<const std::byte> body) {
+std::optional<ChannelValue> ReadExactly(const PlotChannel& channel,
+                                        std::span<const std::byte> body) {
   if (channel.offset) {
     if (*channel.offset > body.size()) return std::nullopt;
     CdrReader reader(body.subspan(*channel.offset));
@@ -243,6 +244,11 @@ std::optional<double> ReadChannel(const PlotChannel& channel, std::span<const st
   CdrReader reader(body);
   if (!Follow(channel, reader)) return std::nullopt;
   return ReadNumber(channel.schema, reader);
+}
+
+std::optional<double> ReadChannel(const PlotChannel& channel, std::span<const std::byte> body) {
+  const auto value = ReadExactly(channel, body);
+  return value ? std::optional(value->real()) : std::nullopt;
 }
 
 }  // namespace tendon

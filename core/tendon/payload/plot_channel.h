@@ -1,5 +1,6 @@
 #pragma once
 
+#include <tendon/payload/channel_value.h>
 #include <tendon/payload/schema.h>
 
 #include <cstddef>
@@ -38,9 +39,13 @@ constexpr std::size_t kMaxChannels = 16384;
 /// named, whether there are so many or not. The error says where the path leaves the schema.
 [[nodiscard]] Result<PlotChannel> FindChannel(const Schema& schema, std::string_view path);
 
-/// The number in one body; a bool is 0 or 1, an enum its value, a duration in seconds. Nothing when
-/// the body is too short or has no such element. Costs a load where the channel has an offset, else
-/// a walk over what comes before it; allocates nothing.
+/// The number in one body. Nothing when the body is too short or has no such element. Costs a load
+/// where the channel has an offset, else a walk over what comes before it; allocates nothing.
+[[nodiscard]] std::optional<ChannelValue> ReadExactly(const PlotChannel& channel,
+                                                      std::span<const std::byte> body);
+
+/// The same as a double, which rounds integers beyond 2^53; a bool is 0 or 1, an enum its value, a
+/// duration in seconds.
 [[nodiscard]] std::optional<double> ReadChannel(const PlotChannel& channel,
                                                 std::span<const std::byte> body);
 

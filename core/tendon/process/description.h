@@ -34,8 +34,9 @@ struct ProcessDescription {
   std::int64_t pid = 0;
   std::string address;  ///< where viewers and peers reach it
   ProcessState state = ProcessState::kAlive;
-  std::string reason;      ///< why it is lost
+  std::string reason;      ///< why it is lost; of one that is alive: who does not reach it
   std::int64_t since = 0;  ///< when it entered `state`, ns since 1970 (for people, not for logic)
+  std::vector<PluginDescription> plugins{};  ///< in the order in which it has loaded them
 
   bool operator==(const ProcessDescription&) const = default;
 };
@@ -75,7 +76,8 @@ inline constexpr auto tendon::kPayload<tendon::ProcessDescription> = tendon::Des
     tendon::Field{"address", &tendon::ProcessDescription::address},
     tendon::Field{"state", &tendon::ProcessDescription::state},
     tendon::Field{"reason", &tendon::ProcessDescription::reason},
-    tendon::Field{"since", &tendon::ProcessDescription::since, "ns"});
+    tendon::Field{"since", &tendon::ProcessDescription::since, "ns"},
+    tendon::Field{"plugins", &tendon::ProcessDescription::plugins});
 
 template <>
 inline constexpr auto tendon::kPayload<tendon::CatalogChange::Kind> = tendon::DescribeEnum(

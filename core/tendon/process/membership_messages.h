@@ -43,7 +43,7 @@ struct Joined {
 };
 
 /// What has changed in a process since it joined or last reported: steps as in CatalogChange, whose
-/// revisions are left 0. Of the process itself only address, host and pid can change.
+/// revisions are left 0. Of the process itself only address, host, pid and plug-ins can change.
 struct Report {
   std::vector<CatalogChange> changes;
 };

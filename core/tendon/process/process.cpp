@@ -3,10 +3,12 @@
 #include <tendon/process/client/remote_connections.h>
 #include <tendon/process/life/life_cycle.h>
 #include <tendon/process/membership/membership.h>
+#include <tendon/process/membership/own_address.h>
 #include <tendon/process/process.h>
 #include <tendon/process/server/session.h>
 
 #include <future>
+#include <mutex>
 #include <utility>
 
 namespace tendon {
@@ -58,27 +60,43 @@ class Process::Parts final : public MembershipDelegate {
   void Open(const ProcessOptions& options) {
     Listen(options);
     if (options.gcm.empty()) return;
-    membership_ = std::make_unique<Membership>(
-        context_, *this,
-        Membership::Options{
-            .gcm = GcmAddress(options.gcm), .retry = options.retry, .process = Description()});
+    membership_ = std::make_unique<Membership>(context_, *this,
+                                               Membership::Options{.gcm = GcmAddress(options.gcm),
+                                                                   .retry = options.retry,
+                                                                   .process = Description(),
+                                                                   .listens = listener_->address(),
+                                                                   .advertise = options.advertise});
     membership_->Begin();
   }
 
-  /// While the process still knows them.
-  void Close() {
+  void WatchPlugins() {
+    life_.WatchPlugins([this] { OnChanged(); });
+  }
+
+  /// From now on nobody else steers the components.
+  void RefuseOrders() { life_.Close(); }
+
+  [[nodiscard]] bool HasCallsUnderWay(const Component& client) const {
+    return connections_.HasCallsUnderWay(client.name());
+  }
+
+  /// While the process still knows them; drops what is still to be sent or executed at `deadline`.
+  void Close(SteadyTime deadline) {
     life_.Stop();  // while the worker can do what it may wait for
     context_.opener->Stop();
     context_.gcm_opener->Stop();
     context_.worker->Stop();  // from now on the structure is changed here alone
     if (membership_) membership_->Leave();
-    connections_.Close();
+    connections_.Close(deadline);
     listener_.reset();
-    services_.connections.Close();
+    services_.connections.Close(deadline);
   }
 
   [[nodiscard]] const ProcessContext& context() const { return context_; }
-  [[nodiscard]] const std::string& address() const { return address_; }
+  [[nodiscard]] std::string address() const {
+    const std::scoped_lock lock(address_mutex_);
+    return address_;
+  }
   [[nodiscard]] const Membership* membership() const { return membership_.get(); }
   [[nodiscard]] RemoteConnections& connections() { return connections_; }
 
@@ -111,7 +129,7 @@ class Process::Parts final : public MembershipDelegate {
         context_.middleware->Listen(options.listen, Channel::Acceptor(context_.hello, choose));
     if (!listener) throw ConfigurationError(listener.error());
     listener_ = *std::move(listener);
-    address_ = options.advertise.empty() ? listener_->address() : options.advertise;
+    address_ = OwnAddressOf(listener_->address(), options.advertise, {}).address;
   }
 
   [[nodiscard]] ProcessDescription Description() const {
@@ -120,13 +138,19 @@ class Process::Parts final : public MembershipDelegate {
     description.instance = context_.hello.instance;
     description.host = os::HostName();
     description.pid = os::ProcessId();
-    description.address = address_;
     return description;
   }
 
   ProcessContent content() const override {
     const auto lock = process_.Lock();
-    return {.components = process_.components(), .connections = process_.connections()};
+    return {.components = process_.components(),
+            .connections = process_.connections(),
+            .plugins = life_.plugins()};
+  }
+
+  void OnOwnAddress(const std::string& address) override {
+    const std::scoped_lock lock(address_mutex_);
+    address_ = address;
   }
 
   void OnPeers(const std::vector<ProcessDescription>& processes) override {
@@ -179,31 +203,45 @@ class Process::Parts final : public MembershipDelegate {
   Services services_;
   RemoteConnections connections_;
   LifeCycle life_;
-  std::string address_;
+  mutable std::mutex address_mutex_;
+  std::string address_;  // as others are told it
   std::unique_ptr<Membership> membership_;
   std::unique_ptr<Listener> listener_;
 };
 
 Process::Process(std::string name, ProcessOptions options) {
   RequireName("process", name);
+  if (!options.advertise.empty()) {
+    if (const auto checked = CheckAdvertise(options.advertise); !checked) {
+      throw ConfigurationError(checked.error());
+    }
+  }
   if (!options.middleware) {
     throw ConfigurationError("process '" + name + "' has no middleware; see Tcp() and Ice()");
   }
   parts_ = std::make_unique<Parts>(*this, name, options);
   parts_->Open(options);
   SetObserver([parts = parts_.get()] { parts->OnChanged(); });
+  parts_->WatchPlugins();
 }
 
 Process::~Process() {
   SetObserver(nullptr);
-  parts_->Close();
+  const SteadyTime deadline = SteadyClock().Now() + kEndPatience;
+  parts_->RefuseOrders();
+  EndAll(deadline);
+  parts_->Close(deadline);
   parts_.reset();
   Clear();
 }
 
+bool Process::HasCallsUnderWay(const Component& client) const {
+  return LocalManager::HasCallsUnderWay(client) || parts_->HasCallsUnderWay(client);
+}
+
 const std::string& Process::name() const { return parts_->context().name; }
 
-const std::string& Process::address() const { return parts_->address(); }
+std::string Process::address() const { return parts_->address(); }
 
 std::uint64_t Process::instance() const { return parts_->context().hello.instance; }
 

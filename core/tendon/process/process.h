@@ -21,8 +21,10 @@ struct ProcessOptions {
   std::shared_ptr<Middleware> middleware;
   std::string gcm;                     ///< "host" or "host:port"; empty: joins none
   std::string listen = "127.0.0.1:0";  ///< for peers and viewers; port 0 takes a free one
-  std::string advertise;               ///< where others reach it, if not where it listens
-  bool retry = true;                   ///< looks for the GCM until it is found
+  /// Where others reach it, if not where it listens: "host:port", or a host alone for the port at
+  /// which it listens. Where it listens at every address: that from which it reaches the GCM.
+  std::string advertise;
+  bool retry = true;  ///< looks for the GCM until it is found
   /// For those who order components from afar, through the GCM; nobody else uses it meanwhile.
   /// Null: none are made.
   std::shared_ptr<ComponentLoader> loader{};
@@ -48,12 +50,14 @@ class Process final : public LocalManager, private ProcessHost {
   /// Listens, and begins to join the GCM. ConfigurationError: a bad name or address; kExists where
   /// the port is in use; kDenied off this machine, or without the user's cookie.
   Process(std::string name, ProcessOptions options);
-  /// Says good-bye, disconnects, stops and destroys everything.
+  /// Stops everything in order, as LocalManager does, while its connections stand and its servers
+  /// in other processes execute what it has sent last; then says good-bye, disconnects and destroys
+  /// it. A peer, or a GCM, that hangs delays that to 2 s at most.
   ~Process() override;
 
   [[nodiscard]] const std::string& name() const;
-  /// Where others reach it.
-  [[nodiscard]] const std::string& address() const;
+  /// Where others reach it. Of one that listens at every address it is known once it has joined.
+  [[nodiscard]] std::string address() const;
   [[nodiscard]] std::uint64_t instance() const;
 
   /// Errors: kUnreachable "no GCM at ...", kExists with who holds the name, kTimeout. The process
@@ -80,6 +84,7 @@ class Process final : public LocalManager, private ProcessHost {
   class Parts;
 
   void OnRemoving(const Component& component) override;
+  [[nodiscard]] bool HasCallsUnderWay(const Component& client) const override;
   [[nodiscard]] InterfaceName Full(InterfaceName name) const;
   [[nodiscard]] Result<InterfaceName> Here(const InterfaceName& required) const;
 

@@ -45,7 +45,7 @@ class RowSink {
   virtual ~RowSink() = default;
   /// The subscription stands; the columns' schemas in the order asked for. Again after healing.
   virtual void OnSubscribed(const std::vector<Schema>& columns) = 0;
-  /// Returns for how many of the rows there was no room here: they are lost in the viewer.
+  /// Returns how many rows, of these or of earlier ones, had to be dropped: lost in the viewer.
   virtual std::size_t OnRows(const RowBatch& batch) = 0;
   /// No rows for now: the process is gone or refused; the client keeps trying.
   virtual void OnStale(const Error& reason) = 0;

@@ -25,17 +25,14 @@ inline constexpr auto kPing = static_cast<MessageType>(0x104);  // request: None
 // request, a function's handle: the argument, and behind it u64, for how many ns the caller waits
 // -> as kRead, once the component has executed it, or will not
 inline constexpr auto kWait = static_cast<MessageType>(0x105);
-/// From this protocol version on the opener asks by kOpenMarked instead of kOpenInterface.
-inline constexpr std::uint16_t kMarksLatestOnly = 8;
 inline constexpr auto kOpenMarked =
     static_cast<MessageType>(0x106);  // request: OpenMarked -> MarkedOpened
 // From the other.
 // notice: calls of event handlers, as CallBatch puts them
 inline constexpr auto kEvents = static_cast<MessageType>(0x110);
 inline constexpr auto kCredit = static_cast<MessageType>(0x111);  // notice: Credit
-/// From this protocol version on the opener takes it from the answer to a kWait that was executed:
-/// what it had sent before has been, too.
-inline constexpr std::uint16_t kAnswersTellCredit = 7;
+// The opener also takes it from the answer to a kWait that was executed: what it had sent before
+// has been, too.
 // notice: Error; the provided interface is gone
 inline constexpr auto kInterfaceClosed = static_cast<MessageType>(0x112);
 // notice, to who listens from outside: as kEvents, each value as AddTimed() puts it

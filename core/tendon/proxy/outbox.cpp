@@ -296,6 +296,11 @@ void Outbox::OnExecuted(std::uint64_t calls, const Mailbox& callers) {
   if (callers.size() != 0) wakeup_.Notify();
 }
 
+bool Outbox::HasCallsUnderWay() const {
+  const std::scoped_lock turn(sending_);
+  return has_taken() || executed_.Get() < sent_;
+}
+
 std::uint64_t Outbox::Room() const {
   const std::uint64_t under_way = sent_ - std::min(executed_.Get(), sent_);
   return credit_ - std::min(under_way, credit_);

@@ -67,6 +67,9 @@ class Outbox {
   /// so of more than were sent is cut off by the next Send().
   void SetExecuted(std::uint64_t calls);
 
+  /// Any thread: whether calls were taken that are not sent, or sent and not known to be executed.
+  [[nodiscard]] bool HasCallsUnderWay() const;
+
   /// The right to send, of a caller's thread: while it is held, nothing else is sent here.
   using Turn = std::unique_lock<std::mutex>;
 

@@ -1,4 +1,5 @@
 #include <tendon/base/printable.h>
+#include <tendon/interface/connection.h>
 #include <tendon/proxy/function_proxy.h>
 #include <tendon/proxy/mirror/mirrored_read_proxy.h>
 #include <tendon/proxy/provided_interface_proxy.h>
@@ -139,6 +140,11 @@ bool ProvidedInterfaceProxy::OnCredit(const message::Credit& credit) {
 void ProvidedInterfaceProxy::Sever() {
   outbox_.Close();
   for (const auto& [name, value] : mirrored_) value->End();
+}
+
+bool ProvidedInterfaceProxy::HasCallsUnderWay(const Connection& connection) {
+  if (!outbox_.is_open() || !outbox_.inbox().accepting()) return false;
+  return connection.waiting() > 0 || outbox_.HasCallsUnderWay();
 }
 
 std::string ProvidedInterfaceProxy::fault() const {

@@ -19,6 +19,8 @@
 
 namespace tendon {
 
+class Connection;
+
 /// Stands in for a provided interface of another process, for one connection: a required interface
 /// here is connected to it as to any other. Void and write commands wait here until the network
 /// thread sends them, as many as the other end has room for. Reads ask in the caller's thread,
@@ -64,6 +66,10 @@ class ProvidedInterfaceProxy final : public NetworkJob,
   void DrainEvents(SteadyTime deadline) const;
   /// Any thread: why the component over there is faulted, or empty.
   [[nodiscard]] std::string fault() const;
+  /// Any thread: whether calls of `connection`, which is the one to this proxy, wait here or are
+  /// not executed over there yet, as far as that has told; none are while the component there
+  /// rests.
+  [[nodiscard]] bool HasCallsUnderWay(const Connection& connection);
   /// Once the network thread works for it no more: sends what that has taken and could not send,
   /// for at most `patience`.
   void SendRest(std::chrono::milliseconds patience) { outbox_.SendRest(patience); }

@@ -287,9 +287,7 @@ void RequiredInterfaceProxy::OnWait(std::size_t function, std::span<const std::b
                           .deadline = now + *timeout,
                           .function = function,
                           .responder = std::move(responder)};
-  const bool answer_tells =
-      begun.responder.Defer() && channel_->protocol_version() >= message::kAnswersTellCredit;
-  const Watch watch = answer_tells ? Watch::kNowAndThen : Watch::kClosely;
+  const Watch watch = begun.responder.Defer() ? Watch::kNowAndThen : Watch::kClosely;
   if (!MustWaitInLine(function)) {
     const Status status = Begin(begun, question, answer_);
     CountReceived(watch);

@@ -1,6 +1,7 @@
 #include <tendon/base/clock.h>
 #include <tendon/base/log.h>
 #include <tendon/base/name.h>
+#include <tendon/interface/execution/patient_calls.h>
 #include <tendon/task/component.h>
 
 #include <algorithm>
@@ -103,6 +104,14 @@ void Component::Seal() {
   sealed_ = true;
   for (const auto& one : provided_) one->Seal();
   for (const auto& one : required_) one->Seal();
+  for (const auto& one : provided_) {
+    const auto own = one->expiries();
+    expiries_.insert(expiries_.end(), own.begin(), own.end());
+  }
+  if (expiries_.empty() || inbox_) return;
+  throw ConfigurationError(
+      "command '" + expiries_.front()->command() + "' of " + Quoted(name_) +
+      " cannot expire: a component without a thread cannot end it. Derive it " + "from a task");
 }
 
 Result<void> Component::Start(Patience patience, const std::function<bool()>& proceed) {
@@ -248,13 +257,100 @@ Result<void> Component::Launch() {
 void Component::Pause() { SetState(ComponentState::kSuspended); }
 
 Result<void> Component::Resume() {
-  SetState(ComponentState::kActive);
+  if (TellOfResume()) SetState(ComponentState::kActive);
   return {};
 }
 
 void Component::Halt() {
   host_.SetAccepting(false);  // before what calls need is given up
+  const PatientCalls get_through;
   if (RunGuarded("Cleanup", [this] { Cleanup(); })) SetState(ComponentState::kFinished);
+}
+
+bool Component::TellOfPeers(RequiredInterface& interface) {
+  using Change = RequiredInterface::PeerChange;
+  const bool is_told_first = interface.callers() == Callers::kManyThreads;
+  while (true) {
+    const Change change = interface.peer_change();
+    if (change == Change::kNone) return true;
+    if (change == Change::kGone) {
+      interface.ForgetPeer();
+      if (!RunGuarded("OnDisconnected", [&] { OnDisconnected(interface); })) return false;
+      continue;
+    }
+    if (!interface.TakePeer()) return true;
+    if (!is_told_first) interface.AdmitPeer();
+    if (!RunGuarded("OnConnected", [&] { OnConnected(interface); })) {
+      if (inbox_) interface.ForgetPeer();  // it is told again when it is started anew
+      return false;
+    }
+    // Whoever has no thread is connected by who has called this.
+    if (is_told_first && inbox_) interface.AdmitPeer();
+  }
+}
+
+bool Component::TellOfGoneClient(const GoneClient& client) {
+  return RunGuarded("OnClientGone", [&] {
+    for (Expiry* const expiry : expiries_) {
+      if (expiry->IsOf(client.connection)) expiry->End();
+    }
+    OnClientGone(*client.provided, client.name);
+  });
+}
+
+bool Component::TellOfConnections() {
+  for (const auto& one : required_) {
+    // Who has no thread is told by those that change the connection, who may do so right now.
+    if (inbox_ && !TellOfPeers(*one)) return false;
+  }
+  bool is_good = true;
+  gone_clients_.Take(
+      [&](const GoneClient& client) { is_good = is_good && TellOfGoneClient(client); });
+  return is_good;
+}
+
+bool Component::TellBeforeStartup() {
+  for (Expiry* const expiry : expiries_) expiry->Disarm();
+  gone_clients_.Take([](const GoneClient& /*client*/) {});
+  return TellOfConnections();
+}
+
+bool Component::TellOfResume() {
+  return TellOfConnections() && RunGuarded("OnResume", [this] {
+           EndExpired(SteadyClock().Now());
+           OnResume();
+         });
+}
+
+void Component::EndExpired(SteadyTime now) {
+  for (Expiry* const expiry : expiries_) {
+    if (expiry->due() > now) continue;
+    Log(LogLevel::kInfo, name_, expiry->message());
+    expiry->End();
+  }
+}
+
+SteadyTime Component::next_expiry() const noexcept {
+  SteadyTime next = SteadyTime::max();
+  for (const Expiry* const expiry : expiries_) next = std::min(next, expiry->due());
+  return next;
+}
+
+void Component::HearOfPeer(RequiredInterface& interface) { (void)TellOfPeers(interface); }
+
+void Component::HearOfGoneClient(GoneClient client) {
+  if (state() == ComponentState::kSuspended) return KeepGoneClient(std::move(client));
+  if (state() == ComponentState::kActive) (void)TellOfGoneClient(client);
+}
+
+void Component::KeepGoneClient(GoneClient client) {
+  if (is_at_rest()) return;
+  const auto is_same = [&client](const GoneClient& one) {
+    return one.provided == client.provided && one.name == client.name;
+  };
+  // One that is suspended hears of each client once, however often it has come and gone.
+  if (state() == ComponentState::kSuspended && gone_clients_.HasUnread(is_same)) return;
+  gone_clients_.Send(std::move(client));
 }
 
 void Component::EnterFault(const char* where, const std::string& reason) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <tendon/base/clock.h>
 #include <tendon/base/error.h>
 #include <tendon/base/name.h>
 #include <tendon/base/result.h>
@@ -9,6 +10,7 @@
 #include <tendon/interface/provided_interface.h>
 #include <tendon/interface/required_interface.h>
 #include <tendon/lockfree/flag.h>
+#include <tendon/lockfree/notice_list.h>
 #include <tendon/task/component_state.h>
 
 #include <chrono>
@@ -19,6 +21,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tendon {
@@ -109,8 +112,30 @@ class Component {
   virtual void Configure() {}
   /// Before the first cycle, in the component's thread if it has one. May throw.
   virtual void Startup() {}
-  /// After the last cycle, in the component's thread if it has one. May throw.
+  /// After the last cycle, in the component's thread if it has one. Its connections stand: what it
+  /// sends arrives. May throw.
   virtual void Cleanup() {}
+
+  // What changes around it while it lives, told before its next Run(), in its own thread. They may
+  // throw, cost nothing in a cycle in which nothing changes, and what is called by them must keep
+  // to the cycle's time. What changes while it does not run it hears before Startup(), and while it
+  // is suspended, before OnResume().
+
+  /// `interface` has another peer: anything may be otherwise than with the last one, such as where
+  /// the robot stands. No call has reached it before; from here on calls do. (Where threads of
+  /// others call as well, from the return on. A component without a thread hears of it in the
+  /// thread that connects, whatever its state.)
+  virtual void OnConnected(RequiredInterface& /*interface*/) {}
+  /// The peer is gone, and so are its events: calls return kNotConnected until the next
+  /// OnConnected(). Who has no thread hears of it in the thread that disconnects, where its calls
+  /// reach the peer still, if that is there.
+  virtual void OnDisconnected(RequiredInterface& /*interface*/) {}
+  /// It was suspended, for how long it may, and goes on: the world is not what it was.
+  virtual void OnResume() {}
+  /// A client that could call `interface` is disconnected or lost, and nothing that it has sent is
+  /// executed any more; told while it runs, or once it is resumed. `client` is named as its manager
+  /// knows it: "teleoperation/Robot" in this process, "desk/teleoperation/Robot" in another one.
+  virtual void OnClientGone(ProvidedInterface& /*interface*/, const std::string& /*client*/) {}
 
   // What the requests do, once they are known to be legal. They need not wait for their effect.
 
@@ -121,6 +146,26 @@ class Component {
   virtual void Halt();
   /// Called now and then in a thread that waits for a state: for what no thread of its own does.
   virtual void ServeWaiting() {}
+
+  // For kinds of components, in the thread that runs the author's functions. False where one has
+  // thrown: it is faulted.
+
+  /// Tells of the peers that have come and gone, and of the clients that have gone.
+  bool TellOfConnections();
+  /// Tells that it goes on, after what else there is to tell.
+  bool TellOfResume();
+  /// What has changed before a start only the peers are told of: what clients had set going ended
+  /// when it did.
+  bool TellBeforeStartup();
+  /// Runs what takes the place of commands that were not renewed by `now`.
+  void EndExpired(SteadyTime now);
+  /// When the next one must be renewed; the largest time where none must.
+  [[nodiscard]] SteadyTime next_expiry() const noexcept;
+
+  /// In the thread of a manager: there is something to tell.
+  virtual void HearOfPeer(RequiredInterface& interface);
+  virtual void HearOfGoneClient(GoneClient client);
+  void KeepGoneClient(GoneClient client);
 
   /// Runs one of the author's functions; an exception faults the component, named after `where`,
   /// which is looked at then.
@@ -149,14 +194,21 @@ class Component {
   // Beside the functions above a base class has no names that an author's own could mean.
 
   Result<void> WaitForState(ComponentState wanted, Patience patience, bool ends_with_a_stop);
+  bool TellOfPeers(RequiredInterface& interface);
+  bool TellOfGoneClient(const GoneClient& client);
 
   std::string name_;
-  Host host_{[this](const std::string& reason) { FaultFromOutside(reason); }};
+  Host host_{Host::Listeners{
+      .on_exception = [this](const std::string& reason) { FaultFromOutside(reason); },
+      .on_peer_changed = [this](RequiredInterface& interface) { HearOfPeer(interface); },
+      .on_client_gone = [this](GoneClient client) { HearOfGoneClient(std::move(client)); }}};
   std::unique_ptr<Inbox> inbox_;
   bool sealed_ = false;
   std::vector<std::unique_ptr<ProvidedInterface>> provided_;
   std::vector<std::unique_ptr<RequiredInterface>> required_;
   std::map<std::string, SourcePlace> added_at_;
+  std::vector<Expiry*> expiries_;
+  NoticeList<GoneClient> gone_clients_;
   Published<ComponentState> state_{ComponentState::kConstructed};
   Flag is_starting_;
   Flag is_stopping_;

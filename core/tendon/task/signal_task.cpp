@@ -1,5 +1,7 @@
+#include <tendon/task/cycle/task_life.h>
 #include <tendon/task/signal_task.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace tendon {
@@ -12,8 +14,10 @@ void SignalTask::Loop() {
   constexpr std::chrono::hours kLong(1);
   const auto is_due = [this] { return has_orders() || inbox()->has_queued(); };
   while (!has_orders()) {
-    const SteadyTime before = SteadyClock().Now();
-    if (!wakeup().WaitUntil(is_due, before + kLong) || has_orders()) continue;
+    const SteadyTime latest = SteadyClock().Now() + kLong;
+    const SteadyTime expiry = TaskLife::NextExpiry(*this);
+    const bool was_called = wakeup().WaitUntil(is_due, std::min(latest, expiry));
+    if (has_orders() || !(was_called || expiry < latest)) continue;
     if (!DoCycle(SteadyClock().Now())) return;
   }
 }

@@ -71,8 +71,15 @@ std::chrono::nanoseconds Task::SinceLastCycle(SteadyTime now) const noexcept {
 std::size_t Task::ProcessQueuedCommands() {
   const char* const before = std::exchange(doing_, kInHandler);
   const std::size_t executed = inbox()->ExecuteQueued();
+  EndExpiredNow();
   doing_ = before;
   return executed;
+}
+
+/// Behind the commands that have arrived: what they renew goes on.
+void Task::EndExpiredNow() {
+  if (next_expiry() == SteadyTime::max()) return;
+  EndExpired(SteadyClock().Now());
 }
 
 bool Task::DoCycle(SteadyTime begin, SteadyTime due) {
@@ -84,6 +91,7 @@ bool Task::DoCycle(SteadyTime begin, SteadyTime due) {
   const bool is_good = RunGuarded(doing_, [this] {
     const DeferLogging put_aside(*log_);
     Run();
+    EndExpiredNow();
   });
   if (is_good) {
     for (const auto& table : tables_) table->AdvanceAfterCycle(begin);
@@ -154,6 +162,17 @@ Result<void> Task::JoinLeader(Task& leader, SteadyTime deadline) {
 Result<void> Task::LeaveLeader(SteadyTime deadline) {
   Task* const leader = leader_.Get();
   return leader == nullptr ? Result<void>() : TaskLife::RemoveFollower(*leader, *this, deadline);
+}
+
+void Task::HearOfPeer(RequiredInterface& interface) {
+  TaskLife::CallThread(*this);
+  // Behind the call: a start that comes before it is seen here, one that comes after it tells.
+  if (is_at_rest()) interface.AdmitPeerAtRest();
+}
+
+void Task::HearOfGoneClient(GoneClient client) {
+  KeepGoneClient(std::move(client));
+  TaskLife::CallThread(*this);
 }
 
 void Task::FaultFromOutside(const std::string& reason) {

@@ -117,9 +117,13 @@ class Task : public Component {
   Result<void> JoinLeader(Task& leader, SteadyTime deadline);
 
   void FaultFromOutside(const std::string& reason) override;
+  void HearOfPeer(RequiredInterface& interface) override;
+  void HearOfGoneClient(GoneClient client) override;
 
  private:
   friend TaskLife;  // the rest of its work, under names that are not in an author's way
+
+  void EndExpiredNow();
 
   std::shared_ptr<CycleLog> log_;
   std::vector<std::unique_ptr<StateTable>> tables_;

@@ -22,6 +22,7 @@ class Cook final : public tendon::PeriodicTask {
   }
 
  private:
+  void OnConnected(tendon::RequiredInterface& /*oven*/) override { cycles_to_order_ = 0; }
   void Run() override {
     ProcessQueuedCommands();
     if (--cycles_to_order_ > 0) return;

@@ -22,6 +22,7 @@ class Oven final : public tendon::PeriodicTask {
     state_table().Add(temperature_, "Temperature");
     auto& control = AddProvidedInterface("Control");
     control.AddCommandWrite(&Oven::Bake, this, "Bake");
+    control.AddCommandVoid(&Oven::Grill, this, "Grill").ExpiresAfter(500ms, &Oven::EndGrill, this);
     control.AddCommandReadState(state_table(), temperature_, "GetTemperature");
     control.AddEvent(done_, "Done");
   }
@@ -29,7 +30,8 @@ class Oven final : public tendon::PeriodicTask {
  private:
   void Run() override {
     ProcessQueuedCommands();
-    const double goal = is_baking_ ? recipe_.temperature : kRoomTemperature;
+    const double rest = is_grilling_ ? kGrillTemperature : kRoomTemperature;
+    const double goal = is_baking_ ? recipe_.temperature : rest;
     const double step = heating_ * period();
     temperature_ += std::clamp(goal - temperature_, -step, step);
     if (!is_baking_ || temperature_ < goal) return;
@@ -38,16 +40,21 @@ class Oven final : public tendon::PeriodicTask {
     is_baking_ = false;
     done_({.number = ++batches_, .temperature = temperature_});
   }
+  void OnResume() override { is_baking_ = false; }
+  void Grill() { is_grilling_ = true; }
+  void EndGrill() { is_grilling_ = false; }
   void Bake(const Recipe& recipe) {
     recipe_ = recipe;
     is_baking_ = true;
     baked_ = 0.0;
   }
 
-  static constexpr double kRoomTemperature = 20.0;  // degC
-  const double heating_;                            // K/s
-  double temperature_ = kRoomTemperature;           // degC
+  static constexpr double kRoomTemperature = 20.0;    // degC
+  static constexpr double kGrillTemperature = 250.0;  // degC
+  const double heating_;                              // K/s
+  double temperature_ = kRoomTemperature;             // degC
   bool is_baking_ = false;
+  bool is_grilling_ = false;
   Recipe recipe_;
   double baked_ = 0.0;  // s
   std::uint64_t batches_ = 0;

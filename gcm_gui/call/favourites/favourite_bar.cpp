@@ -1,6 +1,7 @@
 #include <gcm_gui/call/careful.h>
 #include <gcm_gui/call/favourites/favourite_bar.h>
 #include <gcm_gui/call/hold_button.h>
+#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/state_of.h>
 #include <gcm_gui/models/text.h>
@@ -38,7 +39,7 @@ FavouriteBar::FavouriteBar(Favourites& favourites, const CatalogueStore& store, 
   setAccessibleName(Words::tr("Favourite commands"));
   setAutoFillBackground(true);
   connect(&favourites, &Favourites::changed, this, &FavouriteBar::build);
-  connect(&store, &CatalogueStore::changed, this, &FavouriteBar::refresh);
+  connect(&store, &CatalogueStore::changed, this, Fenced(this, &FavouriteBar::refresh));
   build();
 }
 

@@ -1,14 +1,16 @@
 #include <gcm_gui/call/hold_button.h>
+#include <gcm_gui/call/repeat/number_box.h>
 #include <gcm_gui/call/repeat/repeat_row.h>
+#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/theme/metrics.h>
 
-#include <QDoubleSpinBox>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QPushButton>
-#include <QSpinBox>
+#include <QStringList>
+#include <cmath>
 #include <utility>
 
 namespace tendon::gui {
@@ -16,6 +18,7 @@ namespace {
 
 constexpr double kHighestRate = 50;  // Hz; what is faster belongs into a component
 constexpr int kMostTimes = 100000;
+constexpr double kCallsUntilItExpires = 2;  // one may be late
 
 }  // namespace
 
@@ -23,14 +26,13 @@ RepeatRow::RepeatRow(CommandCalls& calls, std::function<std::string()> argument,
     : QWidget(parent),
       repeater_(calls),
       argument_(std::move(argument)),
-      rate_(new QDoubleSpinBox),
-      times_(new QSpinBox),
+      rate_(new NumberBox(NumberBox::Numbers::kAll)),
+      times_(new NumberBox(NumberBox::Numbers::kWhole)),
       button_(new QPushButton) {
   setObjectName(QStringLiteral("call.repeatRow"));
   rate_->setObjectName(QStringLiteral("call.rate"));
   rate_->setAccessibleName(Words::tr("Calls a second"));
   rate_->setRange(0.1, kHighestRate);
-  rate_->setDecimals(1);
   rate_->setValue(1);
   rate_->setSuffix(QStringLiteral(" Hz"));
   times_->setObjectName(QStringLiteral("call.times"));
@@ -49,7 +51,7 @@ RepeatRow::RepeatRow(CommandCalls& calls, std::function<std::string()> argument,
   row->addWidget(button_);
   hold_.setSingleShot(true);
   hold_.setInterval(HoldButton::kHold);
-  connect(&hold_, &QTimer::timeout, this, &RepeatRow::begin);
+  connect(&hold_, &QTimer::timeout, this, Fenced(this, &RepeatRow::begin));
   connect(button_, &QPushButton::pressed, this, [this] {
     if (careful_) hold_.start();
   });
@@ -66,6 +68,17 @@ RepeatRow::RepeatRow(CommandCalls& calls, std::function<std::string()> argument,
     const QString ended = counts() + (refusal.isEmpty() ? QString() : QStringLiteral("\n"));
     Q_EMIT told(ended + refusal, !refusal.isEmpty());
   });
+  for (NumberBox* const box : {rate_, times_}) {
+    connect(box, &NumberBox::edited, this, &RepeatRow::checkNumbers);
+  }
+  showButton();
+}
+
+void RepeatRow::checkNumbers() {
+  QStringList refusals{rate_->refusal(), times_->refusal()};
+  refusals.removeAll(QString());
+  const bool was_refused = std::exchange(is_refused_, !refusals.isEmpty());
+  if (is_refused_ || was_refused) Q_EMIT told(refusals.join('\n'), is_refused_);
   showButton();
 }
 
@@ -78,11 +91,13 @@ QString RepeatRow::counts() const {
 }
 
 void RepeatRow::begin() {
-  repeater_.start(path_, argument_(), rate_->value(), times_->value());
+  if (is_refused_) return;
+  repeater_.start(path_, argument_(), rate_->value(), static_cast<int>(times_->value()));
   showButton();
 }
 
 void RepeatRow::showButton() {
+  button_->setEnabled(is_callable_ && (!is_refused_ || repeater_.isRunning()));
   const QString start = careful_ ? Words::tr("Hold to repeat") : Words::tr("Repeat");
   button_->setText(repeater_.isRunning() && !careful_ ? Words::tr("Stop") : start);
   button_->setToolTip(careful_ ? Words::tr("It can set something in motion: it is called as "
@@ -95,9 +110,10 @@ void RepeatRow::letGo() {
   repeater_.stop();
 }
 
-void RepeatRow::setCommand(const QString& path) {
+void RepeatRow::setCommand(const QString& path, double expires_after) {
   letGo();
   path_ = path;
+  rate_->setValue(expires_after > 0 ? std::ceil(kCallsUntilItExpires / expires_after) : 1);
 }
 
 void RepeatRow::setCareful(bool careful) {
@@ -108,7 +124,8 @@ void RepeatRow::setCareful(bool careful) {
 
 void RepeatRow::setCallable(bool callable) {
   if (!callable) letGo();
-  button_->setEnabled(callable);
+  is_callable_ = callable;
+  showButton();
 }
 
 bool RepeatRow::eventFilter(QObject* watched, QEvent* event) {

@@ -7,11 +7,11 @@
 #include <functional>
 #include <string>
 
-class QDoubleSpinBox;
 class QPushButton;
-class QSpinBox;
 
 namespace tendon::gui {
+
+class NumberBox;
 
 /// How often and how many times a command is called, and a button that begins and ends that. Where
 /// a call can set something in motion, it goes on only as long as the button is held down.
@@ -22,8 +22,9 @@ class RepeatRow : public QWidget {
   /// `argument` says what would be said now.
   RepeatRow(CommandCalls& calls, std::function<std::string()> argument, QWidget* parent = nullptr);
 
-  /// Ends what runs.
-  void setCommand(const QString& path);
+  /// Ends what runs. Suggests to call it often enough to renew one that expires after so many
+  /// seconds, and else once a second.
+  void setCommand(const QString& path, double expires_after = 0);
   void setCareful(bool careful);
   /// False ends what runs.
   void setCallable(bool callable);
@@ -42,6 +43,7 @@ class RepeatRow : public QWidget {
   void begin();
   void letGo();
   void showButton();
+  void checkNumbers();
   [[nodiscard]] QString counts() const;
 
   Repeater repeater_;
@@ -50,8 +52,10 @@ class RepeatRow : public QWidget {
   bool careful_ = false;
   QTimer hold_;  // until it begins, where that must be held
 
-  QDoubleSpinBox* rate_;
-  QSpinBox* times_;
+  bool is_callable_ = true;
+  bool is_refused_ = false;  // a number of the row, as it is typed
+  NumberBox* rate_;
+  NumberBox* times_;
   QPushButton* button_;
 };
 

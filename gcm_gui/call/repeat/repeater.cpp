@@ -1,4 +1,5 @@
 #include <gcm_gui/call/repeat/repeater.h>
+#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/models/text.h>
 
 #include <QPointer>
@@ -8,7 +9,7 @@ namespace tendon::gui {
 
 Repeater::Repeater(CommandCalls& calls, QObject* parent) : QObject(parent), calls_(calls) {
   timer_.setTimerType(Qt::PreciseTimer);
-  connect(&timer_, &QTimer::timeout, this, &Repeater::callNext);
+  connect(&timer_, &QTimer::timeout, this, Fenced(this, &Repeater::callNext));
 }
 
 void Repeater::start(const QString& path, const std::string& argument, double rate, int times) {

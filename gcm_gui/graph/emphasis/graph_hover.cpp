@@ -1,3 +1,4 @@
+#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/graph/card_place.h>
 #include <gcm_gui/graph/emphasis/graph_hover.h>
 #include <gcm_gui/graph/graph_scene.h>
@@ -23,7 +24,7 @@ GraphHover::GraphHover(GraphScene& scene, Emphasis& emphasis, const ConnectMode&
     : QObject(&scene), scene_(scene), emphasis_(emphasis), mode_(mode) {
   soon_.setSingleShot(true);
   soon_.setInterval(kRest);
-  connect(&soon_, &QTimer::timeout, this, &GraphHover::stand);
+  connect(&soon_, &QTimer::timeout, this, Fenced(this, &GraphHover::stand));
   connect(&scene, &GraphScene::shown, this, &GraphHover::refresh);
   connect(&mode, &ConnectMode::changed, this, [this] {
     if (mode_.active()) pointNow({});

@@ -50,7 +50,7 @@ class GraphExport : public QObject {
   GraphScene& scene_;
   QWidget& window_;
   std::shared_ptr<Courier> courier_;
-  Background thread_{"a picture for the clipboard"};
+  Background thread_{QT_TRANSLATE_NOOP("Words", "a picture for the clipboard")};
 };
 
 }  // namespace tendon::gui

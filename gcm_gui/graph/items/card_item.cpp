@@ -1,3 +1,4 @@
+#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/graph/items/card_item.h>
 #include <gcm_gui/graph/layout/node_metrics.h>
 #include <gcm_gui/theme/metrics.h>
@@ -75,7 +76,11 @@ QRectF CardItem::boundingRect() const {
   return (QRectF({}, size_) | QRectF(port_, QSizeF(1, 1))).adjusted(-40, -2, 40, 2);
 }
 
-void CardItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+void CardItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget* viewport) {
+  Fence::run(viewport, ViewWork::kDrawing, [&] { draw(painter); });
+}
+
+void CardItem::draw(QPainter* painter) {
   const Theme& theme = Theme::instance();
   painter->setRenderHint(QPainter::Antialiasing);
   painter->setPen(QPen(theme.color(Token::kStale), 1.5));

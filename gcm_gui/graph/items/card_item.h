@@ -29,6 +29,7 @@ class CardItem : public QGraphicsItem {
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 
  private:
+  void draw(QPainter* painter);
   [[nodiscard]] QPainterPath lineToPort() const;
 
   QString title_;

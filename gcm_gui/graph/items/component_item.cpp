@@ -1,3 +1,4 @@
+#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/graph/items/component_item.h>
 #include <gcm_gui/graph/layout/node_metrics.h>
 #include <gcm_gui/language/words.h>
@@ -28,8 +29,11 @@ bool ComponentItem::show(const NodePicture& picture, const QRectF& rect, bool st
   stale_ = stale;
   setPos(rect.topLeft());
   setOpacity(stale ? kStaleOpacity : 1.0);
+  const QString waits = ReasonsText(picture.waits);
   setToolTip(picture.path + QStringLiteral(" · ") + (stale ? Words::tr("was ") : QString()) +
-             WordOf(MarkOf(picture.state)));
+             WordOf(MarkOf(picture.state)) +
+             (waits.isEmpty() || stale ? QString()
+                                       : QStringLiteral(", ") + Words::tr("waiting for ") + waits));
   std::size_t used = 0;
   showPorts(picture.required, Side::kRequired, used);
   showPorts(picture.provided, Side::kProvided, used);
@@ -60,12 +64,16 @@ void ComponentItem::setSelected(bool selected) {
 void ComponentItem::setRaised(bool raised) { setZValue(raised ? kRaisedNode : kUsual); }
 
 Token ComponentItem::token() const {
-  return stale_ ? Token::kStale : ColorOf(MarkOf(picture_.state));
+  return stale_ ? Token::kStale : ColorOf(MarkOf(picture_.state, picture_.waits));
 }
 
 QRectF ComponentItem::boundingRect() const { return QRectF({}, size_).adjusted(-1, -1, 1, 1); }
 
-void ComponentItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+void ComponentItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget* viewport) {
+  Fence::run(viewport, ViewWork::kDrawing, [&] { draw(painter); });
+}
+
+void ComponentItem::draw(QPainter* painter) {
   const Theme& theme = Theme::instance();
   const QRectF rect = QRectF({}, size_).adjusted(0.5, 0.5, -0.5, -0.5);
   const double scale =

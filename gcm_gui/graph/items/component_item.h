@@ -34,6 +34,7 @@ class ComponentItem : public QGraphicsItem {
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 
  private:
+  void draw(QPainter* painter);
   void showPorts(const std::vector<PortPicture>& ports, Side side, std::size_t& used);
 
   NodePicture picture_;

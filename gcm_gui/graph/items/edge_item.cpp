@@ -1,3 +1,4 @@
+#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/graph/items/edge_item.h>
 #include <gcm_gui/graph/layout/node_metrics.h>
 #include <gcm_gui/models/text.h>
@@ -117,7 +118,11 @@ QPainterPath EdgeItem::shape() const {
   return stroker.createStroke(path_);
 }
 
-void EdgeItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+void EdgeItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget* viewport) {
+  Fence::run(viewport, ViewWork::kDrawing, [&] { draw(painter); });
+}
+
+void EdgeItem::draw(QPainter* painter) {
   painter->setRenderHint(QPainter::Antialiasing);
   const bool warns = look_ == Look::kActive && !warning_.isEmpty();
   const Token token = warns                                  ? Token::kWarning

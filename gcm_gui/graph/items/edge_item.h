@@ -42,6 +42,7 @@ class EdgeItem : public QGraphicsItem {
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 
  private:
+  void draw(QPainter* painter);
   void order();
   void showTip();
   void paintReason(QPainter& painter) const;

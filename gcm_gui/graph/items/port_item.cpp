@@ -1,3 +1,4 @@
+#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/graph/items/port_item.h>
 #include <gcm_gui/graph/layout/node_metrics.h>
 #include <gcm_gui/models/text.h>
@@ -72,7 +73,11 @@ void PortItem::hoverLeaveEvent(QGraphicsSceneHoverEvent*) {
   update();
 }
 
-void PortItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+void PortItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget* viewport) {
+  Fence::run(viewport, ViewWork::kDrawing, [&] { draw(painter); });
+}
+
+void PortItem::draw(QPainter* painter) {
   painter->setRenderHint(QPainter::Antialiasing);
   const Theme& theme = Theme::instance();
   const bool lively = role_ == Role::kChosen || role_ == Role::kCandidate || hovered_;

@@ -34,6 +34,7 @@ class PortItem : public QGraphicsItem {
   void hoverLeaveEvent(QGraphicsSceneHoverEvent* event) override;
 
  private:
+  void draw(QPainter* painter);
   [[nodiscard]] QRectF clickRect() const;
   void paintDisc(QPainter& painter) const;
   void paintRings(QPainter& painter) const;

@@ -1,3 +1,4 @@
+#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/graph/items/process_item.h>
 #include <gcm_gui/graph/layout/node_metrics.h>
 #include <gcm_gui/language/words.h>
@@ -79,7 +80,11 @@ void ProcessItem::paintFarTitle(QPainter& painter, double scale) const {
   painter.restore();
 }
 
-void ProcessItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+void ProcessItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget* viewport) {
+  Fence::run(viewport, ViewWork::kDrawing, [&] { draw(painter); });
+}
+
+void ProcessItem::draw(QPainter* painter) {
   const Theme& theme = Theme::instance();
   const bool gone = IsGone(state_);
   painter->setRenderHint(QPainter::Antialiasing);

@@ -30,6 +30,7 @@ class ProcessItem : public QGraphicsItem {
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 
  private:
+  void draw(QPainter* painter);
   [[nodiscard]] QColor titleColor() const;
 
   QString name_;

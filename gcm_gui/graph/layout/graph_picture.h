@@ -1,6 +1,7 @@
 #pragma once
 
 #include <tendon/gcm/catalog.h>
+#include <tendon/manager/unmet_need.h>
 
 #include <QSizeF>
 #include <QString>
@@ -31,6 +32,7 @@ struct NodePicture {
   QString path;
   QString name;
   ComponentState state = ComponentState::kConstructed;
+  std::vector<UnmetNeed> waits{};  ///< what keeps it from its work, though it runs
   std::vector<PortPicture> required;
   std::vector<PortPicture> provided;
   QSizeF size;  ///< what it needs, with the theme's fonts

@@ -1,3 +1,4 @@
+#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/graph/layout/layout_worker.h>
 
 #include <utility>
@@ -37,8 +38,11 @@ void LayoutWorker::doNow(const GraphPicture& picture, const Places& places) {
 void LayoutWorker::doInThread(Order order) {
   is_at_work_ = true;
   thread_.start([this, layout = layout_, courier = courier_, order = std::move(order)] {
-    layout->setPlaces(order.places);
-    const bool moved = layout->update(order.picture);
+    bool moved = false;
+    Fence::run(QT_TRANSLATE_NOOP("Words", "the layout of the graph"), [&] {
+      layout->setPlaces(order.places);
+      moved = layout->update(order.picture);
+    });
     courier->post(
         [this, moved, arrangement = layout->arrangement()] { finish(moved, arrangement); });
   });

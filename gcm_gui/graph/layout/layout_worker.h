@@ -55,7 +55,7 @@ class LayoutWorker : public QObject {
   Arrangement arrangement_;
   bool is_at_work_ = false;
   std::optional<Order> next_;
-  Background thread_{"the layout of the graph"};
+  Background thread_{QT_TRANSLATE_NOOP("Words", "the layout of the graph")};
 };
 
 }  // namespace tendon::gui

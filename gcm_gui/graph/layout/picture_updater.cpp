@@ -2,6 +2,7 @@
 #include <gcm_gui/graph/layout/node_metrics.h>
 #include <gcm_gui/graph/layout/picture_updater.h>
 #include <gcm_gui/models/connection_index.h>
+#include <gcm_gui/models/state_of.h>
 #include <gcm_gui/models/text.h>
 
 #include <algorithm>
@@ -11,12 +12,14 @@
 namespace tendon::gui {
 namespace {
 
-NodePicture NodeOf(const ConnectionIndex& connections, const std::string& process,
+NodePicture NodeOf(const ConnectionIndex& connections, const ProcessEntry& entry,
                    const ComponentDescription& component) {
+  const std::string& process = entry.process.name;
   NodePicture node;
   node.name = ToQString(component.name);
   node.path = ToQString(process + '/' + component.name);
   node.state = component.state;
+  node.waits = WaitsOf(connections, entry, component);
   for (const auto& required : component.required) {
     const InterfaceName name{process, component.name, required.name};
     const auto* connection = connections.Of(name);
@@ -88,7 +91,7 @@ void PictureUpdater::updatePart(const Catalog& catalogue, const ConnectionIndex&
                          {},
                          WidthOfTitle(ToQString(part.process))};
     for (const auto& [name, component] : entry->components) {
-      fresh.nodes.push_back(NodeOf(connections, part.process, component));
+      fresh.nodes.push_back(NodeOf(connections, *entry, component));
     }
     if (!known) process = picture_.processes.emplace(process);
     *process = std::move(fresh);
@@ -102,7 +105,7 @@ void PictureUpdater::updatePart(const Catalog& catalogue, const ConnectionIndex&
     return;
   }
   if (!has_node) node = process->nodes.emplace(node);
-  *node = NodeOf(connections, part.process, component->second);
+  *node = NodeOf(connections, *entry, component->second);
 }
 
 bool PictureUpdater::takeInterfaces(const Catalog& catalogue, const TouchedPart& part) {

@@ -34,6 +34,11 @@ std::optional<double> ColumnArrivals::rate(const QString& column) const {
   return it->rate.hz();
 }
 
+double ColumnArrivals::usualRate(const QString& column) const {
+  const auto it = all_.constFind(column);
+  return it == all_.constEnd() ? 0 : it->rate.hz();
+}
+
 std::optional<std::int64_t> ColumnArrivals::age(const QString& column) const {
   const auto it = all_.constFind(column);
   if (it == all_.constEnd() || it->written == 0 || isLeft(column, *it)) return std::nullopt;

@@ -31,6 +31,8 @@ class ColumnArrivals {
 
   /// Rows a second, Hz; nothing where it is not known, or where they no longer come.
   [[nodiscard]] std::optional<double> rate(const QString& column) const;
+  /// The same, also where they no longer come; 0 where it is not known.
+  [[nodiscard]] double usualRate(const QString& column) const;
   /// Since the newest row was written, ns.
   [[nodiscard]] std::optional<std::int64_t> age(const QString& column) const;
 

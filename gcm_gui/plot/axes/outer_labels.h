@@ -28,9 +28,9 @@ class OuterLabels {
  private:
   struct Column {
     QString unit;
+    QString head;  // the unit and the base
     AxisRange range;
     ValueTicks ticks;
-    std::vector<QString> texts;
     QColor color;
     int width = 0;
   };
@@ -40,8 +40,5 @@ class OuterLabels {
 
 /// In the colour of its curve, where a plot has several axes and this one has one curve; dim else.
 [[nodiscard]] QColor AxisColor(const std::vector<UnitAxis>& axes, std::size_t index);
-
-/// What the label at `place` says.
-[[nodiscard]] QString ValueText(double place, double step, ValueScale scale);
 
 }  // namespace tendon::gui

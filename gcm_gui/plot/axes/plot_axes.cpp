@@ -37,6 +37,7 @@ PlotAxes::PlotAxes(QwtPlot& plot) : plot_(plot) {
   plot.plotLayout()->setCanvasMargin(0);
   plot.plotLayout()->setAlignCanvasToScales(true);
   plot.plotLayout()->setSpacing(0);
+  plot.setContentsMargins(kGrid, 0, 0, 0);  // long labels do not touch the edge
   plot.setAxisScaleDraw(QwtAxis::XBottom, new TimeLabels);
   for (const auto axis : kValueAxes) {
     plot.setAxisScaleDraw(axis, new AxisLabels);
@@ -88,17 +89,19 @@ void PlotAxes::showValues(const std::vector<UnitAxis>& axes, ValueScale scale) {
   plot_.axisScaleDraw(QwtAxis::YRight)
       ->enableComponent(QwtAbstractScaleDraw::Labels, axes.size() > 1);
   for (std::size_t i = 0; i < kValueAxes.size() && i < axes.size(); ++i) {
-    const AxisRange& range = axes[i].range;
-    const ValueTicks ticks = TicksOf(range, scale, kValueSteps);
+    const ValueTicks ticks = TicksOf(axes[i], scale, kValueSteps);
     auto& labels = LabelsOf<AxisLabels>(plot_, kValueAxes[i]);
-    labels.setScale(scale);
-    labels.setStep(ticks.step);
-    plot_.setAxisScaleDiv(kValueAxes[i], Division(range, ticks.places));
-    if (labels.setColor(AxisColor(axes, i))) plot_.axisWidget(kValueAxes[i])->update();
+    const bool are_new = labels.setTicks(ticks);
+    plot_.setAxisScaleDiv(kValueAxes[i], Division(axes[i].range, ticks.places));
+    const bool is_recolored = labels.setColor(AxisColor(axes, i));
+    if (are_new || is_recolored) plot_.axisWidget(kValueAxes[i])->update();
   }
-  if (!outer_.show(axes, scale)) return;
-  placeSides();
-  plot_.update();
+  QStringList heads;
+  for (const UnitAxis& axis : axes) heads << HeadOf(axis);
+  const bool is_outer_new = outer_.show(axes, scale);
+  if (is_outer_new) placeSides();
+  if (is_outer_new || heads != heads_) plot_.update();
+  heads_ = heads;
 }
 
 SideRoom PlotAxes::wantedRoom() const {
@@ -134,7 +137,7 @@ void PlotAxes::paint(const std::vector<UnitAxis>& axes) const {
     const QRect place = left ? QRect(2 * kGrid, 0, canvas.width(), kTop)
                              : QRect(canvas.left(), 0, outer_left - canvas.left() - kGrid, kTop);
     painter.setPen(LabelsOf<AxisLabels>(plot_, kValueAxes[i]).color());
-    painter.drawText(place, (left ? Qt::AlignLeft : Qt::AlignRight), axes[i].unit);
+    painter.drawText(place, (left ? Qt::AlignLeft : Qt::AlignRight), HeadOf(axes[i]));
   }
   outer_.paint(painter, QRect(outer_left, canvas.top(), 1, canvas.height()));
   outer_.paintUnits(painter, outer_left, kTop);

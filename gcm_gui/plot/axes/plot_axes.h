@@ -4,6 +4,7 @@
 #include <gcm_gui/plot/series/curve_set.h>
 #include <gcm_gui/plot/series/time_window.h>
 
+#include <QStringList>
 #include <cstddef>
 #include <vector>
 
@@ -53,6 +54,7 @@ class PlotAxes {
 
   QwtPlot& plot_;
   OuterLabels outer_;
+  QStringList heads_;  // above the axes
   SideRoom least_;
 };
 

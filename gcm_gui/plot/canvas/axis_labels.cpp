@@ -1,5 +1,4 @@
 #include <gcm_gui/language/words.h>
-#include <gcm_gui/plot/axes/outer_labels.h>
 #include <gcm_gui/plot/canvas/axis_labels.h>
 #include <gcm_gui/plot/series/axis_range.h>
 
@@ -10,20 +9,8 @@ namespace tendon::gui {
 namespace {
 
 constexpr double kLabelSpacing = 8;
-constexpr double kHuge = 1e6;  // numbers from here on, and steps below the next, get an exponent
-constexpr double kTiny = 1e-5;
-
-// A tick at 0 may come as -0 or as 1e-17.
-double Cleaned(double value, double step) { return std::abs(value) < step * 1e-6 ? 0 : value; }
 
 }  // namespace
-
-QString NumberText(double value, double step) {
-  const double shown = Cleaned(value, step);
-  const bool plain = std::abs(value) < kHuge && step > kTiny;
-  if (plain || shown == 0) return QString::number(shown, 'f', DecimalsOf(step));
-  return QString::number(shown, 'g', 5);
-}
 
 AxisLabels::AxisLabels() {
   enableComponent(Backbone, false);
@@ -37,10 +24,12 @@ void AxisLabels::setStep(double step) {
   invalidateCache();
 }
 
-void AxisLabels::setScale(ValueScale scale) {
-  if (scale == scale_) return;
-  scale_ = scale;
+bool AxisLabels::setTicks(const ValueTicks& ticks) {
+  step_ = ticks.step;
+  if (ticks == ticks_) return false;
+  ticks_ = ticks;
   invalidateCache();
+  return true;
 }
 
 bool AxisLabels::setColor(const QColor& color) {
@@ -56,7 +45,11 @@ QwtText AxisLabels::label(double value) const {
   return text;
 }
 
-QString AxisLabels::textOf(double value) const { return ValueText(value, step_, scale_); }
+QString AxisLabels::textOf(double value) const {
+  const auto found = std::find(ticks_.places.begin(), ticks_.places.end(), value);
+  if (found == ticks_.places.end()) return StepText(value, step_);
+  return ticks_.texts[static_cast<std::size_t>(found - ticks_.places.begin())];
+}
 
 double AxisLabels::extent(const QFont& font) const {
   const double wanted = QwtScaleDraw::extent(font);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <gcm_gui/plot/series/axis_range.h>
+#include <gcm_gui/plot/axes/value_ticks.h>
 #include <qwt_scale_draw.h>
 #include <qwt_text.h>
 
@@ -17,8 +17,9 @@ class AxisLabels : public QwtScaleDraw {
 
   /// The distance between two labels; decides how many digits they have.
   void setStep(double step);
-  /// Labels stand at places of this scale; see PlaceOf().
-  void setScale(ValueScale scale);
+  /// What the labels say at these places; at others the place itself. Returns whether they were
+  /// others before; then the axis is to be painted anew.
+  bool setTicks(const ValueTicks& ticks);
   /// Returns whether it was another one before; then the axis is to be painted anew.
   bool setColor(const QColor& color);
   [[nodiscard]] const QColor& color() const { return color_; }
@@ -32,13 +33,10 @@ class AxisLabels : public QwtScaleDraw {
 
  private:
   double step_ = 1;
-  ValueScale scale_ = ValueScale::kLinear;
+  ValueTicks ticks_;
   QColor color_;
   mutable double widest_ = 0;
 };
-
-/// `value` with the digits that tell multiples of `step` apart.
-[[nodiscard]] QString NumberText(double value, double step);
 
 /// "-25 s", "-2 min", and "now" at 0 while the plot is live.
 class TimeLabels final : public AxisLabels {

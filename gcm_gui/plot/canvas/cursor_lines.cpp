@@ -16,6 +16,18 @@ constexpr std::size_t kMostLines = 8;
 
 QString NameOf(Cursor cursor) { return cursor == Cursor::kA ? "A" : "B"; }
 
+// States do not differ by a number: "off → manual".
+QString ChangeText(const Curve& curve, const ExactNumber& from, const ExactNumber& to) {
+  if (const ValueNames* names = curve.names()) {
+    const QString at_end = names->textOf(to);
+    return from == to ? at_end : names->textOf(from) + QStringLiteral(" → ") + at_end;
+  }
+  const QString difference = from.isInteger() && from.kind() == to.kind()
+                                 ? DifferenceText(from, to)
+                                 : QString::number(to.nearest() - from.nearest(), 'g', 4);
+  return QString("Δ %1 %2").arg(difference, curve.shownUnit()).trimmed();
+}
+
 }  // namespace
 
 QString SpanText(double seconds) {
@@ -40,12 +52,11 @@ std::vector<CursorLines::Line> CursorLines::lines() const {
   const Theme& theme = Theme::instance();
   lines.push_back({SpanText(cursors_.span()), theme.color(Token::kText)});
   for (const auto& curve : curves_.curves()) {
-    const auto a = curve->valueAt(*cursors_.time(Cursor::kA));
-    const auto b = curve->valueAt(*cursors_.time(Cursor::kB));
+    const auto a = curve->numberAt(*cursors_.time(Cursor::kA));
+    const auto b = curve->numberAt(*cursors_.time(Cursor::kB));
     if (!curve->isVisible() || !a || !b) continue;
     if (lines.size() > kMostLines) break;
-    const QString text = QString("Δ %1 %2").arg(*b - *a, 0, 'g', 4).arg(curve->shownUnit());
-    lines.push_back({text.trimmed(), theme.curve(curve->colorIndex())});
+    lines.push_back({ChangeText(*curve, *a, *b), theme.curve(curve->colorIndex())});
   }
   return lines;
 }

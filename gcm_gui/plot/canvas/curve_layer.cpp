@@ -8,6 +8,7 @@
 #include <QPainterPath>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace tendon::gui {
 namespace {
@@ -18,6 +19,7 @@ constexpr double kDotRadius = 2.5;
 constexpr double kLateRadius = 4;
 constexpr double kNearest = 3;  // pixels between samples that have a dot each
 constexpr double kFar = 8;      // between those whose dots are of full size
+constexpr double kBeyond = 64;  // pixels beyond the canvas at which values are cut off
 
 QwtScaleMap OnAxis(QwtScaleMap map, const AxisRange& range) {
   map.setScaleInterval(range.low, range.high);
@@ -52,16 +54,19 @@ void CurveLayer::draw(QPainter* painter, const QwtScaleMap& x_map, const QwtScal
   raster_.begin((canvas_rect.size() * ratio).expandedTo({1, 1}).toSize());
   for (const auto& curve : curves_.curves()) {
     if (!curve->isVisible()) continue;
-    const QwtScaleMap map = OnAxis(y_map, curves_.axisOf(*curve).range);
-    const double at_zero = (map.transform(0) - canvas_rect.top()) * ratio;
-    const double at_one = (map.transform(1) - canvas_rect.top()) * ratio;
+    const UnitAxis& axis = curves_.axisOf(*curve);
+    const QwtScaleMap map = OnAxis(y_map, axis.range);
     if (is_vector) {
-      drawLines(*painter, *curve, curve->envelope(slices, pass), map, canvas_rect);
+      drawLines(*painter, *curve, curve->envelope(slices, pass), map, axis.frame, canvas_rect);
       continue;
     }
-    raster_.draw(curve->envelope(slices, pass),
-                 {.scale = at_one - at_zero, .offset = at_zero, .values = curves_.scale()},
-                 kThickness / 2 * ratio, Theme::instance().curve(curve->colorIndex()));
+    const RowScale rows{.low = axis.range.low,
+                        .scale = (map.p2() - map.p1()) / axis.range.span() * ratio,
+                        .offset = (map.transform(axis.range.low) - canvas_rect.top()) * ratio,
+                        .factor = axis.frame.factor(),
+                        .values = curves_.scale()};
+    raster_.draw(curve->envelope(slices, pass), rows, kThickness / 2 * ratio,
+                 Theme::instance().curve(curve->colorIndex()));
   }
   if (!is_vector) raster_.paint(*painter, canvas_rect.topLeft(), ratio);
   for (const auto& curve : curves_.curves()) {
@@ -69,14 +74,17 @@ void CurveLayer::draw(QPainter* painter, const QwtScaleMap& x_map, const QwtScal
   }
 }
 
-double CurveLayer::rowOf(double value, const QwtScaleMap& map, const QRectF& rect) const {
-  const double place = PlaceOf(value, curves_.scale());
-  return std::isinf(place) ? rect.bottom() : map.transform(place);
+double CurveLayer::rowOf(double distance, const AxisFrame& frame, const QwtScaleMap& map,
+                         const QRectF& rect) const {
+  const double place = frame.placeOf(distance, curves_.scale());
+  if (place == -std::numeric_limits<double>::infinity()) return rect.bottom();
+  return std::clamp(map.transform(place), rect.top() - kBeyond, rect.bottom() + kBeyond);
 }
 
 // For pictures that can be scaled: from each slice's lowest value to its highest.
 void CurveLayer::drawLines(QPainter& painter, const Curve& curve, const Envelope& envelope,
-                           const QwtScaleMap& map, const QRectF& rect) const {
+                           const QwtScaleMap& map, const AxisFrame& frame,
+                           const QRectF& rect) const {
   const double step = rect.width() / static_cast<double>(envelope.low().size());
   QPainterPath path;
   bool is_open = false;
@@ -86,9 +94,9 @@ void CurveLayer::drawLines(QPainter& painter, const Curve& curve, const Envelope
       continue;
     }
     const double x = rect.left() + (static_cast<double>(i) + 0.5) * step;
-    const QPointF low(x, rowOf(envelope.low()[i], map, rect));
+    const QPointF low(x, rowOf(envelope.low()[i], frame, map, rect));
     is_open ? path.lineTo(low) : path.moveTo(low);
-    path.lineTo(x, rowOf(envelope.high()[i], map, rect));
+    path.lineTo(x, rowOf(envelope.high()[i], frame, map, rect));
     is_open = true;
   }
   painter.save();
@@ -122,17 +130,19 @@ void CurveLayer::drawDots(QPainter& painter, const Curve& curve, const QwtScaleM
   const auto between = static_cast<double>(std::max<std::uint64_t>(end - first - 1, 1));
   const double distance = end - first > 1 ? (x_of(end - 1) - x_of(first)) / between : kFar;
   if (distance < kNearest) return;
-  const QwtScaleMap map = OnAxis(y_map, curves_.axisOf(curve).range);
+  const UnitAxis& axis = curves_.axisOf(curve);
+  const QwtScaleMap map = OnAxis(y_map, axis.range);
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(Qt::NoPen);
   const QColor color = Theme::instance().curve(curve.colorIndex());
   for (std::uint64_t i = first; i < end; ++i) {
-    if (!std::isfinite(samples.value(i))) continue;
+    const double from_base = curve.distanceOf(i);
+    if (!std::isfinite(from_base)) continue;
     const bool is_late = IsLate(samples, i);
     painter.setBrush(is_late ? Theme::instance().color(Token::kWarning) : color);
     const double radius = is_late ? kLateRadius : DotRadius(distance);
-    const double y = rowOf(curve.scaling().of(samples.value(i)), map, rect);
+    const double y = rowOf(from_base, axis.frame, map, rect);
     painter.drawEllipse(QPointF(x_of(i), y), radius, radius);
   }
   painter.restore();

@@ -22,13 +22,15 @@ class CurveLayer final : public QwtPlotItem {
 
  private:
   void drawLines(QPainter& painter, const Curve& curve, const Envelope& envelope,
-                 const QwtScaleMap& map, const QRectF& rect) const;
+                 const QwtScaleMap& map, const AxisFrame& frame, const QRectF& rect) const;
   [[nodiscard]] static double DotRadius(double distance);
   void drawDots(QPainter& painter, const Curve& curve, const QwtScaleMap& x_map,
                 const QwtScaleMap& y_map, const QRectF& rect) const;
 
-  /// Where a value is drawn: at the foot where it has no place on the axis.
-  [[nodiscard]] double rowOf(double value, const QwtScaleMap& map, const QRectF& rect) const;
+  /// Where a value is drawn that is `distance` from the base: at the foot where it has no place on
+  /// the axis, and just outside of the canvas where that is far away.
+  [[nodiscard]] double rowOf(double distance, const AxisFrame& frame, const QwtScaleMap& map,
+                             const QRectF& rect) const;
 
   const CurveSet& curves_;
   const TimeWindow& window_;

@@ -19,8 +19,9 @@ constexpr double kSilentTint = 0.10;
 constexpr double kSilentHatch = 0.3;
 constexpr double kLabelSpace = 8;
 
-QString TextOf(std::uint64_t lost) {
-  return lost > 0 ? QString::number(lost) + Words::tr(" lost") : Words::tr("restarted");
+QString TextOf(std::uint64_t lost, bool is_standstill) {
+  if (lost > 0) return QString::number(lost) + Words::tr(" lost");
+  return is_standstill ? Words::tr("stood still") : Words::tr("restarted");
 }
 
 }  // namespace
@@ -48,7 +49,7 @@ void GapBands::draw(QPainter* painter, const QwtScaleMap& x_map, const QwtScaleM
       painter->fillRect(rect & canvas_rect, QBrush(theme.color(token, kHatch), Qt::BDiagPattern));
     }
     drawLabels(*painter, bands, canvas_rect);
-    if (!curve->isStale()) continue;
+    if (!curve->isSilent()) continue;
     const SampleRing& samples = curve->samples();
     const double silent_since = x_map.transform(
         static_cast<double>(samples.time(samples.endIndex() - 1) - window_.origin()) / 1e9);
@@ -69,13 +70,18 @@ std::vector<GapBands::Band> GapBands::bandsOf(const Curve& curve, const QwtScale
   };
   std::vector<Band> bands;
   for (const Gap& gap : curve.samples().gaps()) {
-    Band band{.left = x_of(gap.from_ns), .right = x_of(gap.to_ns), .lost = gap.lost};
+    if (gap.cause == Gap::Cause::kNoValue) continue;  // rows came: the line ends, and that is all
+    Band band{.left = x_of(gap.from_ns),
+              .right = x_of(gap.to_ns),
+              .lost = gap.lost,
+              .is_standstill = gap.cause == Gap::Cause::kStandstill};
     if (band.right < rect.left()) continue;
     if (band.left > rect.right()) break;
     band.right = std::max(band.right, band.left + kNarrowest);
     if (!bands.empty() && band.left < bands.back().right + 1) {
       bands.back().right = band.right;
       bands.back().lost += band.lost;
+      bands.back().is_standstill = bands.back().is_standstill && band.is_standstill;
     } else {
       bands.push_back(band);
     }
@@ -89,7 +95,7 @@ void GapBands::drawLabels(QPainter& painter, const std::vector<Band>& bands,
   std::vector<Band> labels;
   const QFontMetricsF metrics(Theme::instance().small());
   const auto half_width = [&](const Band& band) {
-    return (metrics.horizontalAdvance(TextOf(band.lost)) + kLabelSpace) / 2;
+    return (metrics.horizontalAdvance(TextOf(band.lost, band.is_standstill)) + kLabelSpace) / 2;
   };
   const auto centre = [](const Band& band) { return (band.left + band.right) / 2; };
   for (const Band& band : bands) {
@@ -97,6 +103,7 @@ void GapBands::drawLabels(QPainter& painter, const std::vector<Band>& bands,
         centre(band) - centre(labels.back()) < half_width(band) + half_width(labels.back())) {
       labels.back().right = band.right;
       labels.back().lost += band.lost;
+      labels.back().is_standstill = labels.back().is_standstill && band.is_standstill;
     } else {
       labels.push_back(band);
     }
@@ -109,7 +116,7 @@ void GapBands::drawLabels(QPainter& painter, const std::vector<Band>& bands,
     const double left = std::clamp(centre(label) - width / 2, rect.left(),
                                    std::max(rect.left(), rect.right() - width));
     painter.drawText(QRectF(left, rect.top() + 2, width, metrics.height()), Qt::AlignCenter,
-                     TextOf(label.lost));
+                     TextOf(label.lost, label.is_standstill));
   }
   painter.restore();
 }

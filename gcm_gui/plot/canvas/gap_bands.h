@@ -9,7 +9,7 @@
 namespace tendon::gui {
 
 /// Where rows are missing: a tint over the whole height with the number of rows lost, another one
-/// where a source was restarted or has fallen silent.
+/// where a source was restarted, stood still or has fallen silent.
 class GapBands final : public QwtPlotItem {
  public:
   /// Both must outlive this item.
@@ -23,6 +23,7 @@ class GapBands final : public QwtPlotItem {
     double left;
     double right;
     std::uint64_t lost;  // 0: not known
+    bool is_standstill;  // no rows were lost
   };
 
   [[nodiscard]] std::vector<Band> bandsOf(const Curve& curve, const QwtScaleMap& x_map,

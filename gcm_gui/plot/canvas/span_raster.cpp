@@ -86,14 +86,15 @@ void SpanRaster::mapBands(const Envelope& envelope, const RowScale& rows) {
   const double last = size_.height() + kOutside;
   const std::size_t blocks = (low.size() + kBlock - 1) / kBlock;
   thin_.clear(blocks * kBlock + 2 * margin_);
+  const auto row = [&](double place) { return (place - rows.low) * rows.scale + rows.offset; };
   const auto logarithmic_row = [&](double value) {
-    return value > 0 ? std::log10(value) * rows.scale + rows.offset : size_.height() - 1.0;
+    return value > 0 ? row(std::log10(value)) : size_.height() - 1.0;
   };
   for (std::size_t i = 0; i < low.size(); ++i) {
     if (low[i] > high[i]) continue;
     const bool linear = rows.values == ValueScale::kLinear;
-    const double from = linear ? low[i] * rows.scale + rows.offset : logarithmic_row(low[i]);
-    const double to = linear ? high[i] * rows.scale + rows.offset : logarithmic_row(high[i]);
+    const double from = linear ? row(low[i] * rows.factor) : logarithmic_row(low[i]);
+    const double to = linear ? row(high[i] * rows.factor) : logarithmic_row(high[i]);
     const double a = std::clamp(from, -kOutside, last);
     const double b = std::clamp(to, -kOutside, last);
     thin_.tops[margin_ + i] = static_cast<float>(std::min(a, b));

@@ -15,11 +15,16 @@ class QPainter;
 
 namespace tendon::gui {
 
-/// From a value to a row of pixels: row = place * scale + offset, of its place on the axis. A value
-/// that has none is drawn along the lowest row.
+/// From a value to a row of pixels: row = (place - low) * scale + offset, of its place on the axis,
+/// value * factor or its logarithm. A value that has no place is drawn along the lowest row.
+///
+/// The place at which the axis begins is subtracted first: the row at place 0 may be so far outside
+/// that a double cannot tell it from its neighbours.
 struct RowScale {
+  double low = 0;
   double scale = 1;
   double offset = 0;
+  double factor = 1;
   ValueScale values = ValueScale::kLinear;
 };
 

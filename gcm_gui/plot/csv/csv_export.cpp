@@ -13,7 +13,10 @@ namespace {
 QString Saved(const CsvFigures& figures, bool is_scaled, const QString& file) {
   const QString missing = figures.lost == 0 ? Words::tr("none lost")
                                             : Words::tr("%1 lost ones marked").arg(figures.lost);
-  const QString saved = Words::tr("Saved %1 rows, %2, to %3").arg(figures.rows).arg(missing, file);
+  const QString saved = (figures.rows == 1 ? Words::tr("Saved %1 row, %2, to %3")
+                                           : Words::tr("Saved %1 rows, %2, to %3"))
+                            .arg(figures.rows)
+                            .arg(missing, file);
   return is_scaled ? saved + Words::tr("; values as they came, not scaled") : saved;
 }
 

@@ -99,7 +99,7 @@ class Writer {
       const auto& curve = table_.curves[i];
       if (next_[i] == curve.times.size() || curve.times[next_[i]] != time) continue;
       NoteGap(i, before[source_of_[i]]);
-      AppendNumber(text_, curve.values[next_[i]++]);
+      AddValue(curve, next_[i]++);
     }
     for (const Before& source : before) {
       text_.append(',');
@@ -109,6 +109,19 @@ class Writer {
     }
     text_.append('\n');
     ++figures_.rows;
+  }
+
+  void AddValue(const CsvTable::Curve& curve, std::size_t index) {
+    const ExactNumber number(curve.kind, curve.words[index]);
+    if (curve.names != nullptr) {
+      text_.append(Quoted(curve.names->textOf(number)));
+    } else if (number.kind() == ExactNumber::Kind::kSigned) {
+      AppendNumber(text_, static_cast<std::int64_t>(number.word()));
+    } else if (number.kind() == ExactNumber::Kind::kUnsigned) {
+      AppendNumber(text_, number.word());
+    } else {
+      AppendNumber(text_, number.nearest());
+    }
   }
 
   void NoteGap(std::size_t curve, Before& before) {
@@ -168,14 +181,16 @@ CsvTable CsvTableOf(const CurveSet& curves, std::int64_t from_ns, std::int64_t t
     copy.path = curve->path();
     copy.unit = curve->unit();
     copy.plotted = curve->scaling();
+    copy.kind = samples.kind();
+    copy.names = curve->allNames();
     const std::uint64_t first = samples.lowerBound(from_ns);
     const std::uint64_t end = samples.lowerBound(to_ns + 1);
     copy.times.reserve(end - first);
-    copy.values.reserve(end - first);
+    copy.words.reserve(end - first);
     for (std::uint64_t at = first; at < end;) {
       const SampleRing::Stretch stretch = samples.stretch(at, end);
       copy.times.insert(copy.times.end(), stretch.times.begin(), stretch.times.end());
-      copy.values.insert(copy.values.end(), stretch.values.begin(), stretch.values.end());
+      copy.words.insert(copy.words.end(), stretch.words.begin(), stretch.words.end());
       at += stretch.times.size();
     }
     for (Gap gap : samples.gaps()) {

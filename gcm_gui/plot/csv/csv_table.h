@@ -21,7 +21,9 @@ struct CsvTable {
     QString unit;
     Scaling plotted = {};             ///< how the plot shows it; here it is as it came
     std::vector<std::int64_t> times;  ///< ns, on the source's steady clock
-    std::vector<double> values;
+    ExactNumber::Kind kind = ExactNumber::Kind::kReal;
+    std::vector<std::uint64_t> words;  ///< of this kind: see ExactNumber
+    ValueNamesPointer names = {};      ///< of states, which are written by them
     std::vector<Gap> gaps;  ///< `index` counts in `times`: the gap is right before that sample
   };
   std::vector<Curve> curves;
@@ -42,7 +44,8 @@ struct CsvFigures {
 /// One line for each moment at which there is a sample, in the order of time: seconds of the
 /// source's clock, UTC, the curves (empty where one has no sample then), and for each state table
 /// how many of its rows were lost right before, or "restart". Numbers are exact and as they came;
-/// the head says where a plot showed them scaled. Nothing when the device refuses.
+/// states are written by their names. The head says where a plot showed them scaled. Nothing when
+/// the device refuses.
 [[nodiscard]] std::optional<CsvFigures> WriteCsv(const CsvTable& table, QIODevice& device);
 
 }  // namespace tendon::gui

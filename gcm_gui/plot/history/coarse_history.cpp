@@ -1,7 +1,6 @@
 #include <gcm_gui/plot/history/coarse_history.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace tendon::gui {
 namespace {
@@ -17,17 +16,20 @@ std::int64_t BucketOf(std::int64_t time_ns) {
 
 void CoarseHistory::append(std::span<const Sample> samples) {
   for (const Sample& sample : samples) {
-    if (!std::isfinite(sample.value)) continue;
+    if (!sample.value.isFinite()) continue;
+    if (sample.value.kind() != kind_) buckets_.clear();
+    kind_ = sample.value.kind();
     const std::int64_t from = BucketOf(sample.time_ns);
     if (!buckets_.empty() && from + kClockToleranceNs < buckets_.back().from_ns) buckets_.clear();
     if (buckets_.empty() || from > buckets_.back().from_ns) {
-      buckets_.push_back({.from_ns = from, .low = sample.value, .high = sample.value});
+      buckets_.push_back(
+          {.from_ns = from, .low = sample.value.word(), .high = sample.value.word()});
       if (buckets_.size() > limit_) buckets_.pop_front();
       continue;
     }
     Bucket& newest = buckets_.back();
-    newest.low = std::min(newest.low, sample.value);
-    newest.high = std::max(newest.high, sample.value);
+    if (sample.value.isBelow({kind_, newest.low})) newest.low = sample.value.word();
+    if (ExactNumber(kind_, newest.high).isBelow(sample.value)) newest.high = sample.value.word();
   }
 }
 

@@ -17,22 +17,24 @@ class CoarseHistory {
 
   struct Bucket {
     std::int64_t from_ns = 0;  ///< a multiple of kWidthNs
-    double low = 0;
-    double high = 0;
+    std::uint64_t low = 0;     ///< word of kind()
+    std::uint64_t high = 0;    ///< the same
   };
   static constexpr std::size_t kBytesPerBucket = sizeof(Bucket);
 
   /// O(samples). Values that are not finite are left out. A clock that was set back by more than a
-  /// second makes it start over.
+  /// second makes it start over, and so do numbers of another kind.
   void append(std::span<const Sample> samples);
   /// At most so many buckets; the oldest ones go.
   void setLimit(std::size_t buckets);
   /// Oldest first.
   [[nodiscard]] const std::deque<Bucket>& buckets() const { return buckets_; }
+  [[nodiscard]] ExactNumber::Kind kind() const { return kind_; }
   [[nodiscard]] std::size_t bytes() const { return buckets_.size() * kBytesPerBucket; }
 
  private:
   std::deque<Bucket> buckets_;
+  ExactNumber::Kind kind_ = ExactNumber::Kind::kReal;
   std::size_t limit_ = 1 << 16;
 };
 

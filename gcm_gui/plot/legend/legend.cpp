@@ -50,10 +50,13 @@ void LegendRow::setEntry(const LegendEntry& entry) {
   entry_ = entry;
   setObjectName("legend:" + entry.path);
   setAccessibleName(QStringList{entry.name, entry.value, entry.unit}.join(' ').simplified());
-  setToolTip(entry.stale ? entry.path + '\n' + entry.name : entry.path);
+  setToolTip(isGrey() ? entry.path + '\n' + entry.name : entry.path);
   const QFontMetrics metrics(Theme::instance().small());
-  SetText(name_, metrics.elidedText(entry.name, Qt::ElideMiddle, kWidestName),
-          Theme::instance().small());
+  // "arm.position[0] · suspended · 5 s old": names that differ at their ends alone must do so here.
+  const qsizetype reason = entry.name.indexOf(QStringLiteral(" · "));
+  QString name = metrics.elidedText(entry.name.left(reason), Qt::ElideMiddle, kWidestName);
+  if (reason >= 0) name += metrics.elidedText(entry.name.mid(reason), Qt::ElideRight, kWidestName);
+  SetText(name_, name, Theme::instance().small());
   SetText(value_, entry.stale ? Words::tr("remap…") : entry.value, Theme::instance().smallMono());
   SetText(unit_, entry.unit, Theme::instance().small());
   SetText(figures_, entry.figures, Theme::instance().smallMono());
@@ -104,6 +107,7 @@ bool LegendRow::event(QEvent* event) {
 void LegendRow::paintMark(QPainter& painter) const {
   const Theme& theme = Theme::instance();
   if (isPointedAt()) return PaintIcon(painter, markRect(), "close", Token::kText);
+  // What is old is still drawn in the curve's colour.
   const QColor color = entry_.stale ? theme.color(Token::kStale) : theme.curve(entry_.color_index);
   painter.fillRect(0, (height() - kSwatchHeight) / 2, kSwatchWidth, kSwatchHeight, color);
 }
@@ -118,7 +122,7 @@ void LegendRow::paintEvent(QPaintEvent*) {
     painter.setPen(theme.color(token));
     painter.drawStaticText(QPointF(x, (height() - text.size().height()) / 2), text);
   };
-  const Token token = entry_.stale ? Token::kDim : Token::kText;
+  const Token token = isGrey() ? Token::kDim : Token::kText;
   const int name_left = kSwatchWidth + kSpace;
   const int value_right = name_left + name_width_ + kSpace + value_width_;
   paint(name_left, name_, theme.small(), token);
@@ -271,11 +275,19 @@ int Legend::widest(const std::function<int(const LegendRow&)>& width) const {
 
 QString LegendValue(double value, const AxisRange& range) {
   constexpr double kHuge = 1e7;
-  if (!std::isfinite(value) || std::abs(value) >= kHuge || range.span() < 1e-9) {
-    return QString::number(value, 'g', 6);
+  constexpr int kFewDigits = 6;
+  constexpr int kMostDigits = 17;
+  constexpr int kSteps = 6;
+  const double size = std::abs(value);
+  const double span = range.span();
+  if (!std::isfinite(value) || !std::isfinite(span)) {
+    return QString::number(value, 'g', kFewDigits);
   }
-  const int decimals = DecimalsOf(NiceStep(range.span(), 6) / 100);
-  return QString::number(value, 'f', decimals);
+  const double step = NiceStep(span, kSteps) / 100;
+  if (size < kHuge && span >= 1e-9) return QString::number(value, 'f', DecimalsOf(step));
+  if (size == 0) return QStringLiteral("0");
+  const int digits = static_cast<int>(std::floor(std::log10(size) - std::log10(step))) + 2;
+  return QString::number(value, 'g', std::clamp(digits, kFewDigits, kMostDigits));
 }
 
 }  // namespace tendon::gui

@@ -23,6 +23,7 @@ struct LegendEntry {
   QString unit;
   int color_index = 0;
   bool stale = false;  ///< then `name` says also what is waited for, in grey
+  bool old = false;    ///< its component stands still: all of it is grey, `name` says why
   bool shown = true;   ///< the curve is visible
   QString figures;     ///< of the visible range, behind all; empty when they are not asked for
 
@@ -71,6 +72,7 @@ class LegendRow : public QWidget {
   [[nodiscard]] QRect markRect() const;
   [[nodiscard]] QRect valueRect() const;
   void paintMark(QPainter& painter) const;
+  [[nodiscard]] bool isGrey() const { return entry_.stale || entry_.old; }
   [[nodiscard]] bool isPointedAt() const { return underMouse() || hasFocus(); }
 
   LegendEntry entry_;
@@ -118,7 +120,7 @@ class Legend : public QFrame {
   int value_width_ = 0;  // only grows, so that the legend does not tremble
 };
 
-/// `value` with two digits more than its axis' labels.
+/// `value` with two digits more than the labels of an axis that shows `range`.
 [[nodiscard]] QString LegendValue(double value, const AxisRange& range);
 
 }  // namespace tendon::gui

@@ -44,7 +44,8 @@ void LegendArea::place() {
   const int share = static_cast<int>(kHighest * plot_.height());
   const int most = std::min(share, std::max(kOneRow, plot_.height() - kLeastPlot));
   const int height = legend_->isHidden() ? 0 : std::min(legend_->height(), most);
-  plot_.setContentsMargins(0, PlotAxes::kTop, plot_.contentsMargins().right(), height + 2 * kGrid);
+  const QMargins sides = plot_.contentsMargins();
+  plot_.setContentsMargins(sides.left(), PlotAxes::kTop, sides.right(), height + 2 * kGrid);
   setGeometry(kEdge, plot_.height() - height - kGrid, width, height);
 }
 

@@ -4,6 +4,7 @@
 #include <gcm_gui/plot/series/statistics.h>
 
 #include <QString>
+#include <QStringList>
 
 namespace tendon::gui {
 namespace {
@@ -11,20 +12,26 @@ namespace {
 constexpr int kFigure = 8;  // characters of a number of the statistics
 constexpr int kLogarithmicDigits = 5;
 
-// On a logarithmic axis digits count from the first one, whatever the size.
-QString TextOf(double value, const CurveSet& curves, const Curve& curve) {
-  if (curves.scale() == ValueScale::kLogarithmic) {
-    return QString::number(value, 'g', kLogarithmicDigits);
+// Of states: how many of the samples are in each.
+QString SharesOf(const Curve& curve, const TimeSpan& span, const Statistics& all) {
+  constexpr double kPercent = 100;
+  QStringList shares;
+  for (const auto& [value, count] : OccurrencesOf(curve.samples(), span.from_ns, span.to_ns)) {
+    const double share = kPercent * static_cast<double>(count) / static_cast<double>(all.count);
+    shares << QStringLiteral("%1 %2 %").arg(curve.names()->textOf(ExactNumber::Signed(value)),
+                                            QString::number(share, 'f', 1));
   }
-  return LegendValue(value, curves.axisOf(curve).range);
+  shares << RateText(all.rate);
+  return shares.join(QStringLiteral("  "));
 }
 
 QString FiguresOf(const CurveSet& curves, const Curve& curve, const TimeSpan& span) {
   const auto plain = StatisticsOf(curve.samples(), span.from_ns, span.to_ns);
   if (!plain) return {};
+  if (curve.names() != nullptr) return SharesOf(curve, span, *plain);
   const Statistics found = plain->scaled(curve.scaling());
-  const auto text = [&](double value) {
-    return TextOf(value, curves, curve).rightJustified(kFigure);
+  const auto text = [&](const ExactNumber& number) {
+    return ' ' + NumberOf(number, curve, curves).rightJustified(kFigure - 1);
   };
   return Words::tr("min%1  max%2  mean%3  σ%4  rms%5  p-p%6  %7")
       .arg(text(found.lowest), text(found.highest), text(found.mean), text(found.deviation),
@@ -33,21 +40,40 @@ QString FiguresOf(const CurveSet& curves, const Curve& curve, const TimeSpan& sp
 
 }  // namespace
 
+QString NumberOf(const ExactNumber& number, const Curve& curve, const CurveSet& curves) {
+  if (curve.names() != nullptr) return curve.names()->textOf(number);
+  if (number.isInteger()) return number.text();
+  // On a logarithmic axis digits count from the first one, whatever the size.
+  if (curves.scale() == ValueScale::kLogarithmic) {
+    return QString::number(number.nearest(), 'g', kLogarithmicDigits);
+  }
+  const UnitAxis& axis = curves.axisOf(curve);
+  const double factor = axis.frame.factor();
+  return LegendValue(number.nearest(),
+                     {.low = axis.range.low / factor, .high = axis.range.high / factor});
+}
+
 std::vector<LegendEntry> LegendEntriesOf(const CurveSet& curves, std::optional<std::int64_t> at_ns,
                                          std::optional<TimeSpan> statistics) {
   std::vector<LegendEntry> entries;
   for (const auto& curve : curves.curves()) {
-    const std::optional<double> value = at_ns ? curve->valueAt(*at_ns) : curve->latestValue();
+    const auto value = at_ns ? curve->numberAt(*at_ns) : curve->latestNumber();
     const bool stale = curve->isStale() && !at_ns;
-    entries.push_back({.path = curve->path(),
-                       .name = stale ? ShortName(curve->path()) + " · " + curve->staleReason()
-                                     : ShortName(curve->path()),
-                       .value = value && !stale ? TextOf(*value, curves, *curve) : QString(),
-                       .unit = stale ? QString() : curve->shownUnit(),
-                       .color_index = curve->colorIndex(),
-                       .stale = stale,
-                       .shown = curve->isVisible(),
-                       .figures = statistics ? FiguresOf(curves, *curve, *statistics) : QString()});
+    const bool old = curve->isStandingStill() && !at_ns;
+    const bool is_waited_for = stale && (!old || curve->samples().empty());
+    const QString why = is_waited_for ? curve->staleReason()
+                        : old         ? curve->standstill()
+                                      : QString();
+    entries.push_back(
+        {.path = curve->path(),
+         .name = why.isEmpty() ? ShortName(curve->path()) : ShortName(curve->path()) + " · " + why,
+         .value = value && !stale ? NumberOf(*value, *curve, curves) : QString(),
+         .unit = stale || curve->names() != nullptr ? QString() : curve->shownUnit(),
+         .color_index = curve->colorIndex(),
+         .stale = stale,
+         .old = old,
+         .shown = curve->isVisible(),
+         .figures = statistics ? FiguresOf(curves, *curve, *statistics) : QString()});
   }
   return entries;
 }

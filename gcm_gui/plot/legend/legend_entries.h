@@ -15,6 +15,11 @@ struct TimeSpan {
   std::int64_t to_ns = 0;
 };
 
+/// A number of a curve as people read it: the name of a state, an integer with all its digits, a
+/// real with two digits more than its axis has.
+[[nodiscard]] QString NumberOf(const ExactNumber& number, const Curve& curve,
+                               const CurveSet& curves);
+
 /// What a legend says of the curves: their values at `at_ns`, or their present ones, and the
 /// statistics of a part of time where they are asked for. O(curves), and O(samples) of that part.
 [[nodiscard]] std::vector<LegendEntry> LegendEntriesOf(const CurveSet& curves,

@@ -10,8 +10,8 @@ void TakeOver(std::vector<UnitAxis>& axes, const std::vector<UnitAxis>& former) 
   for (UnitAxis& axis : axes) {
     for (const UnitAxis& there : former) {
       if (there.unit != axis.unit) continue;
-      axis.range = there.range;
-      axis.fitted = there.fitted;
+      axis.range = Moved(there.range, there.frame, axis.frame);
+      axis.fitted = there.fitted || !IsShowable(axis.range);
     }
   }
 }

@@ -17,6 +17,10 @@ namespace {
 
 constexpr int kWidth = 300;
 
+QString HintOn(const QString& number) {
+  return number.contains(',') ? Words::tr(": the decimal sign is a point") : QString();
+}
+
 }  // namespace
 
 CurveEditor::CurveEditor(const QString& name, const QString& unit, const CurveLook& look,
@@ -105,9 +109,11 @@ void CurveEditor::fill(const CurveLook& look, const QStringList& axes) {
 
 QString CurveEditor::read(CurveLook& look) const {
   const auto factor = NumberIn(factor_->text());
-  if (!factor) return Words::tr("The scale “%1” is no number").arg(factor_->text());
+  if (!factor)
+    return Words::tr("The scale “%1” is no number").arg(factor_->text()) + HintOn(factor_->text());
   const auto offset = NumberIn(offset_->text());
-  if (!offset) return Words::tr("The offset “%1” is no number").arg(offset_->text());
+  if (!offset)
+    return Words::tr("The offset “%1” is no number").arg(offset_->text()) + HintOn(offset_->text());
   const QString axis = axis_->currentText().trimmed();
   look = {.scaling = {.factor = *factor, .offset = *offset},
           .axis = axis == axis_->itemText(0) ? QString() : axis};

@@ -54,11 +54,7 @@ std::optional<QString> RefusalOf(const CurveLook& look) {
 
 std::optional<double> NumberIn(const QString& text) {
   bool is_number = false;
-  double value = text.trimmed().toDouble(&is_number);
-  // As it is written here, but for what groups digits: 1,000 could mean two numbers.
-  QLocale here;
-  here.setNumberOptions(QLocale::RejectGroupSeparator);
-  if (!is_number) value = here.toDouble(text.trimmed(), &is_number);
+  const double value = text.trimmed().toDouble(&is_number);
   if (!is_number || !std::isfinite(value)) return std::nullopt;
   return value;
 }

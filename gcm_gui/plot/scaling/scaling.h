@@ -37,7 +37,7 @@ inline constexpr qsizetype kLongestAxis = 40;  ///< letters of its name
 /// Why a plot cannot show this, a sentence; nothing where it can.
 [[nodiscard]] std::optional<QString> RefusalOf(const CurveLook& look);
 
-/// What a person has typed; nothing where it is no number.
+/// What a person has typed, with a decimal point; nothing where it is no number.
 [[nodiscard]] std::optional<double> NumberIn(const QString& text);
 
 }  // namespace tendon::gui

@@ -14,17 +14,43 @@ constexpr double kAir = 0.06;  // of the data's span, above and below
 constexpr double kEnoughFill = 0.5;
 constexpr double kTolerance = 1e-9;
 
+// As in tendon/base/axis_ticks.h, which this library does without: a test holds them together.
+constexpr double kAtRest = 1e-12;     // sums of numbers of about 1 leave less behind
+constexpr double kRounding = 5e-14;   // of a number; a 13th digit is more
+constexpr double kLeastSpan = 1e-12;  // of an axis, in its size
+constexpr double kFlatDecades = 1e-6;
+constexpr AxisRange kDecades{.low = -324, .high = 309};  // of all doubles
+
+constexpr double kLeastStep = 1e-300;
+constexpr double kMostPlace = 1e290;
+constexpr double kExactSteps = 562949953421312;  // 2^49: steps of some last digits
+constexpr std::size_t kMostTicks = 1000;
+
+AxisRange WithAir(const AxisRange& data) {
+  const double air = data.span() * kAir;
+  return {.low = data.low - air, .high = data.high + air};
+}
+
 // One value has no span: give it one of its own size.
-AxisRange Widened(const AxisRange& data) {
-  const double size = std::max(std::abs(data.low), std::abs(data.high));
-  const double least = size == 0 ? 1 : size * 1e-6;
-  if (data.span() >= least) {
-    const double air = data.span() * kAir;
-    return {.low = data.low - air, .high = data.high + air};
-  }
-  const double half = size == 0 ? 1 : size * 0.1;
-  const double middle = (data.low + data.high) / 2;
+AxisRange Widened(const AxisRange& data, NumberKind numbers, double base) {
+  if (!IsFlat(data, base, numbers)) return WithAir(data);
+  const double size = SizeOf(data, base);
+  const bool is_small = numbers == NumberKind::kWhole ? size < 1 : size < kAtRest;
+  const double least = numbers == NumberKind::kWhole ? 1 : 0;
+  const double half = is_small ? 1 : std::max(size * 0.1, least);
+  const double middle = is_small ? -base : (data.low + data.high) / 2;
   return {.low = middle - half, .high = middle + half};
+}
+
+AxisRange Rested(const AxisRange& current, const AxisRange& wide, const AxisRange& fitted) {
+  const bool rests = current.contains(wide) && fitted.span() >= kEnoughFill * current.span();
+  return rests ? current : fitted;
+}
+
+AxisRange WithRoundEnds(const AxisRange& wide) {
+  const double half_step = NiceStep(wide.span(), kSteps) / 2;
+  return {.low = std::floor(wide.low / half_step) * half_step,
+          .high = std::ceil(wide.high / half_step) * half_step};
 }
 
 }  // namespace
@@ -34,8 +60,12 @@ double PlaceOf(double value, ValueScale scale) {
   return value > 0 ? std::log10(value) : -std::numeric_limits<double>::infinity();
 }
 
+double SizeOf(const AxisRange& data, double base) {
+  return std::max(std::abs(base + data.low), std::abs(base + data.high));
+}
+
 double NiceStep(double span, int most) {
-  const double least = span / most;
+  const double least = std::clamp(span / most, kLeastStep, kMostPlace);
   const double power = std::pow(10, std::floor(std::log10(least)));
   for (const double factor : {1.0, 2.0, 5.0}) {
     if (factor * power >= least * (1 - kTolerance)) return factor * power;
@@ -53,25 +83,55 @@ double NiceTimeStep(double span_s, int most) {
   return longer == kLongSteps.end() ? 3600 * NiceStep(span_s / 3600, most) : *longer;
 }
 
-AxisRange FittedRange(const AxisRange& current, const AxisRange& data) {
-  const AxisRange wide = Widened(data);
-  const double half_step = NiceStep(wide.span(), kSteps) / 2;
-  const AxisRange fitted{.low = std::floor(wide.low / half_step) * half_step,
-                         .high = std::ceil(wide.high / half_step) * half_step};
-  const bool rests = current.contains(wide) && fitted.span() >= kEnoughFill * current.span();
-  return rests ? current : fitted;
+bool IsFlat(const AxisRange& data, double base, NumberKind numbers) {
+  if (numbers == NumberKind::kWhole) return data.span() < 1;
+  const double size = SizeOf(data, base);
+  return size < kAtRest || data.span() < size * kRounding;
+}
+
+AxisRange FittedRange(const AxisRange& current, const AxisRange& data, NumberKind numbers,
+                      double base) {
+  const AxisRange wide = Widened(data, numbers, base);
+  return Rested(current, wide, WithRoundEnds(wide));
+}
+
+AxisRange FittedDecades(const AxisRange& current, const AxisRange& data) {
+  constexpr double kHalf = 0.5;
+  const AxisRange wide = data.span() >= kFlatDecades
+                             ? WithAir(data)
+                             : AxisRange{.low = data.low - kHalf, .high = data.high + kHalf};
+  const AxisRange fitted = WithRoundEnds(wide);
+  return Rested(
+      current, wide,
+      {.low = std::max(fitted.low, kDecades.low), .high = std::min(fitted.high, kDecades.high)});
+}
+
+AxisRange FittedStates(const AxisRange& data) {
+  constexpr double kRoom = 0.3;
+  const double air = std::max(kRoom, data.span() * kAir);
+  return {.low = data.low - air, .high = data.high + air};
+}
+
+bool IsShowable(const AxisRange& range) {
+  const double size = SizeOf(range, 0);
+  return size <= kMostPlace && range.span() >= kLeastStep && range.span() >= size * kLeastSpan;
 }
 
 std::vector<double> TicksOf(const AxisRange& range, double step) {
   const double first = std::ceil(range.low / step - kTolerance);
   const double last = std::floor(range.high / step + kTolerance);
-  std::vector<double> ticks(last < first ? 0 : static_cast<std::size_t>(last - first) + 1);
+  const bool are_apart = std::abs(first) < kExactSteps && std::abs(last) < kExactSteps;
+  if (!are_apart || last < first) return {};
+  const double count = std::min<double>(last - first + 1, kMostTicks);
+  std::vector<double> ticks(static_cast<std::size_t>(count));
   for (std::size_t i = 0; i < ticks.size(); ++i) ticks[i] = (first + static_cast<double>(i)) * step;
   return ticks;
 }
 
 int DecimalsOf(double step) {
-  return std::clamp(static_cast<int>(std::ceil(-std::log10(step) - kTolerance)), 0, 12);
+  constexpr double kMost = 12;
+  if (!(step > 0)) return 0;
+  return static_cast<int>(std::clamp(std::ceil(-std::log10(step) - kTolerance), 0.0, kMost));
 }
 
 }  // namespace tendon::gui

@@ -23,6 +23,12 @@ void Curve::append(std::span<const Sample> samples) {
   stale_reason_.clear();
 }
 
+void Curve::setStandstill(const QString& why) {
+  if (!why.isEmpty()) samples_.noteStandstill();
+  if (why.isEmpty() && isStandingStill()) samples_.endStandstill();
+  standstill_ = why;
+}
+
 void Curve::setBudget(std::size_t bytes) {
   constexpr std::size_t kPartOfHistory = 8;
   const std::size_t for_history = bytes / kPartOfHistory;
@@ -35,23 +41,50 @@ void Curve::setLook(const CurveLook& look) {
   drawn_ = {};
 }
 
+void Curve::setBase(double base) {
+  if (base == base_) return;
+  base_ = base;
+  drawn_ = {};
+}
+
 bool Curve::isThinned() const { return samples_.firstIndex() > 0 && !samples_.empty(); }
 
 // Of the time before the oldest sample there is.
-void Curve::showHistory(Envelope& envelope, const TimeSlices& slices) const {
+void Curve::showHistory(Envelope& envelope, const TimeSlices& slices, double base) const {
   if (!isThinned()) return;
   const std::int64_t until = samples_.time(samples_.firstIndex());
   const auto& buckets = history_.buckets();
+  const DistanceFrom distance(history_.kind(), base);
   const auto first = std::upper_bound(
       buckets.begin(), buckets.end(), slices.from_ns - CoarseHistory::kWidthNs,
       [](std::int64_t time_ns, const auto& bucket) { return time_ns < bucket.from_ns; });
   for (auto each = first; each != buckets.end() && each->from_ns < until; ++each) {
     const std::int64_t end = std::min(each->from_ns + CoarseHistory::kWidthNs, until);
-    envelope.widen(each->from_ns, end, each->low, each->high);
+    envelope.widen(each->from_ns, end, distance(each->low), distance(each->high));
   }
 }
 
+ExactNumber Curve::shown(std::uint64_t index) const {
+  const ExactNumber number = samples_.number(index);
+  return scaling().isNone() ? number : scaling().of(number.nearest());
+}
+
+double Curve::distanceOf(std::uint64_t index) const {
+  const ExactNumber number = shown(index);
+  return DistanceFrom(number.kind(), base_)(number.word());
+}
+
 std::optional<double> Curve::valueAt(std::int64_t time_ns) const {
+  const auto number = numberAt(time_ns);
+  return number ? std::optional(number->nearest()) : std::nullopt;
+}
+
+std::optional<double> Curve::latestValue() const {
+  const auto number = latestNumber();
+  return number ? std::optional(number->nearest()) : std::nullopt;
+}
+
+std::optional<ExactNumber> Curve::numberAt(std::int64_t time_ns) const {
   const std::uint64_t next = samples_.lowerBound(time_ns + 1);
   if (next == samples_.firstIndex()) return {};
   const auto& gaps = samples_.gaps();
@@ -59,13 +92,15 @@ std::optional<double> Curve::valueAt(std::int64_t time_ns) const {
     return gap.from_ns < time_ns && time_ns < gap.to_ns;
   });
   if (in_gap) return {};
-  if (next == samples_.endIndex() && isStale()) return {};
-  return scaling().of(samples_.value(next - 1));
+  const bool is_newest = next == samples_.endIndex();
+  if (is_newest && isStale()) return {};
+  if (is_newest && isStandingStill() && time_ns > samples_.time(next - 1)) return {};
+  return shown(next - 1);
 }
 
-std::optional<double> Curve::latestValue() const {
+std::optional<ExactNumber> Curve::latestNumber() const {
   if (samples_.empty()) return {};
-  return scaling().of(samples_.value(samples_.endIndex() - 1));
+  return shown(samples_.endIndex() - 1);
 }
 
 double Curve::rate() const {
@@ -81,11 +116,12 @@ double Curve::rate() const {
 const Envelope& Curve::envelope(const TimeSlices& slices, Pass pass) const {
   Drawn& drawn = drawn_[static_cast<std::size_t>(pass)];
   if (slices != drawn.slices || samples_.endIndex() != drawn.end) {
-    drawn.envelope.build(samples_, slices);
-    showHistory(drawn.envelope, slices);
+    const double base = scaling().isNone() ? base_ : 0;
+    drawn.envelope.build(samples_, slices, base);
+    showHistory(drawn.envelope, slices, base);
     drawn.slices = slices;
     drawn.end = samples_.endIndex();
-    if (!scaling().isNone()) drawn.scaled.takeScaled(drawn.envelope, scaling());
+    if (!scaling().isNone()) drawn.scaled.takeScaled(drawn.envelope, scaling(), base_);
   }
   return scaling().isNone() ? drawn.envelope : drawn.scaled;
 }

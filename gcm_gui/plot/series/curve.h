@@ -6,12 +6,14 @@
 #include <gcm_gui/plot/series/envelope.h>
 #include <gcm_gui/plot/series/sample_ring.h>
 #include <gcm_gui/plot/series/signal_path.h>
+#include <gcm_gui/plot/series/value_names.h>
 
 #include <QString>
 #include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 
 namespace tendon::gui {
 
@@ -47,6 +49,14 @@ class Curve {
   [[nodiscard]] bool isStale() const { return !stale_reason_.isEmpty(); }
   [[nodiscard]] const QString& staleReason() const { return stale_reason_; }
 
+  /// The source's component stands still, and why; empty where it runs. What there is goes on being
+  /// shown, as old.
+  void setStandstill(const QString& why);
+  [[nodiscard]] bool isStandingStill() const { return !standstill_.isEmpty(); }
+  [[nodiscard]] const QString& standstill() const { return standstill_; }
+  /// Whether the newest sample is no longer what there is now.
+  [[nodiscard]] bool isSilent() const { return isStale() || isStandingStill(); }
+
   /// What its source had lost before it began.
   void setLossesBefore(const RowLosses& losses) { losses_before_ = losses; }
   [[nodiscard]] const RowLosses& lossesBefore() const { return losses_before_; }
@@ -55,10 +65,26 @@ class Curve {
   void setLook(const CurveLook& look);
   [[nodiscard]] const CurveLook& look() const { return look_; }
   [[nodiscard]] const Scaling& scaling() const { return look_.scaling; }
+  /// The names of its values, where they have any; CurveSet::setNames() sees to the axes.
+  void setNames(ValueNamesPointer names) { names_ = std::move(names); }
+  [[nodiscard]] const ValueNamesPointer& allNames() const { return names_; }
+  /// Those that are shown: a scaled value has none. May be null.
+  [[nodiscard]] const ValueNames* names() const {
+    return look_.scaling.isNone() ? names_.get() : nullptr;
+  }
+  /// What is shown are integers, which step from sample to sample.
+  [[nodiscard]] bool isWhole() const {
+    return samples_.kind() != ExactNumber::Kind::kReal && look_.scaling.isNone();
+  }
   /// Its unit, and how it is scaled: "rad ×1000 +2".
   [[nodiscard]] QString shownUnit() const { return UnitOf(unit(), look_.scaling); }
-  /// The chosen one, else that of what is shown.
-  [[nodiscard]] QString axis() const { return look_.axis.isEmpty() ? shownUnit() : look_.axis; }
+  /// The chosen one, else that of what is shown: the type of values that have names.
+  [[nodiscard]] QString axis() const {
+    if (!look_.axis.isEmpty()) return look_.axis;
+    return names() != nullptr ? names()->type : shownUnit();
+  }
+  /// What distances are counted from: that of its axis.
+  void setBase(double base);
 
   void setVisible(bool visible) { visible_ = visible; }
   [[nodiscard]] bool isVisible() const { return visible_; }
@@ -67,10 +93,15 @@ class Curve {
   /// Of the last sample at `time_ns` or before, within the same stretch of unbroken samples.
   [[nodiscard]] std::optional<double> valueAt(std::int64_t time_ns) const;
   [[nodiscard]] std::optional<double> latestValue() const;
+  // The same, exactly: integers, where they are not scaled, keep all their digits.
+  [[nodiscard]] std::optional<ExactNumber> numberAt(std::int64_t time_ns) const;
+  [[nodiscard]] std::optional<ExactNumber> latestNumber() const;
+  /// How far a sample, as it is shown, is from the base.
+  [[nodiscard]] double distanceOf(std::uint64_t index) const;
   /// Rows a second that arrived, over the latest second of the source's time; 0 with less than two.
   [[nodiscard]] double rate() const;
-  /// The curve as slices show it, scaled. Built when asked for other slices than the last time of
-  /// the same pass, or when samples have come.
+  /// The curve as slices show it, scaled, in distances from the base. Built when asked for other
+  /// slices than the last time of the same pass, or when samples have come.
   [[nodiscard]] const Envelope& envelope(const TimeSlices& slices,
                                          Pass pass = Pass::kPresent) const;
 
@@ -82,13 +113,17 @@ class Curve {
     std::uint64_t end = 0;  // of the samples
   };
 
-  void showHistory(Envelope& envelope, const TimeSlices& slices) const;
+  void showHistory(Envelope& envelope, const TimeSlices& slices, double base) const;
+  [[nodiscard]] ExactNumber shown(std::uint64_t index) const;
 
   CurveKey key_;
   int color_index_;
   CurveLook look_;
+  ValueNamesPointer names_;
+  double base_ = 0;
   bool visible_ = true;
   QString stale_reason_;
+  QString standstill_;
   RowLosses losses_before_;
   SampleRing samples_;
   CoarseHistory history_;

@@ -13,10 +13,27 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr AxisRange kNothing{.low = kInfinity, .high = -kInfinity};
 constexpr double kDecadesAboveZero = 6;
 
+// Of curves on one axis: one that is beyond both is left out.
+constexpr double kOrdinary = 1e12;
+constexpr double kMostTimes = 1e6;
+
+AxisRange United(const AxisRange& a, const AxisRange& b) {
+  return {.low = std::min(a.low, b.low), .high = std::max(a.high, b.high)};
+}
+
 UnitAxis* AxisFor(std::vector<UnitAxis>& axes, const QString& unit) {
   const auto found = std::find_if(axes.begin(), axes.end(),
                                   [&](const UnitAxis& axis) { return axis.unit == unit; });
   return found == axes.end() ? nullptr : &*found;
+}
+
+// Few states are all shown, whether they occur or not, so that the axis rests.
+AxisRange WithAllStates(const AxisRange& data, const ValueNames& names) {
+  constexpr double kFew = 12;
+  if (names.all.empty()) return data;
+  const AxisRange all{.low = static_cast<double>(names.all.front().value),
+                      .high = static_cast<double>(names.all.back().value)};
+  return all.span() <= kFew ? United(data, all) : data;
 }
 
 double PresentRate(const Curve& curve, std::int64_t now_ns) {
@@ -68,6 +85,16 @@ void CurveSet::setLook(Curve& curve, const CurveLook& look) {
   axis.has_grown = false;
 }
 
+void CurveSet::setNames(Curve& curve, ValueNamesPointer names) {
+  const QString before = curve.axis();
+  curve.setNames(std::move(names));
+  updateAxes();
+  if (curve.axis() == before) return;
+  UnitAxis& axis = *AxisFor(axes_, curve.axis());
+  axis.fitted = true;
+  axis.has_grown = false;
+}
+
 Curve* CurveSet::find(const QString& path) const {
   const auto found = std::find_if(curves_.begin(), curves_.end(),
                                   [&](const auto& curve) { return curve->path() == path; });
@@ -85,13 +112,30 @@ void CurveSet::updateAxes() {
     const QString name = curve->axis();
     if (UnitAxis* shared = AxisFor(axes, name)) {
       shared->color_index = -1;
+      const bool is_named_alike = shared->names != nullptr && curve->names() != nullptr &&
+                                  *shared->names == *curve->names();
+      if (!is_named_alike) shared->names.reset();
       continue;
     }
     const UnitAxis* there = AxisFor(axes_, name);
     axes.push_back(there != nullptr ? *there : UnitAxis{.unit = name});
     axes.back().color_index = curve->colorIndex();
+    axes.back().names = curve->names() != nullptr ? curve->allNames() : nullptr;
   }
   axes_ = std::move(axes);
+  showBases();
+}
+
+void CurveSet::showBases() {
+  for (const auto& curve : curves_) curve->setBase(axisOf(*curve).frame.base);
+}
+
+void CurveSet::setFrame(UnitAxis& axis, const AxisFrame& frame) {
+  if (frame == axis.frame) return;
+  axis.range = Moved(axis.range, axis.frame, frame);
+  axis.grown = Moved(axis.grown, axis.frame, frame);
+  axis.frame = frame;
+  showBases();
 }
 
 // The first colour no curve has; with more curves than colours they begin anew.
@@ -127,18 +171,29 @@ QStringList CurveSet::withoutPlace(std::span<const SeenSlices> seen) const {
   return names;
 }
 
-// In places. low > high when there is nothing.
-AxisRange CurveSet::extremesOf(const UnitAxis& axis, std::span<const SeenSlices> seen) const {
-  AxisRange data = kNothing;
+// Of the curves that show anything there.
+std::vector<CurveSet::Extremes> CurveSet::extremesOn(const UnitAxis& axis,
+                                                     std::span<const SeenSlices> seen) const {
+  std::vector<Extremes> all;
   for (const auto& curve : curves_) {
     if (curve->axis() != axis.unit || !curve->isVisible()) continue;
-    for (const SeenSlices& part : seen) {
-      const AxisRange extremes = extremesOf(*curve, part);
-      data.low = std::min(data.low, extremes.low);
-      data.high = std::max(data.high, extremes.high);
-    }
+    AxisRange data = kNothing;
+    for (const SeenSlices& part : seen) data = United(data, extremesOf(*curve, part));
+    if (data.low <= data.high) all.push_back({curve.get(), data});
   }
-  return data;
+  if (scale_ == ValueScale::kLogarithmic) return all;
+  double ordinary = 1;
+  for (const Extremes& each : all) {
+    const double size = SizeOf(each.data, axis.frame.base);
+    if (size <= kOrdinary) ordinary = std::max(ordinary, size);
+  }
+  const auto is_beyond = [&](const Extremes& each) {
+    const double size = SizeOf(each.data, axis.frame.base);
+    return size > kOrdinary && size > kMostTimes * ordinary;
+  };
+  if (std::all_of(all.begin(), all.end(), is_beyond)) return all;
+  for (Extremes& each : all) each.is_beyond = is_beyond(each);
+  return all;
 }
 
 AxisRange CurveSet::extremesOf(const Curve& curve, const SeenSlices& seen) const {
@@ -162,21 +217,81 @@ AxisRange CurveSet::extremesOf(const Curve& curve, const SeenSlices& seen) const
 }
 
 void CurveSet::fitAxes(std::span<const SeenSlices> seen) {
+  beyond_.clear();
   for (UnitAxis& axis : axes_) {
-    if (!axis.fitted) continue;
-    AxisRange data = extremesOf(axis, seen);
-    if (data.low > data.high) continue;
-    if (fit_ == Fit::kSymmetric && scale_ == ValueScale::kLinear) {
-      const double most = std::max(std::abs(data.low), std::abs(data.high));
-      data = {.low = -most, .high = most};
+    bool is_whole = false;
+    bool is_real = false;
+    for (const auto& curve : curves_) {
+      if (curve->axis() != axis.unit || curve->samples().empty()) continue;
+      (curve->isWhole() ? is_whole : is_real) = true;
     }
-    if (fit_ == Fit::kGrow && axis.has_grown) {
-      data = {.low = std::min(data.low, axis.grown.low),
-              .high = std::max(data.high, axis.grown.high)};
+    axis.numbers = is_whole && !is_real ? NumberKind::kWhole : NumberKind::kReal;
+    if (axis.fitted) fit(axis, seen);
+  }
+}
+
+// What the axis is to show, as distances from the base of its frame, which is chosen for it; low >
+// high when there is nothing.
+AxisRange CurveSet::chooseFrame(UnitAxis& axis, std::span<const SeenSlices> seen) {
+  const bool has_base = fit_ != Fit::kSymmetric && !hasStates(axis);
+  // Distances get exact near their base, which shows whether it is the right one.
+  constexpr int kMostFrames = 3;
+  for (int i = 0;; ++i) {
+    const std::vector<Extremes> all = extremesOn(axis, seen);
+    AxisRange data = kNothing;
+    for (const Extremes& each : all) {
+      if (!each.is_beyond) data = United(data, each.data);
     }
-    axis.grown = data;
-    axis.has_grown = true;
-    axis.range = FittedRange(axis.range, data);
+    AxisFrame frame = axis.frame;
+    if (scale_ == ValueScale::kLogarithmic) {
+      frame = {};
+    } else if (data.low <= data.high) {
+      frame = FrameFor(axis.frame, withGrown(data, axis), axis.numbers);
+      if (!has_base) frame.base = 0;
+    }
+    if (frame != axis.frame && i < kMostFrames) {
+      setFrame(axis, frame);
+      continue;
+    }
+    for (const Extremes& each : all) {
+      if (each.is_beyond) beyond_ << ShortName(each.curve->path());
+    }
+    return data;
+  }
+}
+
+// With what the axis keeps showing, as distances, too.
+AxisRange CurveSet::withGrown(const AxisRange& data, const UnitAxis& axis) const {
+  if (fit_ != Fit::kGrow || !axis.has_grown) return data;
+  const double factor = axis.frame.factor();
+  return United(data, {.low = axis.grown.low / factor, .high = axis.grown.high / factor});
+}
+
+bool CurveSet::hasStates(const UnitAxis& axis) const {
+  return axis.names != nullptr && axis.numbers == NumberKind::kWhole &&
+         scale_ == ValueScale::kLinear;
+}
+
+void CurveSet::fit(UnitAxis& axis, std::span<const SeenSlices> seen) {
+  AxisRange data = chooseFrame(axis, seen);
+  if (data.low > data.high) return;
+  const bool is_linear = scale_ == ValueScale::kLinear;
+  if (is_linear) {
+    data = {.low = data.low * axis.frame.factor(), .high = data.high * axis.frame.factor()};
+  }
+  if (fit_ == Fit::kSymmetric && is_linear) {
+    const double most = std::max(std::abs(data.low), std::abs(data.high));
+    data = {.low = -most, .high = most};
+  }
+  if (fit_ == Fit::kGrow && axis.has_grown) data = United(data, axis.grown);
+  axis.grown = data;
+  axis.has_grown = true;
+  if (hasStates(axis)) {
+    axis.range = FittedStates(WithAllStates(data, *axis.names));
+  } else if (is_linear) {
+    axis.range = FittedRange(axis.range, data, axis.numbers, axis.frame.base);
+  } else {
+    axis.range = FittedDecades(axis.range, data);
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <gcm_gui/plot/row_losses.h>
+#include <gcm_gui/plot/series/axis_frame.h>
 #include <gcm_gui/plot/series/axis_range.h>
 #include <gcm_gui/plot/series/curve.h>
 
@@ -23,11 +24,14 @@ enum class Fit {
 /// The Y axis of all curves of one unit that are scaled alike, or for which it was chosen.
 struct UnitAxis {
   QString unit;        ///< or the name of a chosen one: see Curve::axis()
-  AxisRange range;     ///< of places: see PlaceOf()
+  AxisFrame frame;     ///< how values become places
+  AxisRange range;     ///< of places
   bool fitted = true;  ///< follows the visible data; else the user's choice
-  AxisRange grown{};   ///< the data it was fitted to, of all time with Fit::kGrow
+  AxisRange grown{};   ///< the places it was fitted to, of all time with Fit::kGrow
   bool has_grown = false;
-  int color_index = -1;  ///< of its only curve; -1 when it has several
+  int color_index = -1;                    ///< of its only curve; -1 when it has several
+  ValueNamesPointer names;                 ///< of all its curves; else null
+  NumberKind numbers = NumberKind::kReal;  ///< whole, where all its curves are
 };
 
 /// Slices of which those before `first` are hidden.
@@ -62,6 +66,8 @@ class CurveSet {
   Curve& adopt(std::unique_ptr<Curve> curve);
   /// Its axis is fitted anew.
   void setLook(Curve& curve, const CurveLook& look);
+  /// Where its axis is another one then, that is fitted anew.
+  void setNames(Curve& curve, ValueNamesPointer names);
   /// nullptr when there is none. Stays where it is until it is removed.
   [[nodiscard]] Curve* find(const QString& path) const;
 
@@ -80,8 +86,11 @@ class CurveSet {
   /// Names of the curves that have values in the slices which a logarithmic axis has no place for:
   /// 0 and less. Empty on a linear one.
   [[nodiscard]] QStringList withoutPlace(std::span<const SeenSlices> seen) const;
-  /// Fits the axes that follow the data to what the slices show.
+  /// Fits the axes that follow the data to what the slices show. A curve whose values are more than
+  /// a million times those of the others on its axis, and beyond 1e12, would make flat lines of
+  /// them: it is left out, and named by beyondAxes().
   void fitAxes(std::span<const SeenSlices> seen);
+  [[nodiscard]] const QStringList& beyondAxes() const { return beyond_; }
   /// Time of the newest sample of all; INT64_MIN without any.
   [[nodiscard]] std::int64_t newestTime() const;
   /// A source of which several columns are plotted counts once. One that is silent since a second
@@ -89,13 +98,28 @@ class CurveSet {
   [[nodiscard]] std::vector<SourceFigures> figures(std::int64_t now_ns) const;
 
  private:
+  struct Extremes {
+    const Curve* curve = nullptr;
+    AxisRange data;  // distances from the base; logarithms on such an axis
+    bool is_beyond = false;
+  };
+
   void updateAxes();
-  [[nodiscard]] AxisRange extremesOf(const UnitAxis& axis, std::span<const SeenSlices> seen) const;
+  void fit(UnitAxis& axis, std::span<const SeenSlices> seen);
+  [[nodiscard]] AxisRange chooseFrame(UnitAxis& axis, std::span<const SeenSlices> seen);
+  [[nodiscard]] AxisRange withGrown(const AxisRange& data, const UnitAxis& axis) const;
+  void setFrame(UnitAxis& axis, const AxisFrame& frame);
+  /// It has the names of states.
+  [[nodiscard]] bool hasStates(const UnitAxis& axis) const;
+  void showBases();
+  [[nodiscard]] std::vector<Extremes> extremesOn(const UnitAxis& axis,
+                                                 std::span<const SeenSlices> seen) const;
   [[nodiscard]] AxisRange extremesOf(const Curve& curve, const SeenSlices& seen) const;
   [[nodiscard]] int freeColor() const;
 
   std::vector<std::unique_ptr<Curve>> curves_;
   std::vector<UnitAxis> axes_;
+  QStringList beyond_;
   Fit fit_ = Fit::kClose;
   ValueScale scale_ = ValueScale::kLinear;
 };

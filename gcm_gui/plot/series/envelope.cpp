@@ -1,6 +1,8 @@
 #include <gcm_gui/plot/series/envelope.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -11,6 +13,28 @@ namespace {
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 
 bool IsFinite(double value) { return std::abs(value) <= std::numeric_limits<double>::max(); }
+
+// How words are read while they are drawn. The first is that of almost all plots, and costs
+// nothing.
+struct Real {
+  static constexpr bool kSteps = false;
+  double operator()(std::uint64_t word) const { return std::bit_cast<double>(word); }
+};
+
+struct RealFromBase {
+  static constexpr bool kSteps = false;
+  double base;
+  double operator()(std::uint64_t word) const { return std::bit_cast<double>(word) - base; }
+};
+
+struct IntegerFromBase {
+  static constexpr bool kSteps = true;
+  DistanceFrom distance;
+  double operator()(std::uint64_t word) const { return distance(word); }
+};
+
+// Between two points whose distance is more than a double holds.
+double FarBetween(double from, double to, double part) { return from * (1 - part) + to * part; }
 
 }  // namespace
 
@@ -24,8 +48,9 @@ struct Envelope::Pen {
   double high = 0;
 };
 
-void Envelope::build(const SampleRing& ring, const TimeSlices& slices) {
-  if (!moveOn(ring, slices)) start(ring, slices);
+void Envelope::build(const SampleRing& ring, const TimeSlices& slices, double base) {
+  const bool is_same_base = std::exchange(base_, base) == base;
+  if (!is_same_base || !moveOn(ring, slices)) start(ring, slices);
   slices_ = slices;
   ring_first_ = ring.firstIndex();
   placeEnds(slices);
@@ -54,7 +79,7 @@ void Envelope::widen(std::int64_t from_ns, std::int64_t to_ns, double low, doubl
   highest_ = std::max(highest_, high);
 }
 
-void Envelope::takeScaled(const Envelope& plain, const Scaling& scaling) {
+void Envelope::takeScaled(const Envelope& plain, const Scaling& scaling, double base) {
   low_ = plain.low_;
   high_ = plain.high_;
   lowest_ = kEndless;
@@ -62,8 +87,8 @@ void Envelope::takeScaled(const Envelope& plain, const Scaling& scaling) {
   for (std::size_t i = 0; i < low_.size(); ++i) {
     const auto [low, high] = std::minmax({scaling.of(low_[i]), scaling.of(high_[i])});
     const bool is_empty = low_[i] > high_[i] || !IsFinite(low) || !IsFinite(high);
-    low_[i] = is_empty ? kEndless : low;
-    high_[i] = is_empty ? -kEndless : high;
+    low_[i] = is_empty ? kEndless : low - base;
+    high_[i] = is_empty ? -kEndless : high - base;
   }
   for (const double each : low()) lowest_ = std::min(lowest_, each);
   for (const double each : high()) highest_ = std::max(highest_, each);
@@ -78,14 +103,14 @@ void Envelope::start(const SampleRing& ring, const TimeSlices& slices) {
 
 // Keeps what was drawn, moved to the left. Returns false when all is to be drawn anew.
 bool Envelope::moveOn(const SampleRing& ring, const TimeSlices& slices) {
-  constexpr std::int64_t kRounding = 2;  // ns
+  constexpr std::int64_t kRoundingNs = 2;
   const std::int64_t by_ns = slices.from_ns - slices_.from_ns;
   const double width = static_cast<double>(slices_.to_ns - slices_.from_ns) /
                        static_cast<double>(std::max<std::size_t>(slices_.count, 1));
   const double by = std::round(static_cast<double>(by_ns) / width);
-  const bool as_wide =
-      slices.count == slices_.count && std::abs(slices.to_ns - slices_.to_ns - by_ns) <= kRounding;
-  const bool by_whole_ones = std::abs(by * width - static_cast<double>(by_ns)) <= kRounding;
+  const bool as_wide = slices.count == slices_.count &&
+                       std::abs(slices.to_ns - slices_.to_ns - by_ns) <= kRoundingNs;
+  const bool by_whole_ones = std::abs(by * width - static_cast<double>(by_ns)) <= kRoundingNs;
   if (!as_wide || !by_whole_ones || by < 0 || by >= static_cast<double>(slices.count)) return false;
   // The last line that was drawn may have ended behind the slices: it is drawn again.
   if (next_ < ring.firstIndex() + 2) return false;
@@ -131,42 +156,61 @@ void Envelope::draw(const SampleRing& ring, std::uint64_t from, std::uint64_t to
   Pen pen;
   while (from < to) {
     const SampleRing::Stretch stretch = ring.stretch(from, to);
-    draw(stretch, pen);
+    if (ring.kind() != ExactNumber::Kind::kReal) {
+      draw(stretch, IntegerFromBase{DistanceFrom(ring.kind(), base_)}, pen);
+    } else if (base_ != 0) {
+      draw(stretch, RealFromBase{base_}, pen);
+    } else {
+      draw(stretch, Real{}, pen);
+    }
     from += stretch.times.size();
   }
   if (pen.down) leave(pen);
 }
 
-void Envelope::draw(SampleRing::Stretch stretch, Pen& pen) {
-  const auto [times, values] = stretch;
+template <typename Reader>
+void Envelope::draw(SampleRing::Stretch stretch, const Reader& read, Pen& pen) {
+  const auto [times, words] = stretch;
   std::size_t i = 0;
   while (i < times.size()) {
-    if (!IsFinite(values[i])) {
+    const double first = read(words[i]);
+    if (!IsFinite(first)) {
       if (pen.down) leave(pen);
       pen.down = false;
       ++i;
       continue;
     }
-    pen.down ? lineTo(pen, times[i], values[i]) : moveTo(pen, times[i], values[i]);
+    if (!pen.down) {
+      moveTo(pen, times[i], first);
+    } else if constexpr (Reader::kSteps) {
+      stepTo(pen, times[i], first);
+    } else {
+      lineTo(pen, times[i], first);
+    }
     // All but the first of many samples in a slice pass here: by fours, then one by one.
     double low = pen.low;
     double high = pen.high;
     const std::int64_t end = ends_[pen.slice];
     for (++i; i + 4 <= times.size() && times[i + 3] < end; i += 4) {
-      const double* v = &values[i];
+      const std::array v{read(words[i]), read(words[i + 1]), read(words[i + 2]),
+                         read(words[i + 3])};
       const double zero = (v[0] - v[0]) + (v[1] - v[1]) + (v[2] - v[2]) + (v[3] - v[3]);
       if (zero != 0) break;  // NaN: one of them is not finite
       low = std::min(low, std::min(std::min(v[0], v[1]), std::min(v[2], v[3])));
       high = std::max(high, std::max(std::max(v[0], v[1]), std::max(v[2], v[3])));
     }
-    for (; i < times.size() && times[i] < end && IsFinite(values[i]); ++i) {
-      low = std::min(low, values[i]);
-      high = std::max(high, values[i]);
+    double last = read(words[i - 1]);
+    for (; i < times.size() && times[i] < end; ++i) {
+      const double value = read(words[i]);
+      if (!IsFinite(value)) break;
+      low = std::min(low, value);
+      high = std::max(high, value);
+      last = value;
     }
     pen.low = low;
     pen.high = high;
     pen.time_ns = times[i - 1];
-    pen.value = values[i - 1];
+    pen.value = last;
   }
 }
 
@@ -181,14 +225,32 @@ void Envelope::moveTo(Pen& pen, std::int64_t time_ns, double value) {
 // Through all slices on the way; what happens at a border belongs to both its slices.
 void Envelope::lineTo(Pen& pen, std::int64_t time_ns, double value) {
   if (time_ns >= ends_[pen.slice]) {
-    const double slope = (value - pen.value) / static_cast<double>(time_ns - pen.time_ns);
+    const auto span_ns = static_cast<double>(time_ns - pen.time_ns);
+    const double slope = (value - pen.value) / span_ns;
+    const double least = std::min(pen.value, value);
+    const double most = std::max(pen.value, value);
     while (time_ns >= ends_[pen.slice]) {
-      const double border = pen.value + slope * static_cast<double>(ends_[pen.slice] - pen.time_ns);
+      const auto way_ns = static_cast<double>(ends_[pen.slice] - pen.time_ns);
+      const double there = IsFinite(slope) ? pen.value + slope * way_ns
+                                           : FarBetween(pen.value, value, way_ns / span_ns);
+      const double border = std::clamp(there, least, most);  // whatever rounding does
       pen.low = std::min(pen.low, border);
       pen.high = std::max(pen.high, border);
       leave(pen);
       enter(pen, pen.slice + 1, border);
     }
+  }
+  pen.low = std::min(pen.low, value);
+  pen.high = std::max(pen.high, value);
+  pen.time_ns = time_ns;
+  pen.value = value;
+}
+
+// Level through all slices on the way, then up or down in the last one.
+void Envelope::stepTo(Pen& pen, std::int64_t time_ns, double value) {
+  while (time_ns >= ends_[pen.slice]) {
+    leave(pen);
+    enter(pen, pen.slice + 1, pen.value);
   }
   pen.low = std::min(pen.low, value);
   pen.high = std::max(pen.high, value);

@@ -11,6 +11,8 @@ namespace {
 constexpr std::size_t kFirstCapacity = 1024;
 // A signal of which every other row is lost must not fill the memory with gaps.
 constexpr std::size_t kMostGaps = 16384;
+// Of slow sources samples are that far apart while they run.
+constexpr std::int64_t kShortestStandstillNs = 250'000'000;
 // A clock may be corrected by so much between two epochs; the ring then waits for it.
 constexpr std::int64_t kClockToleranceNs = 1'000'000'000;
 
@@ -24,15 +26,35 @@ SampleRing::SampleRing(std::size_t limit) : limit_(Capacity(limit)) {
 
 void SampleRing::append(std::span<const Sample> samples) {
   for (const Sample& sample : samples) {
-    if (!continues(sample)) continue;
+    if (!takeKind(sample) || !continues(sample)) continue;
     last_tick_ = sample.tick;
     const std::int64_t newest = empty() ? sample.time_ns : time(end_ - 1);
-    push(std::max(sample.time_ns, newest), sample.value);
+    push(std::max(sample.time_ns, newest), sample.value.word());
   }
+}
+
+// Whether there is a number to keep.
+bool SampleRing::takeKind(const Sample& sample) {
+  const ExactNumber::Kind kind = sample.value.kind();
+  if (kind == kind_) return true;
+  if (!sample.value.isFinite() && kind_ != ExactNumber::Kind::kReal) {
+    // Its tick is not lost, though those before it may be.
+    if (!empty() && sample.tick > last_tick_) {
+      lost_before_ += sample.tick - last_tick_ - 1;
+      last_tick_ = sample.tick;
+    }
+    has_no_value_ = true;
+    return false;
+  }
+  forgetUntil(end_);
+  kind_ = kind;
+  return true;
 }
 
 // Whether the sample belongs at the end. Notes the gap before it.
 bool SampleRing::continues(const Sample& sample) {
+  const bool has_no_value = std::exchange(has_no_value_, false);
+  const std::uint64_t lost_before = std::exchange(lost_before_, 0);
   if (empty()) {
     epoch_begins_ = false;
     base_index_ = end_;
@@ -51,12 +73,19 @@ bool SampleRing::continues(const Sample& sample) {
     ++repeated_;
     return false;
   }
-  if (sample.tick != last_tick_ + 1) addGap(Gap::Cause::kLost, sample);
+  const std::uint64_t lost = lost_before + (sample.tick - last_tick_ - 1);
+  if (lost > 0) {
+    addGap(Gap::Cause::kLost, sample, lost);
+  } else if (stands_still_ && sample.time_ns - time(end_ - 1) > kShortestStandstillNs) {
+    addGap(Gap::Cause::kStandstill, sample);
+  } else if (has_no_value) {
+    addGap(Gap::Cause::kNoValue, sample);
+  }
+  if (std::exchange(standstill_ends_, false)) stands_still_ = false;
   return true;
 }
 
-void SampleRing::addGap(Gap::Cause cause, const Sample& next) {
-  const std::uint64_t lost = cause == Gap::Cause::kLost ? next.tick - last_tick_ - 1 : 0;
+void SampleRing::addGap(Gap::Cause cause, const Sample& next, std::uint64_t lost) {
   lost_ += lost;
   const std::int64_t from = time(end_ - 1);
   gaps_.push_back({.cause = cause,
@@ -68,7 +97,7 @@ void SampleRing::addGap(Gap::Cause cause, const Sample& next) {
   if (gaps_.size() > kMostGaps) forgetUntil(gaps_.front().index);
 }
 
-void SampleRing::push(std::int64_t time_ns, double value) {
+void SampleRing::push(std::int64_t time_ns, std::uint64_t word) {
   if (end_ - first_ == times_.size()) {
     if (times_.size() < limit_) {
       reallocate(times_.size() * 2);
@@ -77,7 +106,7 @@ void SampleRing::push(std::int64_t time_ns, double value) {
     }
   }
   times_[end_ & mask()] = time_ns;
-  values_[end_ & mask()] = value;
+  words_[end_ & mask()] = word;
   ++end_;
 }
 
@@ -99,13 +128,13 @@ void SampleRing::setLimit(std::size_t samples) {
 
 void SampleRing::reallocate(std::size_t capacity) {
   std::vector<std::int64_t> times(capacity);
-  std::vector<double> values(capacity);
+  std::vector<std::uint64_t> words(capacity);
   for (std::uint64_t index = first_; index < end_; ++index) {
     times[index & (capacity - 1)] = time(index);
-    values[index & (capacity - 1)] = value(index);
+    words[index & (capacity - 1)] = words_[index & mask()];
   }
   times_ = std::move(times);
-  values_ = std::move(values);
+  words_ = std::move(words);
 }
 
 std::uint64_t SampleRing::tick(std::uint64_t index) const {
@@ -134,7 +163,7 @@ std::uint64_t SampleRing::lowerBound(std::int64_t time_ns) const {
 SampleRing::Stretch SampleRing::stretch(std::uint64_t from, std::uint64_t to) const {
   const std::size_t offset = from & mask();
   const std::size_t count = std::min<std::size_t>(to - from, times_.size() - offset);
-  return {.times = {times_.data() + offset, count}, .values = {values_.data() + offset, count}};
+  return {.times = {times_.data() + offset, count}, .words = {words_.data() + offset, count}};
 }
 
 }  // namespace tendon::gui

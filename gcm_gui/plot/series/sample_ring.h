@@ -1,5 +1,7 @@
 #pragma once
 
+#include <gcm_gui/plot/series/exact_number.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -12,17 +14,22 @@ namespace tendon::gui {
 struct Sample {
   std::int64_t time_ns = 0;  ///< when the row was written, on the source's steady clock
   std::uint64_t tick = 0;    ///< the number of the row: grows by one from row to row
-  double value = 0;
+  ExactNumber value;
 };
 
 /// An interruption: nothing is known between the samples before and after it.
 struct Gap {
-  enum class Cause { kLost, kRestart };
+  enum class Cause {
+    kLost,
+    kRestart,
+    kStandstill,
+    kNoValue,  ///< rows came, but without this element
+  };
 
   Cause cause = Cause::kLost;
   std::uint64_t index = 0;  ///< of the first sample after it
   std::uint64_t tick = 0;   ///< of that sample
-  std::uint64_t lost = 0;   ///< rows that never arrived; not known, and 0, after a restart
+  std::uint64_t lost = 0;   ///< rows that never arrived; 0 for other causes
   std::int64_t from_ns = 0;
   std::int64_t to_ns = 0;
 };
@@ -30,27 +37,34 @@ struct Gap {
 /// The latest samples of one signal, oldest first, and where some are missing.
 ///
 /// A sample is named by its index, which counts from the very first one and stays the same when
-/// older ones make room. Times never decrease. Memory grows with the samples up to a limit, 16
-/// bytes each. One thread.
+/// older ones make room. Times never decrease. All numbers are of one kind. Memory grows with the
+/// samples up to a limit, 16 bytes each. One thread.
 class SampleRing {
  public:
-  static constexpr std::size_t kBytesPerSample = sizeof(std::int64_t) + sizeof(double);
+  static constexpr std::size_t kBytesPerSample = sizeof(std::int64_t) + sizeof(std::uint64_t);
   static constexpr std::size_t kDefaultLimit = std::size_t{1} << 20;
 
   /// A contiguous part of the ring.
   struct Stretch {
     std::span<const std::int64_t> times;
-    std::span<const double> values;
+    std::span<const std::uint64_t> words;  ///< of kind()
   };
 
   explicit SampleRing(std::size_t limit = kDefaultLimit);
 
   /// Amortised O(1) a sample. One that skips ticks makes a gap; one whose tick was there already
   /// is counted and left out; a lower tick at a later time means that the source was restarted.
+  /// Numbers of another kind than before begin a new ring; among integers NaN stands for no value,
+  /// and makes a gap.
   void append(std::span<const Sample> samples);
   /// The source was restarted: its ticks begin anew with the next sample, behind a gap. A clock
   /// that was set back makes the ring start over, as the old samples can no longer be placed.
   void beginEpoch() { epoch_begins_ = true; }
+  /// The source stands still, or did: the next sample comes behind a gap, also where no tick is
+  /// left out. Nothing happens where the next one follows at once, as those do that were under way.
+  void noteStandstill() { stands_still_ = true; }
+  /// It runs again: what comes from now on is behind the gap.
+  void endStandstill() { standstill_ends_ = stands_still_; }
   /// At most so many samples, rounded down to a power of two; the oldest ones go.
   void setLimit(std::size_t samples);
 
@@ -59,7 +73,12 @@ class SampleRing {
   [[nodiscard]] std::uint64_t endIndex() const { return end_; }
   [[nodiscard]] bool empty() const { return first_ == end_; }
   [[nodiscard]] std::int64_t time(std::uint64_t index) const { return times_[index & mask()]; }
-  [[nodiscard]] double value(std::uint64_t index) const { return values_[index & mask()]; }
+  [[nodiscard]] ExactNumber::Kind kind() const { return kind_; }
+  [[nodiscard]] ExactNumber number(std::uint64_t index) const {
+    return {kind_, words_[index & mask()]};
+  }
+  /// The double nearest to the number.
+  [[nodiscard]] double value(std::uint64_t index) const { return number(index).nearest(); }
   [[nodiscard]] std::uint64_t tick(std::uint64_t index) const;
   /// Index of the first sample at `time_ns` or later; endIndex() when there is none. O(log n).
   [[nodiscard]] std::uint64_t lowerBound(std::int64_t time_ns) const;
@@ -75,14 +94,16 @@ class SampleRing {
  private:
   [[nodiscard]] std::uint64_t mask() const { return times_.size() - 1; }
   [[nodiscard]] bool continues(const Sample& sample);
-  void push(std::int64_t time_ns, double value);
-  void addGap(Gap::Cause cause, const Sample& next);
+  [[nodiscard]] bool takeKind(const Sample& sample);
+  void push(std::int64_t time_ns, std::uint64_t word);
+  void addGap(Gap::Cause cause, const Sample& next, std::uint64_t lost = 0);
   void forgetUntil(std::uint64_t index);
   void reallocate(std::size_t capacity);
 
   std::vector<std::int64_t> times_;
-  std::vector<double> values_;
+  std::vector<std::uint64_t> words_;
   std::deque<Gap> gaps_;
+  ExactNumber::Kind kind_ = ExactNumber::Kind::kReal;
   std::size_t limit_;
   std::uint64_t first_ = 0;
   std::uint64_t end_ = 0;
@@ -92,6 +113,10 @@ class SampleRing {
   std::uint64_t lost_ = 0;
   std::uint64_t repeated_ = 0;
   bool epoch_begins_ = false;
+  bool stands_still_ = false;
+  bool standstill_ends_ = false;
+  bool has_no_value_ = false;      // since the newest sample
+  std::uint64_t lost_before_ = 0;  // since then, before rows without a value
 };
 
 }  // namespace tendon::gui

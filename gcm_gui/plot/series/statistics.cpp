@@ -2,17 +2,52 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
+#include <limits>
+#include <utility>
 
 namespace tendon::gui {
+namespace {
+
+constexpr double kExactIntegers = 9007199254740992;  // 2^53
+
+// What makes distances of this size about 1: their squares then fit a double.
+double UnitOfSize(double size) {
+  constexpr int kLeastExponent = -1000;
+  int exponent = 0;
+  std::frexp(size, &exponent);
+  return std::ldexp(1, -std::max(exponent, kLeastExponent));
+}
+
+// Rounding must not make more of it than there is.
+double FromUnit(double distance, double unit) {
+  constexpr double kMost = std::numeric_limits<double>::max();
+  return std::clamp(distance / unit, -kMost, kMost);
+}
+
+// Of an integer, which doubles near it cannot hold: so far above the lowest one.
+ExactNumber Above(const ExactNumber& lowest, double distance) {
+  return {lowest.kind(), lowest.word() + static_cast<std::uint64_t>(std::round(distance))};
+}
+
+}  // namespace
 
 Statistics Statistics::scaled(const Scaling& scaling) const {
+  if (scaling.isNone()) return *this;
   Statistics result = *this;
-  std::tie(result.lowest, result.highest) = std::minmax({scaling.of(lowest), scaling.of(highest)});
-  result.mean = scaling.of(mean);
+  double low = scaling.of(lowest.nearest());
+  double high = scaling.of(highest.nearest());
+  if (low > high) std::swap(low, high);
+  result.lowest = low;
+  result.highest = high;
+  result.mean = scaling.of(mean.nearest());
   result.deviation = std::abs(scaling.factor) * deviation;
-  result.rms = std::hypot(result.deviation, result.mean);
+  result.rms = std::hypot(result.deviation, result.mean.nearest());
   return result;
+}
+
+ExactNumber Statistics::span() const {
+  if (lowest.isInteger()) return ExactNumber::Unsigned(highest.word() - lowest.word());
+  return highest.nearest() - lowest.nearest();
 }
 
 std::optional<Statistics> StatisticsOf(const SampleRing& ring, std::int64_t from_ns,
@@ -20,24 +55,62 @@ std::optional<Statistics> StatisticsOf(const SampleRing& ring, std::int64_t from
   const std::uint64_t first = ring.lowerBound(from_ns);
   const std::uint64_t end = ring.lowerBound(to_ns + 1);
   Statistics result;
-  double squares = 0;  // of the distances from the mean so far, after Welford
   for (std::uint64_t i = first; i < end; ++i) {
-    const double value = ring.value(i);
-    if (!std::isfinite(value)) continue;
-    if (++result.count == 1) result.lowest = result.highest = value;
-    result.lowest = std::min(result.lowest, value);
-    result.highest = std::max(result.highest, value);
-    const double distance = value - result.mean;
-    result.mean += distance / static_cast<double>(result.count);
-    squares += distance * (value - result.mean);
+    const ExactNumber number = ring.number(i);
+    if (!number.isFinite()) continue;
+    if (++result.count == 1) result.lowest = result.highest = number;
+    if (number.isBelow(result.lowest)) result.lowest = number;
+    if (result.highest.isBelow(number)) result.highest = number;
   }
   if (result.count == 0) return std::nullopt;
-  const double variance = squares / static_cast<double>(result.count);
-  result.deviation = std::sqrt(variance);
-  result.rms = std::sqrt(variance + result.mean * result.mean);
+
+  // Distances from the lowest integer are exact where integers are not; reals have no base.
+  const double base = result.lowest.isInteger() ? result.lowest.nearest() : 0;
+  const DistanceFrom distance_from(ring.kind(), base);
+  const double lowest = distance_from(result.lowest.word());
+  const double size = std::max(std::abs(lowest), std::abs(distance_from(result.highest.word())));
+  const double unit = UnitOfSize(size);
+  std::uint64_t count = 0;
+  double mean = 0;
+  double squares = 0;  // of the distances from the mean so far, after Welford
+  for (std::uint64_t i = first; i < end; ++i) {
+    const ExactNumber number = ring.number(i);
+    if (!number.isFinite()) continue;
+    const double value = distance_from(number.word()) * unit;
+    const double distance = value - mean;
+    mean += distance / static_cast<double>(++count);
+    squares += distance * (value - mean);
+  }
+  const double deviation = std::sqrt(squares / static_cast<double>(count));
+  result.deviation = FromUnit(deviation, unit);
+  const double from_base = FromUnit(mean, unit);
+  const bool is_beyond_doubles = std::abs(base + from_base) >= kExactIntegers;
+  result.mean = result.lowest.isInteger() && is_beyond_doubles
+                    ? Above(result.lowest, from_base - lowest)
+                    : ExactNumber(base + from_base);
+  result.rms = base == 0 ? FromUnit(std::hypot(deviation, mean), unit)
+                         : std::hypot(result.deviation, result.mean.nearest());
   const auto span_ns = static_cast<double>(ring.time(end - 1) - ring.time(first));
   if (span_ns > 0) result.rate = static_cast<double>(end - 1 - first) * 1e9 / span_ns;
   return result;
+}
+
+std::map<std::int64_t, std::uint64_t> OccurrencesOf(const SampleRing& ring, std::int64_t from_ns,
+                                                    std::int64_t to_ns) {
+  constexpr std::size_t kMost = 64;
+  std::map<std::int64_t, std::uint64_t> occurrences;
+  if (ring.kind() != ExactNumber::Kind::kSigned) return occurrences;
+  const std::uint64_t end = ring.lowerBound(to_ns + 1);
+  for (std::uint64_t i = ring.lowerBound(from_ns); i < end; ++i) {
+    const auto value = static_cast<std::int64_t>(ring.number(i).word());
+    const auto found = occurrences.find(value);
+    if (found != occurrences.end()) {
+      ++found->second;
+    } else if (occurrences.size() < kMost) {
+      occurrences.emplace(value, 1);
+    }
+  }
+  return occurrences;
 }
 
 }  // namespace tendon::gui

@@ -1,3 +1,4 @@
+#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/theme/metrics.h>
@@ -25,7 +26,7 @@ LostBanner::LostBanner(const GcmLink& link, QWidget* parent)
   row->setSpacing(kInset);
   row->addWidget(since_);
   row->addWidget(meaning_, 1);
-  connect(&link, &GcmLink::changed, this, &LostBanner::refresh);
+  connect(&link, &GcmLink::changed, this, Fenced(this, &LostBanner::refresh));
   setNow(WallClock());
 }
 

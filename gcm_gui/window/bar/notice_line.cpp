@@ -1,3 +1,4 @@
+#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/steer/steer_words.h>
@@ -29,7 +30,7 @@ NoticeLine::NoticeLine(const ConnectMode& mode, const ActivityModel& activity, Q
   connect(&fade_, &QTimer::timeout, this, [this] { tell({}); });
   connect(&mode, &ConnectMode::changed, this, &NoticeLine::refresh);
   connect(&mode, &ConnectMode::notice, this, &NoticeLine::tell);
-  connect(&activity, &ActivityModel::finished, this, &NoticeLine::hear);
+  connect(&activity, &ActivityModel::finished, this, Fenced(this, &NoticeLine::hear));
   connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
 }
 

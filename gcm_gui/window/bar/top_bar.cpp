@@ -1,3 +1,4 @@
+#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/state_of.h>
 #include <gcm_gui/models/text.h>
@@ -69,8 +70,8 @@ TopBar::TopBar(const CatalogueStore& store, const GcmLink& link, QWidget* parent
   addButtons();
 
   connect(problem_pill_, &QAbstractButton::clicked, this, &TopBar::problemsRequested);
-  connect(&store, &CatalogueStore::changed, this, &TopBar::showLink);
-  connect(&link, &GcmLink::changed, this, &TopBar::showLink);
+  connect(&store, &CatalogueStore::changed, this, Fenced(this, &TopBar::showLink));
+  connect(&link, &GcmLink::changed, this, Fenced(this, &TopBar::showLink));
   setNow(WallClock());
   showProblemCount(0);
 }

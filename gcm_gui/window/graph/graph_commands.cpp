@@ -1,4 +1,5 @@
 #include <gcm_gui/activity/activity_model.h>
+#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/graph/export/graph_export.h>
 #include <gcm_gui/graph/graph_view.h>
 #include <gcm_gui/graph/map/graph_map.h>
@@ -36,7 +37,7 @@ void GraphCommands::keepPlaces(const WindowParts& parts, SystemDocument& documen
           [&places, &document] { document.setLayout(LayoutOf(places)); });
   connect(&document, &SystemDocument::opened, &places,
           [&places, &document] { places.move(PlacesOf(document.file())); });
-  connect(&parts.activity, &ActivityModel::finished, &places, &GraphPlaces::grow);
+  connect(&parts.activity, &ActivityModel::finished, &places, Fenced(&places, &GraphPlaces::grow));
 }
 
 void GraphCommands::addCommands(Commands& commands) {

@@ -1,9 +1,12 @@
+#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/state_of.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/plot/plot_panel.h>
 #include <gcm_gui/window/plots/audit_line.h>
 #include <gcm_gui/window/plots/mark_binding.h>
+#include <tendon/base/path.h>
+#include <tendon/gcm/lookup.h>
 
 #include <algorithm>
 #include <chrono>
@@ -33,17 +36,19 @@ QString Name(const InterfaceName& name) { return ToQString(ToString(name)); }
 
 MarkBinding::MarkBinding(PlotPanel& panel, CatalogueStore& store, ActivityModel& activity,
                          SystemReports& reports, QObject* parent)
-    : QObject(parent), panel_(panel), activity_(activity), reports_(reports) {
+    : QObject(parent), panel_(panel), store_(store), activity_(activity), reports_(reports) {
   connect(&panel, &PlotPanel::subscriptionWanted, this, &MarkBinding::follow);
   connect(&panel, &PlotPanel::subscriptionReleased, this, &MarkBinding::follow);
   connect(&panel, &PlotPanel::marksShownChanged, this, &MarkBinding::follow);
-  connect(&reports, &SystemReports::logArrived, this, &MarkBinding::markLog);
+  connect(&reports, &SystemReports::logArrived, this, Fenced(this, &MarkBinding::markLog));
   connect(&reports, &SystemReports::eventsArrived, this,
           [this](const std::vector<HeardEvent>& events) {
-            for (const HeardEvent& event : events) markEvent(event);
+            Fence::run(this, ViewWork::kHandling, [&] {
+              for (const HeardEvent& event : events) markEvent(event);
+            });
           });
-  connect(&activity, &ActivityModel::finished, this, &MarkBinding::markAction);
-  connect(&store, &CatalogueStore::changed, this, &MarkBinding::compare);
+  connect(&activity, &ActivityModel::finished, this, Fenced(this, &MarkBinding::markAction));
+  connect(&store, &CatalogueStore::changed, this, Fenced(this, &MarkBinding::compare));
   Touched all;
   for (const auto& [name, entry] : store.catalogue().processes()) all.insert({name, {}});
   compare(store.catalogue(), all);
@@ -97,7 +102,7 @@ void MarkBinding::markLog(const LogBatch& batch) {
   if (!is_new) return;
   for (const message::LogRecord& record : batch.records) {
     const auto sent = SentCommandOf(record);
-    if (!sent || isOwnCall(sent->path)) continue;
+    if (!sent || isRead(sent->path) || isOwnCall(sent->path)) continue;
     const std::int64_t now = WallClock();
     // The clock of another host may be anywhere.
     const bool is_near = record.time <= now && now - record.time < kLatestLog;
@@ -108,6 +113,17 @@ void MarkBinding::markLog(const LogBatch& batch) {
                             (sent->is_refused ? Words::tr(": refused") : ""),
                     .is_bad = sent->is_refused});
   }
+}
+
+// It changes nothing, and who sends it may be no person: a form asks what to begin with, a script
+// where an arm is.
+bool MarkBinding::isRead(const QString& path) const {
+  const auto parsed = ParsePath(path.toStdString());
+  if (!parsed) return false;
+  const auto command = LookUpCommand(store_.catalogue(), *parsed);
+  if (!command) return false;
+  const CommandKind kind = command->signature.kind;
+  return kind == CommandKind::kRead || kind == CommandKind::kQualifiedRead;
 }
 
 // It is marked when its answer comes. A call is in the list of actions before it is sent.

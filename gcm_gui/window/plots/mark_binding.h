@@ -19,9 +19,9 @@ namespace tendon::gui {
 class PlotPanel;
 
 /// Marks on the plots what happens to the system: the commands that this window and other programs
-/// send, what is refused, and whatever program caused them, states that change, connections that
-/// are made and broken, processes that are lost and come back. What is there already when it is
-/// first heard of makes no mark.
+/// send, of those of others none that only read, what is refused, and whatever program caused them,
+/// states that change, connections that are made and broken, processes that are lost and come back.
+/// What is there already when it is first heard of makes no mark.
 ///
 /// Of the components that are plotted it marks the events, too, and listens to those of no others;
 /// to none while marks are hidden. GUI thread.
@@ -47,6 +47,7 @@ class MarkBinding : public QObject {
   void follow();
   void markEvent(const HeardEvent& event);
   void markLog(const LogBatch& batch);
+  [[nodiscard]] bool isRead(const QString& path) const;
   [[nodiscard]] bool isOwnCall(const QString& path) const;
   void markAction(const Action& action);
   void compare(const Catalog& catalogue, const Touched& touched);
@@ -56,6 +57,7 @@ class MarkBinding : public QObject {
   void add(Mark::Kind kind, const QString& label, const QString& text, bool is_bad);
 
   PlotPanel& panel_;
+  const CatalogueStore& store_;
   ActivityModel& activity_;
   SystemReports& reports_;
   QStringList components_plotted_;  // "robot/arm"

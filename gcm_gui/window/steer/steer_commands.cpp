@@ -119,7 +119,26 @@ void SteerCommands::ask(LifeVerb verb) {
   }
   if (!refusal.isEmpty()) Q_EMIT notice(refusal);
   if (able.empty()) return card_->close();
-  card_->ask(verb, able);
+  QStringList lines;
+  QStringList effects;
+  for (const Path& one : able) {
+    lines.append(lineOf(verb, one));
+    const auto* component = store_.catalogue().FindComponent(one.process, one.component);
+    const QString effect = component == nullptr ? QString() : EffectOf(verb, component->state);
+    if (!effect.isEmpty() && !effects.contains(effect)) effects.append(effect);
+  }
+  card_->ask(verb, able, lines, effects);
+}
+
+/// One that is to go on is named with how long it has rested.
+QString SteerCommands::lineOf(LifeVerb verb, const Path& one) const {
+  const QString path = ToQString(ToString(one));
+  const auto* component = store_.catalogue().FindComponent(one.process, one.component);
+  const bool goes_on = verb == LifeVerb::kStart && component != nullptr &&
+                       component->state == ComponentState::kSuspended;
+  if (!goes_on) return path;
+  return SteeredText(path, component->state, store_.stateSince(one.process, one.component),
+                     WallClock());
 }
 
 void SteerCommands::carryOut(LifeVerb verb, const std::vector<Path>& components) {

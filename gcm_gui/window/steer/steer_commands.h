@@ -51,6 +51,7 @@ class SteerCommands : public QObject {
   /// While the menu of a component is open.
   void disableRefused();
   void enableRefused();
+  [[nodiscard]] QString lineOf(LifeVerb verb, const Path& one) const;
   void carryOut(LifeVerb verb, const std::vector<Path>& components);
 
   const CatalogueStore& store_;

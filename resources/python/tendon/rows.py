@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import queue
 import struct
 import threading
 import weakref
+from collections import deque
 from dataclasses import dataclass
 from typing import Any, Iterator, NamedTuple
 
@@ -17,7 +17,7 @@ from .middleware.link import Link
 from .paths import select
 from .payload.schema import Schema
 
-MOST_WAITING = 32 << 20  # bytes of rows that were not taken yet
+MOST_WAITING = 32 << 20  # bytes of rows that were not taken yet, or of one batch
 
 _HEADER_SIZE = messages.SCHEMAS["tendon.RowsHeader"].minimum_size
 _STAMP = struct.Struct("<Qq")  # tick, time
@@ -106,8 +106,8 @@ class Feed:
         self.lost_network = 0
         self.lost_viewer = 0
         self._sent = 0  # rows, as the peer says
-        self._queue: queue.SimpleQueue[Batch | Error | None] = queue.SimpleQueue()
-        self._lock = threading.Lock()
+        self._change = threading.Condition()
+        self._queue: deque[Batch | Error | None] = deque()
         self._waiting = 0  # bytes
 
     def add(self, body: bytes) -> None:
@@ -120,32 +120,44 @@ class Feed:
         self.lost_table += batch.lost_table
         self.lost_network += max(0, batch.rows_before - self._sent)
         self._sent = batch.rows_before + batch.rows
-        with self._lock:
-            is_full = self._waiting + len(body) > MOST_WAITING
-            self._waiting += 0 if is_full else len(body)
-        if is_full:
-            self.lost_viewer += batch.rows
-        else:
-            self._queue.put(batch)
+        with self._change:
+            while self._waiting + len(body) > MOST_WAITING and self._drop_oldest():
+                pass
+            self._waiting += len(body)
+            self._queue.append(batch)
+            self._change.notify()
 
     def end(self, reason: Error) -> None:
         """No more come."""
-        self._queue.put(reason)
+        self._put(reason)
 
     def wake(self) -> None:
         """Whoever waits gets nothing."""
-        self._queue.put(None)
+        self._put(None)
 
     def take(self, timeout: float | None) -> Batch | Error | None:
         """The next; None when there is none within so many seconds, or after wake()."""
-        try:
-            batch = self._queue.get(timeout=timeout)
-        except queue.Empty:
-            return None
-        if isinstance(batch, Batch):
-            with self._lock:
+        with self._change:
+            if not self._change.wait_for(lambda: self._queue, timeout):
+                return None
+            batch = self._queue.popleft()
+            if isinstance(batch, Batch):
                 self._waiting -= len(batch.body)
-        return batch
+            return batch
+
+    def _put(self, last: Error | None) -> None:
+        with self._change:
+            self._queue.append(last)
+            self._change.notify()
+
+    def _drop_oldest(self) -> bool:
+        """Under the lock. False where no rows wait."""
+        if not self._queue or not isinstance(self._queue[0], Batch):
+            return False
+        oldest = self._queue.popleft()
+        self._waiting -= len(oldest.body)
+        self.lost_viewer += oldest.rows
+        return True
 
 
 class Feeds:
@@ -205,7 +217,7 @@ class Watch:
 
     @property
     def lost_viewer(self) -> int:
-        """Rows that arrived while too many were waiting to be taken."""
+        """Rows that waited to be taken, and had to make room for newer ones."""
         return self._feed.lost_viewer
 
     def close(self) -> None:

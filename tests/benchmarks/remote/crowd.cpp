@@ -2,6 +2,7 @@
 // itself, and joins when it is continued, with components of ten interfaces of ten commands each.
 // Runs until it is killed.
 
+#include <tendon/base/log.h>
 #include <tendon/ice/ice_middleware.h>
 #include <tendon/process/process.h>
 #include <unistd.h>
@@ -37,6 +38,7 @@ class Member final : public tendon::Component {
 int main(int /*count*/, char** words) {
   using namespace tendon;
   auto middleware = MakeIceMiddleware(Exposure::kLoopbackOnly);
+  SetLogLevel(LogLevel::kWarning);
   raise(SIGSTOP);
   Process process(words[1], {.middleware = std::move(middleware), .gcm = words[2]});
   for (int i = 0; i < std::stoi(words[3]); ++i) process.Add<Member>("member" + std::to_string(i));

@@ -130,10 +130,81 @@ TEST_F(SimulatedArmTest, ACycleAllocatesNothing) {
   EXPECT_EQ(client_.faults.size(), 1U);
 }
 
-TEST_F(SimulatedArmTest, MoveToSaysThatItSetsSomethingInMotion) {
+TEST_F(SimulatedArmTest, WhatSetsItInMotionSaysSo) {
   for (const auto& command : arm_.FindProvided("Control")->description().commands) {
-    EXPECT_EQ(command.hazard, command.name == "MoveTo" ? "motion" : "") << command.name;
+    EXPECT_EQ(command.hazard, command.name.starts_with("Move") ? "motion" : "") << command.name;
+    EXPECT_EQ(command.expires_after, command.name == "MoveAt" ? 0.1 : 0.0) << command.name;
   }
+}
+
+TEST_F(SimulatedArmTest, HoldsWhereItIsWhenItIsResumed) {
+  EXPECT_TRUE(client_.move_to({kGoal, 3.0}));
+  arm_.Cycle(1000);
+  const JointVector on_the_way = Joints().position;
+  ASSERT_TRUE(manager_.Suspend("arm"));
+  ASSERT_TRUE(manager_.Start("arm"));
+
+  arm_.Cycle(3000);
+
+  EXPECT_EQ(Joints().position, on_the_way);
+  EXPECT_EQ(client_.goals_reached, 0);
+}
+
+TEST_F(SimulatedArmTest, MovesAtAVelocityWithoutAJerk) {
+  JointVector velocity{};
+  velocity[0] = 0.5;
+  double greatest = 0.0;
+  double before = 0.0;
+
+  EXPECT_TRUE(client_.move_at({velocity}));
+  for (int i = 0; i < 80; ++i) {  // well before it expires
+    arm_.Cycle();
+    greatest = std::max(greatest, std::abs(Joints().velocity[0] - before) / 1e-3);
+    before = Joints().velocity[0];
+  }
+
+  EXPECT_GT(before, 0.2);
+  EXPECT_LE(greatest, 0.3 * ArmConfiguration().acceleration[0]);
+}
+
+TEST_F(SimulatedArmTest, AVelocityThatIsNotRenewedEnds) {
+  JointVector velocity{};
+  velocity[0] = 0.5;
+
+  EXPECT_TRUE(client_.move_at({velocity}));
+  const bool came_to_rest = EventuallyTrue([&] {
+    arm_.Cycle();
+    return arm_.Read<JointGoal>("Goal").duration > 0.0 && std::abs(Joints().velocity[0]) < 1e-6;
+  });
+
+  EXPECT_TRUE(came_to_rest);
+}
+
+TEST_F(SimulatedArmTest, AVelocityThatExpiresEndsNoGoalThatCameBehindIt) {
+  JointVector velocity{};
+  velocity[0] = 0.1;
+  EXPECT_TRUE(client_.move_at({velocity}));
+  arm_.Cycle();
+  const auto since = std::chrono::steady_clock::now();
+
+  EXPECT_TRUE(client_.move_to({kGoal, 2.0}));
+  const bool is_over = EventuallyTrue(
+      [&] { return std::chrono::steady_clock::now() - since > std::chrono::milliseconds(110); });
+  arm_.Cycle(3000);
+
+  EXPECT_TRUE(is_over);
+  EXPECT_EQ(client_.goals_reached, 1);
+}
+
+TEST_F(SimulatedArmTest, AVelocityThatIsNoNumberChangesNothing) {
+  JointVector velocity{};
+  velocity[3] = std::nan("");
+
+  EXPECT_TRUE(client_.move_at({velocity}));
+  arm_.Cycle(10);
+
+  EXPECT_EQ(arm_.Read<std::uint64_t>("Refused"), 1U);
+  EXPECT_EQ(Joints().position, kReadyPosture);
 }
 
 class NoisyArm : public SteppedArm {

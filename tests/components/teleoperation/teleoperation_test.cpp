@@ -7,8 +7,10 @@
 #include <tendon/manager/local_manager.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "components/arm_client.h"
 #include "components/stepped.h"
 
 namespace arm {
@@ -80,6 +82,123 @@ TEST(Teleoperation, SetsOutFromWhereTheArmIs) {
   for (std::size_t joint = 0; joint < kJoints; ++joint) {
     EXPECT_NEAR(target[joint], kReadyPosture[joint], 1e-9) << joint;
   }
+}
+
+/// Two arms that stand apart, of which one is led at a time.
+class SteppedTrio : public SteppedPair {
+ public:
+  explicit SteppedTrio(const ArmConfiguration& configuration = {})
+      : SteppedPair(configuration),
+        other(manager.Add<Stepped<SimulatedArm>>("other", Elsewhere())) {
+    EXPECT_TRUE(manager.Start("other"));
+    arm.Cycle();
+    other.Cycle();
+  }
+
+  /// The greatest speed, rad/s, and acceleration, rad/s^2, of a joint of either arm.
+  struct Peak {
+    double speed = 0.0;
+    double acceleration = 0.0;
+  };
+  Peak PeakWithin(double seconds) {
+    Peak peak;
+    std::array<JointVector, 2> speeds{arm.Read<JointState>("Joints").velocity,
+                                      other.Read<JointState>("Joints").velocity};
+    for (int i = 0; i < static_cast<int>(std::lround(seconds * 50.0)); ++i) {
+      for (int cycle = 0; cycle < kArmCycles; ++cycle) {
+        Step(arm, speeds[0], peak);
+        Step(other, speeds[1], peak);
+      }
+      teleoperation.Cycle();
+    }
+    return peak;
+  }
+  void Lead(const char* name) {
+    (void)manager.Disconnect({"teleoperation", "Robot"});
+    EXPECT_TRUE(manager.Connect({"teleoperation", "Robot"}, {name, "Control"}));
+  }
+
+  Stepped<SimulatedArm>& other;
+
+ private:
+  static ArmConfiguration Elsewhere() {
+    ArmConfiguration configuration;
+    configuration.home = {1.5, 0.3, -0.5, -1.2, 0.4, 2.4, -1.0};
+    return configuration;
+  }
+  static void Step(Stepped<SimulatedArm>& arm, JointVector& before, Peak& peak) {
+    arm.Cycle();
+    const JointVector now = arm.Read<JointState>("Joints").velocity;
+    for (std::size_t joint = 0; joint < kJoints; ++joint) {
+      peak.speed = std::max(peak.speed, std::abs(now[joint]));
+      peak.acceleration =
+          std::max(peak.acceleration, std::abs(now[joint] - before[joint]) / kArmPeriod);
+    }
+    before = now;
+  }
+
+  static constexpr double kArmPeriod = 1e-3;  // s
+};
+
+/// No more than when it sets out from rest.
+void ExpectNoLeap(const SteppedTrio::Peak& peak, const SteppedTrio::Peak& gentle) {
+  constexpr double kMargin = 1.2;
+  EXPECT_LE(peak.speed, kMargin * gentle.speed);
+  EXPECT_LE(peak.acceleration, kMargin * gentle.acceleration);
+}
+
+constexpr double kLong = 6.0;  // s; the tour is joined by then
+
+/// Of an arm that is connected where it rests.
+SteppedTrio::Peak GentleFrom(const JointVector& posture) {
+  ArmConfiguration configuration;
+  configuration.home = posture;
+  SteppedTrio trio(configuration);
+  trio.Lead("arm");
+  return trio.PeakWithin(kLong);
+}
+
+TEST(Teleoperation, LeadsAnotherArmFromWhereThatIs) {
+  SteppedTrio trio;
+  trio.Lead("other");
+  const auto gentle_there = trio.PeakWithin(kLong);
+  trio.Lead("arm");
+  const auto there = trio.PeakWithin(kLong);
+  trio.Lead("other");
+  const auto again = trio.PeakWithin(kLong);
+
+  ExpectNoLeap(there, gentle_there);
+  ExpectNoLeap(again, gentle_there);
+}
+
+TEST(Teleoperation, ResumedLeadsFromWhereTheArmIsByThen) {
+  SteppedTrio trio;
+  trio.Lead("arm");
+  (void)trio.PeakWithin(kLong);
+  ASSERT_TRUE(trio.manager.Suspend("teleoperation"));
+  auto& hand = trio.manager.Add<tendon_test::ArmClient>("hand");
+  ASSERT_TRUE(trio.manager.Connect({"hand", "Robot"}, {"arm", "Control"}));
+  ASSERT_TRUE(hand.move_to({{1.2, -0.1, 0.6, -1.1, 0.5, 2.2, 0.1}, 3.0}));
+  trio.arm.Cycle(4000);
+
+  ASSERT_TRUE(trio.manager.Start("teleoperation"));
+
+  const auto gentle = GentleFrom(trio.position());
+  ExpectNoLeap(trio.PeakWithin(kLong), gentle);
+}
+
+TEST(Teleoperation, AnArmThatRestsIsLedAnewWhenItGoesOn) {
+  SteppedTrio trio;
+  trio.Lead("arm");
+  (void)trio.PeakWithin(kLong);
+  ASSERT_TRUE(trio.manager.Suspend("arm"));
+  for (int i = 0; i < 200; ++i) trio.teleoperation.Cycle();
+
+  ASSERT_TRUE(trio.manager.Start("arm"));
+  trio.arm.Cycle();  // its last row is that of a moving arm
+
+  const auto gentle = GentleFrom(trio.position());
+  ExpectNoLeap(trio.PeakWithin(kLong), gentle);
 }
 
 TEST(Teleoperation, SetsTheArmInMotionWithinHalfASecond) {

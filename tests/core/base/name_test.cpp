@@ -38,6 +38,32 @@ TEST(Name, TheNearestIsSuggestedWhenItIsNear) {
   EXPECT_EQ(tendon::DidYouMean("gripper", known), "");
 }
 
+TEST(Name, OneOfALetterOrTwoIsNearToNoneThatHasHardlyOneOfThem) {
+  const std::vector<std::string> known = {"a", "b2", "abc"};
+
+  EXPECT_EQ(tendon::DidYouMean("b", known), "");
+  EXPECT_EQ(tendon::DidYouMean("c", known), "");
+  EXPECT_EQ(tendon::DidYouMean("xy", known), "");
+  EXPECT_EQ(tendon::DidYouMean("b1", known), "; did you mean 'b2'?");
+  EXPECT_EQ(tendon::DidYouMean("A", known), "; did you mean 'a'?") << "but for its case";
+}
+
+TEST(Name, OneThatWasNotTypedToItsEndIsNearToTheOnlyOneThatBeginsSo) {
+  const std::vector<std::string> known = {"MoveTo", "GetJoints", "GetLinkPose", "Stop"};
+
+  EXPECT_EQ(tendon::DidYouMean("Mov", known), "; did you mean 'MoveTo'?");
+  EXPECT_EQ(tendon::DidYouMean("getl", known), "; did you mean 'GetLinkPose'?");
+  EXPECT_EQ(tendon::DidYouMean("Get", known), "") << "there are two";
+  EXPECT_EQ(tendon::DidYouMean("M", known), "");
+}
+
+TEST(Name, CaseMakesANameNoLessNear) {
+  const std::vector<std::string> known = {"MoveTo", "GetJoints", "Stop"};
+
+  EXPECT_EQ(tendon::DidYouMean("movto", known), "; did you mean 'MoveTo'?");
+  EXPECT_EQ(tendon::DidYouMean("STOP", known), "; did you mean 'Stop'?");
+}
+
 TEST(Name, OneOfMegabytesIsLikeNoneAndIsNotComparedLetterByLetter) {
   const std::vector<std::string> known(1000, std::string(64, 'x'));
 

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
+#include <tendon/base/os/process.h>
 #include <tendon/gcm/diagnosis.h>
+#include <tendon/gcm/lookup.h>
 #include <tendon/gcm/text/leftover_text.h>
 #include <tests/core/gcm/samples.h>
 
@@ -65,6 +67,10 @@ class DiagnosisTest : public testing::Test {
     EXPECT_EQ(diagnosis.failure->code, code);
   }
 
+  /// Who has looked.
+  static std::string FromHere() { return " (seen from host " + os::HostName() + ")"; }
+  [[nodiscard]] std::string FromDesk() const { return " (seen from host " + desk_.host + ")"; }
+
   Catalog catalog_;
   ProcessDescription robot_ = test::ProcessNamed("robot", 1);
   ProcessDescription desk_ = test::ProcessNamed("desk", 2);
@@ -80,7 +86,7 @@ TEST_F(DiagnosisTest, OfAConnectionThatStandsIsGoodToTheEnd) {
   EXPECT_FALSE(diagnosis.failure);
   for (const auto& step : diagnosis.steps) EXPECT_EQ(step.verdict, Verdict::kGood) << step.text;
   EXPECT_EQ(diagnosis.steps[3].text, "signatures match: 2 of 2");
-  EXPECT_EQ(diagnosis.steps[6].text, "process 'robot' answers within 800 us");
+  EXPECT_EQ(diagnosis.steps[6].text, "process 'robot' answers within 800 us" + FromHere());
 }
 
 TEST_F(DiagnosisTest, OfTwoThatCouldBeConnectedLeavesOutWhatWasNotTried) {
@@ -173,7 +179,7 @@ TEST_F(DiagnosisTest, FindsAnAddressThatIsOfTheOtherMachineAlone) {
 TEST_F(DiagnosisTest, FindsAConnectionThatWaits) {
   Connect(ConnectionState::kPending, "robot did not answer");
 
-  ExpectBad(Examine(), 5, ErrorCode::kTimeout, "it is pending: robot did not answer");
+  ExpectBad(Examine(), 5, ErrorCode::kTimeout, "it is pending: robot did not answer" + FromDesk());
 }
 
 TEST_F(DiagnosisTest, WhatCannotBeReachedIsOfTheFifthStepBeforeAndAfterItIsConnected) {
@@ -181,14 +187,14 @@ TEST_F(DiagnosisTest, WhatCannotBeReachedIsOfTheFifthStepBeforeAndAfterItIsConne
                       "process 'robot' does not answer at 127.0.1.1:9: refused"};
   Diagnosis before = Examine();
   AddRoundTrip(before, refused);
-  ExpectBad(before, 5, ErrorCode::kFailed, refused.message);
+  ExpectBad(before, 5, ErrorCode::kFailed, refused.message + FromHere());
   EXPECT_NE(before.steps[4].fix.find("start robot with --advertise"), std::string::npos);
 
   Connect(ConnectionState::kPending, "robot cannot be reached");
   Diagnosis after = Examine();
   ASSERT_TRUE(IsTrying(after));
   AddRoundTrip(after, refused);
-  ExpectBad(after, 5, ErrorCode::kFailed, "it is pending: robot cannot be reached");
+  ExpectBad(after, 5, ErrorCode::kFailed, "it is pending: robot cannot be reached" + FromDesk());
   EXPECT_EQ(after.steps[4].fix, before.steps[4].fix);
 }
 
@@ -196,11 +202,45 @@ TEST_F(DiagnosisTest, WhoIsReachedByUsMayBeSilentToTheOther) {
   Connect(ConnectionState::kPending, "robot did not answer");
   Diagnosis diagnosis = Examine();
   AddRoundTrip(diagnosis, 800us);
-  ExpectBad(diagnosis, 5, ErrorCode::kTimeout, "it is pending: robot did not answer");
+  ExpectBad(diagnosis, 5, ErrorCode::kTimeout, "it is pending: robot did not answer" + FromDesk());
 
   AddRoundTrip(diagnosis, Error{ErrorCode::kTimeout, "no answer"});
-  ExpectBad(diagnosis, 5, ErrorCode::kTimeout, "it is pending: robot did not answer");
+  ExpectBad(diagnosis, 5, ErrorCode::kTimeout, "it is pending: robot did not answer" + FromDesk());
   EXPECT_EQ(diagnosis.steps[4].fix, "look at process 'robot', which may hang");
+}
+
+TEST_F(DiagnosisTest, AMissingRouteIsTheFaultOfWhomItIsMissingTo) {
+  const std::string no_route =
+      "host '" + desk_.host + "' has no route to 10.9.1.2:9 (Network is unreachable)";
+  Connect(ConnectionState::kPending, no_route);
+  Diagnosis diagnosis = Examine();
+  ExpectBad(diagnosis, 5, ErrorCode::kTimeout, "it is pending: " + no_route + FromDesk());
+  EXPECT_EQ(diagnosis.steps[4].fix.find("give host " + desk_.host + " a route to it"), 0U);
+
+  const DiagnosisStep before = diagnosis.steps[4];
+  AddRoundTrip(diagnosis, Error{ErrorCode::kTimeout, "no answer"});
+  EXPECT_EQ(diagnosis.steps[4], before) << "what we see from here does not change that";
+}
+
+TEST_F(DiagnosisTest, OneThatOnlyItsHostReachesIsToListenElsewhere) {
+  robot_.reason = "is reached at 127.0.0.1:9 from its own host alone; start it with --listen X";
+  Enter(robot_);
+  Connect(ConnectionState::kPending, "robot cannot be reached");
+
+  EXPECT_EQ(Examine().steps[4].fix, "robot " + robot_.reason);
+}
+
+TEST_F(DiagnosisTest, OneThatHasFallenSilentIsToBeWokenOrEnded) {
+  robot_.state = ProcessState::kLost;
+  robot_.reason = std::string(kNoRenewal) + "1501 ms";
+  robot_.pid = 4711;
+  Enter(robot_);
+
+  const Diagnosis diagnosis = Examine();
+
+  ExpectBad(diagnosis, 1, ErrorCode::kUnreachable,
+            "process 'robot' is lost (no renewal of its lease for 1501 ms)");
+  EXPECT_NE(diagnosis.steps[0].fix.find("kill -CONT 4711"), std::string::npos);
 }
 
 TEST_F(DiagnosisTest, FindsAConnectionThatWasRefused) {
@@ -215,7 +255,7 @@ TEST_F(DiagnosisTest, FindsAProcessThatDoesNotAnswer) {
 
   AddRoundTrip(diagnosis, Error{ErrorCode::kTimeout, "no answer"});
 
-  ExpectBad(diagnosis, 7, ErrorCode::kTimeout, "no answer");
+  ExpectBad(diagnosis, 7, ErrorCode::kTimeout, "no answer" + FromHere());
 }
 
 TEST_F(DiagnosisTest, FindsAConnectionThatStandsAndLoses) {

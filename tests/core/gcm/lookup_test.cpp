@@ -139,6 +139,27 @@ TEST_F(Lookup, AConnectedInterfaceSaysToWhatAndWhatToDo) {
             "exists: desk/teleoperation/Robot is connected to robot/arm/Control already");
 }
 
+TEST_F(Lookup, APairThatWaitsOrWasRefusedIsNotSaidToBeConnected) {
+  Connect(kRobot, kControl);
+  ConnectionDescription connection = *catalog_.FindConnection(kRobot);
+  const auto set = [&](ConnectionState state, const std::string& reason) {
+    connection.state = state;
+    connection.reason = reason;
+    Apply({.kind = Kind::kConnection, .process = "desk", .connections = {connection}});
+  };
+
+  set(ConnectionState::kPending, "process 'robot' does not answer");
+  EXPECT_EQ(PlanError(kRobot, kControl),
+            "exists: desk/teleoperation/Robot waits to be connected to robot/arm/Control already: "
+            "process 'robot' does not answer; look with: gcm explain desk/teleoperation/Robot; "
+            "take it back: gcm disconnect desk/teleoperation/Robot");
+  set(ConnectionState::kFailed, "it does not fit");
+  EXPECT_EQ(
+      PlanError(kRobot, kControl)
+          .find("exists: desk/teleoperation/Robot was refused by robot/arm/Control already: it "),
+      0U);
+}
+
 TEST_F(Lookup, AConnectionIsNamedByItsNumberToo) {
   Connect(kRobot, kControl);
 

@@ -134,6 +134,18 @@ TEST(SystemFile, ReadsWhatTheGcmStarts) {
   }
 }
 
+TEST(SystemFile, ReadsWhetherItIsStrict) {
+  const auto strict = [](const std::string& value) {
+    return Demo("\"connections\": [", "\"strict\": " + value + ", \"connections\": [");
+  };
+
+  EXPECT_TRUE(ParseSystemFile(strict("true"), "x")->strict);
+  EXPECT_FALSE(ParseSystemFile(strict("false"), "x")->strict);
+  EXPECT_FALSE(ParseSystemFile(Demo("\"connections\": [", "\"connections\": ["), "x")->strict);
+  EXPECT_TRUE(ErrorOf(strict("1")).ends_with("strict: expected true or false, got number"))
+      << ErrorOf(strict("1"));
+}
+
 TEST(SystemFile, HowAProcessIsStartedIsChecked) {
   EXPECT_THAT(ErrorOf(WithStart("true")),
               testing::EndsWith("processes[0].start: expected an object, got true or false"));
@@ -177,6 +189,7 @@ TEST(SystemFile, WhatIsWrittenReadsBackTheSame) {
   ASSERT_TRUE(system);
   system->comment = "two robots";
   system->layout["robot/arm"] = {0.5, 1e6};
+  system->strict = true;
   system->connections[0].comment = "by hand";
   auto& arm = system->processes[0].components[0];
   arm.period = 0.001;

@@ -14,6 +14,22 @@ TEST(JsonField, FollowsFieldsAndElements) {
   EXPECT_EQ(*client::JsonField("[[1,2],[3]]", "[1][0]"), "3");
 }
 
+TEST(JsonField, LeavesNumbersAsTheyAreWritten) {
+  const std::string json =
+      R"( { "uptime" : 2000000000.123456789 , "last":18446744073709551615,"zero":-0.0,)"
+      R"("te\"xt":"a \"},]","empty":[],"none":{},"list":[ [1.50,"]"] , {"x":1e-3} ] } )";
+
+  EXPECT_EQ(*client::JsonField(json, ".uptime"), "2000000000.123456789");
+  EXPECT_EQ(*client::JsonField(json, ".last"), "18446744073709551615");
+  EXPECT_EQ(*client::JsonField(json, ".zero"), "-0.0");
+  EXPECT_EQ(*client::JsonField(json, ".te\"xt"), R"("a \"},]")");
+  EXPECT_EQ(*client::JsonField(json, ".list[0][0]"), "1.50");
+  EXPECT_EQ(*client::JsonField(json, ".list[1].x"), "1e-3");
+  EXPECT_EQ(*client::JsonField(json, ".list[0]"), R"([1.50,"]"])");
+  EXPECT_FALSE(client::JsonField(json, ".empty[0]"));
+  EXPECT_FALSE(client::JsonField(json, ".none.x"));
+}
+
 TEST(JsonField, SaysWhereThePathLeavesTheValue) {
   const std::string json = R"({"position":[1,2.5]})";
 

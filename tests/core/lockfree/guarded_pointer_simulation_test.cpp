@@ -63,6 +63,51 @@ Report ExploreTwoCallers() {
   });
 }
 
+/// A pointer that its calling thread sets itself, to what another thread announces and withdraws:
+/// as a component admits its peer.
+template <typename Atomics>
+struct Admission {
+  Plain<int> object{1};
+  GuardedPointer<Plain<int>, Atomics> announced{nullptr};
+  GuardedPointer<Plain<int>, Atomics> admitted{nullptr};
+
+  void Manage() {
+    announced.Exchange(&object);
+    announced.Exchange(nullptr);
+    admitted.Exchange(nullptr);
+    object.Write(0);
+  }
+  void AdmitAndCall() {
+    for (int i = 0; i < 2; ++i) {
+      {
+        const typename GuardedPointer<Plain<int>, Atomics>::Call call(announced);
+        if (call.get() != nullptr) admitted.SetByCaller(call.get());
+      }
+      const typename GuardedPointer<Plain<int>, Atomics>::Call call(admitted);
+      if (call.get() != nullptr) Check(call.get()->Read() == 1, "the object was freed");
+    }
+  }
+};
+
+template <typename Atomics>
+Report ExploreAdmission() {
+  return Explore([](Scenario& scenario) {
+    const auto shared = std::make_shared<Admission<Atomics>>();
+    scenario.Thread([=] { shared->AdmitAndCall(); });
+    scenario.Thread([=] { shared->Manage(); });
+    scenario.Finally(
+        [=] { Check(shared->admitted.Get() == nullptr, "nothing that was freed is left"); });
+  });
+}
+
+TEST(GuardedPointerSimulation, ACallerAdmitsNothingThatWasWithdrawn) {
+  EXPECT_THAT(ExploreAdmission<SimulatedAtomics>(), Passes());
+}
+
+TEST(GuardedPointerSimulation, AdmissionNeedsTheProcessBarrier) {
+  EXPECT_THAT(ExploreAdmission<WithoutProcessBarrier>(), FailsWith("races"));
+}
+
 TEST(GuardedPointerSimulation, NeverFreesAnObjectInUse) {
   EXPECT_THAT(ExploreReplacement<Guarded<SimulatedAtomics>>(), Passes(1000));
 }

@@ -18,7 +18,10 @@ Hello HelloOf(const std::string& name, std::uint64_t cookie = kCookie) {
 
 constexpr std::uint16_t kNewest = FrameHeader::kProtocolVersion;
 constexpr std::uint16_t kOldest = FrameHeader::kOldestVersion;
-const std::string kOurs = std::to_string(kOldest) + "-" + std::to_string(kNewest);
+constexpr std::uint16_t kNewer = kNewest + 1;
+const std::string kNewerText = std::to_string(kNewer);
+const std::string kOurs =
+    (kOldest < kNewest ? std::to_string(kOldest) + "-" : "") + std::to_string(kNewest);
 
 /// One that speaks these protocol versions.
 Hello Speaking(Hello hello, int oldest, int newest) {
@@ -228,11 +231,11 @@ TEST(Handshake, AChallengeInAnOlderVersionIsRefusedHere) {
 TEST(Handshake, AnotherVersionIsRefusedBeforeItsBodyIsRead) {
   Talk talk;
 
-  const auto judged = talk.acceptor.Take(HeaderOf(MessageType::kHello, 9), Bytes(5));
+  const auto judged = talk.acceptor.Take(HeaderOf(MessageType::kHello, kNewer), Bytes(5));
 
   EXPECT_EQ(judged.error(),
-            (Error{ErrorCode::kIncompatible,
-                   "robot speaks protocol " + kOurs + ", this program 9: update robot"}));
+            (Error{ErrorCode::kIncompatible, "robot speaks protocol " + kOurs + ", this program " +
+                                                 kNewerText + ": update robot"}));
 }
 
 TEST(Handshake, WhatIsOutOfTurnIsInvalid) {
@@ -248,11 +251,13 @@ TEST(Handshake, WhatIsOutOfTurnIsInvalid) {
 }
 
 TEST(Handshake, TheRefusalOfAnotherVersionIsReadAllTheSame) {
-  const Error refusal{ErrorCode::kIncompatible, "robot speaks protocol 9, this program 6: update"};
+  const Error refusal{ErrorCode::kIncompatible,
+                      "robot speaks protocol " + kNewerText + ", this program 6: update"};
   Talk talk;
   (void)talk.opener.Greet();
 
-  const auto judged = talk.opener.Take(HeaderOf(MessageType::kRefusal, 9), EncodeBody(refusal));
+  const auto judged =
+      talk.opener.Take(HeaderOf(MessageType::kRefusal, kNewer), EncodeBody(refusal));
 
   EXPECT_EQ(judged.error(), refusal);
 }
@@ -261,10 +266,10 @@ TEST(Handshake, AChallengeInAnotherVersionIsRefusedHere) {
   Talk talk;
   (void)talk.opener.Greet();
 
-  const auto judged = talk.opener.Take(HeaderOf(MessageType::kChallenge, 9), Bytes(5));
+  const auto judged = talk.opener.Take(HeaderOf(MessageType::kChallenge, kNewer), Bytes(5));
 
-  EXPECT_EQ(judged.error().message,
-            "127.0.0.1:10705 speaks protocol 9, this program " + kOurs + ": update this program");
+  EXPECT_EQ(judged.error().message, "127.0.0.1:10705 speaks protocol " + kNewerText +
+                                        ", this program " + kOurs + ": update this program");
 }
 
 }  // namespace

@@ -134,10 +134,13 @@ TEST(Tcp, AFloodOfGarbageIsLoggedOnceWithoutDrowningTheLog) {
   EXPECT_EQ(Warnings().size(), before + 1);
 }
 
-TEST(Tcp, InsecureIsLoggedAtTheStart) {
+TEST(Tcp, InsecureIsLoggedByThoseWhoListen) {
   const std::size_t before = Warnings().size();
 
   const auto middleware = MakeTcpMiddleware(Exposure::kInsecure);
+  EXPECT_EQ(Warnings().size(), before);
+  Host host;
+  const auto listener = middleware->Listen("127.0.0.1:0", host.accept());
 
   ASSERT_EQ(Warnings().size(), before + 1);
   EXPECT_THAT(Warnings().back(), HasSubstr("--insecure"));

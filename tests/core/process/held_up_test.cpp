@@ -222,10 +222,11 @@ class Empty final : public EmptyHost, public tendon::MembershipDelegate {
     component.name = "cloud";
     component.configuration = '"' + std::string(tendon::kMaxPieceSize, 'x') + '"';
     component.warning = std::to_string(++asked);
-    return {.components = {component}, .connections = {}};
+    return {.components = {component}, .connections = {}, .plugins = {}};
   }
   void OnPeers(const std::vector<tendon::ProcessDescription>& /*processes*/) override {}
   void OnFanOut(const std::string& /*address*/) override {}
+  void OnOwnAddress(const std::string& /*address*/) override {}
   void MakeConnection(
       const tendon::message::Wiring& /*wiring*/,
       std::function<void(const tendon::Result<tendon::ConnectionDescription>&)> done) override {

@@ -36,9 +36,49 @@ TEST(ArgumentWords, OfWhatIsNoStructureThereIsOne) {
   EXPECT_EQ(Told(Schema::Sequence(Schema(Schema::Kind::kFloat64)), {"[1.5, 2]"}), "[1.5,2]");
   EXPECT_EQ(Told(Schema(Schema::Kind::kInt32), {"1", "2"}),
             "hall/crier/Voice.Say: '2' is one word too many: it takes one value of int32");
-  EXPECT_THAT(Told(Schema(Schema::Kind::kInt32), {"many"}),
-              testing::StartsWith("hall/crier/Voice.Say: the argument: expected int32 as JSON, got "
-                                  "'many'"));
+  EXPECT_EQ(Told(Schema(Schema::Kind::kInt32), {"many"}),
+            "hall/crier/Voice.Say: the argument: expected int32, got 'many'; write a number in "
+            "digits");
+}
+
+TEST(ArgumentWords, ANumberIsWhatIsWrittenOrARefusal) {
+  const Schema real(Schema::Kind::kFloat64);
+  const Schema integer(Schema::Kind::kInt64);
+  const std::string begin = "hall/crier/Voice.Say: the argument: ";
+  EXPECT_EQ(Told(real, {"-.5"}), "-0.5");
+  EXPECT_EQ(Told(real, {".5"}), "0.5");
+  EXPECT_EQ(Told(real, {"+1"}), "1");
+  EXPECT_EQ(Told(real, {"-inf"}), "\"-inf\"");
+  EXPECT_EQ(Told(real, {"nan"}), "\"nan\"");
+  EXPECT_EQ(Told(integer, {"9223372036854775807"}), "9223372036854775807");
+  EXPECT_EQ(Told(Schema(Schema::Kind::kDuration), {"2.5"}), "2.5");
+  EXPECT_EQ(Told(Schema(Schema::Kind::kDuration), {"2000000000.123456789"}),
+            "\"2000000000.123456789\"")
+      << "a double would have other nanoseconds";
+  EXPECT_EQ(Told(real, {"0,5"}),
+            begin + "expected float64, got '0,5'; write 0.5: the decimal sign is a point");
+  EXPECT_EQ(Told(real, {"5deg"}),
+            begin + "expected float64, got '5deg'; write the number alone, without 'deg'");
+  EXPECT_EQ(
+      Told(real, {"1e999"}),
+      begin + "expected float64, got '1e999'; that number is too large or too small for the type");
+  EXPECT_EQ(Told(integer, {"9223372036854775808"}),
+            begin +
+                "expected int64, got '9223372036854775808'; that number is too large or too small "
+                "for the type");
+  EXPECT_EQ(Told(integer, {"0x10"}), begin + "expected int64, got '0x10'; write 16");
+  EXPECT_EQ(Told(integer, {"1.5"}), begin + "expected int64, got '1.5'; write a whole number");
+}
+
+TEST(ArgumentWords, AListIsJudgedAsItIsTyped) {
+  const Schema integers = Schema::Sequence(Schema(Schema::Kind::kInt32));
+  const Schema words = Schema::Structure(
+      "hall.Words", {{.name = "a", .unit = "", .schema = Schema(Schema::Kind::kFloat64)}});
+  EXPECT_EQ(Told(integers, {"[1, 2]"}), "[1,2]");
+  EXPECT_THAT(Told(integers, {"[1.00000000000000000001]"}), testing::HasSubstr("[0]: expected an"));
+  const Schema inner =
+      Schema::Structure("hall.Outer", {{.name = "of", .unit = "", .schema = words}});
+  EXPECT_THAT(Told(inner, {R"(of={"a":1,"a":2})"}), testing::HasSubstr("key 'a' occurs twice"));
 }
 
 TEST(ArgumentWords, MistakesNameTheFieldsThatThereAre) {

@@ -61,6 +61,14 @@ TEST_F(CallTest, WordsThatFitNoFieldAreRefusedBeforeTheCall) {
   EXPECT_EQ(Gcm({"call", "hall/crier/Voice.Repaet", "hi", "ho"}).exit_code, program::kNotFound);
 }
 
+/// Brackets and a sign in front are of the word, not of the command line.
+TEST_F(CallTest, ATextIsWhatIsTyped) {
+  for (const std::string text : {"[abc]", "[a, b]", "[1,2]", "-inf", "hi ", " hi", "[abc] "}) {
+    EXPECT_EQ(Gcm({"call", kRepeat, text, "high", "true"}).out,
+              "{\"text\":\"" + text + "\",\"tone\":\"high\",\"loud\":true}\n");
+  }
+}
+
 TEST_F(CallTest, TheShellTakesThemToo) {
   const Outcome outcome =
       RunProgram({"/bin/sh", "-c",

@@ -6,8 +6,10 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 #include "gcm_console/output/json_schema.h"
@@ -73,6 +75,27 @@ class EventsTest : public SystemFixture {
       }
     }
     return all;
+  }
+
+  /// Whether the GCM has closed a link that this program still holds.
+  [[nodiscard]] bool IsClosedByGcm(int pid) const {
+    const std::string process = "/proc/" + std::to_string(pid);
+    std::set<std::string> sockets;
+    for (const auto& one : std::filesystem::directory_iterator(process + "/fd")) {
+      sockets.insert(std::filesystem::read_symlink(one.path()).string());
+    }
+    std::ifstream all(process + "/net/tcp");
+    for (std::string line; std::getline(all, line);) {
+      constexpr unsigned kCloseWait = 8;  // TCP_CLOSE_WAIT
+      unsigned remote_port = 0;
+      unsigned state = 0;
+      unsigned long inode = 0;
+      const int read = std::sscanf(line.c_str(), "%*s %*s %*x:%x %x %*s %*s %*s %*s %*s %lu",
+                                   &remote_port, &state, &inode);
+      const bool is_ours = read == 3 && sockets.contains("socket:[" + std::to_string(inode) + "]");
+      if (is_ours && state == kCloseWait && std::to_string(remote_port) == port) return true;
+    }
+    return false;
   }
 
   const std::string file = (home.path() / "hall.json").string();
@@ -156,7 +179,39 @@ TEST_F(EventsTest, EndsWithASummaryWhenItIsInterrupted) {
   events->Signal(SIGINT);
 
   EXPECT_EQ(events->Wait(), program::kInterrupted);
-  EXPECT_THAT(events->err(), HasSubstr("gcm: 1 events, 0 lost\n"));
+  EXPECT_THAT(events->err(), HasSubstr("gcm: 1 event, 0 lost\n"));
+}
+
+TEST_F(EventsTest, OneThatWasStoppedSaysThatItWasAwayAndThatTheGcmIsThere) {
+  const Program events({Binary("gcm"), "--gcm", address, "--timeout", "1s", "events", "hall/**"});
+  ASSERT_TRUE(EventuallyListens(events)) << events.err();
+
+  events.Signal(SIGSTOP);
+  ASSERT_TRUE(EventuallyTrue([&] { return IsClosedByGcm(events.pid()); })) << gcm->err();
+  events.Signal(SIGCONT);
+
+  ASSERT_TRUE(EventuallyTrue([&] { return Says(events.err(), " is there again\n"); }))
+      << events.err();
+  EXPECT_THAT(events.err(), testing::ContainsRegex("gcm: this program was stopped for [0-9.]+ s"));
+  EXPECT_THAT(events.err(), testing::Not(HasSubstr("start one with"))) << "it is there";
+  EXPECT_TRUE(EventuallyTrue([&] {
+    Call("Fall");
+    return Says(events.out(), "Voice.Fell");
+  })) << events.err();
+}
+
+TEST_F(EventsTest, AGcmThatEndedAndIsBackIsSaidToBeBoth) {
+  const auto events = Listen({"hall/crier/Voice"});
+  ASSERT_TRUE(EventuallyListens(*events)) << events->err();
+
+  gcm->Signal(SIGKILL);
+  gcm->Wait();
+  ASSERT_TRUE(EventuallyTrue([&] { return Says(events->err(), "gcm: no GCM at "); }));
+  StartGcm();
+
+  EXPECT_TRUE(EventuallyTrue([&] {
+    return Says(events->err(), "gcm: the GCM at " + address + " is there again\n");
+  })) << events->err();
 }
 
 TEST_F(EventsTest, ForEndsItToo) {

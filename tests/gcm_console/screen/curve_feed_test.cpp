@@ -58,7 +58,7 @@ TEST(CurveFeed, DrawsTheNumberOfAPath) {
   ASSERT_THAT(Titles(feed), ElementsAre("robot/arm/state.Joints[1]"));
   ASSERT_EQ(feed.curves()[0].samples.size(), 1U);
   EXPECT_EQ(feed.curves()[0].samples[0].time, 1.0);
-  EXPECT_EQ(feed.curves()[0].samples[0].value, 0.75);
+  EXPECT_EQ(feed.curves()[0].samples[0].value, tendon::ChannelValue(0.75));
 }
 
 TEST(CurveFeed, DrawsAllNumbersOfAPathThatHasSeveral) {
@@ -67,7 +67,7 @@ TEST(CurveFeed, DrawsAllNumbersOfAPathThatHasSeveral) {
   Send(feed, 1s, {0.5, 0.75});
 
   EXPECT_THAT(Titles(feed), ElementsAre("robot/arm/state.Joints[0]", "robot/arm/state.Joints[1]"));
-  EXPECT_EQ(feed.curves()[1].samples.at(0).value, 0.75);
+  EXPECT_EQ(feed.curves()[1].samples.at(0).value, tendon::ChannelValue(0.75));
 }
 
 TEST(CurveFeed, KeepsTheLastSeconds) {
@@ -77,6 +77,16 @@ TEST(CurveFeed, KeepsTheLastSeconds) {
 
   EXPECT_NEAR(feed.curves()[0].samples.front().time, 15.0, 1e-6);
   EXPECT_NEAR(feed.curves()[0].samples.back().time, 25.0, 1e-6);
+}
+
+TEST(CurveFeed, BeginsAnewWhenTheSourceWasStartedAnew) {
+  CurveFeed feed = FeedOf({Joints("[0]")});
+  Subscribe(feed);
+  Send(feed, 100000s, {0.5, 0.0});
+  Send(feed, 1s, {0.75, 0.0});
+
+  ASSERT_EQ(feed.curves()[0].samples.size(), 1U) << "its clock has gone back";
+  EXPECT_EQ(feed.curves()[0].samples[0].time, 1.0);
 }
 
 TEST(CurveFeed, LeavesOutWhatAGlobHasFoundAndIsNoNumber) {

@@ -186,12 +186,15 @@ TEST_F(ScreenTest, PlotOnATerminalEndsWithAKeyOrAnInterrupt) {
 }
 
 TEST_F(ScreenTest, TheDoctorFindsAllWellOrSaysWhatToDo) {
+  ASSERT_EQ(Gcm({"connect", "desk/teleoperation/Robot", "robot/arm/Control"}).exit_code,
+            program::kOk);
   Outcome well;
   EXPECT_TRUE(EventuallyTrue([&] {  // the clocks are known a little later, if not anew by now
     well = Gcm({"doctor"});
     return well.exit_code == program::kOk && well.out.find("clock 0.0 ms off") != well.out.npos;
   })) << well.out;
   EXPECT_THAT(well.out, HasSubstr("ok   process robot  "));
+  EXPECT_THAT(well.out, testing::ContainsRegex("ok   plug-in robot simulated_arm +.*\\.so of 20"));
   EXPECT_THAT(well.out, HasSubstr("connections"));
 
   robot->Signal(SIGKILL);

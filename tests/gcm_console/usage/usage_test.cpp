@@ -65,12 +65,40 @@ TEST_F(UsageTest, AMistypedCommandLineSaysWhatIsWrongAndWhereHelpIs) {
       {{"undo", "2", "--step", "1"}, "count excludes --step"},
       {{"undo", "--skip", "2"}, "count excludes --skip"},
       {{"--gcm", "", "ls"}, "--gcm: expected an address such as 127.0.0.1:10705, got ''"},
-      {{"undo", "0"}, "count: Value 0 not in range 1 to 1000"},
+      {{"undo", "0"}, "count: expected a whole number above 0, got '0'"},
       {{"top", "--sort", "x"}, "--sort: x not in {name,"},
       {{"log-level", "a", "loud"}, "level: loud not in {debug,info,warning,error}"},
       {{"completion", "ksh"}, "shell: ksh not in {bash,zsh,fish}"},
       {{"cert", "isue"}, "no verb 'isue'; did you mean 'issue'? gcm cert --help lists them"},
       {{"watch", "a", "--for", "1h"}, "--for: expected a time such as 500ms, 10s or 2min"},
+  };
+  for (const Case& one : cases) {
+    ExpectOneSentence(Typed(one.words), program::kUsage, one.sentence);
+  }
+}
+
+TEST_F(UsageTest, AWordThatIsNoNumberIsToldWhatToWrite) {
+  struct Case {
+    Program::Words words;
+    std::string sentence;
+  };
+  const Case cases[] = {
+      {{"watch", "a", "--hz", "0,5"},
+       "--hz: expected a number above 0, got '0,5'; write 0.5: the decimal sign is a point"},
+      {{"watch", "a", "--hz", "1,234"}, "write 1.234 or 1234: the decimal sign is a point"},
+      {{"watch", "a", "--hz", "inf"}, "--hz: expected a number above 0, got 'inf'"},
+      {{"watch", "a", "--hz", "1e999"}, "--hz: expected a number above 0, got '1e999'"},
+      {{"watch", "a", "--for", "0,5s"}, "got '0,5s'; write 0.5s: the decimal sign is a point"},
+      {{"watch", "a", "--for", "1'000ms"}, "write 1000ms: nothing stands between thousands"},
+      {{"watch", "a", "--for", "5sec"}, "--for: expected a time such as 500ms, 10s or 2min"},
+      {{"--timeout", "0,5s", "ls"}, "got '0,5s'; write 0.5s: the decimal sign is a point"},
+      {{"--timeout", "1.5", "ls"}, "got '1.5'; write whole milliseconds"},
+      {{"--timeout", "+1.5", "ls"}, "got '+1.5'; write whole milliseconds"},
+      {{"--timeout", "15e-1", "ls"}, "got '15e-1'; write whole milliseconds"},
+      {{"watch", "a", "--count", "010"}, "got '010'; write 10"},
+      {{"watch", "a", "--count", "0x10"}, "got '0x10'; write 16"},
+      {{"watch", "a", "--count", "18446744073709551616"}, "--count: expected a whole number"},
+      {{"undo", "010"}, "count: expected a whole number above 0, got '010'; write 10"},
   };
   for (const Case& one : cases) {
     ExpectOneSentence(Typed(one.words), program::kUsage, one.sentence);

@@ -145,7 +145,8 @@ TEST_F(CallPanelTest, WhatIsWrongIsSaidBeforeItIsCalled) {
   Enter("to", "1.5");
 
   EXPECT_FALSE(Button().isEnabled());
-  EXPECT_TRUE(Status().startsWith("to: ")) << Status().toStdString();
+  EXPECT_EQ(Status(), "To be corrected: to");
+  EXPECT_EQ(panel_.findChild<QLabel*>("refusals.to")->text(), "write a number from -1 to 1 rad");
   Enter("to", "1");
   EXPECT_TRUE(Button().isEnabled());
   EXPECT_EQ(Status(), "");
@@ -165,6 +166,22 @@ TEST_F(CallPanelTest, JsonAndFormAreTheSameValue) {
   Click();
 
   EXPECT_EQ(calls_.calls, QStringList{kMove + R"( {"to":0.75,"mode":"b"})"});
+}
+
+TEST_F(CallPanelTest, JsonThatIsWrongIsNotLeftForAFormThatShowsOtherNumbers) {
+  ShowMove();
+  Link("call.asJson").click();
+  auto& json = *panel_.findChild<QPlainTextEdit*>(QStringLiteral("call.json"));
+  for (const char* wrong :
+       {R"({"to": 0,75, "mode": "b"})", R"({"to": 0.5, "to": 0.7, "mode": "b"})"}) {
+    json.setPlainText(wrong);
+
+    Link("call.asJson").click();
+
+    EXPECT_TRUE(Link("call.asJson").isChecked());
+    EXPECT_TRUE(json.isVisible());
+    EXPECT_FALSE(Button().isEnabled());
+  }
 }
 
 TEST_F(CallPanelTest, WhatWasSaidLastStandsThereAgain) {
@@ -316,6 +333,20 @@ TEST_F(CallPanelTest, ItCanGoWhileACallIsUnderWay) {
   panel.reset();
 
   calls_.answer(std::string(), 0);  // finds nobody
+}
+
+TEST_F(CallPanelTest, WhatEndsByItselfSaysWhen) {
+  MemberDescription command = CommandOf("MoveAt", CommandKind::kWrite);
+  command.expires_after = 0.1;
+  panel_.showCommand(QStringLiteral("robot/arm/Control.MoveAt"), command);
+  panel_.show();
+  const auto* expiry = panel_.findChild<QLabel*>("call.expiry");
+  EXPECT_TRUE(expiry->isVisible());
+  EXPECT_EQ(expiry->text(), "Ends unless called again within 100 ms");
+
+  ShowStop();
+
+  EXPECT_FALSE(expiry->isVisible());
 }
 
 }  // namespace

@@ -47,6 +47,14 @@ class ValueFormTest : public ::testing::Test {
   QList<QLineEdit*> Cells(const QString& field) {
     return Find<QWidget>(field).findChildren<QLineEdit*>();
   }
+  /// Where keys go; at its end.
+  void Enter(QLineEdit& cell) {
+    form_.show();
+    form_.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&form_, 20000));
+    cell.setFocus();
+    cell.end(false);
+  }
 
   const Schema schema_ = GoalSchema();
   ValueForm form_{schema_};
@@ -63,6 +71,7 @@ TEST_F(ValueFormTest, WhatIsEnteredIsItsValue) {
   int edits = 0;
   QObject::connect(&form_, &ValueForm::edited, &form_, [&] { ++edits; });
 
+  Enter(*Cells("position")[1]);
   QTest::keyClicks(Cells("position")[1], QStringLiteral(".25"));
   Find<QLineEdit>("count").setText(QStringLiteral("18446744073709551615"));
   Find<QCheckBox>("hold").setChecked(true);
@@ -89,14 +98,11 @@ TEST_F(ValueFormTest, WhatIsNoNumberIsLeftToTheJudge) {
       << body.error().message;
 }
 
-TEST_F(ValueFormTest, PastedNumbersFillTheCellsThatFollow) {
-  Cells("position")[1]->setText(QStringLiteral("[1.5, -2;3\t4 5 6]"));
-
-  EXPECT_EQ(form_.json().substr(0, 31), R"({"position":[0,1.5,-2,3,4],"spe)");
-}
-
 TEST_F(ValueFormTest, ADecimalCommaThatIsTypedLeavesTheNextCellAlone) {
-  QTest::keyClicks(Cells("position")[1], QStringLiteral(",5"));
+  QLineEdit* cell = Cells("position")[1];
+  Enter(*cell);
+
+  QTest::keyClicks(cell, QStringLiteral(",5"));
 
   EXPECT_EQ(form_.json().substr(0, 30), R"({"position":[0,"0,5",0,0,0],"s)");
 }

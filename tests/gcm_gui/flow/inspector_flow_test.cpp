@@ -1,5 +1,6 @@
 #include <gcm_gui/inspector/inspector.h>
 #include <gcm_gui/models/row_roles.h>
+#include <gcm_gui/models/trend.h>
 #include <gtest/gtest.h>
 
 #include <QDoubleSpinBox>
@@ -38,7 +39,7 @@ TEST_F(InspectorFlow, ValuesHaveTrendsAndEventsAndParametersTheirTabs) {
   auto& values = Find<QTreeView>("inspector.values");
   EXPECT_TRUE(Eventually([&] {
     return values.model()->rowCount() > 0 &&
-           values.model()->index(0, 0).data(kTrendRole).value<QList<double>>().size() > 20;
+           values.model()->index(0, 0).data(kTrendRole).value<Trend>().parts.size() > 20;
   }));
   EXPECT_TRUE(Eventually(
       [&] { return values.model()->index(0, 0).data(kDetailRole).toString().endsWith("Hz"); }));

@@ -48,6 +48,23 @@ TEST_F(PictureUpdaterTest, FollowsConnections) {
   Follow();
 }
 
+TEST_F(PictureUpdaterTest, AComponentWaitsUntilItIsConnected) {
+  const auto waits = [this] {
+    for (const auto& process : updater_.picture().processes) {
+      for (const auto& node : process.nodes) {
+        if (node.path == "desk/teleoperation") return NamesOf(node.waits);
+      }
+    }
+    return std::string("no such component");
+  };
+  EXPECT_EQ(waits(), "Robot");
+
+  system_.Connect({"desk", "teleoperation", "Robot"}, {"robot", "controller", "Control"});
+  Follow();
+
+  EXPECT_EQ(waits(), "");
+}
+
 TEST_F(PictureUpdaterTest, FollowsComponentsAndTheirInterfaces) {
   ComponentDescription arm = *system_.catalog().FindComponent("robot", "arm");
   arm.state = ComponentState::kFaulted;

@@ -8,6 +8,7 @@
 #include <QRegularExpression>
 #include <QTest>
 #include <QTranslator>
+#include <clocale>
 
 #include "support/picture_file.h"
 #include "window/window_fixture.h"
@@ -32,6 +33,15 @@ TEST_F(LanguageTest, IsThatOfTheDesktop) {
   SpeakEnglish();
   SpeakAs(QLocale(QStringLiteral("fr_CA")));
   EXPECT_EQ(Words::tr("Nothing is wrong."), "Tout va bien.");
+}
+
+TEST_F(LanguageTest, NumbersAreTheSameInAll) {
+  QLocale::setDefault(QLocale(QStringLiteral("de_DE")));
+
+  SpeakAs(QLocale(QStringLiteral("de_DE")));
+
+  EXPECT_EQ(QLocale().toString(1234.5, 'f', 1), "1234.5");
+  EXPECT_STREQ(std::localeconv()->decimal_point, ".");
 }
 
 TEST_F(LanguageTest, IsEnglishWhereThereIsNoOther) {

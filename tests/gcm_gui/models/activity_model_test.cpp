@@ -1,6 +1,7 @@
 #include <gcm_gui/activity/activity_model.h>
 #include <gcm_gui/activity/problems_model.h>
 #include <gcm_gui/models/row_roles.h>
+#include <gcm_gui/models/text.h>
 #include <gtest/gtest.h>
 
 #include <QAbstractItemModelTester>
@@ -132,10 +133,70 @@ TEST(ProblemsModel, ListsLostProcessesFaultsAndFailedConnections) {
 
   model.update(system.catalog());
 
-  ASSERT_EQ(model.rowCount(), 3);
+  ASSERT_EQ(model.rowCount(), 4);
   EXPECT_EQ(model.row(0).text, "desk/view/Host is not connected: no answer in 2 s");
   EXPECT_EQ(model.row(1).text, "robot/arm is faulted: joint 3 is out of range");
   EXPECT_EQ(model.row(2).text, "vision is lost: its connection broke");
+  EXPECT_EQ(model.row(3).text, "desk/teleoperation waits for Robot: not connected");
+}
+
+TEST(ProblemsModel, AComponentWaitsUntilItIsConnectedOrRunsNoMore) {
+  ProblemsModel model;
+  SystemBuilder system = LookSystem(0);
+  const auto texts = [&] {
+    model.update(system.catalog());
+    QStringList all;
+    for (int row = 0; row < model.rowCount(); ++row) all << model.row(row).text;
+    return all.filter("teleoperation");
+  };
+  EXPECT_EQ(texts(), QStringList("desk/teleoperation waits for Robot: not connected"));
+  EXPECT_EQ(model.row(model.rowCount() - 1).mark, StateMark::kWarning);
+
+  system.Connect(kRobot, kControl, ConnectionState::kPending, "process 'robot' is not there");
+  EXPECT_EQ(texts(), QStringList("desk/teleoperation waits for Robot: pending: process 'robot' is "
+                                 "not there"));
+
+  system.Connect(kRobot, kControl);
+  EXPECT_TRUE(texts().isEmpty());
+
+  system.Disconnect(kRobot);
+  ComponentDescription stopped = *system.catalog().FindComponent("desk", "teleoperation");
+  stopped.state = ComponentState::kFinished;
+  system.Component("desk", stopped);
+  EXPECT_TRUE(texts().isEmpty());
+}
+
+TEST(ProblemsModel, AProcessRunsAnOlderPlugInThanItsFile) {
+  ProblemsModel model;
+  SystemBuilder system = LookSystem(0);
+  ProcessDescription robot = system.catalog().FindProcess("robot")->process;
+  const auto texts = [&](PluginState state) {
+    robot.plugins = {
+        {.name = "arm", .file = "/opt/arm.so", .written = 1, .state = state, .written_now = 2}};
+    system.Process(robot);
+    model.update(system.catalog());
+    QStringList all;
+    for (int row = 0; row < model.rowCount(); ++row) all << model.row(row).text;
+    return all.filter("arm.so");
+  };
+
+  EXPECT_TRUE(texts(PluginState::kCurrent).isEmpty());
+  EXPECT_TRUE(texts(PluginState::kChanged).value(0).startsWith("robot runs arm.so of "));
+  EXPECT_TRUE(texts(PluginState::kChanged).value(0).contains("; the file was written again at "));
+  EXPECT_TRUE(texts(PluginState::kGone).value(0).contains("; the file is gone"));
+}
+
+TEST(ProblemsModel, ListsAProcessThatIsNotReachedByAll) {
+  const std::string reason = "is reached at 127.0.0.1:43211 from its own host alone";
+  ProblemsModel model;
+  SystemBuilder system;
+  system.Process("robot", ProcessState::kAlive, 0, 1, reason);
+
+  model.update(system.catalog());
+
+  ASSERT_EQ(model.rowCount(), 1);
+  EXPECT_EQ(model.row(0).text, "robot: " + ToQString(reason));
+  EXPECT_EQ(model.row(0).path, "robot");
 }
 
 TEST(ActivityModel, AReplacementIsOneStep) {
@@ -165,7 +226,7 @@ TEST(ProblemsModel, ARefusalStaysUntilTheInterfaceIsConnected) {
 
   system.Connect(kRobot, kControl);
   model.update(system.catalog());
-  EXPECT_EQ(model.rowCount(), before);
+  EXPECT_EQ(model.rowCount(), before - 1) << "nor does its component wait any more";
   EXPECT_EQ(counts.count(), 2);
 }
 

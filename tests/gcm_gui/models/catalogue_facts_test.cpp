@@ -1,4 +1,5 @@
 #include <gcm_gui/models/catalogue_model.h>
+#include <gcm_gui/models/row_roles.h>
 #include <gtest/gtest.h>
 
 #include <QAbstractItemModelTester>
@@ -42,7 +43,7 @@ class CatalogueFactsTest : public ::testing::Test {
       clock_.Advance(milliseconds(100));
       rows_ += 10;
       model_.showValues(kJoints, {.channels = shape_,
-                                  .values = {1, 2},
+                                  .values = ExactValues({1, 2}),
                                   .text = {},
                                   .rows = rows_,
                                   .time = clock_.Now().time_since_epoch().count()});
@@ -111,14 +112,38 @@ TEST_F(CatalogueFactsTest, OfWhatIsNoLongerListenedToNothingIsKnown) {
   EXPECT_EQ(Rate(kFirstJoint), "100 Hz");
 }
 
-TEST_F(CatalogueFactsTest, OfALostProcessNothingIsKnown) {
+TEST_F(CatalogueFactsTest, TheValuesOfALostProcessGrowOld) {
   model_.setWatched({kJoints});
   Stream(seconds(3));
   system_.Process("robot", ProcessState::kLost);
   store_.apply(system_.TakeChanges());
+  clock_.Advance(seconds(12));
 
-  EXPECT_EQ(Age(kFirstJoint), "–");
+  EXPECT_EQ(Age(kFirstJoint), "12 s");
   EXPECT_EQ(Rate(kFirstJoint), "–");
+  EXPECT_EQ(model_.indexOf(kJoints).data(kDetailRole), "lost · 12 s old");
+}
+
+TEST_F(CatalogueFactsTest, TheValuesOfASuspendedComponentAreMarkedWithTheirAge) {
+  Stream(seconds(3));
+  EXPECT_FALSE(model_.indexOf(kFirstJoint).data(kStaleRole).toBool());
+  ComponentDescription arm = *system_.catalog().FindComponent("robot", "arm");
+  arm.state = ComponentState::kSuspended;
+  system_.Component("robot", arm);
+  store_.apply(system_.TakeChanges());
+
+  clock_.Advance(seconds(12));
+
+  for (const QString path : {kJoints, kFirstJoint}) {
+    EXPECT_TRUE(model_.indexOf(path).data(kStaleRole).toBool()) << qPrintable(path);
+    EXPECT_EQ(Age(path), "12 s");
+    EXPECT_EQ(Rate(path), "–");
+    EXPECT_TRUE(Spoken(path, CatalogueModel::kValue).endsWith(", suspended · 12 s old"));
+  }
+  EXPECT_EQ(model_.indexOf(kJoints).data(kDetailRole), "suspended · 12 s old");
+  EXPECT_EQ(model_.standstill(kFirstJoint), Standstill::kSuspended);
+  EXPECT_FALSE(model_.indexOf("robot/arm/state.Cycle").data(kStaleRole).toBool())
+      << "there is no value of it";
 }
 
 TEST_F(CatalogueFactsTest, AProcessIsAsOldAsItsState) {

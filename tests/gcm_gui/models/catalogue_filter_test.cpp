@@ -7,6 +7,7 @@
 #include <QTest>
 #include <random>
 
+#include "support/fakes.h"
 #include "support/sample_system.h"
 
 namespace tendon::gui {
@@ -161,14 +162,14 @@ TEST_F(CatalogueFilterTest, ValuesOfRowsThatAreShownGoOn) {
   const auto shape =
       std::make_shared<const std::vector<PlotChannel>>(Channels(Schema(Schema::Kind::kFloat64)));
 
-  model_.showValues("robot/arm/state.Joints", {shape, {0.5}, {}});
+  model_.showValues("robot/arm/state.Joints", {shape, ExactValues({0.5}), {}});
   EXPECT_GE(changed.count(), 1);
   const QModelIndex row = filter_.indexOf("robot/arm/state.Joints");
   EXPECT_EQ(row.siblingAtColumn(CatalogueModel::kValue).data().toString(), "0.5000");
 
   filter_.applyText("getwrench");
   changed.clear();
-  model_.showValues("robot/arm/state.Joints", {shape, {0.75}, {}});
+  model_.showValues("robot/arm/state.Joints", {shape, ExactValues({0.75}), {}});
   EXPECT_EQ(changed.count(), 0);
 }
 

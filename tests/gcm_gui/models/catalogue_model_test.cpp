@@ -48,6 +48,28 @@ TEST_F(CatalogueModelTest, ShowsProcessesComponentsInterfacesAndMembers) {
   EXPECT_EQ(Value("robot/controller/Arm"), "← arm/Drives");
 }
 
+TEST_F(CatalogueModelTest, AComponentThatWaitsSaysForWhatUntilItIsConnected) {
+  SystemBuilder system = LookSystem(0);
+  Show(system);
+  const auto tip = [this] {
+    return model_.indexOf("desk/teleoperation").data(Qt::ToolTipRole).toString();
+  };
+  const auto mark = [this] {
+    const QModelIndex name = model_.indexOf("desk/teleoperation");
+    return name.siblingAtColumn(CatalogueModel::kValue).data(kMarkRole).value<StateMark>();
+  };
+  EXPECT_EQ(Value("desk/teleoperation"), "waiting for Robot");
+  EXPECT_TRUE(tip().endsWith("\nwaiting for Robot: not connected")) << tip().toStdString();
+  EXPECT_EQ(mark(), StateMark::kWarning);
+
+  system.Connect({"desk", "teleoperation", "Robot"}, {"robot", "controller", "Control"});
+  Show(system);
+
+  EXPECT_EQ(Value("desk/teleoperation"), "50 Hz");
+  EXPECT_FALSE(tip().contains("waiting"));
+  EXPECT_EQ(mark(), StateMark::kActive);
+}
+
 TEST_F(CatalogueModelTest, AStateTableShowsItsColumnsInPlaceOfItsReadCommands) {
   SystemBuilder system = LookSystem(0);
   Show(system);

@@ -66,5 +66,43 @@ TEST_F(CatalogueStoreTest, WhatChangesMeanwhileIsToldOfToo) {
   EXPECT_EQ(Times(LargeProcess(9)), 1);
 }
 
+TEST_F(CatalogueStoreTest, KnowsSinceWhenAComponentIsInItsState) {
+  SystemBuilder system = LookSystem(0);
+  Show(system);
+  EXPECT_FALSE(store_.stateSince("robot", "arm")) << "it was so before the window came";
+
+  ComponentDescription arm = *system.catalog().FindComponent("robot", "arm");
+  arm.state = ComponentState::kSuspended;
+  system.Component("robot", arm);
+  Show(system);
+  const auto since = store_.stateSince("robot", "arm");
+  ASSERT_TRUE(since);
+  arm.warning = "another thing";
+  system.Component("robot", arm);
+  Show(system);
+
+  EXPECT_EQ(store_.stateSince("robot", "arm"), since);
+  EXPECT_FALSE(store_.stateSince("robot", "force_sensor"));
+}
+
+TEST_F(CatalogueStoreTest, DoesNotKnowWhenAStateHasChangedThatASnapshotTells) {
+  SystemBuilder system = LookSystem(0);
+  Show(system);
+  ComponentDescription arm = *system.catalog().FindComponent("robot", "arm");
+  arm.state = ComponentState::kSuspended;
+  system.Component("robot", arm);
+  Show(system);
+  ASSERT_TRUE(store_.stateSince("robot", "arm"));
+  const auto since = store_.stateSince("robot", "arm");
+
+  store_.replace(system.catalog());
+  EXPECT_EQ(store_.stateSince("robot", "arm"), since) << "it is what it was";
+  arm.state = ComponentState::kActive;
+  system.Component("robot", arm);
+  store_.replace(system.catalog());
+
+  EXPECT_FALSE(store_.stateSince("robot", "arm"));
+}
+
 }  // namespace
 }  // namespace tendon::gui

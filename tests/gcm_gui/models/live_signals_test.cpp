@@ -6,6 +6,7 @@
 #include <tendon/payload/robot/image.h>
 
 #include <QSignalSpy>
+#include <algorithm>
 #include <chrono>
 #include <future>
 #include <map>
@@ -77,6 +78,12 @@ class LiveSignalsTest : public ::testing::Test {
   }
 
   RowSink& Sink() { return *telemetry_.entries.begin()->second.sink; }
+  /// Subscriptions to every row.
+  [[nodiscard]] long Streams() const {
+    return std::count_if(telemetry_.entries.begin(), telemetry_.entries.end(), [](const auto& one) {
+      return one.second.table.rows.delivery != RowDelivery::kNewest;
+    });
+  }
 
   ScriptedTelemetry telemetry_;
   LiveSignals live_{telemetry_};
@@ -91,7 +98,7 @@ TEST_F(LiveSignalsTest, NumbersOfOneColumnShareOneSubscription) {
   QObject owner;
   live_.watch(&owner, {"robot/arm/state.Joints"});
 
-  ASSERT_EQ(telemetry_.entries.size(), 1u);
+  ASSERT_EQ(Streams(), 1);
   const TableSubscription& table = telemetry_.entries.begin()->second.table;
   EXPECT_EQ(table.process, "robot");
   EXPECT_EQ(table.component, "arm");
@@ -131,8 +138,50 @@ TEST_F(LiveSignalsTest, EveryRowArrivesInOrderWithItsTickAndTime) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     EXPECT_EQ(rows[i].tick, 100 + i);
     EXPECT_EQ(rows[i].time_ns, static_cast<std::int64_t>((100 + i) * 1'000'000));
-    EXPECT_DOUBLE_EQ(rows[i].value, static_cast<double>(100 + i));
+    EXPECT_EQ(rows[i].value, ExactNumber(static_cast<double>(100 + i)));
   }
+}
+
+TEST_F(LiveSignalsTest, IntegersKeepAllTheirDigitsAndStatesHaveTheirNames) {
+  const QString stamp = "robot/arm/state.Counts.stamp";
+  const QString mode = "robot/arm/state.Counts.mode";
+  const QString ready = "robot/arm/state.Counts.is_ready";
+  for (const QString& signal : {stamp, mode, ready}) live_.subscribe(signal);
+  std::map<QString, ValueNamesPointer> names;
+  QObject::connect(&live_, &SignalSource::namesLearned, &live_,
+                   [&](const QString& signal, const ValueNamesPointer& learned) {
+                     EXPECT_TRUE(rows_[signal].empty()) << "before its samples";
+                     names[signal] = learned;
+                   });
+  const Schema mode_schema = Schema::Enum("t.Mode", {{"manual", 7}, {"off", 0}});
+  Sink().OnSubscribed(
+      {Schema::Structure("t.Counts", {{"stamp", "ns", Schema(Schema::Kind::kUint64)},
+                                      {"mode", "", mode_schema},
+                                      {"is_ready", "", Schema(Schema::Kind::kBool)}})});
+
+  const std::vector<std::uint64_t> ticks{1};
+  const std::vector<std::int64_t> times{1};
+  std::vector<std::byte> cell;
+  Encode(std::uint64_t{18'446'744'073'709'551'615U}, cell);
+  std::vector<std::byte> rest;
+  Encode(std::int32_t{7}, rest);
+  cell.insert(cell.end(), rest.begin(), rest.end());
+  cell.push_back(std::byte{1});
+  RowBatch batch;
+  batch.count = 1;
+  batch.ticks = ticks;
+  batch.times = times;
+  batch.cell = [&](std::size_t, std::size_t) { return std::span<const std::byte>(cell); };
+  Sink().OnRows(batch);
+  live_.drain();
+
+  ASSERT_EQ(rows_[stamp].size(), 1U);
+  EXPECT_EQ(rows_[stamp][0].value, ExactNumber::Unsigned(18'446'744'073'709'551'615U));
+  EXPECT_EQ(names.at(stamp), nullptr);
+  ASSERT_NE(names.at(mode), nullptr);
+  EXPECT_EQ(names.at(mode)->type, "t.Mode");
+  EXPECT_EQ(names.at(mode)->textOf(rows_[mode].at(0).value), "manual");
+  EXPECT_EQ(names.at(ready)->textOf(rows_[ready].at(0).value), "true");
 }
 
 TEST_F(LiveSignalsTest, RowsOfAnotherHostLieOnTheAxisOfThisOne) {
@@ -203,7 +252,7 @@ TEST_F(LiveSignalsTest, AWatcherSeesTheNewestValuesOnly) {
   ASSERT_EQ(values.count(), 1);
   const auto newest = values.front().at(1).value<ColumnValues>();
   ASSERT_EQ(newest.values.size(), 2u);
-  EXPECT_DOUBLE_EQ(newest.values[0], 119);
+  EXPECT_EQ(newest.values[0], ChannelValue(119.0));
   EXPECT_EQ(newest.channels->at(1).path, ".position[1]");
 }
 
@@ -221,6 +270,20 @@ TEST_F(LiveSignalsTest, WhereRowsWereLostIsKnown) {
   EXPECT_EQ(live_.losses(first_), (RowLosses{.table = 7, .network = 2, .viewer = 5}));
   EXPECT_EQ(live_.losses(second_), live_.losses(first_)) << "of the same column";
   EXPECT_EQ(live_.losses("robot/arm/state.Other"), RowLosses{});
+}
+
+TEST_F(LiveSignalsTest, OfRowsThatWaitTooLongTheOldestAreLost) {
+  live_.subscribe(first_);
+  Sink().OnSubscribed({PositionSchema()});
+  SendRows(Sink(), 1, 0, ColumnFeed::kMostWaiting);
+  SendRows(Sink(), 1, ColumnFeed::kMostWaiting, 5);
+
+  live_.drain();
+
+  const auto& rows = rows_[first_];
+  ASSERT_EQ(rows.size(), ColumnFeed::kMostWaiting);
+  EXPECT_EQ(rows.front().tick, 5U);
+  EXPECT_EQ(rows.back().tick, ColumnFeed::kMostWaiting + 4);
 }
 
 TEST_F(LiveSignalsTest, WhoPlotsASecondNumberDoesNotWaitForABatchThatIsRead) {
@@ -282,7 +345,7 @@ TEST_F(LiveSignalsTest, ASubscriptionEndsAWhileAfterTheLastUserHasGone) {
     live_.watch(&owner, {"robot/arm/state.Joints", "robot/arm/state.Cycle"});
   }
   live_.release(first_);
-  EXPECT_EQ(telemetry_.entries.size(), 2u);
+  EXPECT_EQ(Streams(), 2);
 
   for (int sweep = 0; sweep < 3; ++sweep) live_.dropUnused();
 
@@ -336,6 +399,51 @@ TEST_F(LiveSignalsTest, WhatIsNoPathOfAColumnIsLeftAlone) {
   live_.subscribe("no path at all");
 
   EXPECT_TRUE(telemetry_.entries.empty());
+}
+
+TEST_F(LiveSignalsTest, ARowThatWasThereBeforeIsSeenAndThenNoMoreIsWantedOfIt) {
+  QSignalSpy arrived(&live_, &SignalSource::valuesArrived);
+  QObject owner;
+  live_.watch(&owner, {"robot/arm/state.Joints"});
+  ASSERT_EQ(telemetry_.entries.size(), 2u);
+  RowSink& standing = *telemetry_.entries.rbegin()->second.sink;
+  Sink().OnSubscribed({PositionSchema()});
+
+  SendRows(standing, 1, 7, 1);
+  live_.drainValues();
+  live_.drainValues();
+
+  ASSERT_EQ(arrived.count(), 1);
+  EXPECT_EQ(arrived[0][1].value<ColumnValues>().values, (ExactValues({7, 0.5})));
+  EXPECT_EQ(arrived[0][1].value<ColumnValues>().time, 7'000'000);
+  EXPECT_EQ(telemetry_.entries.size(), 1u);
+  EXPECT_TRUE(rows_.empty()) << "it is no row of the stream";
+}
+
+TEST_F(LiveSignalsTest, AfterALinkHasHealedTheStandingRowIsAskedForAgain) {
+  QObject owner;
+  live_.watch(&owner, {"robot/arm/state.Joints"});
+  const auto standing = [&] {
+    return std::find_if(telemetry_.entries.begin(), telemetry_.entries.end(), [](const auto& one) {
+      return one.second.table.rows.delivery == RowDelivery::kNewest;
+    });
+  };
+  Sink().OnSubscribed({PositionSchema()});
+  ASSERT_NE(standing(), telemetry_.entries.end());
+  SendRows(*standing()->second.sink, 1, 100, 1);
+  live_.drainValues();
+  ASSERT_EQ(standing(), telemetry_.entries.end());
+
+  Sink().OnStale({ErrorCode::kUnreachable, "its connection broke"});
+  Sink().OnSubscribed({PositionSchema()});
+  live_.drainValues();
+
+  ASSERT_NE(standing(), telemetry_.entries.end());
+  QSignalSpy values(&live_, &SignalSource::valuesArrived);
+  SendRows(*standing()->second.sink, 1, 107, 1);
+  live_.drainValues();
+  ASSERT_EQ(values.count(), 1);
+  EXPECT_EQ(values[0][1].value<ColumnValues>().values.at(0), ChannelValue(107.0));
 }
 
 }  // namespace

@@ -1,7 +1,9 @@
 #include <gcm_gui/models/text.h>
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <limits>
+#include <optional>
 
 namespace tendon::gui {
 namespace {
@@ -50,10 +52,46 @@ TEST(Text, AChannelIsShownAsItIsMeant) {
   PlotChannel boolean;
   boolean.schema = Schema(Schema::Kind::kBool);
 
-  EXPECT_EQ(QuantityOf(enumeration, 1).number, "on");
-  EXPECT_EQ(QuantityOf(enumeration, 7).number, "7");
-  EXPECT_EQ(QuantityOf(boolean, 0).number, "false");
-  EXPECT_EQ(QuantityOf(boolean, std::numeric_limits<double>::quiet_NaN()).number, "–");
+  EXPECT_EQ(QuantityOf(enumeration, ChannelValue(std::int32_t{1})).number, "on");
+  EXPECT_EQ(QuantityOf(enumeration, ChannelValue(std::int32_t{7})).number, "7");
+  EXPECT_EQ(QuantityOf(boolean, ChannelValue(false)).number, "false");
+  EXPECT_EQ(QuantityOf(boolean, std::nullopt).number, "–");
+}
+
+TEST(Text, IntegersHaveAllTheirDigits) {
+  PlotChannel counter;
+  counter.schema = Schema(Schema::Kind::kUint64);
+  counter.unit = "ns";
+  const ChannelValue last(std::numeric_limits<std::uint64_t>::max());
+  const ChannelValue odd((std::int64_t{1} << 53) + 1);
+
+  EXPECT_EQ(QuantityOf(counter, last).number, "18446744073709551615");
+  EXPECT_EQ(QuantityOf(counter, odd).number, "9007199254740993");
+  EXPECT_EQ(WholeText(counter, last), "") << "it is whole already";
+}
+
+TEST(Text, WhatIsRoundedHasAWholeTextBesides) {
+  PlotChannel angle;
+  angle.schema = Schema(Schema::Kind::kFloat64);
+  angle.unit = "rad";
+  PlotChannel stamp;
+  stamp.schema = Schema(Schema::Kind::kFloat64);
+  stamp.unit = "s";
+  const auto shown = [](const PlotChannel& channel, double value) {
+    return QuantityOf(channel, ChannelValue(value)).number;
+  };
+  const auto whole = [](const PlotChannel& channel, double value) {
+    return WholeText(channel, ChannelValue(value));
+  };
+
+  EXPECT_EQ(shown(angle, 0.1 + 0.2), "0.3000");
+  EXPECT_EQ(whole(angle, 0.1 + 0.2), "0.30000000000000004 rad");
+  EXPECT_EQ(whole(angle, 12), "") << "it is whole already";
+  EXPECT_EQ(shown(stamp, 1764300000.25), "1764300000");
+  EXPECT_EQ(whole(stamp, 1764300000.25), "1764300000.25 s");
+  EXPECT_EQ(shown(stamp, 1.956e-5), "19.6");
+  EXPECT_EQ(whole(stamp, 1.956e-5), "1.956e-05 s");
+  EXPECT_EQ(shown(angle, std::numeric_limits<double>::quiet_NaN()), "nan");
 }
 
 TEST(Text, PartsOfASecondComeInTheUnitThatFits) {
@@ -62,7 +100,7 @@ TEST(Text, PartsOfASecondComeInTheUnitThatFits) {
   PlotChannel angle;
   angle.unit = "rad";
   const auto text = [](const PlotChannel& channel, double value) {
-    const auto [number, unit] = QuantityOf(channel, value);
+    const auto [number, unit] = QuantityOf(channel, ChannelValue(value));
     return number + ' ' + unit;
   };
 

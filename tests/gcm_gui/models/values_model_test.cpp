@@ -8,6 +8,7 @@
 #include <QAbstractItemModelTester>
 #include <QSignalSpy>
 #include <chrono>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -23,7 +24,7 @@ TEST(ValuesModel, ShowsEveryNumberOfTheComponentOnceItHasCome) {
   ScriptedSignals source;
   QObject::connect(&source, &SignalSource::valuesArrived, &model, &ValuesModel::showValues);
   const Catalog catalogue = LookSystem(0).catalog();
-  model.show("robot/arm", catalogue.FindComponent("robot", "arm"), false);
+  model.show("robot/arm", catalogue.FindComponent("robot", "arm"), Standstill::kNone);
   EXPECT_EQ(model.rowCount(), 3);
   EXPECT_EQ(model.index(0, 0).data(), "Joints");
   EXPECT_EQ(model.index(0, 1).data(), "…");
@@ -44,23 +45,23 @@ TEST(ValuesModel, ShowsEveryNumberOfTheComponentOnceItHasCome) {
 class ValuesInTime : public ::testing::Test {
  protected:
   ValuesInTime() {
-    model_.show("robot/arm", catalogue_.FindComponent("robot", "arm"), false);
+    model_.show("robot/arm", catalogue_.FindComponent("robot", "arm"), Standstill::kNone);
+    clock_.Advance(std::chrono::seconds(1));
     model_.await();
   }
 
   void Pass(std::chrono::nanoseconds time) {
     clock_.Advance(time);
-    time_ += time.count();
     model_.tick();
   }
   /// So many rows have come so far, the newest now.
   void Send(std::uint64_t rows, const std::vector<double>& values) {
     model_.showValues(kJoints, {.channels = shape_,
-                                .values = values,
+                                .values = ExactValues(values),
                                 .text = {},
                                 .picture = {},
                                 .rows = rows,
-                                .time = time_});
+                                .time = clock_.Now().time_since_epoch().count()});
   }
   [[nodiscard]] QVariant Value(int row, int role = Qt::DisplayRole) const {
     return model_.index(row, ValuesModel::kValue).data(role);
@@ -72,7 +73,6 @@ class ValuesInTime : public ::testing::Test {
       std::make_shared<const std::vector<PlotChannel>>(Channels(test::JointStateSchema(1)));
   const Catalog catalogue_ = LookSystem(0).catalog();
   ManualClock clock_;
-  std::int64_t time_ = 1'000'000'000;
   ValuesModel model_{nullptr, clock_};
   QAbstractItemModelTester tester_{&model_, QAbstractItemModelTester::FailureReportingMode::Fatal};
 };
@@ -89,6 +89,24 @@ TEST_F(ValuesInTime, WhatHasChangedIsFreshForHalfASecond) {
   Pass(ValuesModel::kFresh);
   EXPECT_FALSE(Value(0, kFreshRole).toBool());
   EXPECT_EQ(changed.count(), 1) << "it is drawn anew";
+}
+
+TEST_F(ValuesInTime, WhatIsRoundedIsWholeInTheTooltip) {
+  Send(1, {0.1 + 0.2, 2});
+
+  EXPECT_EQ(Value(0), "0.3000");
+  EXPECT_EQ(Value(0, Qt::ToolTipRole), kJoints + ".position[0]\n0.30000000000000004 rad");
+  EXPECT_EQ(Value(1, Qt::ToolTipRole), kJoints + ".velocity[0]");
+}
+
+TEST_F(ValuesInTime, AValueThatStaysNoNumberHasNotChanged) {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  Send(1, {none, 0.0});
+  Send(2, {none, -0.0});
+
+  EXPECT_EQ(Value(0), "nan");
+  EXPECT_FALSE(Value(0, kFreshRole).toBool());
+  EXPECT_TRUE(Value(1, kFreshRole).toBool()) << "it has another sign";
 }
 
 TEST_F(ValuesInTime, AColumnTellsItsRateAndThenHowOldItIs) {
@@ -149,10 +167,10 @@ TEST_F(ValuesInTime, WhatNobodySeesIsNotAwaited) {
 }
 
 TEST_F(ValuesInTime, WhoIsBackHasAllTheTimeAgain) {
-  model_.show("robot/arm", catalogue_.FindComponent("robot", "arm"), true);
+  model_.show("robot/arm", catalogue_.FindComponent("robot", "arm"), Standstill::kLost);
   Pass(10 * ValuesModel::kPatience);
 
-  model_.show("robot/arm", catalogue_.FindComponent("robot", "arm"), false);
+  model_.show("robot/arm", catalogue_.FindComponent("robot", "arm"), Standstill::kNone);
 
   EXPECT_EQ(Value(0).toString(), "…");
 }
@@ -166,10 +184,29 @@ TEST_F(ValuesInTime, WhoListensHearsTheRateToo) {
 }
 
 TEST_F(ValuesInTime, NobodyIsAccusedWhoIsKnownToBeGone) {
-  model_.show("robot/arm", catalogue_.FindComponent("robot", "arm"), true);
+  model_.show("robot/arm", catalogue_.FindComponent("robot", "arm"), Standstill::kLost);
   Pass(ValuesModel::kPatience);
 
   EXPECT_EQ(Value(0).toString(), "…");
+}
+
+TEST_F(ValuesInTime, ValuesOfWhatStandsStillAreOldAndSayWhyAndHowOld) {
+  Send(1, {0, 0.116});
+  Pass(std::chrono::seconds(1));
+  Send(1001, {0, 0.116});
+  EXPECT_FALSE(Value(1, kStaleRole).toBool());
+
+  model_.show("robot/arm", catalogue_.FindComponent("robot", "arm"), Standstill::kSuspended);
+  EXPECT_FALSE(Value(1, kStaleRole).toBool()) << "its last rows may still be on their way";
+  Pass(std::chrono::seconds(12));
+
+  EXPECT_TRUE(Value(1, kStaleRole).toBool());
+  EXPECT_EQ(Detail(), "suspended · 12 s old");
+  EXPECT_TRUE(Value(0, Qt::AccessibleTextRole).toString().endsWith(", suspended · 12 s old"));
+
+  model_.show("robot/arm", catalogue_.FindComponent("robot", "arm"), Standstill::kNone);
+  Send(1002, {0, 0});
+  EXPECT_FALSE(Value(1, kStaleRole).toBool());
 }
 
 TEST(ThreadFacts, TellWhoseThreadItIsAndHowItsCyclesWent) {

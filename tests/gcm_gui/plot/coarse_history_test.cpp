@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include <QTest>
+#include <bit>
 #include <limits>
 
 #include "samples.h"
@@ -18,8 +19,8 @@ TEST(CoarseHistory, HoldsTheExtremesOfEachHundredMilliseconds) {
 
   ASSERT_EQ(history.buckets().size(), 3U);
   EXPECT_EQ(history.buckets()[1].from_ns, 100 * kMillisecond);
-  EXPECT_DOUBLE_EQ(history.buckets()[1].low, 0.100);
-  EXPECT_DOUBLE_EQ(history.buckets()[1].high, 0.199);
+  EXPECT_DOUBLE_EQ(std::bit_cast<double>(history.buckets()[1].low), 0.100);
+  EXPECT_DOUBLE_EQ(std::bit_cast<double>(history.buckets()[1].high), 0.199);
 }
 
 TEST(CoarseHistory, ForgetsTheOldestAndWhatIsNoNumber) {

@@ -58,7 +58,7 @@ TEST(RateBadge, TellsEachSourcesShare) {
   badge.setFigures(
       {{.source = "p/a/state", .rate = 1000, .lost = 1}, {.source = "p/b/state", .rate = 20}});
 
-  EXPECT_THAT(badge.toolTip().toStdString(), testing::HasSubstr("p/a/state: 1000 Hz, 1 rows lost"));
+  EXPECT_THAT(badge.toolTip().toStdString(), testing::HasSubstr("p/a/state: 1000 Hz, 1 row lost"));
   EXPECT_THAT(badge.toolTip().toStdString(), testing::HasSubstr("p/b/state: 20 Hz, 0 rows lost"));
 }
 

@@ -198,5 +198,35 @@ TEST_F(SteerTest, AWindowThatOnlyLooksSaysWhy) {
   EXPECT_FALSE(window.findChild<QAction*>("Stop")->isEnabled());
 }
 
+TEST_F(SteerTest, TheCardSaysWhatAResumeDoesAndHowLongTheComponentHasRested) {
+  ComponentDescription arm = *system_.catalog().FindComponent("robot", "arm");
+  arm.state = ComponentState::kSuspended;
+  system_.Component("robot", arm);
+  Show();
+  window_.selection().select("robot/arm");
+
+  QTest::keyClick(&window_, Qt::Key_F6);
+
+  ASSERT_TRUE(card().isVisible());
+  EXPECT_EQ(window_.findChild<QLabel*>("steer.names")->text(), "robot/arm · suspended for 0 s");
+  const QString advice = window_.findChild<QLabel*>("steer.advice")->text();
+  EXPECT_TRUE(
+      advice.startsWith("It is told that it was suspended. It begins from "
+                        "the world as it is now where its author has seen to that;"))
+      << advice.toStdString();
+  EXPECT_TRUE(advice.contains("It can set something in motion")) << advice.toStdString();
+  EXPECT_TRUE(Button("steer.start").toolTip().startsWith("It is told that it was suspended"));
+  KeepPictures(window_, "resume-card");
+}
+
+TEST_F(SteerTest, TheCardSaysThatARestartBeginsAnew) {
+  window_.selection().select("robot/arm");
+
+  QTest::keyClick(&window_, Qt::Key_F9);
+
+  EXPECT_EQ(window_.findChild<QLabel*>("steer.names")->text(), "robot/arm");
+  EXPECT_TRUE(window_.findChild<QLabel*>("steer.advice")->text().startsWith("It begins anew"));
+}
+
 }  // namespace
 }  // namespace tendon::gui

@@ -2,6 +2,7 @@
 #include <gcm_gui/call/repeat/repeater.h>
 #include <gtest/gtest.h>
 
+#include <QDoubleSpinBox>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
@@ -87,6 +88,18 @@ TEST_F(RepeaterTest, AnAnswerAfterTheEndTellsNothing) {
 
   EXPECT_EQ(stopped_.size(), 1);
   EXPECT_EQ(stopped_.at(0).at(0).toString(), "");
+}
+
+TEST(RepeatRowTest, SuggestsARateThatRenewsACommandThatExpires) {
+  ScriptedCalls calls;
+  RepeatRow row(calls, [] { return std::string("1"); });
+  const auto* rate = row.findChild<QDoubleSpinBox*>("call.rate");
+
+  row.setCommand("a/b/C.MoveAt", 0.1);
+  EXPECT_EQ(rate->value(), 20);
+  row.setCommand("a/b/C.Move");
+
+  EXPECT_EQ(rate->value(), 1) << "what is called so often may not be wanted of another one";
 }
 
 }  // namespace

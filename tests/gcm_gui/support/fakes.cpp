@@ -103,6 +103,12 @@ void ScriptedChecks::diagnose(const message::Wire& wire, DiagnosisHandler handle
   diagnosis = std::move(handler);
 }
 
+std::vector<std::optional<ChannelValue>> ExactValues(const std::vector<double>& values) {
+  std::vector<std::optional<ChannelValue>> exact;
+  for (const double value : values) exact.emplace_back(ChannelValue(value));
+  return exact;
+}
+
 void ScriptedSignals::watch(const QObject* owner, const QSet<QString>& columns) {
   watched_[owner] = columns;
 }
@@ -117,7 +123,7 @@ void ScriptedSignals::send(const QString& column, const Schema& schema,
                            const std::vector<double>& values) {
   ChannelList& shape = shapes_[column];
   if (shape == nullptr) shape = std::make_shared<const std::vector<PlotChannel>>(Channels(schema));
-  Q_EMIT valuesArrived(column, ColumnValues{shape, values, {}});
+  Q_EMIT valuesArrived(column, ColumnValues{shape, ExactValues(values), {}});
 }
 
 void ScriptedSignals::sendPicture(const QString& column, const RawPicture& picture) {

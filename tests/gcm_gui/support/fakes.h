@@ -13,11 +13,15 @@
 #include <QSet>
 #include <QString>
 #include <QStringList>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace tendon::gui {
+
+/// Values of a column of doubles.
+std::vector<std::optional<ChannelValue>> ExactValues(const std::vector<double>& values);
 
 /// Remembers what it was asked to do: "connect a b", "replace a b", "disconnect a", "undo", "forget
 /// a", "stop robot/arm".

@@ -87,10 +87,15 @@ SystemBuilder& SystemBuilder::Process(const std::string& name, ProcessState stat
   process.address = "127.0.0.1:40001";
   process.state = state;
   process.since = since;
-  if (state == ProcessState::kLost) process.reason = reason;
+  const bool is_lost_somehow = state == ProcessState::kLost && reason.empty();
+  process.reason = is_lost_somehow ? "its connection broke" : reason;
+  return Process(process);
+}
+
+SystemBuilder& SystemBuilder::Process(const ProcessDescription& process) {
   CatalogChange change;
   change.kind = CatalogChange::Kind::kProcess;
-  change.process = name;
+  change.process = process.name;
   change.processes = {process};
   return Apply(std::move(change));
 }

@@ -11,10 +11,11 @@ namespace tendon::gui {
 /// Builds a catalogue step by step, as the changes of a GCM would.
 class SystemBuilder {
  public:
-  /// `reason` of one that is lost.
+  /// `reason` why it is lost, or of one that is alive who does not reach it.
   SystemBuilder& Process(const std::string& name, ProcessState state = ProcessState::kAlive,
                          std::int64_t since = 0, std::uint64_t instance = 1,
-                         const std::string& reason = "its connection broke");
+                         const std::string& reason = {});
+  SystemBuilder& Process(const ProcessDescription& process);
   SystemBuilder& RemoveProcess(const std::string& name);
   SystemBuilder& Component(const std::string& process, const ComponentDescription& component);
   SystemBuilder& RemoveComponent(const std::string& process, const std::string& component);

@@ -162,6 +162,17 @@ TEST_F(MarkBindingTest, ACommandOfAnotherProgramIsMarkedWhenAProcessHasNotedIt) 
   EXPECT_TRUE(panel_.marks().all().back().is_bad);
 }
 
+/// A form of this window or another asks what to begin with; nobody has called anything.
+TEST_F(MarkBindingTest, ACommandThatOnlyReadsIsNotMarked) {
+  panel_.addSignal(kSignal, "rad");
+  sent("nothing", true);
+
+  sent("controller/Control.GetJoints: allowed", true);
+  sent("arm/Control.Stop: allowed", true);
+
+  EXPECT_EQ(labels(), QStringList{"Stop"});
+}
+
 TEST_F(MarkBindingTest, ACallOfThisWindowIsMarkedOnce) {
   panel_.addSignal(kSignal, "rad");
   sent("nothing", true);

@@ -14,7 +14,9 @@ namespace {
 
 using tendon::Channel;
 using tendon::ProcessState;
+using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 /// Whether all threads of the process have heard a SIGSTOP.
 bool HasStopped(int pid) {
@@ -27,7 +29,14 @@ bool HasStopped(int pid) {
   return std::ranges::all_of(std::filesystem::directory_iterator(threads), is_stopped);
 }
 
-class HungLcm : public FaultTest {};
+class HungLcm : public FaultTest {
+ protected:
+  [[nodiscard]] bool IsConnectionActive() const {
+    const auto catalog = viewer_->catalog();
+    const auto* connection = catalog.FindConnection({"desk", "client", "Ledger"});
+    return connection != nullptr && connection->state == tendon::ConnectionState::kActive;
+  }
+};
 
 INSTANTIATE_TEST_SUITE_P(Over, HungLcm, testing::ValuesIn(Middlewares()), NameOfMiddleware);
 
@@ -41,6 +50,11 @@ TEST_P(HungLcm, OneThatIsStoppedIsLostAndFindsItsWayBack) {
     SCOPED_TRACE(round);
     robot_->Signal(SIGSTOP);
     ASSERT_TRUE(EventuallyIs("robot", ProcessState::kLost));
+    EXPECT_THAT(Gcm({"doctor"}).out, AllOf(HasSubstr("kill -CONT " + std::to_string(robot_->pid())),
+                                           Not(HasSubstr("gcm forget"))));
+    EXPECT_THAT(Gcm({"status"}).out, Not(HasSubstr("gcm forget")));
+    EXPECT_TRUE(Eventually([&] { return !IsConnectionActive(); }))
+        << "it cannot stand without its process";
     std::this_thread::sleep_for(std::chrono::seconds(Size(0, 60)));
     const Stopwatch since_awake;
     robot_->Signal(SIGCONT);

@@ -5,6 +5,7 @@
 #include <netinet/tcp.h>
 #include <poll.h>
 #include <sys/socket.h>
+#include <tendon/base/os/route.h>
 #include <tendon/base/os/socket.h>
 #include <unistd.h>
 
@@ -286,8 +287,7 @@ Result<Socket> ConnectTo(const std::string& host, std::uint16_t port,
     return Error{ErrorCode::kTimeout, "no answer from " + Name(host, port) + " within " +
                                           std::to_string(timeout.count()) + " ms"};
   }
-  return Error{ErrorCode::kUnreachable,
-               "nobody answers at " + Name(host, port) + " (" + TextOf(failure) + ")"};
+  return Error{ErrorCode::kUnreachable, WhyNotReached(Name(host, port), failure)};
 }
 
 Accepted Accept(const Socket& listening, Socket& connection) {

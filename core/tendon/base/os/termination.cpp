@@ -2,6 +2,7 @@
 #include <tendon/base/os/terminal.h>
 #include <tendon/base/os/termination.h>
 
+#include <atomic>
 #include <csignal>
 #include <ctime>
 #include <utility>
@@ -10,6 +11,8 @@ namespace tendon::os {
 namespace {
 
 thread_local Interruption* interruption = nullptr;  // of this thread, where it has one
+
+std::atomic<bool> was_told{false};  // that a signal asks for the end
 
 sigset_t TerminationSignals() {
   sigset_t signals;
@@ -31,6 +34,7 @@ bool LetThrough() noexcept {
 }  // namespace
 
 void HoldTerminationSignals() noexcept {
+  was_told.store(false, std::memory_order_relaxed);
   const sigset_t signals = TerminationSignals();
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
   IgnoreBrokenPipes();
@@ -47,6 +51,7 @@ int WaitForTermination() noexcept {
   int signal = 0;
   while (sigwait(&signals, &signal) != 0) {
   }
+  was_told.store(true, std::memory_order_relaxed);
   LetThrough();
   return signal;
 }
@@ -57,8 +62,17 @@ bool TerminationAsked(std::chrono::milliseconds patience) noexcept {
   const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(patience);
   const timespec limit{seconds.count(), std::chrono::nanoseconds(patience - seconds).count()};
   if (sigtimedwait(&signals, nullptr, &limit) <= 0) return false;
+  was_told.store(true, std::memory_order_relaxed);
   LetThrough();
   return true;
+}
+
+bool WasTerminationAsked() noexcept {
+  if (was_told.load(std::memory_order_relaxed)) return true;
+  sigset_t pending;
+  sigemptyset(&pending);
+  sigpending(&pending);
+  return sigismember(&pending, SIGINT) == 1 || sigismember(&pending, SIGTERM) == 1;
 }
 
 void ForgetInterrupt() noexcept {

@@ -7,7 +7,8 @@
 namespace tendon::os {
 
 /// Keeps SIGINT and SIGTERM for WaitForTermination(), and lets writes to a closed pipe fail instead
-/// of killing the process. First thing in main(), before any thread.
+/// of killing the process. First thing in main(), before any thread; again where a program goes on
+/// after it was asked.
 void HoldTerminationSignals() noexcept;
 
 /// Waits until somebody asks the process to end; returns the signal's number. A second signal then
@@ -17,6 +18,10 @@ int WaitForTermination() noexcept;
 /// Whether somebody asks the process to end; waits for at most `patience`. A second signal then
 /// ends the process at once.
 bool TerminationAsked(std::chrono::milliseconds patience) noexcept;
+
+/// Whether a signal asks for the end of the process, also one that TerminationAsked() or
+/// WaitForTermination() has told of, since HoldTerminationSignals().
+[[nodiscard]] bool WasTerminationAsked() noexcept;
 
 /// A SIGINT that nobody has asked about does not count any more.
 void ForgetInterrupt() noexcept;

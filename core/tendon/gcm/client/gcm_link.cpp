@@ -13,6 +13,8 @@ namespace {
 constexpr std::chrono::milliseconds kPause(100);  // before what was open is opened again
 constexpr std::chrono::milliseconds kRetry(1000);
 constexpr std::chrono::milliseconds kRenewal(1000);
+constexpr std::chrono::milliseconds kTick(500);
+constexpr std::chrono::milliseconds kPatienceOfOthers(1500);  // with one that says nothing
 
 /// Where each process is that can be talked to.
 using Places = std::map<std::string, std::pair<std::uint64_t, std::string>>;
@@ -39,6 +41,14 @@ std::vector<GcmLink::Moved> Moves(const Places& before, const Places& after) {
 bool IsFinal(const Error& error) {
   return error.code == ErrorCode::kIncompatible || error.code == ErrorCode::kDenied ||
          error.code == ErrorCode::kInvalid;
+}
+
+Error StoodStill(std::chrono::nanoseconds pause) {
+  const auto tenths = std::chrono::duration_cast<std::chrono::milliseconds>(pause).count() / 100;
+  return {ErrorCode::kUnreachable, "this program was stopped for " + std::to_string(tenths / 10) +
+                                       "." + std::to_string(tenths % 10) +
+                                       " s, so the other processes closed its links; it "
+                                       "reconnects, and has missed what happened meanwhile"};
 }
 
 }  // namespace
@@ -82,6 +92,7 @@ GcmLink::GcmLink(Middleware& middleware, GcmClient::Options options, Events even
       timer_(std::move(timer)) {}
 
 void GcmLink::Start() {
+  Tick();
   opener_.Post([this] { Open(); });
 }
 
@@ -278,14 +289,44 @@ void GcmLink::Renew(const std::weak_ptr<Channel>& weak) {
   });
 }
 
-/// Said once, not at each attempt.
+/// Notices when this program is stopped, or does not get a processor, and for how long.
+void GcmLink::Tick() {
+  {
+    const std::scoped_lock lock(mutex_);
+    const SteadyTime now = SteadyClock().Now();
+    const auto pause = now - std::exchange(last_tick_, now) - kTick;
+    if (pause >= kPatienceOfOthers / 2) {
+      awake_since_ = now;
+      last_pause_ = pause;
+    }
+  }
+  timer_->PostAfter(kTick, [weak = weak_from_this()] {
+    if (const auto self = weak.lock()) self->Tick();
+  });
+}
+
+/// Under the lock: the pause of which the others' patience may have ended just now.
+std::chrono::nanoseconds GcmLink::StoodStillFor() const {
+  const SteadyTime now = SteadyClock().Now();
+  if (now - last_tick_ >= kPatienceOfOthers) return now - last_tick_;
+  return now - awake_since_ < 2 * kPatienceOfOthers ? last_pause_ : std::chrono::nanoseconds(0);
+}
+
+/// Said once, not at each attempt. Where it was we who said nothing, the GCM may well be there.
 void GcmLink::Lost(const Error& reason) {
   std::optional<Error> news;
   {
     const std::scoped_lock lock(mutex_);
+    const auto pause = StoodStillFor();
     const bool is_new = !lost_ || IsFinal(*lost_) != IsFinal(reason);
-    lost_ = reason;
-    if (is_new) news = NoGcm();
+    if (is_new && pause >= kPatienceOfOthers / 2) {
+      awake_since_ = {};
+      last_tick_ = SteadyClock().Now();
+      news = StoodStill(pause);
+    } else {
+      lost_ = reason;
+      if (is_new) news = NoGcm();
+    }
     changed_.notify_all();
   }
   if (!news || !events_.listener) return;

@@ -75,6 +75,8 @@ class GcmLink final : public std::enable_shared_from_this<GcmLink> {
   void Share(std::vector<CatalogChange>& changes);
   void Renew(const std::weak_ptr<Channel>& weak);
   void Lost(const Error& reason);
+  void Tick();
+  [[nodiscard]] std::chrono::nanoseconds StoodStillFor() const;
   [[nodiscard]] Error NoGcm() const;
   template <typename Call>
   void Tell(Call&& call);
@@ -94,6 +96,9 @@ class GcmLink final : public std::enable_shared_from_this<GcmLink> {
   Catalog catalog_;
   DescriptionPool pool_;
   std::optional<Error> lost_;  // why there is no channel
+  SteadyTime last_tick_ = SteadyClock().Now();
+  SteadyTime awake_since_{};               // after the last pause of this program
+  std::chrono::nanoseconds last_pause_{};  // how long that was
   LogFeed log_;
   Worker opener_{"client-gcm"};
 };

@@ -1,9 +1,11 @@
+#include <tendon/base/find_named.h>
 #include <tendon/base/name.h>
 #include <tendon/base/printable.h>
 #include <tendon/gcm/life/class_check.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/system/running_system.h>
 #include <tendon/gcm/system/system_index.h>
+#include <tendon/gcm/text/plugin_text.h>
 #include <tendon/manager/component_registry.h>
 #include <tendon/payload/json.h>
 
@@ -32,6 +34,13 @@ bool LoadsMore(const message::Classes& known, const SystemFile::Process& process
   });
 }
 
+/// The plug-in that has the component's class, as far as the file or what runs tells.
+std::string LibraryOf(const SystemFile::Component& component, const ProcessEntry& process) {
+  if (!component.library.empty()) return component.library;
+  const auto now = process.components.find(component.name);
+  return now == process.components.end() ? std::string() : now->second.library;
+}
+
 /// What the file says of the process, or what runs where that could not be made.
 SystemFile::Process Feasible(const SystemFile::Process& process, const SystemIndex& running,
                              const message::Classes& known, std::vector<std::string>& obstacles) {
@@ -56,6 +65,26 @@ SystemFile::Process Feasible(const SystemFile::Process& process, const SystemInd
     if (now != nullptr) feasible.components.push_back(*now);
   }
   return feasible;
+}
+
+/// Of the plug-ins which the file's components are made of in processes that are there. `known` is
+/// newer than the catalogue where there is both.
+void AddOldPlugins(const Catalog& catalog, const SystemFile& wanted, const KnownClasses& known,
+                   std::vector<std::string>& notes) {
+  for (const SystemFile::Process& process : wanted.processes) {
+    const ProcessEntry* entry = catalog.FindProcess(process.name);
+    if (entry == nullptr || !IsPresent(entry->process)) continue;
+    const auto asked = known.find(process.name);
+    const auto& loaded = asked == known.end() ? entry->process.plugins : asked->second.loaded;
+    for (const PluginDescription& plugin : loaded) {
+      const bool is_meant = std::ranges::any_of(process.components, [&](const auto& component) {
+        return LibraryOf(component, *entry) == plugin.name;
+      });
+      if (is_meant && plugin.state != PluginState::kCurrent) {
+        notes.push_back(OldPluginText(process.name, plugin));
+      }
+    }
+  }
 }
 
 }  // namespace
@@ -84,9 +113,13 @@ Result<void> CheckCreation(const message::Classes& known, const message::LifeOrd
     const std::string where = order.library.empty() ? " that is loaded" : " in " + order.library;
     const std::string next =
         order.library.empty() ? "; load the plug-in that has it, or name that as its library" : "";
+    const auto* loaded = FindNamed(known.loaded, order.library);
+    const std::string old = loaded == nullptr || loaded->state == PluginState::kCurrent
+                                ? ""
+                                : "; " + OldPluginText(order.process, *loaded);
     return Error{ErrorCode::kNotFound, "process '" + order.process + "' has no class '" +
                                            order.class_name + "'" + where +
-                                           DidYouMean(order.class_name, names) + next};
+                                           DidYouMean(order.class_name, names) + next + old};
   }
   if (found.size() > 1) {
     return Error{ErrorCode::kInvalid, "the libraries '" + found[0]->library + "' and '" +
@@ -134,6 +167,7 @@ Plan MakeCheckedPlan(const Catalog& catalog, const SystemFile& wanted, const Kno
     process = Feasible(process, now, classes->second, obstacles);
   }
   Plan plan = MakePlan(catalog, feasible);
+  AddOldPlugins(catalog, wanted, known, plan.notes);
   if (!obstacles.empty()) plan.refusal = ErrorCode::kFailed;
   plan.obstacles.insert(plan.obstacles.begin(), obstacles.begin(), obstacles.end());
   return plan;

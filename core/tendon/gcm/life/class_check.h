@@ -33,7 +33,8 @@ using KnownClasses = std::map<std::string, message::Classes>;
                                                       const SystemFile& wanted);
 
 /// As MakePlan(); but what CheckCreation() refuses stays as it is, and is an obstacle: a mistake in
-/// a file is seen before anything is stopped for it.
+/// a file is seen before anything is stopped for it. What processes are asked for is what they run:
+/// where the file of a plug-in was written again since, that is a note.
 [[nodiscard]] Plan MakeCheckedPlan(const Catalog& catalog, const SystemFile& wanted,
                                    const KnownClasses& known);
 

@@ -1,6 +1,7 @@
 #include <tendon/gcm/life/followers.h>
 #include <tendon/gcm/life/life_plan.h>
 #include <tendon/gcm/lookup.h>
+#include <tendon/gcm/wiring/waiting.h>
 #include <tendon/process/life/configuration_base.h>
 
 #include <algorithm>
@@ -91,7 +92,11 @@ Result<void> CheckLife(const Catalog& catalog, const LifeOrder& order) {
   const auto request = RequestOf(order.verb);
   if (!request) return {};
   const Transition& transition = TransitionOf(component->state, *request);
-  if (transition.refusal.empty()) return {};
+  if (transition.refusal.empty()) {
+    if (!order.is_strict) return {};
+    const ProcessEntry& process = *catalog.FindProcess(order.process);
+    return CheckNeeds(order.component, UnmetNeedsOf(process, *component));
+  }
   return Error{ErrorCode::kFailed, what + "is " + std::string(ToString(component->state)) +
                                        std::string(transition.refusal)};
 }

@@ -8,7 +8,10 @@
 namespace tendon::server {
 namespace {
 
-constexpr std::size_t kLongestWord = 256;  // bytes of a type, a class, a file, a host
+constexpr std::size_t kLongestPath = 4096;  // bytes
+constexpr std::size_t kLongestWord = 256;   // bytes of a type, a class, a file, a host
+
+constexpr double kLongestExpiry = 3600.0;  // s
 
 Error Invalid(const std::string& message) { return {ErrorCode::kInvalid, message}; }
 
@@ -18,6 +21,8 @@ Result<void> TakeInMembers(const std::string& what, std::vector<MemberDescriptio
     member.in_type = Printable(member.in_type, kLongestWord);
     member.out_type = Printable(member.out_type, kLongestWord);
     member.hazard = Printable(member.hazard, kLongestWord);
+    const bool is_sensible = member.expires_after >= 0.0 && member.expires_after <= kLongestExpiry;
+    if (!is_sensible) member.expires_after = 0.0;
   }
   return {};
 }
@@ -43,6 +48,10 @@ Result<void> CheckEnd(InterfaceName& end, const std::string& process) {
 void TakeInTexts(ProcessDescription& process) {
   process.host = Printable(process.host, kLongestWord);
   process.address = Printable(process.address, kLongestWord);
+  for (PluginDescription& plugin : process.plugins) {
+    plugin.name = Printable(plugin.name, kLongestWord);
+    plugin.file = Printable(plugin.file, kLongestPath);
+  }
 }
 
 }  // namespace

@@ -1,3 +1,4 @@
+#include <tendon/base/counted.h>
 #include <tendon/gcm/server/log_book.h>
 #include <tendon/gcm/text/wall_time.h>
 
@@ -14,7 +15,7 @@ message::LogRecord MissingRecords(const std::string& process, std::uint64_t coun
           .level = LogLevel::kWarning,
           .process = process,
           .source = "log",
-          .text = std::to_string(count) + " records are lost on their way"};
+          .text = Counted(count, "record is", "records are") + " lost on their way"};
 }
 
 }  // namespace

@@ -30,8 +30,10 @@ void LogProcesses(const std::vector<CatalogChange>& changes) {
   for (const CatalogChange& change : changes) {
     if (change.kind != CatalogChange::Kind::kProcess) continue;
     const ProcessDescription& process = change.processes.front();
-    const bool well =
-        process.state != ProcessState::kSuspect && process.state != ProcessState::kLost;
+    const bool is_gone =
+        process.state == ProcessState::kSuspect || process.state == ProcessState::kLost;
+    const bool is_hidden = process.state == ProcessState::kAlive && !process.reason.empty();
+    const bool well = !is_gone && !is_hidden;
     const std::string reason = process.reason.empty() ? "" : ": " + process.reason;
     Log(well ? LogLevel::kInfo : LogLevel::kWarning, "gcm",
         "process '" + process.name + "' " + std::string(Words(process.state)) + reason);

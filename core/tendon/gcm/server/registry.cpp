@@ -4,6 +4,7 @@
 #include <tendon/gcm/server/registry.h>
 #include <tendon/gcm/text/wall_time.h>
 #include <tendon/middleware/channel.h>
+#include <tendon/process/membership/own_address.h>
 
 #include <algorithm>
 
@@ -87,26 +88,28 @@ Result<Registry::Admission> Registry::Join(message::Join join, Session held,
     admission.session = os::RandomNumber();
   } while (admission.session == 0 || members_.contains(admission.session));
   const std::int64_t now = WallTime();
+  const std::string link = channel ? channel->peer_address() : std::string();
   members_[admission.session] = {.name = join.process.name,
                                  .instance = join.process.instance,
                                  .session = admission.session,
                                  .channel = std::move(channel),
+                                 .link = link,
                                  .renewed = clock_.Now(),
                                  .joined = now,
                                  .health = {},
                                  .told = {}};
   tombstones_.erase(join.process.name);
   expected_.erase(join.process.name);
-  Enter(join, now);
+  Enter(join, link, now);
   return admission;
 }
 
 /// Replaces what is known of the process by what it says.
-void Registry::Enter(const message::Join& join, std::int64_t now) {
+void Registry::Enter(const message::Join& join, const std::string& link, std::int64_t now) {
   const std::string& name = join.process.name;
   ProcessDescription process = join.process;
   process.state = ProcessState::kAlive;
-  process.reason.clear();
+  process.reason = WhyOutOfReach(process.address, link);
   process.since = now;
   // A process that never stopped knows its connections itself; a new one is given the old one's.
   const ProcessEntry* before = catalog_.FindProcess(name);
@@ -138,6 +141,10 @@ Result<void> Registry::Report(Session session, message::Report report) {
       process.address = change.processes.front().address;
       process.host = change.processes.front().host;
       process.pid = change.processes.front().pid;
+      if (process.state == ProcessState::kAlive) {
+        process.reason = WhyOutOfReach(process.address, member->link);
+      }
+      process.plugins = std::move(change.processes.front().plugins);
       change.processes.front() = process;
     }
     Apply(std::move(change));
@@ -151,8 +158,9 @@ Result<void> Registry::Renew(Session session) {
     return Error{ErrorCode::kDenied, "this membership is over: join the GCM again"};
   }
   member->renewed = clock_.Now();
-  if (catalog_.FindProcess(member->name)->process.state == ProcessState::kSuspect) {
-    SetState(member->name, ProcessState::kAlive, {});
+  const ProcessDescription& process = catalog_.FindProcess(member->name)->process;
+  if (process.state == ProcessState::kSuspect) {
+    SetState(member->name, ProcessState::kAlive, WhyOutOfReach(process.address, member->link));
   }
   return {};
 }
@@ -186,10 +194,16 @@ void Registry::End(Session session, ProcessState state, const std::string& reaso
   const auto found = members_.find(session);
   if (found == members_.end()) return;
   const std::string name = found->second.name;
+  const auto silence = clock_.Now() - found->second.renewed;
   members_.erase(found);
   hand_backs_.Keep(catalog_, name);
   tombstones_[name] = clock_.Now();
-  SetState(name, state, reason);
+  // A middleware may close the link of one that hangs before its lease is over.
+  const bool was_silent = state == ProcessState::kLost && silence >= leases_.suspect_after &&
+                          !reason.starts_with(kNoRenewal);
+  const std::string before =
+      was_silent ? std::string(kNoRenewal) + Milliseconds(silence) + ", then " : std::string();
+  SetState(name, state, before + reason);
   SuspendConnections(name);
 }
 
@@ -258,7 +272,7 @@ std::vector<std::shared_ptr<Channel>> Registry::Tick() {
   std::vector<std::shared_ptr<Channel>> channels;
   for (const auto& [session, silence] : given_up) {
     channels.push_back(members_.at(session).channel);
-    End(session, ProcessState::kLost, "no renewal of its lease for " + Milliseconds(silence));
+    End(session, ProcessState::kLost, std::string(kNoRenewal) + Milliseconds(silence));
   }
   ClearTombstones(now);
   look_for_hand_backs_ = look_for_hand_backs_ || hand_backs_.IsPauseOver(now);
@@ -304,7 +318,9 @@ std::vector<std::shared_ptr<Channel>> Registry::channels() const {
 message::Peers Registry::peers() const {
   message::Peers peers;
   for (const auto& [name, entry] : catalog_.processes()) {
-    if (IsPresent(entry.process)) peers.processes.push_back(entry.process);
+    if (!IsPresent(entry.process)) continue;
+    peers.processes.push_back(entry.process);
+    peers.processes.back().plugins.clear();  // nobody connects to those
   }
   return peers;
 }

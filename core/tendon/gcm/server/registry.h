@@ -93,6 +93,7 @@ class Registry {
     std::uint64_t instance = 0;
     Session session = 0;
     std::shared_ptr<Channel> channel;
+    std::string link;  // where its end of the channel is
     SteadyTime renewed;
     std::int64_t joined = 0;  // ns since 1970
     std::optional<message::Health> health;
@@ -103,7 +104,7 @@ class Registry {
   Member* Find(Session session);
   [[nodiscard]] const Member* FindByName(const std::string& name) const;
   [[nodiscard]] Error NameInUse(const Member& member) const;
-  void Enter(const message::Join& join, std::int64_t now);
+  void Enter(const message::Join& join, const std::string& link, std::int64_t now);
   void Apply(CatalogChange change);
   void SetState(const std::string& process, ProcessState state, const std::string& reason);
   void SuspendConnections(const std::string& process);

@@ -186,6 +186,7 @@ Result<void> ClientExecutor::Steer(LifeVerb verb, const PlanStep& step) {
     if (step.component.thread) order.thread = ToJson(*step.component.thread);
     order.leader = step.component.runs_after;
   }
+  if (verb == LifeVerb::kStart) order.is_strict = step.is_strict;
   if (verb == LifeVerb::kCreate || verb == LifeVerb::kConfigure) {
     order.configuration = step.component.configuration;
     order.based_on = step.based_on;

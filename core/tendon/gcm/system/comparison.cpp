@@ -18,6 +18,8 @@ std::string TextOf(const std::optional<SystemFile::Start>& start) {
   return start ? "by the GCM (restart " + std::string(ToString(start->restart)) + ")" : "by others";
 }
 
+std::string TextOf(bool value) { return value ? "true" : "false"; }
+
 /// Puts one more change behind those there are.
 void AddChange(std::string& changes, const std::string& name, const std::string& first,
                const std::string& second) {
@@ -31,6 +33,10 @@ class Comparer {
       : first_(first), second_(second), starts_(starts) {}
 
   SystemComparison Run() {
+    if (starts_ == Starts::kKnown && first_.strict != second_.strict) {
+      Add(DifferenceKind::kChanged, "strict",
+          TextOf(first_.strict) + " -> " + TextOf(second_.strict));
+    }
     for (const auto& process : first_.processes) CompareProcess(process);
     for (const auto& process : second_.processes) {
       if (first_index_.FindProcess(process.name) == nullptr)

@@ -76,6 +76,13 @@ double FileObject::Number(const std::string& key, const std::string& unit, doubl
   return value->get<double>();
 }
 
+bool FileObject::Flag(const std::string& key) const {
+  const Json* value = Find(key);
+  if (value == nullptr) return false;
+  if (!value->is_boolean()) Refuse(Place(key), "expected true or false, got " + Shown(*value));
+  return value->get<bool>();
+}
+
 double FileObject::Period(const std::string& key) const {
   constexpr double kShortest = 10e-6;
   constexpr double kLongest = 3600.0;

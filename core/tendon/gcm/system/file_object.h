@@ -52,6 +52,8 @@ class FileObject {
   /// `unit` is for the error: "seconds".
   [[nodiscard]] double Number(const std::string& key, const std::string& unit,
                               double otherwise) const;
+  /// False where it is missing.
+  [[nodiscard]] bool Flag(const std::string& key) const;
   /// s; 0 where it is missing.
   [[nodiscard]] double Period(const std::string& key) const;
   /// Calls `read(element, place)` for each; a missing list is empty.

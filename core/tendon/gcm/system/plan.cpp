@@ -4,6 +4,7 @@
 #include <tendon/gcm/system/plan.h>
 #include <tendon/gcm/system/running_system.h>
 #include <tendon/gcm/system/start_order.h>
+#include <tendon/manager/unmet_need.h>
 #include <tendon/process/life/configuration_base.h>
 
 #include <algorithm>
@@ -345,6 +346,25 @@ class Planner {
     lacks_.emplace(OwnerOf(wire.required), "its connection " + TextOf(wire) + ": " + why);
   }
 
+  /// What the file does not connect, of one whose interfaces the catalogue knows.
+  void FindUnmetNeeds(const ComponentPath& path) {
+    const auto* component = catalog_.FindComponent(path.first, path.second);
+    const bool is_known = component != nullptr && !born_.contains(path.first) &&
+                          !missing_.contains(path) &&
+                          (!made_.contains(path) || !removed_.contains(path));
+    if (!is_known) return;
+    std::string names;
+    for (const RequiredDescription& required : component->required) {
+      const InterfaceName name(path.first, path.second, required.name);
+      if (!IsNeeded(required) || wanted_index_.FindConnection(name) != nullptr) continue;
+      names += (names.empty() ? "" : ", ") + required.name;
+    }
+    if (names.empty()) return;
+    lacks_.emplace(path, "a connection for " + names +
+                             ", and the file is strict; add it to the file's connections, or leave "
+                             "out \"strict\"");
+  }
+
   void AddRests() {
     const std::vector<ComponentPath> order = StartOrder(running_.file);
     for (auto path = order.rbegin(); path != order.rend(); ++path) {
@@ -364,9 +384,11 @@ class Planner {
     for (const ComponentPath& path : order) {
       const auto step = starts_.find(path);
       if (step == starts_.end()) continue;
+      if (wanted_.strict) FindUnmetNeeds(path);
       const auto lack = lacks_.find(path);
       if (lack == lacks_.end()) {
         PlanStep& start = plan_.steps.emplace_back(step->second);
+        start.is_strict = wanted_.strict;
         if (start.kind != Kind::kStartSuspended || !leads_.contains(path)) continue;
         start.kind = Kind::kStart;  // nobody starts after one that is suspended
         suspends.push_back(StepOf(Kind::kSuspend, path, start.component));

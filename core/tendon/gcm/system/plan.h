@@ -41,6 +41,7 @@ struct PlanStep {
   /// To start a process: how it is to be held; to end one: how it was, so that it can be started
   /// again likewise.
   RestartPolicy restart = RestartPolicy::kNever;
+  bool is_strict = false;   ///< to start: refused where it lacks a connection that it needs
   bool takes_away = false;  ///< what runs or is connected now is not so afterwards
   Fingerprint based_on{};   ///< to configure: BaseOf() what it is told now
 
@@ -59,7 +60,10 @@ struct PlanStep {
 struct Plan {
   std::vector<PlanStep> steps;
   std::vector<std::string> obstacles;  ///< a sentence for each thing that no step can bring about
-  std::size_t untouched = 0;           ///< things that are as they should be
+  /// What else is to be known, a sentence each: that a process runs the code of a plug-in whose
+  /// file was written again since.
+  std::vector<std::string> notes{};
+  std::size_t untouched = 0;  ///< things that are as they should be
   /// Of the obstacles: kIncompatible where all are ends that do not fit, kNotFound where all are
   /// ends that are not there, or what follows from those.
   ErrorCode refusal = ErrorCode::kFailed;
@@ -70,7 +74,9 @@ struct Plan {
 
 /// In the processes that the file names, all becomes as it says: what it does not have there is
 /// removed. Other processes are left alone. A component that lacks a connection of the file, since
-/// that cannot be made, is not started.
+/// that cannot be made, is not started; nor, where the file is strict, is one that needs a
+/// connection which the file does not have: seen here of components that are there, and by the
+/// process of those that are made.
 [[nodiscard]] Plan MakePlan(const Catalog& catalog, const SystemFile& wanted);
 
 /// As the plan, and in the end the processes which `births` have started are ended: those of the

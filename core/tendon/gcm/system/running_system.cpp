@@ -127,6 +127,7 @@ std::vector<std::string> KeepFrom(const SystemFile& former, RunningSystem& saved
   SystemFile& file = saved.file;
   const SystemIndex before(former);
   file.comment = former.comment;
+  file.strict = former.strict;
   for (SystemFile::Process& process : file.processes) KeepIn(before, process);
   for (SystemFile::Connection& connection : file.connections) {
     const auto* same = before.FindConnection(connection.required);

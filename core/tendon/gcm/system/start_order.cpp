@@ -1,75 +1,81 @@
+#include <tendon/base/dependency_order.h>
 #include <tendon/gcm/system/leaders.h>
 #include <tendon/gcm/system/start_order.h>
 
 #include <cstddef>
 #include <map>
-#include <set>
+#include <utility>
 
 namespace tendon {
 namespace {
 
-using Servers = std::map<ComponentPath, std::vector<ComponentPath>>;
+/// The first of a pair comes behind the second.
+template <typename Name>
+using Pairs = std::vector<std::pair<Name, Name>>;
 
-/// One that is put in order once all of its servers are.
-struct Open {
-  ComponentPath path;
-  std::size_t next = 0;  // of its servers
-};
-
-class Sorter {
- public:
-  explicit Sorter(const SystemFile& system) {
-    for (const auto& process : system.processes) {
-      for (const auto& component : process.components) servers_[{process.name, component.name}];
-    }
-    for (const auto& [required, provided, comment] : system.connections) {
-      const auto client = servers_.find({required.process, required.component});
-      const ComponentPath server(provided.process, provided.component);
-      if (client == servers_.end() || !servers_.contains(server)) continue;
-      client->second.push_back(server);
-    }
+/// Pairs of which one is none of the names do not count.
+template <typename Name>
+std::vector<Name> Ordered(const std::vector<Name>& names, const Pairs<Name>& pairs) {
+  std::map<Name, std::size_t> numbers;
+  for (std::size_t i = 0; i < names.size(); ++i) numbers.emplace(names[i], i);
+  Dependencies dependencies(names.size());
+  for (const auto& [later, earlier] : pairs) {
+    const auto from = numbers.find(later);
+    const auto to = numbers.find(earlier);
+    if (from == numbers.end() || to == numbers.end()) continue;
+    dependencies[from->second].push_back(to->second);
   }
+  std::vector<Name> order;
+  for (const std::size_t number : DependencyOrder(dependencies)) order.push_back(names[number]);
+  return order;
+}
 
-  void Add(const ComponentPath& path) {
-    Begin(path);
-    while (!open_.empty()) {
-      Open& last = open_.back();
-      const auto& servers = servers_.at(last.path);
-      if (last.next < servers.size()) {
-        Begin(servers[last.next++]);
-      } else {
-        order_.push_back(last.path);
-        open_.pop_back();
-      }
+std::vector<ComponentPath> PathsOf(const SystemFile& system) {
+  std::vector<ComponentPath> paths;
+  for (const auto& process : system.processes) {
+    for (const auto& component : process.components) {
+      paths.emplace_back(process.name, component.name);
     }
   }
-
-  std::vector<ComponentPath> Take() && { return std::move(order_); }
-
- private:
-  void Begin(const ComponentPath& path) {
-    if (begun_.insert(path).second) open_.push_back({path});
-  }
-
-  Servers servers_;
-  std::set<ComponentPath> begun_;
-  std::vector<Open> open_;  // a list, not recursion: a chain may be as long as the file
-  std::vector<ComponentPath> order_;
-};
+  return paths;
+}
 
 }  // namespace
 
 std::vector<ComponentPath> StartOrder(const SystemFile& system) {
-  Sorter sorter(system);
-  for (const auto& process : system.processes) {
-    for (const auto& component : process.components) sorter.Add({process.name, component.name});
+  Pairs<ComponentPath> pairs;
+  for (const auto& [required, provided, comment] : system.connections) {
+    pairs.emplace_back(OwnerOf(required), OwnerOf(provided));
   }
-  std::vector<ComponentPath> order = std::move(sorter).Take();
+  std::vector<ComponentPath> order = Ordered(PathsOf(system), pairs);
   const SystemIndex index(system);
   PutLeadersFirst(order, [&index](const ComponentPath& path) {
     return index.FindComponent(path.first, path.second)->runs_after;
   });
   return order;
+}
+
+std::vector<ComponentPath> EndOrder(const SystemFile& system) {
+  Pairs<ComponentPath> pairs;
+  for (const auto& process : system.processes) {
+    for (const auto& component : process.components) {
+      pairs.push_back({{process.name, component.runs_after}, {process.name, component.name}});
+    }
+  }
+  for (const auto& [required, provided, comment] : system.connections) {
+    pairs.emplace_back(OwnerOf(provided), OwnerOf(required));
+  }
+  return Ordered(PathsOf(system), pairs);
+}
+
+std::vector<std::string> ProcessEndOrder(const SystemFile& system) {
+  std::vector<std::string> names;
+  for (const auto& process : system.processes) names.push_back(process.name);
+  Pairs<std::string> pairs;
+  for (const auto& [required, provided, comment] : system.connections) {
+    pairs.emplace_back(provided.process, required.process);
+  }
+  return Ordered(names, pairs);
 }
 
 }  // namespace tendon

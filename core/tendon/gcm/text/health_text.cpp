@@ -1,7 +1,8 @@
 #include <tendon/gcm/text/health_text.h>
 
 #include <algorithm>
-#include <cstdio>
+#include <array>
+#include <charconv>
 
 namespace tendon {
 namespace {
@@ -9,9 +10,9 @@ namespace {
 constexpr const char* kUnknown = "-";
 
 std::string OneDigit(double value) {
-  char text[64];
-  std::snprintf(text, sizeof(text), "%.1f", value);
-  return text;
+  std::array<char, 320> text{};
+  const auto end = std::to_chars(text.begin(), text.end(), value, std::chars_format::fixed, 1).ptr;
+  return {text.data(), end};
 }
 
 std::string Milliseconds(std::chrono::nanoseconds time) {

@@ -10,14 +10,14 @@
 namespace tendon {
 namespace {
 
-using Ordered = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Ordered ObjectOf(const std::string& configuration) {
+OrderedJson ObjectOf(const std::string& configuration) {
   auto object = JsonOrText(configuration);
-  return object.is_object() ? object : Ordered::object();
+  return object.is_object() ? object : OrderedJson::object();
 }
 
-std::string ValueOf(const Ordered& object, const std::string& key) {
+std::string ValueOf(const OrderedJson& object, const std::string& key) {
   constexpr std::size_t kMost = 80;
   return object.contains(key) ? Printable(object.at(key).dump(), kMost) : "default";
 }
@@ -31,8 +31,8 @@ std::string WholeText(const message::HistoryEntry& step) {
 
 std::string ChangesText(const message::HistoryEntry& step) {
   if (step.verb != ToString(LifeVerb::kConfigure)) return {};
-  const Ordered former = ObjectOf(step.life.former);
-  const Ordered now = ObjectOf(step.life.configuration);
+  const OrderedJson former = ObjectOf(step.life.former);
+  const OrderedJson now = ObjectOf(step.life.configuration);
   std::set<std::string> keys;
   for (const auto& [key, value] : former.items()) keys.insert(key);
   for (const auto& [key, value] : now.items()) keys.insert(key);

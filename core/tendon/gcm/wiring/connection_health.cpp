@@ -1,3 +1,4 @@
+#include <tendon/base/counted.h>
 #include <tendon/gcm/wiring/connection_health.h>
 
 namespace tendon {
@@ -39,9 +40,9 @@ std::string ToString(const ConnectionFlaw& flaw) {
   const std::string count = std::to_string(flaw.count);
   switch (flaw.kind) {
     case FlawKind::kCallsRefused:
-      return count + " calls found no room";
+      return Counted(flaw.count, "call", "calls") + " found no room";
     case FlawKind::kEventsLost:
-      return count + " events were lost";
+      return Counted(flaw.count, "event was", "events were") + " lost";
     case FlawKind::kMailboxFull:
       return count + " of " + std::to_string(flaw.capacity) + " calls wait";
     case FlawKind::kLate:

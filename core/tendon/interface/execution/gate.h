@@ -45,6 +45,15 @@ class Gate {
       one_.Exchange(next);
     }
   }
+  /// Makes the first object that of all further calls: in the calling thread, between two of its
+  /// calls, while nobody replaces it.
+  void SetByCaller(T* object) noexcept {
+    if (callers_ == Callers::kManyThreads) {
+      many_.Exchange(object);
+    } else {
+      one_.SetByCaller(object);
+    }
+  }
   /// For the side that replaces.
   [[nodiscard]] T* Get() const noexcept {
     return callers_ == Callers::kManyThreads ? many_.Get() : one_.Get();

@@ -4,6 +4,7 @@
 #include <tendon/base/status.h>
 #include <tendon/lockfree/flag.h>
 
+#include <cstdint>
 #include <exception>
 #include <functional>
 #include <string>
@@ -11,14 +12,41 @@
 
 namespace tendon {
 
+class ProvidedInterface;
+class RequiredInterface;
+
+/// A client whose connection has ended.
+struct GoneClient {
+  ProvidedInterface* provided = nullptr;
+  std::string name;              ///< "desk/teleoperation/Robot"
+  std::uint64_t connection = 0;  ///< Mailbox::number() of its calls
+};
+
 /// The component behind interfaces, for the threads of others that call it or run its code.
 ///
 /// Thread safety: its component sets the flags; any thread does the rest.
 class Host {
  public:
-  /// `on_exception` hears the reason, in the thread in which the component's code has thrown.
+  /// What the component hears; all but the first may be left out.
+  struct Listeners {
+    /// Hears the reason, in the thread in which the component's code has thrown.
+    std::function<void(const std::string& reason)> on_exception;
+    /// In the thread of a manager: the interface has another peer, or none.
+    std::function<void(RequiredInterface&)> on_peer_changed{};
+    /// Likewise: nothing that the client has sent is executed any more.
+    std::function<void(GoneClient)> on_client_gone{};
+  };
+
+  explicit Host(Listeners listeners) : listeners_(std::move(listeners)) {}
   explicit Host(std::function<void(const std::string& reason)> on_exception)
-      : on_exception_(std::move(on_exception)) {}
+      : Host(Listeners{.on_exception = std::move(on_exception)}) {}
+
+  /// Whether the component is told of its peers and its clients.
+  [[nodiscard]] bool hears_of_connections() const {
+    return static_cast<bool>(listeners_.on_peer_changed);
+  }
+  void TellPeerChanged(RequiredInterface& required) const { listeners_.on_peer_changed(required); }
+  void TellClientGone(GoneClient client) const { listeners_.on_client_gone(std::move(client)); }
 
   /// While it is faulted its peers get kNotActive, even for reads: nobody keeps its values up to
   /// date.
@@ -36,13 +64,13 @@ class Host {
     try {
       return body();
     } catch (...) {
-      if (host != nullptr) host->on_exception_(ReasonOf(std::current_exception()));
+      if (host != nullptr) host->listeners_.on_exception(ReasonOf(std::current_exception()));
       return Status::kFailed;
     }
   }
 
  private:
-  std::function<void(const std::string& reason)> on_exception_;
+  Listeners listeners_;
   Flag faulted_;
   Flag accepting_;
 };

@@ -4,6 +4,7 @@
 #include <tendon/interface/execution/queued_command.h>
 
 #include <chrono>
+#include <cstdint>
 
 namespace tendon {
 
@@ -13,8 +14,12 @@ namespace tendon {
 template <Payload In, typename Handler>
 class LatestCommand final : public Command<In, None>, private Mailbox::Entry {
  public:
-  LatestCommand(const Handler& handler, Mailbox& mailbox)
-      : handler_(handler), queued_(handler, &mailbox), newest_(mailbox) {}
+  LatestCommand(const Handler& handler, Mailbox& mailbox, Expiry* expiry)
+      : handler_(handler),
+        queued_(handler, &mailbox, nullptr, expiry),
+        newest_(mailbox),
+        number_(mailbox.number()),
+        expiry_(expiry) {}
 
   static constexpr Mailbox::SlotShape Shape() {
     Mailbox::SlotShape shape = QueuedCommand<In, None, Handler>::Shape();
@@ -38,13 +43,18 @@ class LatestCommand final : public Command<In, None>, private Mailbox::Entry {
  private:
   void ExecuteSlot(std::byte* /*argument*/, std::size_t /*slot*/) override {
     None nothing;
-    if (const In* in = newest_.Take()) handler_(*in, nothing);
+    const In* const in = newest_.Take();
+    if (in == nullptr) return;
+    if (expiry_ != nullptr) expiry_->Renew(number_);
+    handler_(*in, nothing);
   }
   void DropSlot(std::size_t /*slot*/) noexcept override { newest_.Take(); }
 
   Handler handler_;
   QueuedCommand<In, None, Handler> queued_;
   LatestValue<In> newest_;
+  std::uint64_t number_;
+  Expiry* expiry_;
 };
 
 }  // namespace tendon

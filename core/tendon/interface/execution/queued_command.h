@@ -2,6 +2,7 @@
 
 #include <tendon/base/clock.h>
 #include <tendon/interface/command.h>
+#include <tendon/interface/execution/expiry.h>
 #include <tendon/interface/execution/host.h>
 #include <tendon/interface/mailbox.h>
 
@@ -28,8 +29,10 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
  public:
   static_assert(alignof(In) <= 64, "an argument of a queued command is aligned to at most 64");
 
-  QueuedCommand(Handler handler, Mailbox* mailbox, const Host* host = nullptr)
-      : handler_(std::move(handler)), mailbox_(mailbox), host_(host) {
+  /// Each call renews `expiry`, if there is one.
+  QueuedCommand(Handler handler, Mailbox* mailbox, const Host* host = nullptr,
+                Expiry* expiry = nullptr)
+      : handler_(std::move(handler)), mailbox_(mailbox), host_(host), expiry_(expiry) {
     if (mailbox_ == nullptr) return;
     if constexpr (!kLiesInSlot<In>) arguments_ = std::make_unique<In[]>(mailbox_->storage());
     if constexpr (kAnswers) answers_ = std::make_unique<Out[]>(mailbox_->completions().size());
@@ -51,10 +54,9 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
   Status Wait(const In& in, Out& out, std::chrono::nanoseconds timeout) override {
     if (mailbox_ == nullptr) return ExecuteNow(in, out);
     if (mailbox_->is_executed_here()) return Status::kWouldDeadlock;
-    const SteadyTime deadline = DeadlineAfter(timeout);
     std::size_t record = 0;
     const Status posted = Post(in, nullptr, record);
-    return posted == Status::kQueued ? Await(record, out, deadline) : posted;
+    return posted == Status::kQueued ? Await(record, out, DeadlineAfter(timeout)) : posted;
   }
 
   Status Begin(const In& in, Out& out, Wakeup<>& ended, std::size_t& call) override {
@@ -168,6 +170,7 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
   void ExecuteSlot(std::byte* argument, std::size_t slot) override { Run(argument, slot, 0); }
 
   void Run(std::byte* argument, std::size_t slot, [[maybe_unused]] std::size_t record) {
+    if (expiry_ != nullptr) expiry_->Renew(mailbox_->number());
     const In* in = nullptr;
     if constexpr (kLiesInSlot<In>) {
       in = std::launder(reinterpret_cast<const In*>(argument));
@@ -185,6 +188,7 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
   Handler handler_;
   Mailbox* mailbox_;
   const Host* host_;
+  Expiry* expiry_;
   Awaited awaited_{*this};
   std::unique_ptr<In[]> arguments_;  // by slot
   std::unique_ptr<Out[]> answers_;   // by completion record

@@ -5,8 +5,9 @@
 #include <exception>
 #include <string>
 
-/// tendon-probe FILE: loads a plug-in as the programs do, says "loaded" or why not, and ends with 0
-/// or 1. Whatever the plug-in does meanwhile, it does to this process.
+/// tendon-probe FILE [ORIGINAL]: loads a plug-in as the programs do, says "loaded" or why not, and
+/// ends with 0 or 1. ORIGINAL is what FILE is a copy of. Whatever the plug-in does meanwhile, it
+/// does to this process.
 namespace {
 
 std::string plugin;  // for the terminate handler, which takes no argument
@@ -26,13 +27,13 @@ std::string plugin;  // for the terminate handler, which takes no argument
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::fputs("usage: tendon-probe FILE\n", stderr);
+  if (argc != 2 && argc != 3) {
+    std::fputs("usage: tendon-probe FILE [ORIGINAL]\n", stderr);
     return 2;
   }
-  plugin = argv[1];
+  plugin = argv[argc - 1];
   std::set_terminate(OnTerminate);
-  const auto opened = tendon::OpenPlugin(plugin);
+  const auto opened = tendon::OpenPlugin(argv[1], plugin);
   if (!opened) End(1, opened.error().message);
   End(0, "loaded");
 }

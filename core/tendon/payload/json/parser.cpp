@@ -2,13 +2,16 @@
 #include <tendon/base/printable.h>
 #include <tendon/payload/body_reader.h>
 #include <tendon/payload/json.h>
+#include <tendon/payload/json/number_word.h>
 #include <tendon/payload/json/strict_json.h>
 #include <tendon/payload/schema/range.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <utility>
 
 namespace tendon {
@@ -67,19 +70,16 @@ bool ToInteger(const Json& value, Integer& out) {
   };
   if (value.is_number_unsigned()) return narrow(value.get<std::uint64_t>());
   if (value.is_number_integer()) return narrow(value.get<std::int64_t>());
-  if (!value.is_number_float()) return false;
-  constexpr double kExact = 9007199254740992.0;  // 2^53: from there on doubles skip integers
-  const double number = value.get<double>();
-  if (std::trunc(number) != number || std::abs(number) >= kExact) return false;
-  return narrow(static_cast<std::int64_t>(number));
+  return false;
 }
 
 template <typename Real>
 bool ToReal(const Json& value, Real& out) {
   using Limits = std::numeric_limits<Real>;
   if (value.is_number()) {
-    out = static_cast<Real>(value.get<double>());  // what rounds to the largest float is that
-    return !std::isinf(out);
+    const auto number = value.get<double>();
+    out = static_cast<Real>(number);  // what rounds to the largest float is that
+    return !std::isinf(out) && (out == 0) == (number == 0);
   }
   if (!value.is_string()) return false;
   const std::string text = value.get<std::string>();
@@ -113,6 +113,8 @@ struct Numbers {
 /// Turns a parsed document into a body, schema in hand. The first mistake ends it.
 class Builder {
  public:
+  explicit Builder(FineNumbers fine) : fine_(std::move(fine)) {}
+
   bool Build(const Schema& schema, const Json& value, const Numbers& numbers) {
     switch (schema.kind()) {
       case Schema::Kind::kString:
@@ -173,17 +175,39 @@ class Builder {
 
   bool BuildDuration(const Json& value, const Numbers& numbers) {
     constexpr double kLimit = 2147483648.0;  // s
-    if (!value.is_number() || std::abs(value.get<double>()) >= kLimit) {
+    using Seconds = std::chrono::duration<double>;
+    const auto exact = FineDuration(value);
+    if (!exact && (!value.is_number() || std::abs(value.get<double>()) >= kLimit)) {
       return Expected("a number of seconds, below 68 years", numbers.unit, value);
     }
-    const auto seconds = value.get<double>();
+    const double seconds = exact ? Seconds(*exact).count() : value.get<double>();
     if (!numbers.Allow(seconds)) {
       return Expected(numbers.Named("a number of seconds"), numbers.unit, value);
     }
-    const auto duration = payload::ToCdr(std::chrono::duration<double>(seconds));
+    const auto duration = exact ? Exactly(*exact) : payload::ToCdr(Seconds(seconds));
+    if (seconds != 0 && duration.sec == 0 && duration.nanosec == 0) {
+      return Expected("a number of seconds, in steps of 1e-9", numbers.unit, value);
+    }
     body_.Write(duration.sec);
     body_.Write(duration.nanosec);
     return true;
+  }
+
+  static payload::CdrDuration Exactly(std::chrono::nanoseconds time) {
+    const auto whole = std::chrono::floor<std::chrono::seconds>(time);
+    return {static_cast<std::int32_t>(whole.count()),
+            static_cast<std::uint32_t>((time - whole).count())};
+  }
+
+  /// Of one whose nanoseconds a double does not hold: a number, or its digits as a string where it
+  /// has come through a program that keeps doubles.
+  std::optional<std::chrono::nanoseconds> FineDuration(const Json& value) {
+    if (const auto fine = fine_.find(path_); value.is_number_float() && fine != fine_.end()) {
+      return NanosecondsIn(fine->second);
+    }
+    if (!value.is_string()) return std::nullopt;
+    const auto& digits = value.get_ref<const std::string&>();
+    return IsFinerThanDouble(digits) ? NanosecondsIn(digits) : std::nullopt;
   }
 
   bool BuildEnum(const Schema& schema, const Json& value) {
@@ -275,10 +299,25 @@ class Builder {
     return good;
   }
 
+  const FineNumbers fine_;
   BodyBuilder body_;
   std::string path_;
   std::string mistake_;
 };
+
+bool HasDuration(const Schema& schema) {
+  switch (schema.kind()) {
+    case Schema::Kind::kDuration:
+      return true;
+    case Schema::Kind::kArray:
+    case Schema::Kind::kSequence:
+      return HasDuration(schema.element());
+    case Schema::Kind::kStructure:
+      return std::ranges::any_of(schema.fields(), HasDuration, &Schema::Field::schema);
+    default:
+      return false;
+  }
+}
 
 Error Invalid(std::string message) { return {ErrorCode::kInvalid, std::move(message)}; }
 
@@ -292,9 +331,11 @@ Result<std::vector<std::byte>> FromJson(const Schema& schema, std::string_view j
   }
   const bool blank = json_text.find_first_not_of(" \t\r\n") == std::string_view::npos;
   if (blank && !schema.is_none()) return Invalid("expected " + schema.TypeName() + ", got nothing");
-  const auto document = ParseStrictJson(blank ? "null" : json_text);
+  FineNumbers fine;
+  const auto document =
+      ParseExactJson(blank ? "null" : json_text, HasDuration(schema) ? &fine : nullptr);
   if (!document) return Invalid("this is no JSON: " + document.error().message);
-  Builder builder;
+  Builder builder(std::move(fine));
   if (!builder.Build(schema, *document, {})) return Invalid(builder.mistake());
   return builder.Take();
 }

@@ -1,6 +1,8 @@
 #include <tendon/payload/body_reader.h>
+#include <tendon/payload/channel_value.h>
 #include <tendon/payload/json.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -16,42 +18,33 @@ std::string Quoted(std::string_view text) {
   return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
+constexpr std::size_t kLongestNumber = 32;
+
+char* CopyTo(std::string_view text, char* to) { return std::ranges::copy(text, to).out; }
+
+/// Writes kLongestNumber characters at most; returns their end.
 template <typename Number>
-void PrintNumber(Number number, std::string& out) {
+char* NumberTo(Number number, char* to) {
   if constexpr (std::is_floating_point_v<Number>) {
-    if (std::isnan(number)) {
-      out += "\"nan\"";
-      return;
-    }
-    if (std::isinf(number)) {
-      out += number > 0 ? "\"inf\"" : "\"-inf\"";
-      return;
-    }
+    if (std::isnan(number)) return CopyTo("\"nan\"", to);
+    if (std::isinf(number)) return CopyTo(number > 0 ? "\"inf\"" : "\"-inf\"", to);
   }
   if constexpr (std::is_same_v<Number, bool>) {
-    out += number ? "true" : "false";
+    return CopyTo(number ? "true" : "false", to);
+  } else if (std::is_floating_point_v<Number> && number == 0 && std::signbit(number)) {
+    return CopyTo("-0.0", to);  // readers take -0 for an integer, which has no sign
   } else {
-    std::array<char, 32> digits{};
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
-    out.append(digits.data(), end);
+    return std::to_chars(to, to + kLongestNumber, number).ptr;
   }
 }
 
-/// "-1.5" for -2 s and 500,000,000 ns.
-void PrintDuration(payload::CdrDuration duration, std::string& out) {
-  std::int64_t sec = duration.sec;
-  std::int64_t nanosec = duration.nanosec;
-  if (sec < 0) {
-    out += '-';
-    sec = nanosec > 0 ? -sec - 1 : -sec;
-    nanosec = nanosec > 0 ? 1'000'000'000 - nanosec : 0;
-  }
-  out += std::to_string(sec);
-  if (nanosec == 0) return;
-  std::string digits = std::to_string(1'000'000'000 + nanosec);
-  digits.front() = '.';
-  out += digits.substr(0, digits.find_last_not_of('0') + 1);
+template <typename Number>
+void PrintNumber(Number number, std::string& out) {
+  std::array<char, kLongestNumber> digits{};
+  out.append(digits.data(), NumberTo(number, digits.data()));
 }
+
+bool IsNumber(Schema::Kind kind) { return kind <= Schema::Kind::kFloat64; }
 
 /// Prints a body; false, and what was expected in `expected`, where it does not decode.
 class Printer {
@@ -65,7 +58,7 @@ class Printer {
       case Schema::Kind::kDuration: {
         payload::CdrDuration duration;
         if (!payload::ReadDuration(reader_, duration)) return Expected("a duration");
-        PrintDuration(duration, out_);
+        out_ += ToString(ChannelValue(duration));
         return true;
       }
       case Schema::Kind::kEnum:
@@ -99,18 +92,14 @@ class Printer {
   bool PrintEnum(const Schema& schema) {
     std::int32_t value = 0;
     if (!reader_.Read(value)) return Expected(schema.TypeName());
-    for (const auto& enumerator : schema.enumerators()) {
-      if (enumerator.value != value) continue;
-      out_ += '"' + enumerator.name + '"';
-      return true;
-    }
-    PrintNumber(value, out_);
+    out_ += ToJson(schema, ChannelValue(value));
     return true;
   }
 
   bool PrintList(const Schema& schema) {
     std::uint32_t count = 0;
     if (!payload::ReadElementCount(schema, reader_, count)) return Expected(schema.TypeName());
+    if (IsNumber(schema.element().kind())) return PrintNumbers(schema.element(), count);
     out_ += '[';
     for (std::uint32_t i = 0; i < count; ++i) {
       if (i > 0) out_ += ',';
@@ -118,6 +107,28 @@ class Printer {
     }
     out_ += ']';
     return true;
+  }
+
+  /// Lists of numbers may be pictures of millions: their type is looked at once, and room is made
+  /// for as many as come at a go.
+  bool PrintNumbers(const Schema& element, std::uint32_t count) {
+    return payload::WithNumber(element.kind(), [&](auto number) {
+      constexpr std::size_t kAtOneGo = 4096;
+      out_ += '[';
+      std::size_t used = out_.size();
+      for (std::uint32_t i = 0; i < count; ++i) {
+        if (!reader_.Read(number)) {
+          out_.resize(used);
+          return Expected(element.TypeName());
+        }
+        if (out_.size() - used < kLongestNumber + 1) out_.resize(used + kAtOneGo);
+        if (i > 0) out_[used++] = ',';
+        used = static_cast<std::size_t>(NumberTo(number, out_.data() + used) - out_.data());
+      }
+      out_.resize(used);
+      out_ += ']';
+      return true;
+    });
   }
 
   bool PrintStructure(const Schema& schema) {
@@ -158,6 +169,19 @@ Result<std::string> ToJson(const Schema& schema, std::span<const std::byte> body
   if (!printer.Print(schema)) return malformed("no " + printer.expected() + " where one belongs");
   if (!printer.is_at_end()) return malformed("something follows it");
   return printer.Take();
+}
+
+std::string ToJson(const Schema& number, const ChannelValue& value) {
+  std::string out;
+  if (value.kind() == ChannelValue::Kind::kFloat32) {
+    PrintNumber(static_cast<float>(value.real()), out);
+  } else if (value.kind() == ChannelValue::Kind::kFloat64) {
+    PrintNumber(value.real(), out);
+  } else {
+    out = ToString(number, value);
+    if (number.kind() == Schema::Kind::kEnum && out != ToString(value)) out = '"' + out + '"';
+  }
+  return out;
 }
 
 }  // namespace tendon

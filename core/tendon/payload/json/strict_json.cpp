@@ -1,9 +1,12 @@
 #include <tendon/base/printable.h>
 #include <tendon/payload/json/json_place.h>
+#include <tendon/payload/json/number_word.h>
 #include <tendon/payload/json/strict_json.h>
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
+#include <cmath>
 #include <cstddef>
 #include <nlohmann/json.hpp>
 #include <vector>
@@ -57,16 +60,43 @@ std::size_t OffendingLength(const std::string& words, const std::string& last_to
   return static_cast<std::size_t>(begin - last_token.rbegin());
 }
 
+/// The library hands a number on with the decimal sign of the program's locale.
+std::string WithPoint(std::string number) {
+  const std::size_t sign = number.find_first_not_of("+-0123456789eE.");
+  if (sign == number.npos) return number;
+  const std::size_t end = std::min(number.find_first_of("0123456789eE", sign), number.size());
+  return number.replace(sign, end - sign, ".");
+}
+
+/// Which numbers are read as integers: those written so, or all that are some.
+enum class Integers { kAsWritten, kAreExact };
+
 /// Builds the value while it checks what the grammar alone allows.
 class StrictReader final : public nlohmann::json_sax<Json> {
  public:
-  explicit StrictReader(std::string_view text) : text_(text) {}
+  /// Keeps the digits of numbers in `fine`, unless that is null.
+  StrictReader(std::string_view text, Integers integers, FineNumbers* fine)
+      : text_(text), integers_(integers), fine_(fine) {}
 
   bool null() override { return Add(nullptr); }
   bool boolean(bool value) override { return Add(value); }
   bool number_integer(number_integer_t value) override { return Add(value); }
   bool number_unsigned(number_unsigned_t value) override { return Add(value); }
-  bool number_float(number_float_t value, const string_t& /*text*/) override { return Add(value); }
+  bool number_float(number_float_t /*value*/, const string_t& text) override {
+    const std::string number = WithPoint(text);
+    number_float_t value = 0;
+    const auto code = std::from_chars(number.data(), number.data() + number.size(), value).ec;
+    if (code != std::errc()) return Fail("no double holds the number " + Printable(number, 64));
+    const bool may_be_integer = std::trunc(value) == value && (value != 0 || !std::signbit(value));
+    if (integers_ == Integers::kAreExact && may_be_integer) {
+      for (const auto kind : {Schema::Kind::kInt64, Schema::Kind::kUint64}) {
+        const NumberWord integer = ReadNumberWord(kind, number);
+        if (integer.flaw == NumberFlaw::kNone) return AddInteger(integer.json);
+      }
+    }
+    if (fine_ != nullptr && IsFinerThanDouble(number)) fine_->emplace(NextPlace(), number);
+    return Add(value);
+  }
   bool string(string_t& value) override { return Add(value); }
   bool binary(binary_t& /*value*/) override { return Fail("binary data"); }
   bool start_object(std::size_t /*size*/) override { return Enter(Json::object()); }
@@ -124,6 +154,16 @@ class StrictReader final : public nlohmann::json_sax<Json> {
     return true;
   }
 
+  bool AddInteger(const std::string& digits) {
+    const char* const end = digits.data() + digits.size();
+    if (number_unsigned_t value = 0; std::from_chars(digits.data(), end, value).ptr == end) {
+      return Add(value);
+    }
+    number_integer_t value = 0;
+    std::from_chars(digits.data(), end, value);
+    return Add(value);
+  }
+
   bool Enter(Json container) {
     if (open_.size() == kMaxDepth) return Fail(TooDeep());
     const std::string place = NextPlace();
@@ -144,23 +184,33 @@ class StrictReader final : public nlohmann::json_sax<Json> {
   }
 
   const std::string_view text_;
+  const Integers integers_;
+  FineNumbers* const fine_;
   Json root_;
   std::vector<Open> open_;  // from the root to where values are added now
   std::string key_;
   std::string error_;
 };
 
-}  // namespace
-
-Result<Json> ParseStrictJson(std::string_view text) {
+Result<Json> ReadStrictly(std::string_view text, Integers integers, FineNumbers* fine) {
   if (text.starts_with("\xef\xbb\xbf")) {
     return Error{ErrorCode::kInvalid,
                  "begins with a byte-order mark; save it as UTF-8 without one"};
   }
   if (text.find_first_not_of(" \t\r\n") == text.npos) return Error{ErrorCode::kInvalid, "is empty"};
-  StrictReader reader(text);
+  StrictReader reader(text, integers, fine);
   Json::sax_parse(text, &reader);
   return std::move(reader).Take();
+}
+
+}  // namespace
+
+Result<Json> ParseStrictJson(std::string_view text) {
+  return ReadStrictly(text, Integers::kAsWritten, nullptr);
+}
+
+Result<Json> ParseExactJson(std::string_view text, FineNumbers* fine) {
+  return ReadStrictly(text, Integers::kAreExact, fine);
 }
 
 Result<nlohmann::ordered_json> ParseOrderedJson(std::string_view text) {

@@ -1,4 +1,6 @@
 #include <tendon/base/printable.h>
+#include <tendon/payload/json.h>
+#include <tendon/payload/json/number_word.h>
 #include <tendon/payload/json/strict_json.h>
 #include <tendon/payload/json/typed_value.h>
 #include <tendon/payload/schema.h>
@@ -6,22 +8,55 @@
 #include <nlohmann/json.hpp>
 
 namespace tendon {
+namespace {
+
+std::string ExpectedOf(const Schema& schema, const std::string& name, const std::string& form,
+                       const std::string& typed) {
+  return name + ": expected " + schema.TypeName() + form + ", got '" + Printable(typed, 64) + "'";
+}
+
+Result<nlohmann::ordered_json> TypedNumber(const Schema& schema, const std::string& name,
+                                           const std::string& typed) {
+  const NumberWord word = ReadNumberWord(schema.kind(), typed);
+  if (schema.kind() == Schema::Kind::kDuration && IsFinerThanDouble(word.json)) {
+    return nlohmann::ordered_json(word.json);
+  }
+  if (word.flaw == NumberFlaw::kNone) return ParseOrderedJson(word.json);
+  return Error{ErrorCode::kInvalid, ExpectedOf(schema, name, "", typed) + "; " + FlawText(word)};
+}
+
+/// What was typed is judged, not what the parser made of it: of a key that occurs twice that would
+/// be the second value, of 1.00000000000000000001 the integer 1.
+Result<void> CheckTyped(const Schema& schema, const std::string& name, const std::string& typed,
+                        const nlohmann::ordered_json& value) {
+  if (!FromJson(schema, value.dump())) return {};  // told later, with its unit
+  const auto body = FromJson(schema, typed);
+  if (body) return {};
+  return Error{ErrorCode::kInvalid, name + ": " + body.error().message};
+}
+
+}  // namespace
 
 Result<nlohmann::ordered_json> TypedValue(const Schema& schema, const std::string& name,
                                           const std::string& typed) {
+  const bool is_quoted = typed.starts_with('"');
+  if (IsWrittenAsNumber(schema.kind()) && !is_quoted) return TypedNumber(schema, name, typed);
   const auto parsed = ParseOrderedJson(typed);
   const bool is_word =
       schema.kind() == Schema::Kind::kString || schema.kind() == Schema::Kind::kEnum;
   const bool is_meant_as_it_is = is_word && !(parsed && parsed->is_string());
   if (!parsed && !is_meant_as_it_is) {
-    return Error{ErrorCode::kInvalid, name + ": expected " + schema.TypeName() + " as JSON, got '" +
-                                          Printable(typed, 64) + "': " + parsed.error().message};
+    return Error{ErrorCode::kInvalid,
+                 ExpectedOf(schema, name, " as JSON", typed) + ": " + parsed.error().message};
   }
   nlohmann::ordered_json value = is_meant_as_it_is ? nlohmann::ordered_json(typed) : *parsed;
   try {
     (void)value.dump();
   } catch (const nlohmann::ordered_json::exception&) {
     return Error{ErrorCode::kInvalid, name + ": '" + Printable(typed, 64) + "' is no UTF-8"};
+  }
+  if (!is_meant_as_it_is) {
+    if (auto checked = CheckTyped(schema, name, typed, value); !checked) return checked.error();
   }
   return value;
 }

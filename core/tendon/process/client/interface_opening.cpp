@@ -40,17 +40,9 @@ void Open(const std::shared_ptr<NetworkThread>& network, const std::shared_ptr<P
     done(proxy);
   };
   const std::shared_ptr<Channel>& channel = link->channel();
-  if (channel->protocol_version() >= message::kMarksLatestOnly) {
-    return channel->Request<message::MarkedOpened>(
-        message::kOpenMarked, 0, message::OpenMarked{wanted.open, wanted.latest_only},
-        kAsLongAsTheLink, on_answer);
-  }
-  channel->Request<message::InterfaceOpened>(
-      message::kOpenInterface, 0, wanted.open, kAsLongAsTheLink,
-      [on_answer](const Result<message::InterfaceOpened>& answer) {
-        if (!answer) return on_answer(answer.error());
-        on_answer(message::MarkedOpened{.opened = *answer, .latest_only = {}});
-      });
+  channel->Request<message::MarkedOpened>(message::kOpenMarked, 0,
+                                          message::OpenMarked{wanted.open, wanted.latest_only},
+                                          kAsLongAsTheLink, on_answer);
 }
 
 }  // namespace

@@ -36,11 +36,13 @@ void PeerLink::Open(const ProcessContext& context, PeerListener& listener,
 
 void PeerLink::Begin(const std::shared_ptr<Channel>& channel) {
   channel_ = channel;
+  last_heard_.Set(SteadyClock().Now());
   WatchOver(worker_, channel_,
             [weak = weak_from_this()](SteadyTime sent, SteadyTime there, SteadyTime arrived) {
               const auto measured = weak.lock();
               if (!measured) return;
               measured->round_trip_.Set(arrived - sent);
+              measured->last_heard_.Set(arrived);
               const std::scoped_lock lock(measured->mutex_);
               measured->clock_.Add(sent, there, arrived);
             });

@@ -51,6 +51,10 @@ class PeerLink final : public ChannelHandler, public std::enable_shared_from_thi
   [[nodiscard]] std::uint64_t instance() const { return channel_->peer().instance; }
   /// To the peer and back, as measured last; below 0 where it has not answered yet. Any thread.
   [[nodiscard]] std::chrono::nanoseconds round_trip() const { return round_trip_.Get(); }
+  /// For how long the peer has said nothing, though it is asked twice a second.
+  [[nodiscard]] std::chrono::nanoseconds silence() const {
+    return SteadyClock().Now() - last_heard_.Get();
+  }
   /// Copies of what is read over there, in the order of `wanted`: what comes from now on is put
   /// into them as long as somebody else has them. In a thread of the middleware, before the first
   /// comes.
@@ -79,6 +83,7 @@ class PeerLink final : public ChannelHandler, public std::enable_shared_from_thi
   PeerListener& listener_;  // on the worker only
   std::shared_ptr<Channel> channel_;
   Published<std::chrono::nanoseconds> round_trip_{std::chrono::nanoseconds(-1)};
+  Published<SteadyTime> last_heard_;
   HandleTable<ProvidedInterfaceProxy> handles_;
 
   std::mutex mutex_;   // of what follows

@@ -1,6 +1,8 @@
 #include <tendon/process/client/peers.h>
+#include <tendon/process/watch_over.h>
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 namespace tendon {
@@ -8,6 +10,18 @@ namespace {
 
 Error NotThere(const std::string& process) {
   return {ErrorCode::kNotFound, "process '" + process + "' is not there"};
+}
+
+std::int64_t Rounded(std::chrono::nanoseconds time) {
+  return std::chrono::duration_cast<std::chrono::milliseconds>(time).count();
+}
+
+/// It has left more than one question open; a large message that is on its way or in hand may hold
+/// the answers up.
+bool IsSilent(const PeerLink& link) {
+  constexpr std::chrono::milliseconds kMoreThanOneQuestion(750);
+  return link.silence() > kMoreThanOneQuestion &&
+         !MayBeHeldUp(*link.channel(), SteadyClock().Now(), kMoreThanOneQuestion);
 }
 
 }  // namespace
@@ -99,6 +113,10 @@ void Peers::CloseOutdated() {
   for (const auto& [process, link] : links_) {
     const auto instance = InstanceOf(process);
     if (instance && link->instance() != *instance) link->channel()->Close();
+    if (instance || !link->channel()->is_open()) continue;
+    if (!IsSilent(*link)) continue;  // it is the GCM that is cut off from it
+    link->channel()->CutOff("has not answered for " + std::to_string(Rounded(link->silence())) +
+                            " ms, and its GCM has lost it");
   }
 }
 

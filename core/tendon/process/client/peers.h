@@ -34,7 +34,8 @@ class Peers {
   /// The link to it, opened if need be; `done` is called at once where there is nothing to open.
   /// Those who did not answer the last time wait behind the others, and for one another.
   void LinkTo(const std::string& process, Done done);
-  /// Closes links to other instances than the one that is there.
+  /// Closes links to other instances than the one that is there, and those to processes that the
+  /// GCM has lost where we hear nothing of them either.
   void CloseOutdated();
   void CloseAll();
 

@@ -37,9 +37,15 @@ Result<ConnectionId> RemoteConnections::Enter(const message::Wire& wire, const D
   const auto lock = context_.host.LockStructure();
   const auto required = context_.host.LookUpRequired(wire.required);
   if (!required) return required.error();
-  if ((*required)->is_connected() || FindEntry(wire.required) != entries_.end()) {
+  const auto known = FindEntry(wire.required);
+  const bool stands = known == entries_.end() || known->second.connection != nullptr;
+  if ((*required)->is_connected() || known != entries_.end()) {
     return Error{ErrorCode::kExists,
-                 ToString(wire.required) + " is connected already; disconnect it first"};
+                 ToString(wire.required) +
+                     (stands ? std::string(" is connected already")
+                             : " waits to be connected to " +
+                                   ToString(known->second.description.provided) + " already") +
+                     "; disconnect it first"};
   }
   const ConnectionId id = context_.host.NewConnectionId();
   Entry& entry = entries_[id];
@@ -414,9 +420,17 @@ std::vector<ConnectionDescription> RemoteConnections::descriptions() const {
   return all;
 }
 
-void RemoteConnections::Close() {
+bool RemoteConnections::HasCallsUnderWay(const std::string& component) const {
   const auto lock = context_.host.LockStructure();
-  const SteadyTime deadline = SteadyClock().Now() + LocalManager::kDrainPatience;  // of all
+  return std::ranges::any_of(entries_, [&component](const auto& one) {
+    const Entry& entry = one.second;
+    if (!entry.connection || entry.description.required.component != component) return false;
+    return entry.proxy->HasCallsUnderWay(*entry.connection);
+  });
+}
+
+void RemoteConnections::Close(SteadyTime deadline) {
+  const auto lock = context_.host.LockStructure();
   for (auto& [id, entry] : entries_) TakeDown(entry, deadline);
   entries_.clear();
   peers_.CloseAll();

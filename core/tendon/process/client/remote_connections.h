@@ -44,8 +44,11 @@ class RemoteConnections final : private PeerListener {
   /// kFailed where it does not stand: why, and for how long.
   [[nodiscard]] Result<ConnectionCounts> Counts(const InterfaceName& required) const;
 
-  /// Once the worker has stopped: ends all.
-  void Close();
+  /// Whether calls of the component were accepted that its servers may still execute.
+  [[nodiscard]] bool HasCallsUnderWay(const std::string& component) const;
+
+  /// Once the worker has stopped: ends all. What was accepted is sent until `deadline`.
+  void Close(SteadyTime deadline);
 
  private:
   struct Entry {

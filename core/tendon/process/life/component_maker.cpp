@@ -40,8 +40,9 @@ Result<void> SetThread(const LifeOrder& order, Component& component) {
 Result<void> ComponentMaker::Load(const std::string& library, const Begin& begin) {
   if (!loader_) return NoLoader();
   const std::scoped_lock lock(mutex_);
-  const auto begun = begin();
-  return begun ? loader_->Load(library) : begun;
+  if (auto begun = begin(); !begun) return begun;
+  (void)loader_->files()->Look();  // of one that is loaded already
+  return loader_->Load(library);
 }
 
 Result<ComponentMaker::Made> ComponentMaker::Make(const LifeOrder& order, const Begin& begin) {
@@ -61,6 +62,7 @@ Result<ComponentMaker::Made> ComponentMaker::Make(const LifeOrder& order, const 
     if (!found) return found.error();
     library = *found;
   }
+  (void)loader_->files()->Look();
   auto component = loader_->Create(library, order.class_name, order.component, order.configuration);
   if (!component) return component.error();
   if (auto set = SetThread(order, **component); !set) return set.error();
@@ -81,7 +83,13 @@ message::Classes ComponentMaker::classes() {
     }
   }
   all.plugins = loader_->available();
+  (void)loader_->files()->Look();
+  all.loaded = loader_->files()->descriptions();
   return all;
+}
+
+std::shared_ptr<PluginFiles> ComponentMaker::files() const {
+  return loader_ ? loader_->files() : nullptr;
 }
 
 Result<std::string> ComponentMaker::LibraryOf(const std::string& class_name) const {

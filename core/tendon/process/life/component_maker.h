@@ -31,6 +31,8 @@ class ComponentMaker {
   Result<void> Load(const std::string& library, const Begin& begin);
   Result<Made> Make(const message::LifeOrder& order, const Begin& begin);
   [[nodiscard]] message::Classes classes();
+  /// The files of its plug-ins; null where there is no loader.
+  [[nodiscard]] std::shared_ptr<PluginFiles> files() const;
 
  private:
   [[nodiscard]] Result<std::string> LibraryOf(const std::string& class_name) const;

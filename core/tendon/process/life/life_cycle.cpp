@@ -1,4 +1,5 @@
 #include <tendon/base/log.h>
+#include <tendon/manager/unmet_need.h>
 #include <tendon/payload/json.h>
 #include <tendon/process/life/configuration_base.h>
 #include <tendon/process/life/life_cycle.h>
@@ -91,13 +92,27 @@ void LifeCycle::ListClasses(Done<message::Classes> done) {
   if (!begun) done(begun.error());
 }
 
+void LifeCycle::WatchPlugins(std::function<void()> changed) {
+  if (const auto files = maker_.files()) {
+    watch_ = std::make_unique<PluginWatch>(files, std::move(changed));
+  }
+}
+
+std::vector<PluginDescription> LifeCycle::plugins() const {
+  const auto files = maker_.files();
+  return files ? files->descriptions() : std::vector<PluginDescription>();
+}
+
+void LifeCycle::Close() {
+  for (Errands* const errands : {&errands_, &stops_, &looks_}) errands->Close();
+  const std::scoped_lock lock(claims_mutex_);
+  is_ending_ = true;
+}
+
 void LifeCycle::Stop() {
   constexpr std::chrono::milliseconds kBetweenStops(100);
-  for (Errands* const errands : {&errands_, &stops_, &looks_}) errands->Close();
-  {
-    const std::scoped_lock lock(claims_mutex_);
-    is_ending_ = true;
-  }
+  watch_.reset();
+  Close();
   while (!errands_.WaitUntilIdle(std::chrono::milliseconds(0))) {
     (void)parts_.manager.StopAll(kNoWait);
     (void)errands_.WaitUntilIdle(kBetweenStops);
@@ -217,6 +232,10 @@ LifeCycle::Outcome LifeCycle::Steer(const Given& given, const Claim& claim) {
   const std::string& component = given.order.component;
   const auto before = Find(component);
   if (!before) return before.error();
+  if (given.order.is_strict) {
+    const auto needs = UnmetNeedsOf(*before, parts_.manager.connections());
+    if (auto checked = CheckNeeds(component, needs); !checked) return checked.error();
+  }
   if (auto begun = BeginNow(given); !begun) return begun.error();
   const auto steered = given.order.verb == LifeVerb::kStart
                            ? StartUnlessStopped(given, claim)

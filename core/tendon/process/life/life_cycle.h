@@ -4,6 +4,7 @@
 #include <tendon/process/life/component_maker.h>
 #include <tendon/process/life/errands.h>
 #include <tendon/process/life/messages.h>
+#include <tendon/process/life/plugin_watch.h>
 
 #include <functional>
 #include <map>
@@ -44,7 +45,16 @@ class LifeCycle {
   void Obey(const message::LifeOrder& order, Begin begin, Done<message::LifeOutcome> done);
   void ListClasses(Done<message::Classes> done);
 
-  /// Waits for what is under way, which may be long: the components are told to stop before, then.
+  /// From now on `changed` is called when plugins() tells something else, in a thread of its own,
+  /// until Stop(). Does nothing where there is no loader.
+  void WatchPlugins(std::function<void()> changed);
+  /// Those that are loaded, and what has become of their files.
+  [[nodiscard]] std::vector<PluginDescription> plugins() const;
+
+  /// From now on orders are refused, and those under way start no component any more.
+  void Close();
+  /// Close(), and waits for what is under way, which may be long: the components are told to stop
+  /// before, then.
   void Stop();
 
  private:
@@ -92,6 +102,7 @@ class LifeCycle {
   Errands errands_{parts_.process, 64};
   Errands stops_{parts_.process, 64};
   Errands looks_{parts_.process, 4};
+  std::unique_ptr<PluginWatch> watch_;
 };
 
 }  // namespace tendon

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <tendon/manager/description.h>
 #include <tendon/middleware/frame.h>
 #include <tendon/payload/fingerprint.h>
 #include <tendon/payload/payload.h>
@@ -79,6 +80,8 @@ struct LifeOrder {
   Fingerprint based_on;
   std::string thread;  ///< create: ThreadOptions as JSON, or empty for those of the class
   std::string leader;  ///< create: the component after which it runs, or empty
+  /// Start: refused where a required interface that the component needs is not connected.
+  bool is_strict = false;
   /// How long it may take; 0: as long as who passes it on finds right. What has not begun by then
   /// is not done any more.
   std::chrono::nanoseconds patience{0};
@@ -110,6 +113,7 @@ struct GetClasses {
 struct Classes {
   std::vector<ClassDescription> classes;  ///< of the plug-ins that are loaded, by library and name
   std::vector<std::string> plugins;       ///< all that are in the process' plug-in folders
+  std::vector<PluginDescription> loaded{};  ///< as of now
 };
 
 }  // namespace tendon::message
@@ -134,6 +138,7 @@ inline constexpr auto tendon::kPayload<tendon::message::LifeOrder> =
                      tendon::Field{"based_on", &tendon::message::LifeOrder::based_on},
                      tendon::Field{"thread", &tendon::message::LifeOrder::thread},
                      tendon::Field{"leader", &tendon::message::LifeOrder::leader},
+                     tendon::Field{"is_strict", &tendon::message::LifeOrder::is_strict},
                      tendon::Field{"patience", &tendon::message::LifeOrder::patience});
 
 template <>
@@ -158,4 +163,5 @@ inline constexpr auto tendon::kPayload<tendon::message::GetClasses> = tendon::De
 template <>
 inline constexpr auto tendon::kPayload<tendon::message::Classes> =
     tendon::Describe("tendon.Classes", tendon::Field{"classes", &tendon::message::Classes::classes},
-                     tendon::Field{"plugins", &tendon::message::Classes::plugins});
+                     tendon::Field{"plugins", &tendon::message::Classes::plugins},
+                     tendon::Field{"loaded", &tendon::message::Classes::loaded});

@@ -1,3 +1,4 @@
+#include <tendon/base/counted.h>
 #include <tendon/base/printable.h>
 #include <tendon/process/log/log_queue.h>
 
@@ -30,7 +31,7 @@ bool LogQueue::Add(LogLevel level, std::string_view source, std::string_view tex
 std::vector<message::LogRecord> LogQueue::Take(std::size_t most, SteadyTime now) {
   const std::scoped_lock lock(mutex_);
   for (const auto& [source, level, count] : limiter_.TakeSuppressed(now)) {
-    const std::string text = "suppressed " + std::to_string(count) + " records: too many";
+    const std::string text = "suppressed " + Counted(count, "record", "records") + ": too many";
     Push({.record = RecordOf(level, source, text), .stands_for = count});
   }
   std::vector<message::LogRecord> taken;

@@ -1,11 +1,13 @@
 #include <tendon/base/log.h>
 #include <tendon/base/os/process.h>
+#include <tendon/base/os/route.h>
 #include <tendon/middleware/parts/large_in_hand.h>
 #include <tendon/process/ask.h>
 #include <tendon/process/client/channel_opening.h>
 #include <tendon/process/log/messages.h>
 #include <tendon/process/membership/membership.h>
 #include <tendon/process/membership/no_gcm.h>
+#include <tendon/process/membership/own_address.h>
 #include <tendon/process/schema_exchange.h>
 #include <tendon/process/telemetry/fan_out_messages.h>
 
@@ -184,7 +186,7 @@ void Membership::AskForFanOut(const std::shared_ptr<Channel>& channel) {
 
 void Membership::Join(const std::shared_ptr<Channel>& channel) {
   ProcessContent content = delegate_.content();
-  const message::Join join{.process = options_.process,
+  const message::Join join{.process = Myself(content, channel->peer_address()),
                            .components = content.components,
                            .connections = content.connections};
   Ask<message::Joined>(
@@ -193,6 +195,25 @@ void Membership::Join(const std::shared_ptr<Channel>& channel) {
        content = std::move(content)](const Result<message::Joined>& joined) {
         worker->Post([this, channel, content, joined] { Finish(channel, content, joined); });
       });
+}
+
+/// `gcm` is its address in numbers: a name may take its time to be found. It may be elsewhere than
+/// the last time, or this host.
+ProcessDescription Membership::Myself(const ProcessContent& content, const std::string& gcm) {
+  const auto place = ParseAddress(gcm, 1);
+  const std::string from = place ? os::AddressTowards(place->host, place->port) : std::string();
+  const OwnAddress own =
+      OwnAddressOf(options_.listens, options_.advertise, {.to = gcm, .from = from});
+  Warn(own.warning);
+  delegate_.OnOwnAddress(own.address);
+  options_.process.address = own.address;
+  return Description(content);
+}
+
+ProcessDescription Membership::Description(const ProcessContent& content) const {
+  ProcessDescription description = options_.process;
+  description.plugins = content.plugins;
+  return description;
 }
 
 void Membership::Finish(const std::shared_ptr<Channel>& channel, ProcessContent reported,
@@ -274,7 +295,12 @@ void Membership::Report() {
   }
   if (!channel) return;  // joining tells all
   ProcessContent content = delegate_.content();
-  const message::Report report{.changes = Differences(reported_, content)};
+  message::Report report{.changes = Differences(reported_, content)};
+  if (content.plugins != reported_.plugins) {
+    CatalogChange& change = report.changes.emplace_back();
+    change.kind = CatalogChange::Kind::kProcess;
+    change.processes = {Description(content)};
+  }
   if (report.changes.empty()) return;
   if (channel->Notify(message::kReport, 0, report) == Status(Status::kQueueFull)) {
     return context_.worker->PostAfter(kUntilLinkHasRoom, [this] { ReportSoon(); });
@@ -327,6 +353,12 @@ void Membership::Log(const std::string& text) {
   if (line == logged_) return;
   logged_ = line;
   tendon::Log(LogLevel::kInfo, context_.name, text);
+}
+
+/// Once, until it is another one.
+void Membership::Warn(const std::string& text) {
+  if (std::exchange(warned_, text) == text || text.empty()) return;
+  tendon::Log(LogLevel::kWarning, context_.name, "process '" + context_.name + "' " + text);
 }
 
 }  // namespace tendon

@@ -25,6 +25,8 @@ class MembershipDelegate {
  public:
   virtual ~MembershipDelegate() = default;
   [[nodiscard]] virtual ProcessContent content() const = 0;
+  /// Where others are told to reach us, before they are.
+  virtual void OnOwnAddress(const std::string& address) = 0;
   virtual void OnPeers(const std::vector<ProcessDescription>& processes) = 0;
   /// Where the broker for rows is that many watch; empty where there is none.
   virtual void OnFanOut(const std::string& address) = 0;
@@ -49,7 +51,9 @@ class Membership final : private NetworkJob {
   struct Options {
     std::string gcm;  ///< its address
     bool retry = true;
-    ProcessDescription process;
+    ProcessDescription process;  ///< but for its address
+    std::string listens;         ///< see OwnAddressOf()
+    std::string advertise;
   };
   Membership(ProcessContext& context, MembershipDelegate& delegate, Options options);
   ~Membership() override;
@@ -74,6 +78,8 @@ class Membership final : private NetworkJob {
   [[nodiscard]] Error WhyNotThere(const Error& error) const;
   void AskForFanOut(const std::shared_ptr<Channel>& channel);
   void Join(const std::shared_ptr<Channel>& channel);
+  [[nodiscard]] ProcessDescription Myself(const ProcessContent& content, const std::string& gcm);
+  [[nodiscard]] ProcessDescription Description(const ProcessContent& content) const;
   void Finish(const std::shared_ptr<Channel>& channel, ProcessContent reported,
               const Result<message::Joined>& joined);
   void Fail(const Error& error);
@@ -83,6 +89,7 @@ class Membership final : private NetworkJob {
   bool Work(SteadyTime now, SteadyTime& next) override;
   void Renew(const std::shared_ptr<Channel>& channel);
   void Log(const std::string& text);
+  void Warn(const std::string& text);
 
   ProcessContext& context_;
   MembershipDelegate& delegate_;
@@ -95,6 +102,7 @@ class Membership final : private NetworkJob {
   ProcessContent reported_;
   std::chrono::milliseconds pause_{0};
   std::string logged_;
+  std::string warned_;
 
   mutable std::mutex mutex_;  // of what follows
   mutable std::condition_variable changed_;

@@ -1,3 +1,4 @@
+#include <tendon/base/os/route.h>
 #include <tendon/process/membership/no_gcm.h>
 #include <tendon/process/process.h>
 
@@ -19,6 +20,11 @@ std::string GcmWords(const std::string& address) {
 }
 
 Error NoGcm(const std::string& address, const std::string& reason) {
+  if (os::TellsOfNoRoute(reason)) {
+    return {ErrorCode::kUnreachable, "no way to the GCM at " + address + ": " + reason +
+                                         "; give that host one, or name the GCM by an address "
+                                         "that it reaches"};
+  }
   return {ErrorCode::kUnreachable, "no GCM at " + address + " (" + Briefly(reason) +
                                        "); start one with: gcm serve" + GcmWords(address)};
 }

@@ -146,10 +146,9 @@ void ServedConnections::RemoveComponent(const std::string& component) {
   TakeDownWhere(hanging_, is_of_it, deadline);
 }
 
-void ServedConnections::Close() {
+void ServedConnections::Close(SteadyTime deadline) {
   const auto any = [](const Entry& /*entry*/) { return true; };
   const auto lock = context_.host.LockStructure();
-  const SteadyTime deadline = SteadyClock().Now() + LocalManager::kDrainPatience;
   TakeDownWhere(entries_, any, deadline);
   TakeDownWhere(hanging_, any, deadline);
 }

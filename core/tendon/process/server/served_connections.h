@@ -55,8 +55,9 @@ class ServedConnections {
 
   /// Any thread: before the component goes; its clients are told. Waits for calls that hang in it.
   void RemoveComponent(const std::string& component);
-  /// Once the worker has stopped and no channel is open.
-  void Close();
+  /// Once the worker has stopped and no channel is open. Waits for calls that run no longer than
+  /// until `deadline`, as far as they may be left alone.
+  void Close(SteadyTime deadline);
 
  private:
   struct Entry {

@@ -188,7 +188,7 @@ void Session::CallMember(Body body, Responder responder) {
 
 void Session::Subscribe(MessageType type, const SharedChannel& channel, Body body,
                         Responder responder) {
-  if (channel->protocol_version() >= ViewerWatch::kOldestPunctual) watch_->Begin(channel);
+  watch_->Begin(channel);
   Post<message::Subscribe>(
       body, std::move(responder),
       [&telemetry = services_.telemetry, type, channel](const auto& wanted, const auto& answer) {

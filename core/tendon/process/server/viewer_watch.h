@@ -17,9 +17,6 @@ namespace tendon {
 /// that was only slow opens the channel again and knows what it has missed.
 class ViewerWatch final : public std::enable_shared_from_this<ViewerWatch> {
  public:
-  /// Viewers of older versions ask in the thread that also opens links, which may take seconds.
-  static constexpr std::uint16_t kOldestPunctual = 8;
-
   explicit ViewerWatch(std::weak_ptr<Worker> worker) : worker_(std::move(worker)) {}
 
   /// It has asked. Any thread; wait-free.

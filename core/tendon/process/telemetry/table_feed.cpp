@@ -13,7 +13,18 @@ TableFeed::TableFeed(std::string component, const StateTable& table)
 
 void TableFeed::Add(const std::vector<std::size_t>& columns, const RowChoice& rows,
                     std::shared_ptr<Channel> channel, std::uint32_t handle, Lane lane) {
-  StreamOf(columns, rows).Add(std::move(channel), handle, lane);
+  const bool is_new =
+      std::ranges::none_of(streams_, [&](const RowStream& one) { return one.IsOf(columns, rows); });
+  RowStream& stream = StreamOf(columns, rows);
+  if (is_new && rows.delivery == RowDelivery::kNewest) TakeNewest(stream);
+  stream.Add(std::move(channel), handle, lane);
+}
+
+void TableFeed::TakeNewest(RowStream& stream) {
+  std::uint64_t tick = 0;
+  std::int64_t time = 0;
+  const bool is_there = table_.CopyNewestRow(tick, row_, time) == RowResult::kDone;
+  if (is_there && tick < next_tick_) stream.Take(tick, time, row_);
 }
 
 const std::string& TableFeed::AddToTopic(const std::vector<std::size_t>& columns,

@@ -26,7 +26,8 @@ class TableFeed {
   /// The first row that a viewer will hear of who is added now.
   [[nodiscard]] std::uint64_t next_tick() const { return next_tick_; }
 
-  /// `handle` is our number of the subscription, `lane` that of its rows alone.
+  /// `handle` is our number of the subscription, `lane` that of its rows alone. Who wants the
+  /// newest row alone is sent the one that is there, also where no more are written.
   void Add(const std::vector<std::size_t>& columns, const RowChoice& rows,
            std::shared_ptr<Channel> channel, std::uint32_t handle, Lane lane);
   /// Every row, by a topic; returns its name.
@@ -47,6 +48,8 @@ class TableFeed {
   void End(const Error& reason);
 
  private:
+  /// The row that is there, unless Gather() comes to it.
+  void TakeNewest(RowStream& stream);
   RowStream& StreamOf(const std::vector<std::size_t>& columns, const RowChoice& rows);
   /// The next row was overwritten while it was read: goes on with one that will be there for
   /// longer, the longer the more often that happens in a row. Returns how many are lost by it.

@@ -1,5 +1,8 @@
+#include <tendon/interface/execution/patient_calls.h>
 #include <tendon/task/cycle/task_life.h>
+#include <tendon/task/thread/cycle_log.h>
 
+#include <algorithm>
 #include <mutex>
 #include <utility>
 
@@ -40,7 +43,18 @@ void TaskLife::Obey(Task& task) {
         break;
     }
   }
+  if (task.state() == ComponentState::kActive) (void)Tell(task, &Task::TellOfConnections);
   ForEachFollower(task, [](Task& follower) { Obey(follower); });
+}
+
+/// False where one of the author's functions has thrown.
+bool TaskLife::Tell(Task& task, bool (Task::*tell)()) {
+  const DeferLogging put_aside(*task.log_);
+  task.inbox()->BindToThisThread();
+  if ((task.*tell)()) return true;
+  task.EndFollowers();
+  task.inbox()->Unbind();
+  return false;
 }
 
 void TaskLife::Unbind(Task& task) {
@@ -63,6 +77,7 @@ void TaskLife::Begin(Task& task) {
   task.inbox()->BindToThisThread();
   task.started_period_.Set(std::chrono::duration<double>(task.period()));
   task.meter_.Start(task.started_period_.Get());
+  if (!Tell(task, &Task::TellBeforeStartup)) return;
   if (!task.RunGuarded("Startup", [&task] { task.Startup(); })) {
     task.EndFollowers();
     task.inbox()->Unbind();
@@ -97,6 +112,7 @@ void TaskLife::GoOn(Task& task) {
     task.rests_with_leader_ = true;
     return;
   }
+  if (!Tell(task, &Task::TellOfResume)) return;
   BecomeActive(task);
   ForEachFollower(task, [](Task& follower) {
     if (follower.rests_with_leader_ && follower.state() == ComponentState::kSuspended) {
@@ -108,7 +124,11 @@ void TaskLife::GoOn(Task& task) {
 void TaskLife::Finish(Task& task) {
   task.inbox()->BindToThisThread();
   task.EndFollowers();
-  if (task.RunGuarded("Cleanup", [&task] { task.Cleanup(); })) {
+  const auto clean_up = [&task] {
+    const PatientCalls get_through;
+    task.Cleanup();
+  };
+  if (task.RunGuarded("Cleanup", clean_up)) {
     task.SetState(ComponentState::kFinished);
   }
   task.EndFollowers();  // one may have been asked to start meanwhile
@@ -122,6 +142,14 @@ void TaskLife::EndWithLeader(Task& task) {
   } else if (task.is_starting()) {
     task.EnterFault("Startup", "'" + task.leader()->name() + "', after which it runs, has ended");
   }
+}
+
+SteadyTime TaskLife::NextExpiry(Task& task) {
+  SteadyTime next = task.next_expiry();
+  ForEachFollower(task, [&next](Task& follower) {
+    if (follower.state() == ComponentState::kActive) next = std::min(next, NextExpiry(follower));
+  });
+  return next;
 }
 
 void TaskLife::CallThread(Task& task) {

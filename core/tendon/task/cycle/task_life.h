@@ -24,6 +24,9 @@ class TaskLife {
     for (Task* follower : *call.get()) action(*follower);
   }
 
+  /// When the next command must be renewed, of the task or of one that runs after it.
+  [[nodiscard]] static SteadyTime NextExpiry(Task& task);
+
   /// Has the thread that makes the task's cycles obey, whichever it is. Any thread.
   static void CallThread(Task& task);
 
@@ -42,6 +45,7 @@ class TaskLife {
   }
 
  private:
+  static bool Tell(Task& task, bool (Task::*tell)());
   static void EnterFaultFromOutside(Task& task);
   static void Begin(Task& task);
   static void BecomeActive(Task& task);

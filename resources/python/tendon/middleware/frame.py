@@ -8,8 +8,8 @@ from typing import NamedTuple
 from ..errors import Invalid
 
 MAGIC = 0x4E444E54  # "TNDN"
-PROTOCOL_VERSION = 8
-OLDEST_VERSION = 6
+PROTOCOL_VERSION = 9
+OLDEST_VERSION = 9
 """The oldest one that is spoken too."""
 HEADER_SIZE = 24
 MAX_PIECE_SIZE = 256 << 10

@@ -1,3 +1,4 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <tendon/gcm/life/class_check.h>
 #include <tests/core/gcm/samples.h>
@@ -53,6 +54,48 @@ TEST(ClassCheck, APlugInThatIsLoadedOnTheWayMayHaveTheClass) {
 
   EXPECT_EQ(Obstacles({gripper}).size(), 1U);
   EXPECT_TRUE(Obstacles({wrench, gripper}).empty());
+}
+
+TEST(ClassCheck, AClassThatOnlyTheFileOnTheDiskHasIsSaidToBeOfAnotherTime) {
+  message::Classes known = Known();
+  known.loaded = {{.name = "arms",
+                   .file = "/opt/arms.so",
+                   .written = 1,
+                   .state = PluginState::kChanged,
+                   .written_now = 2}};
+  const auto checked = CheckCreation(
+      known, {.process = "robot", .component = "one", .class_name = "Gripper", .library = "arms"});
+
+  ASSERT_FALSE(checked);
+  EXPECT_THAT(checked.error().message,
+              testing::MatchesRegex("process 'robot' has no class 'Gripper' in arms; process "
+                                    "'robot' runs /opt/arms.so of .*; the file was written again "
+                                    "at .*: start the process anew to run that"));
+}
+
+TEST(ClassCheck, APlanNotesWhichCodeIsOlderThanItsFile) {
+  ProcessDescription robot = test::ProcessNamed("robot", 1);
+  robot.plugins = {{.name = "simulated_arm", .file = "/opt/a.so", .state = PluginState::kChanged},
+                   {.name = "unused", .file = "/opt/b.so", .state = PluginState::kChanged}};
+  Catalog catalog;
+  ASSERT_TRUE(catalog.Apply({.revision = 1,
+                             .kind = CatalogChange::Kind::kProcess,
+                             .process = "robot",
+                             .processes = {robot}}));
+  ASSERT_TRUE(catalog.Apply({.revision = 2,
+                             .kind = CatalogChange::Kind::kComponent,
+                             .process = "robot",
+                             .components = {test::Arm()}}));
+  const SystemFile wanted{
+      .name = "lab",
+      .processes = {{.name = "robot",
+                     .components = {{.name = "arm", .class_name = "SimulatedArm", .library = {}}}}},
+      .connections = {}};
+
+  const Plan plan = MakeCheckedPlan(catalog, wanted, {});
+
+  ASSERT_EQ(plan.notes.size(), 1U);
+  EXPECT_THAT(plan.notes[0], testing::HasSubstr("process 'robot' runs /opt/a.so of "));
 }
 
 }  // namespace

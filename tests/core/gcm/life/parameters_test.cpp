@@ -64,8 +64,8 @@ TEST(Parameters, JsonOfAnotherProcessNestsNoDeeperThan64) {
 
   EXPECT_EQ(ParametersOf(hostile, "").error().message, refusal);
   EXPECT_EQ(ParametersOf(Servo(), "{\"label\": " + deep + "}").error().message, refusal);
-  EXPECT_EQ(Told("", "gain.p", deep).substr(0, 39), "gain.p: expected float64 as JSON, got '");
-  EXPECT_TRUE(Told("", "gain.p", deep).ends_with(": nesting deeper than 64"));
+  EXPECT_TRUE(Told("", "joints", deep).starts_with("joints: expected "));
+  EXPECT_TRUE(Told("", "joints", deep).ends_with(": nesting deeper than 64"));
 }
 
 TEST(Parameters, ThoseOfAPartAreFoundByItsName) {
@@ -101,7 +101,8 @@ TEST(Parameters, AMistakeSaysWhereAndWhatWasExpected) {
             "'joints' has 1 elements, from 0 on; there is no element 1");
   EXPECT_EQ(Told("", "gain[0]", "1"), "'gain' is servo.Gain and has no elements");
   EXPECT_NE(Told("", "mode", "onn").find("mode: "), std::string::npos) << Told("", "mode", "onn");
-  EXPECT_NE(Told("", "gain.p", "true").find("gain.p: expected a number"), std::string::npos);
+  EXPECT_EQ(Told("", "gain.p", "true"),
+            "gain.p: expected float64, got 'true'; write a number in digits");
   for (const char* name : {"", ".", "[0]", "gain.", "gain..p", "gain.limits[", "gain.limits[-1]",
                            "gain.limits[1]x", "gain.limits[99999999999999999999]"}) {
     EXPECT_NE(Told("", name, "1").find("names no parameter"), std::string::npos) << name;

@@ -414,5 +414,71 @@ TEST(Plan, SaysWhatNoStepCanBringAbout) {
   EXPECT_EQ(plan.refusal, ErrorCode::kFailed);  // it is not the ends alone
 }
 
+/// The demo of which the desk does not run, and whose file has no connection for it.
+struct StrictPlan : testing::Test {
+  StrictPlan() {
+    ComponentDescription teleoperation = test::Teleoperation();
+    teleoperation.library = "teleoperation";
+    teleoperation.state = ComponentState::kConstructed;
+    catalog = CatalogBuilder().Process("desk", {teleoperation}).catalog();
+    wanted = SystemOf(catalog, "demo").file;
+    wanted.processes[0].components[0].state = ComponentState::kActive;
+    wanted.strict = true;
+  }
+
+  Catalog catalog;
+  SystemFile wanted;
+};
+
+TEST_F(StrictPlan, DoesNotStartWhatTheFileDoesNotConnect) {
+  const Plan plan = MakePlan(catalog, wanted);
+
+  EXPECT_THAT(plan.steps, IsEmpty());
+  EXPECT_THAT(plan.obstacles,
+              ElementsAre("desk/teleoperation is not started, for it lacks a connection for Robot, "
+                          "and the file is strict; add it to the file's connections, or leave out "
+                          "\"strict\""));
+}
+
+TEST_F(StrictPlan, StartsItWhereTheFileIsNotStrict) {
+  wanted.strict = false;
+
+  const Plan plan = MakePlan(catalog, wanted);
+
+  EXPECT_THAT(TextsOf(plan), ElementsAre("start desk/teleoperation"));
+  EXPECT_FALSE(plan.steps[0].is_strict);
+}
+
+TEST_F(StrictPlan, StartsStrictlyWhatOnlyItsProcessKnows) {
+  wanted.processes[0].components[0].class_name = "Another";
+
+  const Plan plan = MakePlan(catalog, wanted);
+
+  ASSERT_FALSE(plan.steps.empty());
+  EXPECT_EQ(ToString(plan.steps.back()), "start desk/teleoperation");
+  EXPECT_TRUE(plan.steps.back().is_strict) << "its process refuses where it lacks something";
+}
+
+TEST_F(StrictPlan, DoesNotStartWhatIsMadeAnewWithAnotherConfigurationEither) {
+  wanted.processes[0].components[0].configuration = R"({"gain":2})";
+
+  const Plan plan = MakePlan(catalog, wanted);
+
+  EXPECT_THAT(TextsOf(plan), testing::Not(testing::Contains(HasSubstr("start"))));
+  EXPECT_EQ(plan.obstacles.size(), 1U);
+}
+
+TEST_F(StrictPlan, LeavesOptionalInterfacesAlone) {
+  ComponentDescription teleoperation = *catalog.FindComponent("desk", "teleoperation");
+  RequiredDescription optional = test::Robot();
+  optional.optional = true;
+  teleoperation.required.clear();
+  teleoperation.required.push_back(optional);
+
+  const Plan plan = MakePlan(CatalogBuilder().Process("desk", {teleoperation}).catalog(), wanted);
+
+  EXPECT_THAT(TextsOf(plan), ElementsAre("start desk/teleoperation"));
+}
+
 }  // namespace
 }  // namespace tendon

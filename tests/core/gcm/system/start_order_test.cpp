@@ -69,6 +69,40 @@ TEST(StartOrder, OfAChainAsLongAsTheFileIsMade) {
   EXPECT_EQ(order.back().second, "c10000");
 }
 
+std::string EndOrderOf(const SystemFile& system) {
+  std::string order;
+  for (const auto& [process, component] : EndOrder(system)) order += component;
+  return order;
+}
+
+TEST(EndOrder, IsThatOfTheFileWhereNothingIsConnected) {
+  EXPECT_EQ(EndOrderOf(SystemWith({})), "abc");
+}
+
+TEST(EndOrder, PutsClientsBeforeTheirServers) {
+  EXPECT_EQ(EndOrderOf(SystemWith({"ba", "cb"})), "cba");
+  EXPECT_EQ(EndOrderOf(SystemWith({"ca"})), "cab");
+}
+
+TEST(EndOrder, EndsWhereConnectionsLeadAroundInACircle) {
+  EXPECT_EQ(EndOrderOf(SystemWith({"ab", "ba"})), "bac");
+}
+
+TEST(EndOrder, PutsFollowersBeforeTheirLeader) {
+  SystemFile system = SystemWith({});
+  system.processes[0].components[1].runs_after = "a";
+
+  EXPECT_EQ(EndOrderOf(system), "bac");
+}
+
+TEST(ProcessEndOrder, PutsThoseWithClientsBeforeThoseWithTheirServers) {
+  SystemFile system{.name = "x", .processes = {{"a", {}}, {"b", {}}, {"c", {}}}};
+  system.connections.push_back({{"c", "client", "R"}, {"a", "server", "P"}});
+  system.connections.push_back({{"c", "client", "Other"}, {"away", "server", "P"}});
+
+  EXPECT_EQ(ProcessEndOrder(system), (std::vector<std::string>{"c", "a", "b"}));
+}
+
 TEST(StartOrder, LeavesOutWhatTheSystemDoesNotHave) { EXPECT_EQ(OrderOf({"az", "za"}), "abc"); }
 
 }  // namespace

@@ -25,9 +25,9 @@ std::string Content(const fs::path& file) {
   return content.str();
 }
 
-/// Whether this process has the file in its memory.
+/// Whether this process has the file, or a copy of it, in its memory.
 bool IsMapped(const fs::path& file) {
-  return Content("/proc/self/maps").find(file.string()) != std::string::npos;
+  return Content("/proc/self/maps").find("/" + file.filename().string()) != std::string::npos;
 }
 
 /// A file is written, to be looked at by the loader; its name is `library`.
@@ -172,10 +172,10 @@ TEST_F(PluginTest, ThatThrowsAtItsStartIsQuoted) {
 }
 
 TEST_F(PluginTest, ThatNeverFinishesIsToldInTime) {
-  const auto probed = ProbePlugin(kBuilt / "never_finishes.so", std::chrono::milliseconds(200));
+  const auto loaded = LoadPlugin(kBuilt / "never_finishes.so", std::chrono::milliseconds(200));
 
-  ASSERT_FALSE(probed);
-  EXPECT_THAT(probed.error().message, HasSubstr("found that it has not finished after 200 ms"));
+  ASSERT_FALSE(loaded);
+  EXPECT_THAT(loaded.error().message, HasSubstr("found that it has not finished after 200 ms"));
 }
 
 TEST_F(PluginTest, ThatThrowsWhenItRegistersIsQuoted) {
@@ -209,6 +209,56 @@ TEST_F(PluginTest, ThatFailedCanBeLoadedOnceItIsMended) {
   fs::copy_file(kBuilt / "good.so", file, fs::copy_options::overwrite_existing);
 
   const auto loaded = loader.Load("lamp");
+  EXPECT_TRUE(loaded) << loaded.error().message;
+}
+
+TEST_F(PluginTest, ThatIsOverwrittenGoesOnAsItWas) {
+  ComponentLoader loader({folder});
+  fs::copy_file(kBuilt / "good.so", folder / "lamp.so");
+  ASSERT_TRUE(loader.Load("lamp"));
+  ASSERT_TRUE(IsMapped("lamp.so"));
+  ASSERT_EQ(Content("/proc/self/maps").find((folder / "lamp.so").string()), std::string::npos);
+
+  Write("lamp", "nothing of what was there");
+
+  EXPECT_TRUE(loader.Create("lamp", "Lamp", "lamp", ""));
+  EXPECT_TRUE(loader.files()->Look());
+  const auto files = loader.files()->descriptions();
+  ASSERT_EQ(files.size(), 1U);
+  EXPECT_EQ(files[0].name, "lamp");
+  EXPECT_EQ(files[0].file, (folder / "lamp.so").string());
+  EXPECT_EQ(files[0].state, PluginState::kChanged);
+  EXPECT_GE(files[0].written_now, files[0].written);
+  EXPECT_FALSE(loader.files()->Look()) << "nothing has changed since";
+}
+
+TEST_F(PluginTest, IsLoadedOnceHoweverManyLoadersAskForIt) {
+  fs::copy_file(kBuilt / "good.so", folder / "once.so");
+  ComponentLoader first({folder});
+  ComponentLoader second({folder});
+  const auto mappings = [] {
+    std::istringstream maps(Content("/proc/self/maps"));
+    std::size_t count = 0;
+    for (std::string line; std::getline(maps, line);) {
+      count += line.find("/once.so") != std::string::npos ? 1 : 0;
+    }
+    return count;
+  };
+
+  ASSERT_TRUE(first.Load("once"));
+  const std::size_t before = mappings();
+  ASSERT_TRUE(second.Load("once"));
+
+  EXPECT_GT(before, 0U);
+  EXPECT_EQ(mappings(), before);
+  EXPECT_TRUE(second.Create("once", "Lamp", "lamp", ""));
+}
+
+TEST_F(PluginTest, FindsALibraryBesideItselfThoughACopyRuns) {
+  ComponentLoader loader({kBuilt});
+
+  const auto loaded = loader.Load("needs_beside");
+
   EXPECT_TRUE(loaded) << loaded.error().message;
 }
 

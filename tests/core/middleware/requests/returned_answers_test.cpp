@@ -44,6 +44,7 @@ class ReturnedAnswers : public testing::Test {
   std::shared_ptr<Channel> Open(std::uint16_t version = FrameHeader::kProtocolVersion) {
     Hello client = hello_;
     client.protocol_version = version;
+    client.oldest_version = std::min(version, client.oldest_version);
     return *Channel::Open(client_, listener_->address(), client, std::make_shared<ChannelHandler>(),
                           kVeryLong);
   }
@@ -72,7 +73,9 @@ class ReturnedAnswers : public testing::Test {
 
   std::mutex mutex_;
   Ways large_;
-  const Hello hello_{.instance = 1, .name = "robot", .cookie = 7};
+  /// One that still speaks with those that know no large answers.
+  const Hello hello_{
+      .oldest_version = kReturnsLargeAnswers - 1, .instance = 1, .name = "robot", .cookie = 7};
   const std::shared_ptr<LoopbackNetwork> network_ = std::make_shared<LoopbackNetwork>();
   LoopbackMiddleware server_{network_};
   LoopbackMiddleware client_{network_};

@@ -3,6 +3,7 @@
 #include <tendon/payload/json/strict_json.h>
 #include <tests/core/payload/json/json_error.h>
 #include <tests/core/payload/sample_types.h>
+#include <tests/support/locales.h>
 
 #include <cmath>
 #include <limits>
@@ -91,11 +92,19 @@ TEST(FromJson, IntegersAreExactBeyondTwoToThe53) {
             "9223372036854775808");
   EXPECT_EQ(ErrorOf<std::uint64_t>("18446744073709551616").substr(0, 56),
             "expected an integer from 0 to 18446744073709551615, got ");
-  EXPECT_EQ(ErrorOf<std::uint64_t>("9007199254740993.0").substr(0, 11), "expected an");
+  EXPECT_EQ(*FromJson<std::uint64_t>("9007199254740993.0"), 9007199254740993U);
+  EXPECT_EQ(*FromJson<std::int64_t>("-12.5e1"), -125);
+  for (const char* fraction : {"0.5", "1.00000000000000000001", "4503599627370497.5"}) {
+    EXPECT_EQ(ErrorOf<std::int64_t>(fraction).substr(0, 22), "expected an integer fr");
+  }
 }
 
 TEST(FromJson, NumbersThatNoDoubleHoldsAreRefused) {
   EXPECT_NE(ErrorOf<double>("1e999").find("1e999"), std::string::npos);
+  EXPECT_EQ(ErrorOf<double>("1e-400"), "this is no JSON: no double holds the number 1e-400");
+  EXPECT_EQ(ErrorOf<float>("1e-50").substr(0, 40), "expected a number that float32 can hold,");
+  EXPECT_EQ(ErrorOf<std::chrono::duration<double>>("1e-10"),
+            "expected a number of seconds, in steps of 1e-9, got number 1e-10");
   EXPECT_EQ(*FromJson<float>(ToJson(std::numeric_limits<float>::max())),
             std::numeric_limits<float>::max());
   EXPECT_EQ(ErrorOf<float>("3.41e38").substr(0, 40), "expected a number that float32 can hold,");
@@ -107,6 +116,18 @@ TEST(FromJson, NumbersThatNoDoubleHoldsAreRefused) {
   EXPECT_EQ(ErrorOf<int>("\"nan\"").substr(0, 27), "expected an integer from -2");
   EXPECT_EQ(ErrorOf<std::chrono::seconds>("\"inf\""),
             "expected a number of seconds, below 68 years, got string 'inf'");
+}
+
+TEST(FromJson, IsTheSameInEveryLocale) {
+  test::Locales locales;
+  for (const std::string& name : test::Locales::Names()) {
+    if (!locales.Use(name)) GTEST_SKIP() << "no localedef for " << name;
+    EXPECT_EQ(*FromJson<double>("0.123"), 0.123) << name;
+    EXPECT_EQ(*FromJson<double>("-1.5e-3"), -1.5e-3) << name;
+    EXPECT_EQ(ErrorOf<double>("0,123").substr(0, 17), "this is no JSON: ") << name;
+    EXPECT_EQ(ToJson(0.25), "0.25") << name;
+    EXPECT_EQ(ParseOrderedJson("[0.5]")->dump(), "[0.5]") << name;
+  }
 }
 
 TEST(FromJson, AStringIsValidUtf8WithoutNul) {

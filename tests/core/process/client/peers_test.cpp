@@ -3,6 +3,7 @@
 #include <tendon/process/client/peers.h>
 
 #include <atomic>
+#include <chrono>
 #include <future>
 #include <map>
 #include <memory>
@@ -160,6 +161,31 @@ TEST_F(Peers, OfWhichOneHasMovedAreOpenedWhereTheyAreNow) {
   const auto outcome = *Outcome("robot");
   ASSERT_TRUE(outcome.ok()) << outcome.error().message;
   EXPECT_EQ((*outcome)->instance(), 3U);
+}
+
+/// Those here accept links, and answer no question whether they live.
+TEST_F(Peers, WhomTheGcmHasLostAreCutOffOnceTheyAreSilentHereToo) {
+  Listen("robot", 2);
+  (void)AskFor("robot");
+  ASSERT_TRUE(EventuallyEnded("robot"));
+  const auto outcome = *Outcome("robot");
+  ASSERT_TRUE(outcome.ok()) << outcome.error().message;
+  const std::shared_ptr<PeerLink> link = *outcome;
+  const auto hear_of_the_gcm = [this] {
+    OnWorker([this] {
+      peers_.Update({});
+      peers_.CloseOutdated();
+    });
+  };
+
+  hear_of_the_gcm();
+  if (link->silence() < std::chrono::milliseconds(500)) {
+    EXPECT_TRUE(link->channel()->is_open()) << "it may be the GCM that is cut off from it";
+  }
+  ASSERT_TRUE(EventuallyTrue([&] { return link->silence() > std::chrono::seconds(1); }));
+  hear_of_the_gcm();
+
+  EXPECT_TRUE(EventuallyTrue([&] { return !link->channel()->is_open(); }));
 }
 
 TEST_F(Peers, ThatAnswerTooLateAreNotKept) {

@@ -20,6 +20,14 @@ TEST(AxisLabels, HaveTheDigitsTheStepNeeds) {
   EXPECT_EQ(TextOf(labels, 2'500'000), "2.5e+06");
 }
 
+TEST(AxisLabels, SayWhatTheTicksSay) {
+  AxisLabels labels;
+  labels.setTicks({.places = {0, 1}, .texts = {"off", "on"}});
+
+  EXPECT_EQ(TextOf(labels, 1), "on");
+  EXPECT_EQ(TextOf(labels, 2), "2");
+}
+
 TEST(AxisLabels, NeverBecomeNarrower) {
   AxisLabels labels;
   labels.setAlignment(QwtScaleDraw::LeftScale);

@@ -70,5 +70,29 @@ TEST_F(GapBandsTest, SilenceIsTintedUntilSamplesComeAgain) {
   EXPECT_NE(ColorAt(1.2), Theme::instance().color(Token::kPanel));
 }
 
+TEST_F(GapBandsTest, TimeInWhichASourceStandsStillIsGreyThenAndAfterwards) {
+  Curve& curve = view_.addCurve({"p/a/state.x", "rad"});
+  curve.append(Rows(0, 5000, Flat));
+  Curve& other = view_.addCurve({"p/b/state.x", "rad"});
+  other.append(Rows(0, 10'000, Flat));
+
+  curve.setStandstill("suspended");
+  view_.curveStateChanged();
+  const QColor silent = ColorAt(1.2);
+  EXPECT_NE(silent, Theme::instance().color(Token::kPanel));
+  EXPECT_GE(silent.blue(), silent.red());
+  EXPECT_FALSE(curve.valueAt(8 * kSecond)) << "the last value is not what there is now";
+
+  curve.setStandstill({});
+  std::vector<Sample> rows = Rows(5000, 8000, Flat);  // no tick is left out
+  for (Sample& row : rows) row.time_ns += 2 * kSecond;
+  curve.append(rows);
+  view_.curveStateChanged();
+
+  EXPECT_NE(ColorAt(4.2), Theme::instance().color(Token::kPanel));
+  EXPECT_EQ(ColorAt(1.2), Theme::instance().color(Token::kPanel));
+  EXPECT_FALSE(curve.valueAt(6 * kSecond));
+}
+
 }  // namespace
 }  // namespace tendon::gui

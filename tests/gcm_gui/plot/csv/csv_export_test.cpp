@@ -97,7 +97,7 @@ TEST(CsvExport, ASlowDiskHoldsUpNeitherWhoSavesNorHisEnd) {
   const QString file = folder.filePath("x.csv");
   SlowDisk disk(folder);
 
-  { CsvExport().save({.curves = {{.path = kX, .times = {1}, .values = {2}}}}, file); }
+  { CsvExport().save({.curves = {{.path = kX, .times = {1}, .words = {2}}}}, file); }
 
   EXPECT_FALSE(QFile::exists(file));
   disk.answer();
@@ -113,13 +113,13 @@ TEST(CsvExport, AFileAskedForTwiceIsToldOfOnceWhereItIsWrittenOnce) {
   const QString file = folder.filePath("x.csv");
 
   csv.save({}, file);
-  csv.save({.curves = {{.path = kX, .times = {1}, .values = {2}}}}, file);
+  csv.save({.curves = {{.path = kX, .times = {1}, .words = {2}}}}, file);
   disk.answer();
 
   ASSERT_TRUE(QTest::qWaitFor([&] { return !finished.isEmpty(); }, kPatience));
   QCoreApplication::processEvents();
   ASSERT_EQ(finished.size(), 1);
-  EXPECT_EQ(finished.front().front().toString(), "Saved 1 rows, none lost, to " + file);
+  EXPECT_EQ(finished.front().front().toString(), "Saved 1 row, none lost, to " + file);
 }
 
 }  // namespace

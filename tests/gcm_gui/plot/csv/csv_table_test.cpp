@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <QBuffer>
+#include <memory>
 #include <string>
 
 #include "../samples.h"
@@ -94,6 +95,38 @@ TEST(CsvTable, OnlyWhatIsSeenIsInIt) {
   EXPECT_EQ(table.curves[0].times.size(), 11u);
   EXPECT_FALSE(table.empty());
   EXPECT_TRUE(CsvTableOf(set, kAll, kAll + 1, 0).empty());
+}
+
+TEST(CsvTable, IntegersAreWrittenWithAllTheirDigits) {
+  CurveSet set;
+  Sample stamp = At(1, 1, 0);
+  stamp.value = ExactNumber::Signed(1'764'300'000'123'456'789);
+  Sample most = At(1, 1, 0);
+  most.value = ExactNumber::Unsigned(18'446'744'073'709'551'615U);
+  Add(set, "p/a/state.stamp", "ns", {stamp});
+  Add(set, "p/a/state.most", "", {most});
+
+  EXPECT_TRUE(QString::fromStdString(Csv(CsvTableOf(set, 0, kAll, 0)))
+                  .endsWith("Z,1764300000123456789,18446744073709551615,\n"));
+}
+
+TEST(CsvTable, StatesAreWrittenByTheirNames) {
+  CurveSet set;
+  std::vector<Sample> modes{At(1, 1, 0), At(2, 2, 0), At(3, 3, 0)};
+  modes[0].value = ExactNumber::Signed(0);
+  modes[1].value = ExactNumber::Signed(7);
+  modes[2].value = ExactNumber::Signed(9);
+  Curve& curve = Add(set, "p/a/state.mode", "", modes);
+  set.setNames(curve, std::make_shared<const ValueNames>(ValueNames{
+                          .type = "arm.Mode", .all = {{0, "off"}, {7, "by hand, slow"}}}));
+
+  const QStringList lines =
+      QString::fromStdString(Csv(CsvTableOf(set, 0, kAll, 0))).split('\n', Qt::SkipEmptyParts);
+
+  ASSERT_EQ(lines.size(), 4);
+  EXPECT_TRUE(lines[1].endsWith("Z,off,"));
+  EXPECT_TRUE(lines[2].endsWith("Z,\"by hand, slow\","));
+  EXPECT_TRUE(lines[3].endsWith("Z,9,")) << "a value that has no name";
 }
 
 TEST(CsvTable, ACommaInAUnitIsQuoted) {

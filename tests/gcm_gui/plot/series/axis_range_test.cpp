@@ -49,6 +49,42 @@ TEST(FittedRange, OneValueGetsRoomAroundIt) {
   EXPECT_GT(range.high, 5e6);
 }
 
+TEST(FittedRange, ValuesAtRestAreNotMagnified) {
+  const AxisRange around_zero = FittedRange({}, {.low = -5e-14, .high = 5e-14});
+  EXPECT_LE(around_zero.low, -1);
+  EXPECT_GE(around_zero.high, 1);
+
+  EXPECT_GT(FittedRange({}, {.low = 0.5, .high = 0.5 + 1e-15}).span(), 0.05);
+}
+
+TEST(FittedRange, AThirteenthDigitIsShown) {
+  const AxisRange range = FittedRange({}, {.low = 0, .high = 2e-12}, NumberKind::kReal, 1);
+
+  EXPECT_LT(range.span(), 1e-11);
+}
+
+TEST(FittedRange, IntegersThatDifferByOneAreShownApart) {
+  const AxisRange range = FittedRange({}, {.low = 0, .high = 1}, NumberKind::kWhole, 9e9);
+
+  EXPECT_LT(range.span(), 3);
+}
+
+TEST(FittedRange, OfTheLogarithmsOfAllDoublesStaysAmongThem) {
+  const AxisRange range = FittedDecades({}, {.low = -323.3, .high = 308.3});
+
+  EXPECT_GE(range.low, -324);
+  EXPECT_LE(range.high, 309);
+  EXPECT_GT(FittedDecades({}, {.low = 3, .high = 3}).span(), 0.9);
+}
+
+TEST(IsShowable, EndsWhereDoublesDo) {
+  EXPECT_TRUE(IsShowable({.low = 1, .high = 1 + 1e-11}));
+  EXPECT_FALSE(IsShowable({.low = 1, .high = 1 + 1e-15}));
+  EXPECT_FALSE(IsShowable({.low = 0, .high = 1e300}));
+  EXPECT_FALSE(IsShowable({.low = 0, .high = 0}));
+  EXPECT_FALSE(IsShowable({.low = 0, .high = std::nan("")}));
+}
+
 TEST(Ticks, AreTheMultiplesWithinTheRange) {
   EXPECT_THAT(TicksOf({.low = -1.6, .high = 1.6}, 0.5),
               testing::ElementsAre(-1.5, -1.0, -0.5, 0, 0.5, 1.0, 1.5));

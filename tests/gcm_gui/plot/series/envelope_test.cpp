@@ -103,6 +103,44 @@ class Reference {
   std::vector<double> high;
 };
 
+TEST(Envelope, IntegersHoldUntilTheNextSampleAndStepToIt) {
+  std::vector<Sample> rows = Rows(0, 2);
+  rows[0].value = ExactNumber::Signed(2);
+  rows[1].value = ExactNumber::Signed(7);
+  rows[1].time_ns = 600 * kMillisecond;
+  SampleRing ring;
+  ring.append(rows);
+  Envelope envelope;
+
+  envelope.build(ring, {.from_ns = 0, .to_ns = kSecond, .count = 10});
+
+  for (std::size_t i = 0; i < 6; ++i) {
+    EXPECT_EQ(envelope.low()[i], 2);
+    EXPECT_EQ(envelope.high()[i], 2) << "a value that never was, in slice " << i;
+  }
+  EXPECT_EQ(envelope.low()[6], 2);
+  EXPECT_EQ(envelope.high()[6], 7);
+}
+
+TEST(Envelope, OfIntegersIsTheirDistanceFromTheBase) {
+  constexpr std::int64_t kStamp = 1'764'300'000'123'456'789;
+  std::vector<Sample> rows = Rows(0, 1000);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i].value = ExactNumber::Signed(kStamp + static_cast<std::int64_t>(i));
+  }
+  SampleRing ring;
+  ring.append(rows);
+  const TimeSlices slices{.from_ns = 0, .to_ns = kSecond, .count = 1000};
+  Envelope envelope;
+  envelope.build(ring, slices);
+  EXPECT_EQ(envelope.lowest(), static_cast<double>(kStamp));
+
+  envelope.build(ring, slices, 1'764'300'000'000'000'000);
+
+  EXPECT_EQ(envelope.lowest(), 123'456'789);
+  EXPECT_EQ(envelope.highest(), 123'457'788);
+}
+
 TEST(Envelope, IsWhatTheDefinitionSaysForScenesOfAllKinds) {
   std::mt19937 random(20240607);
   for (int round = 0; round < 60; ++round) {

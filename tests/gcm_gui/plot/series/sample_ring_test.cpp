@@ -1,6 +1,8 @@
 #include <gcm_gui/plot/series/sample_ring.h>
 #include <gmock/gmock.h>
 
+#include <bit>
+#include <limits>
 #include <numeric>
 
 #include "../samples.h"
@@ -166,6 +168,52 @@ TEST(SampleRing, GapsAreBoundedToo) {
   EXPECT_EQ(ring.tick(ring.endIndex() - 1), 199'998U);
 }
 
+Sample Count(std::uint64_t tick, std::int64_t value) {
+  Sample sample = Row(tick, static_cast<std::int64_t>(tick));
+  sample.value = ExactNumber::Signed(value);
+  return sample;
+}
+
+TEST(SampleRing, IntegersKeepAllTheirBits) {
+  constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
+  SampleRing ring;
+  std::vector<Sample> rows;
+  for (std::uint64_t i = 0; i < 3000; ++i) {
+    rows.push_back(Count(i, kMost - static_cast<std::int64_t>(i)));
+  }
+
+  ring.append(rows);
+
+  EXPECT_EQ(ring.kind(), ExactNumber::Kind::kSigned);
+  for (std::uint64_t i = 0; i < 3000; ++i) {
+    ASSERT_EQ(ring.number(i), ExactNumber::Signed(kMost - static_cast<std::int64_t>(i)));
+  }
+}
+
+TEST(SampleRing, ARowWithoutTheElementBreaksTheLineAndIsNotLost) {
+  Sample nothing = Count(2, 0);
+  nothing.value = std::numeric_limits<double>::quiet_NaN();
+  SampleRing ring;
+
+  ring.append(std::vector{Count(1, 7), nothing, Count(3, 8)});
+
+  EXPECT_EQ(ring.lost(), 0U);
+  ASSERT_EQ(ring.gaps().size(), 1U);
+  EXPECT_EQ(ring.gaps().front().cause, Gap::Cause::kNoValue);
+  EXPECT_EQ(ring.tick(1), 3U);
+  EXPECT_EQ(ring.number(1), ExactNumber::Signed(8));
+}
+
+TEST(SampleRing, NumbersOfAnotherKindBeginANewRing) {
+  SampleRing ring;
+  ring.append(Rows(0, 10));
+
+  ring.append(std::vector{Count(10, 1), Count(11, 2)});
+
+  EXPECT_EQ(ring.endIndex() - ring.firstIndex(), 2U);
+  EXPECT_EQ(ring.number(ring.firstIndex()), ExactNumber::Signed(1));
+}
+
 TEST(SampleRing, StretchesCoverTheWrap) {
   SampleRing ring(1024);
   ring.append(Rows(0, 1500));
@@ -174,8 +222,8 @@ TEST(SampleRing, StretchesCoverTheWrap) {
   std::size_t parts = 0;
   for (auto i = ring.firstIndex(); i < ring.endIndex(); ++parts) {
     const auto stretch = ring.stretch(i, ring.endIndex());
-    sum += std::accumulate(stretch.values.begin(), stretch.values.end(), 0.0);
-    i += stretch.values.size();
+    for (const std::uint64_t word : stretch.words) sum += std::bit_cast<double>(word);
+    i += stretch.words.size();
   }
 
   const auto values = ValuesOf(ring);
@@ -191,6 +239,48 @@ TEST(SampleRing, LowerBoundFindsTheFirstAtOrAfter) {
   EXPECT_EQ(ring.lowerBound(1000 * kMillisecond), 1000U);
   EXPECT_EQ(ring.lowerBound(1000 * kMillisecond + 1), 1001U);
   EXPECT_EQ(ring.lowerBound(9999 * kMillisecond), ring.endIndex());
+}
+
+TEST(SampleRing, ASourceThatStoodStillLeavesAGapWithoutALoss) {
+  SampleRing ring;
+  ring.append(std::vector{Row(1, 1), Row(2, 2)});
+  ring.noteStandstill();
+  ring.append(std::vector{Row(3, 3)});  // was under way
+  EXPECT_TRUE(ring.gaps().empty());
+
+  ring.endStandstill();
+  ring.append(std::vector{Row(4, 5000), Row(5, 5001)});
+
+  ASSERT_EQ(ring.gaps().size(), 1U);
+  EXPECT_EQ(ring.gaps().front().cause, Gap::Cause::kStandstill);
+  EXPECT_EQ(ring.gaps().front().from_ns, 3 * kMillisecond);
+  EXPECT_EQ(ring.gaps().front().to_ns, 5000 * kMillisecond);
+  EXPECT_EQ(ring.lost(), 0U);
+  EXPECT_EQ(ring.tick(4), 5U);
+}
+
+TEST(SampleRing, ASlowSourceThatRunsHasNoGaps) {
+  SampleRing ring;
+  ring.append(std::vector{Row(1, 1000)});
+  ring.noteStandstill();
+  ring.endStandstill();
+  ring.append(std::vector{Row(2, 1100), Row(3, 9000)});
+
+  EXPECT_TRUE(ring.gaps().empty());
+}
+
+TEST(SampleRing, OfRowsWithoutTheElementThoseBeforeAreLostAlone) {
+  Sample nothing = Count(5, 0);
+  nothing.value = std::numeric_limits<double>::quiet_NaN();
+  SampleRing ring;
+
+  ring.append(std::vector{Count(3, 7), nothing, Count(6, 8)});
+
+  EXPECT_EQ(ring.lost(), 1U);
+  ASSERT_EQ(ring.gaps().size(), 1U);
+  EXPECT_EQ(ring.gaps().front().cause, Gap::Cause::kLost);
+  EXPECT_EQ(ring.gaps().front().lost, 1U);
+  EXPECT_EQ(ring.tick(1), 6U);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 
 #include "../samples.h"
@@ -21,7 +22,7 @@ TEST(Statistics, AreOfTheSamplesOfThatTimeAlone) {
   EXPECT_EQ(found->count, 4U);
   EXPECT_EQ(found->lowest, 0);
   EXPECT_EQ(found->highest, 3);
-  EXPECT_DOUBLE_EQ(found->mean, 1.5);
+  EXPECT_DOUBLE_EQ(found->mean.nearest(), 1.5);
   EXPECT_DOUBLE_EQ(found->deviation, std::sqrt(1.25));
   EXPECT_DOUBLE_EQ(found->rms, std::sqrt(3.5));
   EXPECT_DOUBLE_EQ(found->rate, 1000);
@@ -34,6 +35,58 @@ TEST(Statistics, LeaveOutWhatIsNoNumberAndAreNothingWithoutAny) {
 
   ring.append(Rows(1, 2, [](double) { return 7.0; }));
   EXPECT_EQ(StatisticsOf(ring, 0, kSecond)->mean, 7.0);
+}
+
+std::vector<Sample> Integers(std::initializer_list<std::int64_t> values) {
+  std::vector<Sample> rows = Rows(0, values.size());
+  std::size_t i = 0;
+  for (const std::int64_t value : values) rows[i++].value = ExactNumber::Signed(value);
+  return rows;
+}
+
+TEST(Statistics, OfIntegersThatDoublesCannotTellApartAreExact) {
+  constexpr std::int64_t kStamp = 1'764'300'000'123'456'789;
+  SampleRing ring;
+  ring.append(Integers({kStamp, kStamp + 1, kStamp + 5}));
+
+  const auto found = StatisticsOf(ring, 0, kSecond);
+
+  ASSERT_TRUE(found.has_value());
+  EXPECT_EQ(found->lowest, ExactNumber::Signed(kStamp));
+  EXPECT_EQ(found->highest, ExactNumber::Signed(kStamp + 5));
+  EXPECT_EQ(found->mean, ExactNumber::Signed(kStamp + 2));
+  EXPECT_EQ(found->span(), ExactNumber::Unsigned(5));
+  EXPECT_DOUBLE_EQ(found->deviation, std::sqrt(14.0 / 3));
+}
+
+TEST(Statistics, OfTheLargestAndTheSmallestDoublesAreFinite) {
+  constexpr double kMost = std::numeric_limits<double>::max();
+  constexpr double kLeast = std::numeric_limits<double>::denorm_min();
+  SampleRing large;
+  bool is_high = false;
+  large.append(Rows(0, 100, [&](double) {
+    is_high = !is_high;
+    return is_high ? kMost : -kMost;
+  }));
+  SampleRing small;
+  small.append(Rows(0, 10, [&](double) { return kLeast; }));
+
+  const auto of_large = StatisticsOf(large, 0, kSecond);
+  const auto of_small = StatisticsOf(small, 0, kSecond);
+
+  EXPECT_NEAR(of_large->deviation / kMost, 1, 1e-9);
+  EXPECT_NEAR(of_large->rms / kMost, 1, 1e-9);
+  EXPECT_LT(std::abs(of_large->mean.nearest()), 1e-9 * kMost);
+  EXPECT_EQ(of_small->mean, ExactNumber(kLeast));
+  EXPECT_EQ(of_small->deviation, 0);
+}
+
+TEST(Statistics, CountHowOftenAStateOccurs) {
+  SampleRing ring;
+  ring.append(Integers({0, 3, 3, 0, 3}));
+
+  EXPECT_EQ(OccurrencesOf(ring, kMillisecond, kSecond),
+            (std::map<std::int64_t, std::uint64_t>{{0, 1}, {3, 3}}));
 }
 
 TEST(FrameGovernor, DrawsAt60HzWhileFramesAreCheap) {
@@ -53,6 +106,22 @@ TEST(FrameGovernor, LeavesHalfOfTheTimeWhenTheyAreDearAndRecovers) {
   for (int frame = 0; frame < 100; ++frame) governor.drew(FrameGovernor::Time(1000));
 
   EXPECT_EQ(governor.interval(), FrameGovernor::kShortest);
+}
+
+TEST(Statistics, AreExactAtTheEndOfAllIntegers) {
+  constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
+  std::vector<Sample> rows = Rows(0, 2);
+  rows[0].value = ExactNumber::Unsigned(kMost - 1);
+  rows[1].value = ExactNumber::Unsigned(kMost);
+  SampleRing ring;
+  ring.append(rows);
+
+  const auto found = StatisticsOf(ring, 0, kSecond);
+
+  ASSERT_TRUE(found.has_value());
+  EXPECT_DOUBLE_EQ(found->deviation, 0.5);
+  EXPECT_FALSE(found->mean.isBelow(found->lowest));
+  EXPECT_FALSE(found->highest.isBelow(found->mean));
 }
 
 }  // namespace

@@ -154,7 +154,7 @@ TEST_F(CatalogueColumnsTest, LookLikeThis) {
   for (const std::uint64_t second : {0, 1, 2}) {
     Q_EMIT source_.valuesArrived("robot/arm/state.Joints",
                                  {shape,
-                                  {0.2, -0.4, 0, 0, 0, 0},
+                                  ExactValues({0.2, -0.4, 0, 0, 0, 0}),
                                   {},
                                   {},
                                   1000 * (second + 1),

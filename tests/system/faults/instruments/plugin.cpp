@@ -1,7 +1,9 @@
 #include <tendon/manager/component_registry.h>
 #include <tests/system/faults/instruments/client.h>
+#include <tests/system/faults/instruments/drive.h>
 #include <tests/system/faults/instruments/edited.h>
 #include <tests/system/faults/instruments/fountain.h>
+#include <tests/system/faults/instruments/jogger.h>
 #include <tests/system/faults/instruments/ledger.h>
 #include <tests/system/faults/instruments/loggers.h>
 #include <tests/system/faults/instruments/parcels.h>
@@ -10,7 +12,10 @@ extern "C" void TendonRegisterComponents(tendon::ComponentRegistry& registry) {
   using namespace faults;  // NOLINT(google-build-using-namespace): all is from there
   registry.Add<Client>("Client");
   registry.Add<Ledger>("Ledger");
+  registry.Add<Drive>("Drive");
+  registry.Add<Driver>("Driver");
   registry.Add<Fountain>("Fountain");
+  registry.Add<Jogger>("Jogger");
   registry.Add<Raver>("Raver");
   registry.Add<Calm>("Calm");
   registry.Add<Sender>("Sender");

@@ -10,12 +10,16 @@
 #include <cstring>
 #include <fstream>
 #include <memory>
+#include <sstream>
+#include <system_error>
+#include <vector>
 
 namespace tendon::os {
 namespace {
 
 using Header = ElfW(Ehdr);
 using Segment = ElfW(Phdr);
+using Entry = ElfW(Dyn);
 
 std::string MachineName(unsigned machine) {
   switch (machine) {
@@ -71,6 +75,103 @@ std::uint64_t ClaimedSize(const Header& header, std::ifstream& file) {
   }
   return std::max<std::uint64_t>(
       end, header.e_phoff + std::uint64_t{header.e_phnum} * header.e_phentsize);
+}
+
+/// What a library says of those that it needs.
+struct Needs {
+  std::vector<std::string> names;
+  std::string run_path;  // ':' between folders
+};
+
+/// Reads one part of a file of the machine's own kind after the other.
+class LibraryReader {
+ public:
+  explicit LibraryReader(const std::filesystem::path& file) : file_(file, std::ios::binary) {
+    const Header header = ReadHead(file_).header;
+    for (unsigned i = 0; file_ && i < header.e_phnum; ++i) {
+      Segment segment{};
+      if (Read(header.e_phoff + i * sizeof(segment), segment)) segments_.push_back(segment);
+    }
+  }
+
+  Needs needs() {
+    Needs needs;
+    std::uint64_t texts = 0;
+    std::vector<Entry> entries;
+    for (const Segment& segment : segments_) {
+      if (segment.p_type != PT_DYNAMIC) continue;
+      Entry entry{};
+      for (std::uint64_t at = 0; at < segment.p_filesz; at += sizeof(entry)) {
+        if (!Read(segment.p_offset + at, entry) || entry.d_tag == DT_NULL) break;
+        if (entry.d_tag == DT_STRTAB) texts = OffsetOf(entry.d_un.d_ptr);
+        entries.push_back(entry);
+      }
+    }
+    for (const Entry& entry : entries) {
+      const std::uint64_t place = texts + entry.d_un.d_val;
+      if (entry.d_tag == DT_NEEDED) needs.names.push_back(ReadText(place));
+      const bool is_path = entry.d_tag == DT_RUNPATH || entry.d_tag == DT_RPATH;
+      if (is_path) needs.run_path = ReadText(place);
+    }
+    return needs;
+  }
+
+ private:
+  template <typename T>
+  bool Read(std::uint64_t offset, T& value) {
+    file_.clear();
+    file_.seekg(static_cast<std::streamoff>(offset));
+    return static_cast<bool>(file_.read(reinterpret_cast<char*>(&value), sizeof(value)));
+  }
+  std::string ReadText(std::uint64_t offset) {
+    std::string text;
+    file_.clear();
+    file_.seekg(static_cast<std::streamoff>(offset));
+    std::getline(file_, text, '\0');
+    return text;
+  }
+  /// Where in the file that is which the loader puts at `address`.
+  [[nodiscard]] std::uint64_t OffsetOf(std::uint64_t address) const {
+    for (const Segment& one : segments_) {
+      const bool is_in = address >= one.p_vaddr && address - one.p_vaddr < one.p_filesz;
+      if (one.p_type == PT_LOAD && is_in) return address - one.p_vaddr + one.p_offset;
+    }
+    return address;
+  }
+
+  std::ifstream file_;
+  std::vector<Segment> segments_;
+};
+
+/// The folders of a run path which it gives relative to that of its own file.
+std::vector<std::filesystem::path> FoldersBeside(const std::filesystem::path& file,
+                                                 const std::string& run_path) {
+  std::vector<std::filesystem::path> folders;
+  std::istringstream all(run_path);
+  for (std::string folder; std::getline(all, folder, ':');) {
+    for (const std::string origin : {"$ORIGIN", "${ORIGIN}"}) {
+      const std::size_t at = folder.find(origin);
+      if (at == folder.npos) continue;
+      folders.emplace_back(folder.replace(at, origin.size(), file.parent_path().string()));
+    }
+  }
+  return folders;
+}
+
+/// Loads what a copy of `original` could not find from where it is; the loader knows it by its name
+/// then. What fails here fails again, with a reason, when the copy is loaded.
+void LoadNeedsBeside(const std::filesystem::path& original, const std::filesystem::path& copy) {
+  const Needs needs = LibraryReader(copy).needs();
+  const auto folders = FoldersBeside(original, needs.run_path);
+  for (const std::string& name : needs.names) {
+    if (folders.empty() || dlopen(name.c_str(), RTLD_LAZY | RTLD_NOLOAD) != nullptr) continue;
+    for (const std::filesystem::path& folder : folders) {
+      std::error_code ignored;
+      if (!std::filesystem::exists(folder / name, ignored)) continue;
+      (void)dlopen((folder / name).c_str(), RTLD_NOW | RTLD_LOCAL);
+      break;
+    }
+  }
 }
 
 /// "tendon::Task::Run()" for "_ZN6tendon4Task3RunEv".
@@ -131,7 +232,9 @@ Result<void> CheckSharedLibrary(const std::filesystem::path& path) {
   return {};
 }
 
-Result<void*> LoadSharedLibrary(const std::filesystem::path& file) {
+Result<void*> LoadSharedLibrary(const std::filesystem::path& file,
+                                const std::filesystem::path& original) {
+  if (file != original) LoadNeedsBeside(original, file);
   if (void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL)) return library;
   const char* reason = dlerror();
   return Explained(reason != nullptr ? reason : "the loader gives no reason");

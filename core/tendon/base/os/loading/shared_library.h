@@ -12,9 +12,11 @@ namespace tendon::os {
 /// ...".
 Result<void> CheckSharedLibrary(const std::filesystem::path& file);
 
-/// Loads a shared library and keeps it for the life of the process. The error goes on after
-/// "PATH: ", too.
-Result<void*> LoadSharedLibrary(const std::filesystem::path& file);
+/// Loads a shared library and keeps it for the life of the process. `original` is where the file
+/// was copied from: a library that it needs from $ORIGIN, the folder of the file, is taken from
+/// there. The error goes on after "PATH: ", too.
+Result<void*> LoadSharedLibrary(const std::filesystem::path& file,
+                                const std::filesystem::path& original);
 
 /// The address of a function which the library itself exports, not one that it needs; or null.
 void* FindSymbol(void* library, const char* name) noexcept;

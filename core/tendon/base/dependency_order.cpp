@@ -1,0 +1,40 @@
+#include <tendon/base/dependency_order.h>
+
+namespace tendon {
+namespace {
+
+/// One that is put in order once all that it depends on is.
+struct Open {
+  std::size_t number;
+  std::size_t next = 0;  // of its dependencies
+};
+
+}  // namespace
+
+std::vector<std::size_t> DependencyOrder(const Dependencies& dependencies) {
+  std::vector<std::size_t> order;
+  order.reserve(dependencies.size());
+  std::vector<bool> is_begun(dependencies.size());
+  std::vector<Open> open;  // a list, not recursion: a chain may be as long as there are things
+  const auto begin = [&](std::size_t number) {
+    if (is_begun[number]) return;
+    is_begun[number] = true;
+    open.push_back({number});
+  };
+  for (std::size_t first = 0; first < dependencies.size(); ++first) {
+    begin(first);
+    while (!open.empty()) {
+      Open& last = open.back();
+      const std::vector<std::size_t>& needed = dependencies[last.number];
+      if (last.next < needed.size()) {
+        begin(needed[last.next++]);
+      } else {
+        order.push_back(last.number);
+        open.pop_back();
+      }
+    }
+  }
+  return order;
+}
+
+}  // namespace tendon

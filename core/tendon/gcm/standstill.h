@@ -1,0 +1,94 @@
+#pragma once
+
+#include <tendon/gcm/catalog.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace tendon {
+
+/// Why the values of a component do not follow what happens now.
+enum class Standstill { kNone, kNotStarted, kSuspended, kFinished, kFaulted, kNoAnswer, kLost };
+
+/// "suspended", "not started", "no answer"; "running" for none.
+[[nodiscard]] constexpr std::string_view ToString(Standstill why) noexcept {
+  switch (why) {
+    case Standstill::kNone:
+      return "running";
+    case Standstill::kNotStarted:
+      return "not started";
+    case Standstill::kSuspended:
+      return "suspended";
+    case Standstill::kFinished:
+      return "finished";
+    case Standstill::kFaulted:
+      return "faulted";
+    case Standstill::kNoAnswer:
+      return "no answer";
+    case Standstill::kLost:
+      break;
+  }
+  return "lost";
+}
+
+/// A process that does not answer, or is gone, says nothing of its components.
+[[nodiscard]] constexpr Standstill StandstillOf(ProcessState process,
+                                                ComponentState component) noexcept {
+  if (process == ProcessState::kSuspect) return Standstill::kNoAnswer;
+  if (process != ProcessState::kAlive) return Standstill::kLost;
+  switch (component) {
+    case ComponentState::kConstructed:
+    case ComponentState::kReady:
+      return Standstill::kNotStarted;
+    case ComponentState::kActive:
+      return Standstill::kNone;
+    case ComponentState::kSuspended:
+      return Standstill::kSuspended;
+    case ComponentState::kFinished:
+      return Standstill::kFinished;
+    case ComponentState::kFaulted:
+      break;
+  }
+  return Standstill::kFaulted;
+}
+
+/// What is not in the catalogue is lost.
+[[nodiscard]] inline Standstill StandstillOf(const Catalog& catalog, const std::string& process,
+                                             const std::string& component) {
+  const ProcessEntry* entry = catalog.FindProcess(process);
+  if (entry == nullptr) return Standstill::kLost;
+  const auto found = entry->components.find(component);
+  if (found == entry->components.end()) return Standstill::kLost;
+  return StandstillOf(entry->process.state, found->second.state);
+}
+
+/// Whether a value is to be marked as old, which the console and the window both ask here. One of a
+/// component that stands still is, unless its row is so fresh that it may still be on its way; so
+/// is one whose rows come later than their rate lets expect. `age` of the row, where it is known;
+/// `rate` of the rows in Hz, 0 where it is not.
+[[nodiscard]] inline bool IsOld(Standstill why, std::optional<std::chrono::nanoseconds> age,
+                                double rate) {
+  constexpr std::chrono::milliseconds kOnItsWay{500};
+  constexpr std::chrono::duration<double> kLate{2};
+  constexpr double kMostPeriods = 5;
+  if (why != Standstill::kNone) return !age || *age > kOnItsWay;
+  if (!age || rate <= 0) return false;
+  return *age > std::max(kLate, std::chrono::duration<double>(kMostPeriods / rate));
+}
+
+/// "12 s", "3 min", "2 h".
+[[nodiscard]] inline std::string AgeText(std::chrono::nanoseconds age) {
+  constexpr std::int64_t kMinute = 60;
+  constexpr std::int64_t kHour = 60 * kMinute;
+  const std::int64_t seconds =
+      std::max<std::int64_t>(0, std::chrono::duration_cast<std::chrono::seconds>(age).count());
+  if (seconds < 2 * kMinute) return std::to_string(seconds) + " s";
+  if (seconds < 2 * kHour) return std::to_string(seconds / kMinute) + " min";
+  return std::to_string(seconds / kHour) + " h";
+}
+
+}  // namespace tendon

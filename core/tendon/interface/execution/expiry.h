@@ -1,0 +1,62 @@
+#pragma once
+
+#include <tendon/base/clock.h>
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <utility>
+
+namespace tendon {
+
+/// Of a command that must be renewed: what runs in its place when the next call stays away.
+///
+/// Thread safety: one thread, that which executes the calls of the component.
+class Expiry {
+ public:
+  /// `end` runs once the command has not been executed for `after`.
+  Expiry(std::string command, std::chrono::nanoseconds after, std::function<void()> end)
+      : command_(std::move(command)),
+        message_("command '" + command_ + "' was not renewed within " + Milliseconds(after) +
+                 " ms: what it set going is ended"),
+        after_(after),
+        end_(std::move(end)) {}
+
+  [[nodiscard]] const std::string& command() const { return command_; }
+  /// What to say in the log.
+  [[nodiscard]] const std::string& message() const { return message_; }
+
+  /// The command is executed for the connection of this number.
+  void Renew(std::uint64_t connection) noexcept {
+    due_ = SteadyClock().Now() + after_;
+    connection_ = connection;
+  }
+  /// Nothing is going on that would have to end.
+  void Disarm() noexcept { due_ = SteadyTime::max(); }
+  /// When `end` is due; the largest time where nothing is going on.
+  [[nodiscard]] SteadyTime due() const noexcept { return due_; }
+  /// Whether what is going on was last asked for through this connection.
+  [[nodiscard]] bool IsOf(std::uint64_t connection) const noexcept {
+    return due_ != SteadyTime::max() && connection_ == connection;
+  }
+  /// May throw what the author's code throws.
+  void End() {
+    Disarm();
+    end_();
+  }
+
+ private:
+  static std::string Milliseconds(std::chrono::nanoseconds time) {
+    return std::to_string(std::chrono::duration_cast<std::chrono::milliseconds>(time).count());
+  }
+
+  std::string command_;
+  std::string message_;
+  std::chrono::nanoseconds after_;
+  std::function<void()> end_;
+  SteadyTime due_ = SteadyTime::max();
+  std::uint64_t connection_ = 0;
+};
+
+}  // namespace tendon

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <tendon/lockfree/atomics.h>
+
+#include <atomic>
+#include <list>
+#include <utility>
+
+namespace tendon {
+
+/// Notices from one thread to another, as many as there are: the sender allocates and frees, the
+/// receiver takes all that have come without a lock, an allocation or a system call. After R. K.
+/// Treiber, "Systems Programming: Coping with Parallelism" (1986), with a pop of the whole stack,
+/// which knows no ABA problem.
+///
+/// Thread safety: one thread at a time may call Send(), one other thread Take(). Take() is
+/// wait-free; it costs one load where nothing has come.
+template <typename T, typename Atomics = StdAtomics>
+class NoticeList {
+ public:
+  NoticeList() = default;
+  NoticeList(const NoticeList&) = delete;
+  NoticeList& operator=(const NoticeList&) = delete;
+
+  /// Frees what was taken before.
+  void Send(T notice) {
+    notices_.remove_if([](const Node& node) {
+      return node.is_taken.load(std::memory_order_acquire);  // pairs with (B)
+    });
+    Node& node = notices_.emplace_back(std::move(notice));
+    node.next = newest_.load(std::memory_order_relaxed);
+    while (!newest_.compare_exchange_strong(node.next, &node, std::memory_order_release)) {  // (A)
+    }
+  }
+
+  /// Whether an unread notice satisfies `predicate(const T&)`. In the sending thread.
+  template <typename Predicate>
+  [[nodiscard]] bool HasUnread(Predicate predicate) const {
+    for (const Node& node : notices_) {
+      if (!node.is_taken.load(std::memory_order_acquire) && predicate(node.value)) return true;
+    }
+    return false;
+  }
+
+  /// `action(const T&)` for each, the oldest first.
+  template <typename Action>
+  void Take(Action action) {
+    if (newest_.load(std::memory_order_relaxed) == nullptr) return;
+    Node* node = newest_.exchange(nullptr, std::memory_order_acquire);  // pairs with (A)
+    Node* oldest = nullptr;
+    while (node != nullptr) {
+      Node* const next = std::exchange(node->next, oldest);
+      oldest = std::exchange(node, next);
+    }
+    while (oldest != nullptr) {
+      Node* const next = oldest->next;
+      action(std::as_const(oldest->value));
+      oldest->is_taken.store(true, std::memory_order_release);  // (B) may be freed
+      oldest = next;
+    }
+  }
+
+ private:
+  struct Node {
+    explicit Node(T&& notice) : value(std::move(notice)) {}
+
+    T value;
+    Node* next = nullptr;
+    typename Atomics::template Atomic<bool> is_taken{false};
+  };
+
+  std::list<Node> notices_;  // the sender's
+  typename Atomics::template Atomic<Node*> newest_{nullptr};
+};
+
+}  // namespace tendon

@@ -1,0 +1,115 @@
+#include <tendon/base/log.h>
+#include <tendon/interface/execution/patient_calls.h>
+#include <tendon/manager/orderly_end.h>
+
+#include <algorithm>
+#include <chrono>
+#include <string>
+#include <thread>
+#include <utility>
+
+namespace tendon {
+
+OrderlyEnd::OrderlyEnd(std::vector<Member> members, Actions actions)
+    : members_(std::move(members)),
+      actions_(std::move(actions)),
+      phases_(members_.size(), Phase::kWaits),
+      drained_by_(members_.size()) {}
+
+Result<void> OrderlyEnd::Run(SteadyTime deadline) {
+  const PatientCalls all_together;  // of those that end in this very thread
+  while (!Advance()) {
+    if (SteadyClock().Now() >= deadline) {
+      GiveUp();
+      break;
+    }
+    Wait();
+  }
+  return outcome_;
+}
+
+/// Whether all are done.
+bool OrderlyEnd::Advance() {
+  for (std::size_t place = 0; place < members_.size(); ++place) Advance(place);
+  return std::ranges::all_of(phases_, [](Phase phase) { return phase == Phase::kDone; });
+}
+
+void OrderlyEnd::Advance(std::size_t place) {
+  const Member& member = members_[place];
+  Phase& phase = phases_[place];
+  if (phase == Phase::kWaits) {
+    const auto is_done = [this](std::size_t other) { return phases_[other] == Phase::kDone; };
+    if (std::ranges::all_of(member.before, is_done)) Ask(place);
+  }
+  if (phase == Phase::kAsked && member.component->is_at_rest()) {
+    Note(member.component->WaitForEffect(ComponentState::kFinished, kNoWait));
+    BeginDrain(place);
+  }
+  if (phase != Phase::kEnded) return;
+  const bool is_drained = !actions_.has_calls_under_way(*member.component);
+  if (!is_drained && SteadyClock().Now() < drained_by_[place]) return;
+  if (!is_drained) LogNotExecuted(*member.component);
+  phase = Phase::kDone;
+}
+
+void OrderlyEnd::Ask(std::size_t place) {
+  const auto& component = members_[place].component;
+  Phase& phase = phases_[place];
+  if (actions_.is_at_rest(*component)) return BeginDrain(place);
+  const auto asked = actions_.stop(component);
+  if (asked || component->is_stopping()) {
+    phase = Phase::kAsked;
+  } else if (asked.error().code != ErrorCode::kTimeout) {
+    Note(asked);
+    BeginDrain(place);
+  }
+}
+
+void OrderlyEnd::BeginDrain(std::size_t place) {
+  phases_[place] = Phase::kEnded;
+  drained_by_[place] = SteadyClock().Now() + kDrainPatience;
+}
+
+/// In those waits is done what no thread of the components does.
+void OrderlyEnd::Wait() {
+  constexpr std::chrono::microseconds kBetweenLooks(500);
+  bool has_waited = false;
+  for (std::size_t place = 0; place < members_.size(); ++place) {
+    if (phases_[place] != Phase::kAsked) continue;
+    (void)members_[place].component->WaitFor(ComponentState::kFinished, kBetweenLooks);
+    has_waited = true;
+  }
+  if (!has_waited) std::this_thread::sleep_for(kBetweenLooks);
+}
+
+void OrderlyEnd::GiveUp() {
+  for (std::size_t place = 0; place < members_.size(); ++place) {
+    if (phases_[place] == Phase::kEnded) LogNotExecuted(*members_[place].component);
+    if (phases_[place] == Phase::kWaits) Ask(place);
+  }
+  const auto is_at_rest = [this](const Member& member) {
+    return actions_.is_at_rest(*member.component);
+  };
+  const SteadyTime last = SteadyClock().Now() + kGrace;
+  while (!std::ranges::all_of(members_, is_at_rest) && SteadyClock().Now() < last) Wait();
+  for (const Member& member : members_) {
+    if (is_at_rest(member)) continue;
+    const Component& component = *member.component;
+    Note(Error{ErrorCode::kTimeout, "component '" + component.name() + "' is still " +
+                                        std::string(ToString(component.state())) +
+                                        ", not finished; it may be busy in one of its own "
+                                        "functions"});
+  }
+}
+
+void OrderlyEnd::LogNotExecuted(const Component& client) {
+  Log(LogLevel::kWarning, client.name(),
+      "has stopped, but not all that it has sent last was executed in time: its server is busy, or "
+      "does not answer");
+}
+
+void OrderlyEnd::Note(const Result<void>& result) {
+  if (outcome_) outcome_ = result;
+}
+
+}  // namespace tendon

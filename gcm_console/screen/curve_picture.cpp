@@ -1,0 +1,131 @@
+#include <gcm_console/report.h>
+#include <gcm_console/screen/braille.h>
+#include <gcm_console/screen/curve_picture.h>
+#include <gcm_console/screen/screen.h>
+#include <tendon/payload/channel_axis.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <sstream>
+
+namespace console {
+namespace {
+
+constexpr int kFewestColumns = 8;          // of a curve, in letters
+constexpr std::size_t kFewestMargin = 12;  // of the scale beside it, with the gap
+constexpr std::size_t kScaleGap = 2;       // letters
+constexpr int kRowsOfALabel = 3;           // about
+
+/// A curve with what is beside it.
+struct Drawing {
+  const Curve& curve;
+  tendon::ChannelAxis axis;
+};
+
+tendon::ChannelAxis AxisOf(const Curve& curve, int most_labels) {
+  std::vector<tendon::ChannelValue> values;
+  for (const auto& sample : curve.samples) {
+    if (sample.value) values.push_back(*sample.value);
+  }
+  return tendon::ChannelAxis::Fitted(curve.schema, values, most_labels);
+}
+
+std::string Aligned(const std::string& text, std::size_t width) {
+  return std::string(width - std::min(text.size(), width), ' ') + text +
+         std::string(kScaleGap, ' ');
+}
+
+/// Wide enough for all labels, so that the curves stand exactly below each other.
+std::size_t MarginOf(const std::vector<Drawing>& drawings) {
+  std::size_t widest = kFewestMargin - kScaleGap;
+  for (const Drawing& drawing : drawings) {
+    for (const auto& label : drawing.axis.labels()) widest = std::max(widest, label.text.size());
+  }
+  return widest;
+}
+
+/// What stands beside each row; where labels meet, the outer ones stay.
+std::vector<std::string> TextsOf(const tendon::ChannelAxis& axis, int height) {
+  std::vector<std::string> texts(static_cast<std::size_t>(height) / 4);
+  const auto& labels = axis.labels();
+  const auto put = [&](const tendon::ChannelAxis::Label& label) {
+    const auto row = static_cast<std::size_t>(std::lround((1.0 - label.part) * (height - 1))) / 4;
+    if (texts[row].empty()) texts[row] = Plain(label.text);
+  };
+  if (!labels.empty()) put(labels.back());
+  for (const auto& label : labels) put(label);
+  return texts;
+}
+
+BrailleCanvas CanvasOf(const Drawing& drawing, double window, int columns, int rows) {
+  BrailleCanvas canvas(columns, rows);
+  const auto& samples = drawing.curve.samples;
+  const bool is_stepped = IsStepped(drawing.curve.schema);
+  struct Dot {
+    int x = 0;
+    int y = 0;
+  };
+  Dot before;
+  bool has_before = false;
+  for (const auto& sample : samples) {
+    const auto part = sample.value ? drawing.axis.PartOf(*sample.value) : std::nullopt;
+    if (!part) {
+      has_before = false;
+      continue;
+    }
+    const double since = samples.back().time - sample.time;
+    const double age = since < window ? since / window : 1.0;
+    const Dot dot{.x = canvas.width() - 1 - static_cast<int>(age * (canvas.width() - 1)),
+                  .y = static_cast<int>(std::lround((1.0 - *part) * (canvas.height() - 1)))};
+    if (!has_before) before = dot;
+    if (is_stepped) {
+      canvas.Line(before.x, before.y, dot.x, before.y);
+      before.x = dot.x;
+    }
+    canvas.Line(before.x, before.y, dot.x, dot.y);
+    before = dot;
+    has_before = true;
+  }
+  return canvas;
+}
+
+/// "robot/arm/state.Joints.position[0] = 0.25 rad".
+std::string TitleOf(const Curve& curve) {
+  if (curve.samples.empty()) return curve.title + "  no values yet";
+  const auto& newest = curve.samples.back().value;
+  if (!newest) return curve.title + "  no value now";
+  return curve.title + " = " + Plain(ToString(curve.schema, *newest)) +
+         (curve.unit.empty() ? "" : " " + Plain(curve.unit));
+}
+
+}  // namespace
+
+std::string PictureOf(const std::vector<Curve>& curves, double window, int columns, int rows) {
+  const int share = curves.empty() ? 0 : (rows - 1) / static_cast<int>(curves.size()) - 1;
+  const int each = std::max(share, kFewestCurveRows);
+  std::vector<Drawing> drawings;
+  for (const Curve& curve : curves) {
+    drawings.push_back({curve, AxisOf(curve, std::max(each / kRowsOfALabel, 1))});
+  }
+  const std::size_t margin = MarginOf(drawings);
+  const int left = std::max(columns - static_cast<int>(margin + kScaleGap), kFewestColumns);
+  std::ostringstream picture;
+  for (const Drawing& drawing : drawings) {
+    picture << TitleOf(drawing.curve) << '\n';
+    if (drawing.curve.samples.empty()) continue;
+    const BrailleCanvas canvas = CanvasOf(drawing, window, left, each);
+    const auto texts = TextsOf(drawing.axis, canvas.height());
+    for (int row = 0; row < each; ++row) {
+      picture << Aligned(texts[static_cast<std::size_t>(row)], margin) << canvas.Row(row) << '\n';
+    }
+  }
+  const std::string from = "-" + Short(window) + " s";
+  const int gap = left - static_cast<int>(from.size()) - 3;
+  picture << std::string(margin + kScaleGap, ' ') << from
+          << std::string(static_cast<std::size_t>(std::max(gap, 1)), ' ') << "now\n";
+  return picture.str();
+}
+
+}  // namespace console

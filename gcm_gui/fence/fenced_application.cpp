@@ -1,0 +1,48 @@
+#include <gcm_gui/fence/fence.h>
+#include <gcm_gui/fence/fenced_application.h>
+
+#include <QBackingStore>
+#include <QEvent>
+#include <QPaintEngine>
+#include <QPointer>
+#include <QWidget>
+
+namespace tendon::gui {
+namespace {
+
+/// Qt's widgets are built without exceptions: a painter in a frame that one has passed is never
+/// ended, and nothing in the window could be drawn any more. The next painter begins anew.
+void CloseLeftPainter(const QWidget& widget) {
+  QBackingStore* store = widget.backingStore();
+  QPaintDevice* device = store == nullptr ? nullptr : store->paintDevice();
+  QPaintEngine* engine = device == nullptr ? nullptr : device->paintEngine();
+  if (engine != nullptr && engine->isActive()) engine->setActive(false);
+}
+
+}  // namespace
+
+int FencedApplication::exec() {
+  while (true) {
+    try {
+      return QApplication::exec();
+    } catch (...) {
+      Fence::instance().hear(nullptr, ViewWork::kHandling);
+    }
+  }
+}
+
+bool FencedApplication::notify(QObject* receiver, QEvent* event) {
+  const bool is_paint = event->type() == QEvent::Paint;
+  if (is_paint && Fence::instance().isCovered(receiver)) return true;
+  const QPointer<QObject> there(receiver);
+  try {
+    return QApplication::notify(receiver, event);
+  } catch (...) {
+    Fence::instance().hear(there, is_paint ? ViewWork::kDrawing : ViewWork::kHandling);
+    if (is_paint && there != nullptr && there->isWidgetType())
+      CloseLeftPainter(static_cast<const QWidget&>(*receiver));
+    return true;
+  }
+}
+
+}  // namespace tendon::gui

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <tendon/payload/json/number_word.h>
+
+#include <QString>
+
+namespace tendon::gui {
+
+/// What is wrong with a number that was typed, and what to write, in the user's language: "write
+/// 0.5: the decimal sign is a point". Empty where nothing is. `unit` may be empty.
+[[nodiscard]] QString NumberFlawText(const NumberWord& word, const QString& unit = {});
+
+}  // namespace tendon::gui

@@ -1,0 +1,29 @@
+#include <gcm_gui/language/words.h>
+#include <gcm_gui/models/plugin_words.h>
+#include <gcm_gui/models/text.h>
+#include <tendon/gcm/text/wall_time.h>
+
+namespace tendon::gui {
+
+QString PluginWords(const PluginDescription& plugin) {
+  const QString name = ToQString(plugin.file).section('/', -1);
+  return Words::tr("%1 of %2", "a file, and when it was written")
+      .arg(name, ToQString(WallTimeText(plugin.written)));
+}
+
+QString PluginChangeWords(const PluginDescription& plugin) {
+  if (plugin.state == PluginState::kCurrent) return {};
+  if (plugin.state == PluginState::kGone) {
+    return Words::tr("the file is gone: put it back before the process is started anew");
+  }
+  return Words::tr("the file was written again at %1: start the process anew to run that")
+      .arg(ToQString(WallTimeText(plugin.written_now)));
+}
+
+QString OldPluginWords(const QString& process, const PluginDescription& plugin) {
+  if (plugin.state == PluginState::kCurrent) return {};
+  return process + Words::tr(" runs ") + PluginWords(plugin) + QStringLiteral("; ") +
+         PluginChangeWords(plugin);
+}
+
+}  // namespace tendon::gui

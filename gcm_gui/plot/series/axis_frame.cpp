@@ -1,0 +1,85 @@
+#include <gcm_gui/plot/series/axis_frame.h>
+
+#include <QLocale>
+#include <algorithm>
+#include <cmath>
+
+namespace tendon::gui {
+namespace {
+
+constexpr double kHuge = 1e290;              // from here on distances may be infinite
+constexpr double kFar = 2e4;                 // spans from 0, where labels would be long
+constexpr double kNear = kFar / 4;           // where they are short again
+constexpr double kExact = 4503599627370496;  // 2^52: half the integers that a double tells apart
+
+// Near the middle of the data, and round: labels get a digit more for it. A whole one is not
+// farther from 0 than the middle, where there may be no integers any more.
+double RoundBase(double middle, double span, NumberKind numbers) {
+  const double digits = std::ceil(std::log10(span)) + 1;
+  const double power = std::pow(10, std::abs(digits));
+  if (numbers == NumberKind::kWhole) {
+    return digits >= 0 ? std::trunc(middle / power) * power : std::trunc(middle);
+  }
+  if (digits >= 0) return std::round(middle / power) * power;
+  return std::round(middle * power) / power;
+}
+
+// Whether labels this far from each other need no more digits. A live axis begins with few samples,
+// near which no round number may be.
+bool IsRound(double base, double span) {
+  const double steps = base / std::pow(10, std::ceil(std::log10(span)) - 1);
+  const double tolerance = 1e-3 + std::abs(steps) * 1e-15;
+  return std::abs(steps - std::round(steps)) <= tolerance;
+}
+
+// Whole numbers that one reads digit by digit; else as short as a double can be written.
+QString TextOf(double base) {
+  constexpr int kMostZeros = 4;
+  constexpr double kIntegers = 1e20;  // beyond all of 64 bits
+  if (base != std::floor(base) || std::abs(base) >= kIntegers) {
+    return QString::number(base, 'g', QLocale::FloatingPointShortest);
+  }
+  const QString digits = QString::number(std::abs(base), 'f', 0);
+  QString front = digits;
+  while (front.endsWith('0')) front.chop(1);
+  const QString sign = base < 0 ? QStringLiteral("-") : QString();
+  if (digits.size() - front.size() <= kMostZeros) return sign + digits;
+  const QString exponent = 'e' + QString::number(digits.size() - 1);
+  if (front.size() > 1) front.insert(1, '.');
+  return sign + front + exponent;
+}
+
+}  // namespace
+
+QString AxisFrame::baseText() const {
+  if (base == 0) return {};
+  return (base > 0 ? QStringLiteral("+") : QString()) + TextOf(base);
+}
+
+AxisRange Moved(const AxisRange& range, const AxisFrame& from, const AxisFrame& to) {
+  if (from == to) return range;
+  const double stretch = from.exponent == to.exponent  ? 1
+                         : from.exponent > to.exponent ? 1 / AxisFrame::kOfExponent
+                                                       : AxisFrame::kOfExponent;
+  const double by = from.base - to.base;
+  return {.low = range.low * stretch + by, .high = range.high * stretch + by};
+}
+
+AxisFrame FrameFor(const AxisFrame& current, const AxisRange& distances, NumberKind numbers) {
+  const double size = SizeOf(distances, current.base);
+  const double reach = SizeOf(distances, 0);
+  if (size >= kHuge || reach >= kHuge) return {.exponent = AxisFrame::kExponent};
+  const double span = distances.span();
+  if (IsFlat(distances, current.base, numbers)) {
+    // Integers are told apart near a base alone, flat as they seem from afar.
+    if (numbers != NumberKind::kWhole || size < kExact) return {};
+    return reach < kExact ? current : AxisFrame{.base = current.base + distances.low};
+  }
+  if (size < (current.base == 0 ? kFar : kNear) * span) return {};
+  const bool serves =
+      current.base != 0 && reach < kFar * span && reach < kExact && IsRound(current.base, span);
+  if (serves && current.exponent == 0) return current;
+  return {.base = RoundBase(current.base + (distances.low + distances.high) / 2, span, numbers)};
+}
+
+}  // namespace tendon::gui

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <gcm_gui/plot/series/exact_number.h>
+
+#include <QString>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace tendon::gui {
+
+/// The names of a signal's values: those of an enumeration, or "false" and "true".
+struct ValueNames {
+  struct One {
+    std::int64_t value = 0;
+    QString name;
+
+    bool operator==(const One&) const = default;
+  };
+
+  QString type;          ///< "arm.Mode", "bool"
+  std::vector<One> all;  ///< by value
+
+  /// Its name; its digits where it has none.
+  [[nodiscard]] QString textOf(const ExactNumber& number) const;
+  /// Nothing for a value that has none.
+  [[nodiscard]] std::optional<QString> nameOf(std::int64_t value) const;
+
+  bool operator==(const ValueNames&) const = default;
+};
+
+/// Null for a signal whose values are numbers.
+using ValueNamesPointer = std::shared_ptr<const ValueNames>;
+
+}  // namespace tendon::gui

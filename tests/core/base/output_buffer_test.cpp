@@ -1,0 +1,113 @@
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <tendon/base/os/output_buffer.h>
+#include <tendon/base/os/termination.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <utility>
+
+namespace {
+
+using tendon::os::OutputBuffer;
+
+class OutputBufferTest : public testing::Test {
+ protected:
+  OutputBufferTest() {
+    if (pipe2(ends_.data(), O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
+  }
+  ~OutputBufferTest() override {
+    for (const int end : ends_) {
+      if (end >= 0) close(end);
+    }
+  }
+  void CloseReader() { close(std::exchange(ends_[0], -1)); }
+  [[nodiscard]] int writer() const { return ends_[1]; }
+  /// To the end, once the writer is closed.
+  [[nodiscard]] std::string ReadAll() const {
+    std::string all;
+    std::array<char, 4096> some{};
+    for (ssize_t size = 1; size > 0;) {
+      size = read(ends_[0], some.data(), some.size());
+      if (size > 0) all.append(some.data(), static_cast<std::size_t>(size));
+    }
+    return all;
+  }
+  void CloseWriter() { close(std::exchange(ends_[1], -1)); }
+
+ private:
+  std::array<int, 2> ends_{-1, -1};
+};
+
+TEST_F(OutputBufferTest, WhatIsWrittenArrivesWhenItIsFlushedOrMuch) {
+  const std::string much(1'000'000, 'x');
+  std::string seen;
+  std::thread reader([&] { seen = ReadAll(); });
+  {
+    OutputBuffer buffer(writer());
+    std::ostream out(&buffer);
+    out << "one " << 2 << '\n' << std::flush << much << "end";
+    EXPECT_TRUE(out.good());
+  }
+  CloseWriter();
+  reader.join();
+
+  EXPECT_EQ(seen, "one 2\n" + much + "end");
+}
+
+TEST_F(OutputBufferTest, WhoeverReadsNoMoreIsToldByErrno) {
+  tendon::os::HoldTerminationSignals();  // and ignores SIGPIPE
+  CloseReader();
+  OutputBuffer buffer(writer());
+  std::ostream out(&buffer);
+
+  out << "text" << std::flush;
+
+  EXPECT_FALSE(out.good());
+  EXPECT_EQ(errno, EPIPE);
+  out.clear();
+  errno = 0;
+  out << "more" << std::flush;
+  EXPECT_FALSE(out.good());
+  EXPECT_EQ(errno, EPIPE) << "and ever after";
+}
+
+TEST_F(OutputBufferTest, AWriteThatWaitsEndsWhenSomebodyAsksForTheEnd) {
+  tendon::os::HoldTerminationSignals();
+  OutputBuffer buffer(writer());
+  std::ostream out(&buffer);
+  const pthread_t self = pthread_self();
+  std::thread asker([self] { pthread_kill(self, SIGTERM); });
+
+  out << std::string(10'000'000, 'x') << std::flush;  // nobody reads
+
+  asker.join();
+  EXPECT_FALSE(out.good());
+  EXPECT_TRUE(tendon::os::TerminationAsked(std::chrono::milliseconds(0))) << "it is still asked";
+  tendon::os::HoldTerminationSignals();
+}
+
+TEST_F(OutputBufferTest, WhatIsWrittenAfterTheEndWasAskedForDoesNotWait) {
+  tendon::os::HoldTerminationSignals();
+  OutputBuffer buffer(writer());
+  std::ostream out(&buffer);
+  pthread_kill(pthread_self(), SIGINT);
+  ASSERT_TRUE(tendon::os::TerminationAsked(std::chrono::seconds(1)));
+
+  out << "there is room for this" << std::flush;
+  EXPECT_TRUE(out.good());
+  out << std::string(10'000'000, 'x') << std::flush;  // nobody reads
+
+  EXPECT_FALSE(out.good());
+  tendon::os::HoldTerminationSignals();
+  EXPECT_FALSE(tendon::os::WasTerminationAsked()) << "it goes on";
+}
+
+}  // namespace

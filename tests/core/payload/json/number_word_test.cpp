@@ -1,0 +1,135 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <tendon/payload/json/number_word.h>
+#include <tests/support/written_number.h>
+
+namespace tendon {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+using Kind = Schema::Kind;
+
+NumberWord Real(std::string_view text) { return ReadNumberWord(Kind::kFloat64, text); }
+NumberWord Integer(std::string_view text) { return ReadNumberWord(Kind::kInt64, text); }
+
+TEST(NumberWord, IsReadWhereItCanMeanOneNumberOnly) {
+  struct Case {
+    const char* typed;
+    const char* json;
+  };
+  for (const auto& [typed, json] : std::vector<Case>{{"0.5", "0.5"},
+                                                     {"-.5", "-0.5"},
+                                                     {".5", "0.5"},
+                                                     {"5.", "5"},
+                                                     {"+1", "1"},
+                                                     {" 1e3 ", "1e3"},
+                                                     {"1.E+3", "1e3"},
+                                                     {"-0", "-0.0"},
+                                                     {"inf", "\"inf\""},
+                                                     {"+inf", "\"inf\""},
+                                                     {"-inf", "\"-inf\""},
+                                                     {"nan", "\"nan\""},
+                                                     {"4.9e-324", "4.9e-324"},
+                                                     {"0e9999999999", "0e9999999999"}}) {
+    EXPECT_EQ(Real(typed).json, json) << typed;
+    EXPECT_EQ(Real(typed).flaw, NumberFlaw::kNone) << typed;
+  }
+}
+
+TEST(NumberWord, AnIntegerIsExactHoweverItIsWritten) {
+  EXPECT_EQ(Integer("9223372036854775807").json, "9223372036854775807");
+  EXPECT_EQ(Integer("1e3").json, "1000");
+  EXPECT_EQ(Integer("12.50e1").json, "125");
+  EXPECT_EQ(Integer("-0").json, "0");
+  EXPECT_EQ(ReadNumberWord(Kind::kUint64, "18446744073709551615").json, "18446744073709551615");
+  for (const char* fraction :
+       {"0.5", "1.00000000000000000001", "1e-1", "125e-1", "1e-99999999999"}) {
+    EXPECT_EQ(Integer(fraction).flaw, NumberFlaw::kFraction) << fraction;
+  }
+  for (const char* large : {"9223372036854775808", "1e40", "1e99999999999", "inf", "nan"}) {
+    EXPECT_EQ(Integer(large).flaw, NumberFlaw::kLimits) << large;
+  }
+  EXPECT_EQ(ReadNumberWord(Kind::kUint8, "-1").flaw, NumberFlaw::kLimits);
+  EXPECT_EQ(ReadNumberWord(Kind::kInt8, "128").flaw, NumberFlaw::kLimits);
+}
+
+TEST(NumberWord, ThatNoValueOfTheTypeHoldsIsRefused) {
+  for (const char* word : {"1e999", "-1e999", "1e-400", "2e-324"}) {
+    EXPECT_EQ(Real(word).flaw, NumberFlaw::kLimits) << word;
+  }
+  EXPECT_EQ(ReadNumberWord(Kind::kFloat32, "1e39").flaw, NumberFlaw::kLimits);
+  EXPECT_EQ(ReadNumberWord(Kind::kFloat32, "1e-50").flaw, NumberFlaw::kLimits);
+  EXPECT_EQ(ReadNumberWord(Kind::kDuration, "3e9").flaw, NumberFlaw::kLimits);
+  EXPECT_EQ(ReadNumberWord(Kind::kDuration, "1e-10").flaw, NumberFlaw::kLimits);
+  EXPECT_EQ(ReadNumberWord(Kind::kDuration, "1e-9").json, "1e-9");
+  EXPECT_EQ(ReadNumberWord(Kind::kDuration, "inf").flaw, NumberFlaw::kLimits);
+}
+
+TEST(NumberWord, ARefusalSaysWhatToWrite) {
+  struct Case {
+    const char* typed;
+    const char* text;
+  };
+  for (const auto& [typed, text] :
+       std::vector<Case>{{"", "a number is missing"},
+                         {"0,123", "write 0.123: the decimal sign is a point"},
+                         {"-12,5e3", "write -12.5e3: the decimal sign is a point"},
+                         {"1.234,5", "write 1234.5: the decimal sign is a point"},
+                         {"1 234,5", "write 1234.5: the decimal sign is a point"},
+                         {"1\u202f234,5", "write 1234.5: the decimal sign is a point"},
+                         {"1,234",
+                          "write 1.234 or 1234: the decimal sign is a point, and nothing stands "
+                          "between thousands"},
+                         {"1,234.5", "write 1234.5: nothing stands between thousands"},
+                         {"1'000", "write 1000: nothing stands between thousands"},
+                         {"1_000", "write 1000: nothing stands between thousands"},
+                         {"1.234.567", "write 1234567: nothing stands between thousands"},
+                         {"007", "write 7"},
+                         {"-01.5", "write -1.5"},
+                         {"0x10", "write 16"},
+                         {"Infinity", "write inf"},
+                         {"NaN", "write nan"},
+                         {"\uff11\uff12", "write 12"},
+                         {"\u0661\u066b\u0665", "write 1.5: the decimal sign is a point"},
+                         {"\u22125", "write -5"},
+                         {"5deg", "write the number alone, without 'deg'"},
+                         {"0,5 rad", "write the number alone, without 'rad'"},
+                         {"12 %", "write the number alone, without '%'"},
+                         {"fast", "write a number in digits"},
+                         {"1,2,3", "write a number in digits"},
+                         {"1e999", "that number is too large or too small for the type"}}) {
+    EXPECT_EQ(FlawText(Real(typed)), text) << typed;
+  }
+  EXPECT_EQ(FlawText(Integer("1.5")), "write a whole number");
+  EXPECT_THAT(Real("1,234").meant, ElementsAre("1.234", "1234"));
+  EXPECT_THAT(Real("1 2").meant, IsEmpty()) << "two numbers";
+}
+
+TEST(NumberWord, IsNeverAnotherNumber) {
+  test::RandomWords words(20);
+  int read = 0;
+  for (int i = 0; i < 200'000; ++i) {
+    const std::string word = words.Next();
+    for (const Kind kind : {Kind::kFloat64, Kind::kInt64, Kind::kDuration}) {
+      const NumberWord found = ReadNumberWord(kind, word);
+      ASSERT_EQ(found.json.empty(), found.flaw != NumberFlaw::kNone) << word;
+      ASSERT_EQ(FlawText(found).empty(), found.flaw == NumberFlaw::kNone) << word;
+      for (const std::string& meant : found.meant) {
+        ASSERT_TRUE(test::WrittenNumberOf(meant) || meant == "inf" || meant == "-inf" ||
+                    meant == "nan")
+            << word << " -> " << meant;
+      }
+      if (found.flaw != NumberFlaw::kNone || found.json.starts_with('"')) continue;
+      ++read;
+      const std::size_t begin = word.find_first_not_of(" \t");
+      const std::string bare = word.substr(begin, word.find_last_not_of(" \t") + 1 - begin);
+      ASSERT_TRUE(test::WrittenNumberOf(bare)) << word;
+      ASSERT_EQ(test::WrittenNumberOf(found.json), test::WrittenNumberOf(bare)) << word;
+    }
+  }
+  EXPECT_GT(read, 1000);
+}
+
+}  // namespace
+}  // namespace tendon

@@ -1,0 +1,259 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <tendon/base/error.h>
+#include <tendon/interface/function.h>
+#include <tendon/manager/local_manager.h>
+#include <tendon/task/callback_task.h>
+#include <tendon/task/signal_task.h>
+
+#include <atomic>
+#include <concepts>
+#include <stdexcept>
+#include <string>
+
+#include "support/allocation_guard.h"
+#include "support/refusal.h"
+#include "support/wait.h"
+
+// Commands that must be renewed.
+
+namespace tendon {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// Turns as fast as it was told last, until it is told nothing any more.
+template <std::derived_from<Task> Base>
+class Motor final : public Base {
+ public:
+  explicit Motor(std::string name, std::chrono::nanoseconds after = 1h) : Base(std::move(name)) {
+    auto& control = this->AddProvidedInterface("Control");
+    control.AddCommandWrite(&Motor::Turn, this, "Turn").ExpiresAfter(after, &Motor::Brake, this);
+    control.AddCommandVoid(&Motor::Brake, this, "Brake");
+    control.AddCommandWrite(&Motor::Turn, this, "TurnLatest")
+        .SetOverflow(Overflow::kLatestOnly)
+        .ExpiresAfter(after, &Motor::Brake, this);
+  }
+
+  std::atomic<double> speed = 0.0;
+  std::atomic<int> brakings = 0;
+  std::atomic<bool> throws = false;
+
+ private:
+  void Run() override { this->ProcessQueuedCommands(); }
+  void Turn(double wanted) { speed = wanted; }
+  void Brake() {
+    if (throws) throw std::runtime_error("brake worn");
+    speed = 0.0;
+    ++brakings;
+  }
+};
+
+class Hand final : public Component {
+ public:
+  explicit Hand(std::string name) : Component(std::move(name)) {
+    auto& motor = AddRequiredInterface("Motor");
+    motor.AddFunction(turn, "Turn");
+    motor.AddFunction(turn_latest, "TurnLatest");
+  }
+
+  WriteFunction<double> turn;
+  WriteFunction<double> turn_latest;
+};
+
+/// The motor's cycles are made by the test.
+struct Expiring : testing::Test {
+  LocalManager manager;
+  Hand& hand = manager.Add<Hand>("hand");
+  Hand& other_hand = manager.Add<Hand>("other");
+
+  Motor<CallbackTask>& AddMotor(std::chrono::nanoseconds after) {
+    auto& motor = manager.Add<Motor<CallbackTask>>("motor", after);
+    EXPECT_TRUE(manager.Start("hand"));
+    EXPECT_TRUE(manager.Start("other"));
+    EXPECT_TRUE(manager.Start("motor", kNoWait));
+    EXPECT_TRUE(manager.Connect({"hand", "Motor"}, {"motor", "Control"}));
+    EXPECT_TRUE(manager.Connect({"other", "Motor"}, {"motor", "Control"}));
+    EXPECT_TRUE(motor.Cycle());
+    return motor;
+  }
+  /// Makes cycles until it stands still.
+  static bool EventuallyStops(Motor<CallbackTask>& motor) {
+    return EventuallyTrue([&] { return motor.Cycle() && motor.speed == 0.0; });
+  }
+};
+
+TEST_F(Expiring, WhatIsNotRenewedEnds) {
+  auto& motor = AddMotor(5ms);
+
+  ASSERT_TRUE(hand.turn(2.0));
+  motor.Cycle();
+
+  EXPECT_TRUE(EventuallyStops(motor));
+  EXPECT_EQ(motor.brakings, 1);
+}
+
+TEST_F(Expiring, ItEndsOnceAndNotInEachCycle) {
+  auto& motor = AddMotor(1ms);
+  ASSERT_TRUE(hand.turn(2.0));
+  ASSERT_TRUE(EventuallyTrue([&] { return motor.Cycle() && motor.brakings > 0; }));
+
+  for (int i = 0; i < 20; ++i) motor.Cycle();
+
+  EXPECT_EQ(motor.brakings, 1);
+}
+
+TEST_F(Expiring, WhatIsRenewedGoesOn) {
+  auto& motor = AddMotor(1h);
+  ASSERT_TRUE(hand.turn(2.0));
+
+  for (int i = 0; i < 20; ++i) motor.Cycle();
+
+  EXPECT_EQ(motor.speed, 2.0);
+}
+
+TEST_F(Expiring, ARenewalThatWaitsCountsAlthoughTheTimeIsOver) {
+  auto& motor = AddMotor(10ms);
+  ASSERT_TRUE(hand.turn(2.0));
+  motor.Cycle();
+  const auto begin = std::chrono::steady_clock::now();
+  ASSERT_TRUE(EventuallyTrue([&] { return std::chrono::steady_clock::now() - begin > 20ms; }));
+
+  ASSERT_TRUE(hand.turn(3.0));
+  motor.Cycle();
+
+  EXPECT_EQ(motor.brakings, 0);
+  EXPECT_EQ(motor.speed, 3.0);
+}
+
+TEST_F(Expiring, ACommandThatKeepsTheLatestOnlyIsRenewedToo) {
+  auto& motor = AddMotor(5ms);
+
+  ASSERT_TRUE(hand.turn_latest(2.0));
+  motor.Cycle();
+  EXPECT_EQ(motor.speed, 2.0);
+
+  EXPECT_TRUE(EventuallyStops(motor));
+}
+
+TEST_F(Expiring, AClientThatIsGoneEndsWhatItHasSetGoingAtOnce) {
+  auto& motor = AddMotor(1h);
+  ASSERT_TRUE(hand.turn(2.0));
+  motor.Cycle();
+
+  ASSERT_TRUE(manager.Disconnect({"hand", "Motor"}));
+  motor.Cycle();
+
+  EXPECT_EQ(motor.speed, 0.0);
+}
+
+TEST_F(Expiring, AClientThatIsGoneEndsNothingOfAnother) {
+  auto& motor = AddMotor(1h);
+  ASSERT_TRUE(hand.turn(2.0));
+  motor.Cycle();
+  ASSERT_TRUE(other_hand.turn(3.0));
+  motor.Cycle();
+
+  ASSERT_TRUE(manager.Disconnect({"hand", "Motor"}));
+  motor.Cycle();
+
+  EXPECT_EQ(motor.speed, 3.0);
+  EXPECT_EQ(motor.brakings, 0);
+}
+
+TEST_F(Expiring, WhatHasExpiredWhileItWasSuspendedEndsBeforeItGoesOn) {
+  auto& motor = AddMotor(1ms);
+  ASSERT_TRUE(hand.turn(2.0));
+  motor.Cycle();
+  ASSERT_TRUE(manager.Suspend("motor"));
+  const int brakings = motor.brakings;
+  const double speed = motor.speed;
+  const auto begin = std::chrono::steady_clock::now();
+  ASSERT_TRUE(EventuallyTrue([&] { return std::chrono::steady_clock::now() - begin > 5ms; }));
+
+  ASSERT_TRUE(manager.Start("motor"));
+
+  EXPECT_EQ(motor.speed, 0.0) << "before its first cycle";
+  EXPECT_EQ(motor.brakings, speed == 0.0 ? brakings : brakings + 1);
+}
+
+TEST_F(Expiring, AnEndThatThrowsFaultsTheComponent) {
+  auto& motor = AddMotor(1ms);
+  motor.throws = true;
+  ASSERT_TRUE(hand.turn(2.0));
+
+  EXPECT_TRUE(EventuallyTrue([&] { return !motor.Cycle(); }));
+
+  EXPECT_EQ(motor.fault(), "a command or event handler: brake worn");
+}
+
+TEST_F(Expiring, RenewingAllocatesNothing) {
+  auto& motor = AddMotor(1h);
+  ASSERT_TRUE(hand.turn(2.0));
+
+  const AllocationGuard guard;
+  motor.Cycle();
+}
+
+TEST_F(Expiring, ATaskThatSleepsWakesForIt) {
+  auto& motor = manager.Add<Motor<SignalTask>>("motor", 5ms);
+  ASSERT_TRUE(manager.StartAll());
+  ASSERT_TRUE(manager.Connect({"hand", "Motor"}, {"motor", "Control"}));
+
+  ASSERT_TRUE(hand.turn(2.0));
+
+  EXPECT_TRUE(EventuallyTrue([&] { return motor.brakings == 1 && motor.speed == 0.0; }));
+}
+
+TEST_F(Expiring, OneThatRunsAfterATaskThatSleepsWakesThatForIt) {
+  auto& motor = manager.Add<Motor<SignalTask>>("motor", 5ms);
+  manager.Add<Motor<SignalTask>>("leader");
+  ASSERT_TRUE(manager.RunAfter("motor", "leader"));
+  ASSERT_TRUE(manager.StartAll());
+  ASSERT_TRUE(manager.Connect({"hand", "Motor"}, {"motor", "Control"}));
+  ASSERT_TRUE(manager.Connect({"other", "Motor"}, {"leader", "Control"}));
+
+  ASSERT_TRUE(hand.turn(2.0));
+  const bool has_turned = EventuallyTrue([&] {
+    (void)other_hand.turn(1.0);  // a cycle of both
+    return motor.speed == 2.0;
+  });
+  EXPECT_TRUE(has_turned || motor.brakings > 0);
+
+  EXPECT_TRUE(EventuallyTrue([&] { return motor.brakings == 1 && motor.speed == 0.0; }));
+}
+
+TEST_F(Expiring, IsPartOfTheDescription) {
+  auto& motor = AddMotor(250ms);
+
+  const ProvidedDescription control = motor.provided().front();
+
+  EXPECT_EQ(control.commands[0].expires_after, 0.25);
+  EXPECT_EQ(control.commands[1].expires_after, 0.0);
+}
+
+TEST_F(Expiring, ATimeOutOfRangeIsRefused) {
+  EXPECT_EQ(test::Refusal([] { Motor<CallbackTask>("motor", 0ms); }),
+            "command 'Turn' must expire after 1 ms..3600 s, got 0 ns");
+}
+
+/// Has no thread.
+class Lamp final : public Component {
+ public:
+  explicit Lamp(std::string name) : Component(std::move(name)) {
+    auto& control = AddProvidedInterface("Control");
+    control.AddCommandVoid(&Lamp::Glow, this, "Glow").ExpiresAfter(1s, &Lamp::Glow, this);
+  }
+
+ private:
+  void Glow() {}
+};
+
+TEST_F(Expiring, AComponentWithoutAThreadCannotEndIt) {
+  EXPECT_EQ(test::Refusal([this] { manager.Add<Lamp>("lamp"); }),
+            "command 'Glow' of 'lamp' cannot expire: a component without a thread cannot end it. "
+            "Derive it from a task");
+}
+
+}  // namespace
+}  // namespace tendon

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <QEvent>
+#include <QObject>
+#include <QWidget>
+#include <functional>
+
+namespace tendon::gui {
+
+/// Throws in a widget when an event of this type comes for it, as often as one comes.
+class Bomb : public QObject {
+ public:
+  Bomb(QWidget& target, QEvent::Type type, std::function<void()> explode)
+      : target_(target), type_(type), explode_(std::move(explode)) {
+    target.installEventFilter(this);
+  }
+
+  [[nodiscard]] int explosions() const { return explosions_; }
+  /// From now on it only counts.
+  void defuse() { is_live_ = false; }
+  [[nodiscard]] int events() const { return events_; }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (watched != &target_ || event->type() != type_) return false;
+    ++events_;
+    if (!is_live_) return false;
+    ++explosions_;
+    explode_();
+    return false;
+  }
+
+ private:
+  QWidget& target_;
+  const QEvent::Type type_;
+  const std::function<void()> explode_;
+  bool is_live_ = true;
+  int explosions_ = 0;
+  int events_ = 0;
+};
+
+}  // namespace tendon::gui

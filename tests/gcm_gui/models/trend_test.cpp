@@ -1,0 +1,115 @@
+#include <gcm_gui/models/text.h>
+#include <gcm_gui/models/trend.h>
+#include <gcm_gui/plot/series/axis_range.h>
+#include <gtest/gtest.h>
+#include <tendon/base/axis_ticks.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "support/property.h"
+
+namespace tendon::gui {
+namespace {
+
+template <typename T>
+Trend TrendOf(Schema::Kind kind, const std::vector<T>& values) {
+  QList<std::optional<ChannelValue>> all;
+  for (const T& value : values) all.append(ChannelValue(value));
+  return gui::TrendOf(Schema(kind), all);
+}
+
+TEST(Trend, FillsTheHeight) {
+  const Trend trend = TrendOf<double>(Schema::Kind::kFloat64, {1, 3, 2});
+
+  EXPECT_EQ(trend.parts, (QList<double>{0, 1, 0.5}));
+  EXPECT_FALSE(trend.is_stepped);
+}
+
+TEST(Trend, OfStatesIsStepped) {
+  const Trend trend = TrendOf<bool>(Schema::Kind::kBool, {true, true});
+
+  EXPECT_EQ(trend.parts, (QList<double>{1, 1})) << "true is above, also where nothing is false";
+  EXPECT_TRUE(trend.is_stepped);
+}
+
+TEST(Trend, OfACounterBeyondDoublesGrowsWithEachRow) {
+  constexpr std::uint64_t kLast = std::numeric_limits<std::uint64_t>::max();
+
+  EXPECT_EQ(TrendOf<std::uint64_t>(Schema::Kind::kUint64, {kLast - 4, kLast - 3, kLast}).parts,
+            (QList<double>{0, 0.25, 1}));
+}
+
+TEST(Trend, OfNoiseAtRestIsFlat) {
+  const Trend trend = TrendOf<double>(Schema::Kind::kFloat64, {5e-14, -5e-14, 3e-14});
+
+  for (const double part : trend.parts) EXPECT_NEAR(part, 0.5, 1e-9);
+}
+
+TEST(Trend, WhatIsNoNumberOrNotThereIsAGap) {
+  const QList<std::optional<ChannelValue>> values{
+      ChannelValue(0.0), std::nullopt, ChannelValue(std::numeric_limits<double>::infinity()),
+      ChannelValue(1.0)};
+  const Trend trend = gui::TrendOf(Schema(Schema::Kind::kFloat64), values);
+
+  EXPECT_EQ(trend.parts[0], 0);
+  EXPECT_TRUE(std::isnan(trend.parts[1]));
+  EXPECT_TRUE(std::isnan(trend.parts[2]));
+  EXPECT_EQ(trend.parts[3], 1);
+}
+
+template <typename T>
+void CheckTrends(Schema::Kind kind, const rc::Gen<T>& any) {
+  test::CheckProperty([&] {
+    const auto values = *rc::gen::container<std::vector<T>>(any);
+    const Trend trend = TrendOf<T>(kind, values);
+    RC_ASSERT(trend.parts.size() == static_cast<qsizetype>(values.size()));
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const double part = trend.parts[static_cast<qsizetype>(i)];
+      const bool is_there = std::isfinite(ChannelValue(values[i]).real());
+      RC_ASSERT(std::isnan(part) != is_there);
+      if (is_there) RC_ASSERT(part >= 0 && part <= 1);
+    }
+  });
+}
+
+TEST(TrendProperty, HasAPlaceForEveryNumber) {
+  CheckTrends<double>(Schema::Kind::kFloat64, test::AnyDouble());
+  CheckTrends<std::int64_t>(Schema::Kind::kInt64, test::AnyInteger<std::int64_t>());
+  CheckTrends<std::uint64_t>(Schema::Kind::kUint64, test::AnyInteger<std::uint64_t>());
+}
+
+/// What a cell says of a double reads as it, rounded; what its tooltip adds reads as all of it.
+TEST(ValueTextProperty, NeverSaysAnotherNumber) {
+  test::CheckProperty([] {
+    const double value = *test::AnyFinite();
+    PlotChannel channel;
+    channel.schema = Schema(Schema::Kind::kFloat64);
+    const std::string shown = QuantityOf(channel, ChannelValue(value)).number.toStdString();
+    const std::string whole = WholeText(channel, ChannelValue(value)).toStdString();
+    // The largest double, rounded, is beyond what a double can be read as.
+    const long double near = std::strtold(shown.c_str(), nullptr);
+    RC_ASSERT(std::abs(near - value) <= std::abs(value) * 6e-3L);
+    RC_ASSERT(std::strtod((whole.empty() ? shown : whole).c_str(), nullptr) == value);
+  });
+}
+
+TEST(Trend, AndPlotsAndTheConsoleAgreeOnWhatIsAtRest) {
+  for (const double size : {1e-13, 9e-13, 2e-12, 1.0, 1e9, 1e200}) {
+    for (int step = 0; step < 40; ++step) {
+      const double high = size * (1 + step * 1e-14);
+      const AxisSpan<double> span = WidenedSpan(size, high);
+      const bool is_at_rest = span.low != size || span.high != high;
+      EXPECT_EQ(IsFlat({.low = size, .high = high}, 0, NumberKind::kReal), is_at_rest)
+          << size << " " << step;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace tendon::gui

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <tendon/base/status.h>
+#include <tendon/task/periodic_task.h>
+
+#include <atomic>
+#include <chrono>
+#include <concepts>
+#include <cstdint>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+/// Components that lead each other, and stop at their end the one that they lead.
+namespace leading {
+
+/// What components have done; outlives them.
+class Story {
+ public:
+  void Add(const std::string& line) {
+    const std::scoped_lock lock(mutex_);
+    lines_.push_back(line);
+  }
+  [[nodiscard]] std::vector<std::string> lines() const {
+    const std::scoped_lock lock(mutex_);
+    return lines_;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::vector<std::string> lines_;
+};
+
+/// Leads the next one, and can be led itself: tells of each stop that reaches it, and of its
+/// Cleanup(), which sends one to the next.
+template <std::derived_from<tendon::Task> Base>
+class Leading final : public Base {
+ public:
+  Leading(std::string name, Story& story)
+      : Base(std::move(name), std::chrono::milliseconds(1)), story_(story) {
+    auto& control = this->AddProvidedInterface("Control");
+    control.AddCommandVoid(&Leading::Go, this, "Go");
+    control.AddCommandVoid(&Leading::Stop, this, "Stop");
+    auto& next = this->AddRequiredInterface("Next", tendon::Need::kOptional);
+    next.SetMailboxCapacity(4);
+    next.AddFunction(go_, "Go");
+    next.AddFunction(stop_, "Stop");
+  }
+
+  std::atomic<std::chrono::milliseconds> work{std::chrono::milliseconds(0)};  ///< of a cycle
+  std::atomic<bool> floods = false;   ///< sends until it is refused
+  std::atomic<bool> executes = true;  ///< what is sent to it
+  std::atomic<bool> holds = false;    ///< a cycle, until it is false again
+  std::atomic<bool> is_held = false;
+  std::atomic<std::uint64_t> refused = 0;  ///< for want of room
+  std::atomic<std::uint64_t> gone = 0;     ///< as it was told
+
+ private:
+  void Run() override {
+    if (executes) this->ProcessQueuedCommands();
+    tendon::Status sent = tendon::Status::kQueued;
+    while (floods && sent) sent = go_();
+    if (sent == tendon::Status::kQueueFull) ++refused;
+    std::this_thread::sleep_for(work.load());
+    while (holds) {
+      is_held = true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  }
+  void Cleanup() override {
+    const tendon::Status sent = stop_();
+    const std::string outcome = sent ? "" : ", " + std::string(ToString(sent));
+    story_.Add(this->name() + " ends" + outcome);
+  }
+  void Go() { ++gone; }
+  void Stop() { story_.Add(this->name() + " is stopped"); }
+
+  Story& story_;
+  tendon::VoidFunction go_;
+  tendon::VoidFunction stop_;
+};
+
+}  // namespace leading
