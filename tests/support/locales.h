@@ -4,14 +4,18 @@
 
 #include <clocale>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
 #include <string>
 #include <vector>
 
 namespace tendon::test {
 
-/// Locales for tests of numbers, made for them: which are installed differs from machine to
-/// machine. The program speaks the last one used, and its own again in the end. One at a time: what
-/// it changes is the whole program's.
+/// Locales for tests of numbers, made here: which are installed differs from machine to machine,
+/// and so do the sources from which Debian makes them. Each has its language's number words and
+/// nothing else. This program speaks the last one used, and its own again in the end; programs that
+/// it starts find them by LOCPATH. One at a time: what it changes is the whole program's.
 class Locales {
  public:
   Locales() {
@@ -31,19 +35,48 @@ class Locales {
     return names;
   }
 
-  /// False where it cannot be made: localedef or its sources are missing (Debian: locales).
+  /// One of Names(). False where localedef, which is a part of the C library, cannot make it.
   bool Use(const std::string& name) {
-    if (name == "C") return std::setlocale(LC_ALL, "C") != nullptr;
-    const std::string whole = name + ".UTF-8";
-    if (std::setlocale(LC_ALL, whole.c_str()) != nullptr) return true;
-    const std::string made = (folder_.path() / whole).string();
-    const std::string line = "localedef -f UTF-8 -i " + name + " " + made + " >/dev/null 2>&1";
-    return std::system(line.c_str()) == 0 && std::setlocale(LC_ALL, whole.c_str()) != nullptr;
+    // The C library remembers a locale that was not there: it is made before it is asked for.
+    if (name != "C" && !std::filesystem::exists(folder_.path() / name)) Make(name);
+    return std::setlocale(LC_ALL, name.c_str()) != nullptr;
   }
 
   [[nodiscard]] std::string path() const { return folder_.path().string(); }
 
  private:
+  struct NumberWords {
+    std::string point;
+    std::string between_thousands;
+  };
+
+  void Make(const std::string& name) const {
+    static const std::map<std::string, NumberWords> words{
+        {"en_US", {".", ","}}, {"de_DE", {",", "."}}, {"fr_FR", {",", " "}}};
+    const auto& [point, between_thousands] = words.at(name);
+    const std::string locale = (folder_.path() / (name + ".source")).string();
+    std::ofstream(locale) << "LC_NUMERIC\ndecimal_point \"" << point << "\"\nthousands_sep \""
+                          << between_thousands << "\"\ngrouping 3;3\nEND LC_NUMERIC\n";
+    const std::string letters = (folder_.path() / "ascii").string();
+    std::ofstream(letters) << "<code_set_name> ANSI_X3.4-1968\n<mb_cur_max> 1\n<escape_char> /\n"
+                              "CHARMAP\n"
+                           << AsciiLetters() << "END CHARMAP\n";
+    // -c: the other parts of a locale stay those of C, which it says as warnings.
+    const std::string line = "localedef -c -f '" + letters + "' -i '" + locale + "' '" +
+                             (folder_.path() / name).string() + "' >/dev/null 2>&1";
+    [[maybe_unused]] const int warned = std::system(line.c_str());
+  }
+
+  static std::string AsciiLetters() {
+    constexpr char kDigits[] = "0123456789ABCDEF";
+    std::string letters;
+    for (int code = 0; code < 128; ++code) {
+      const std::string number{kDigits[code / 16], kDigits[code % 16]};
+      letters += "<U00" + number + "> /x" + number + "\n";
+    }
+    return letters;
+  }
+
   Folder folder_;
   std::string former_ = std::setlocale(LC_ALL, nullptr);
   std::string former_path_;

@@ -9,7 +9,9 @@
 
 #include <future>
 #include <mutex>
+#include <optional>
 #include <utility>
+#include <vector>
 
 namespace tendon {
 namespace {
@@ -115,7 +117,28 @@ class Process::Parts final : public MembershipDelegate {
     return promise->get_future().get();
   }
 
+  /// The connection where the GCM ordered it; from now on it is the program's.
+  [[nodiscard]] std::optional<ConnectionId> TakeOver(const message::Wire& wire) {
+    const auto lock = process_.Lock();
+    const auto connection = ConnectionOf(wire.required);
+    const bool is_it = connection && connection->provided == wire.provided &&
+                       connection->state != ConnectionState::kFailed;
+    if (!is_it || std::erase(ordered_, wire) == 0) return {};
+    return connection->id;
+  }
+
+  void ForgetOrder(const InterfaceName& required) {
+    const auto lock = process_.Lock();
+    std::erase_if(ordered_, [&](const message::Wire& wire) { return wire.required == required; });
+  }
+
   void RemoveComponent(const std::string& component) {
+    {
+      const auto lock = process_.Lock();
+      std::erase_if(ordered_, [&](const message::Wire& wire) {
+        return wire.required.component == component;
+      });
+    }
     connections_.RemoveComponent(component);
     services_.connections.RemoveComponent(component);
     services_.calls.RemoveComponent(component);
@@ -148,6 +171,14 @@ class Process::Parts final : public MembershipDelegate {
             .plugins = life_.plugins()};
   }
 
+  [[nodiscard]] std::optional<ConnectionDescription> ConnectionOf(
+      const InterfaceName& required) const {
+    for (const ConnectionDescription& connection : process_.connections()) {
+      if (connection.required == required) return connection;
+    }
+    return {};
+  }
+
   void OnOwnAddress(const std::string& address) override {
     const std::scoped_lock lock(address_mutex_);
     address_ = address;
@@ -163,12 +194,22 @@ class Process::Parts final : public MembershipDelegate {
     const message::Wire& wire = wiring.wire;
     const auto here = process_.Here(wire.required);
     if (!here) return done(here.error());
+    {
+      const auto lock = process_.Lock();
+      if (!ConnectionOf(wire.required)) ordered_.push_back(wire);
+    }
     if (wire.provided.process != context_.name) {
       connections_.LearnPeer(wire.provided.process, wiring.address, wiring.instance);
-      return connections_.Connect(wire, std::move(done));
+      return connections_.Connect(wire, [this, wire, done](const auto& made) {
+        if (!made) ForgetOrder(wire.required);
+        done(made);
+      });
     }
-    const auto id = process_.Connect(wire.required, wire.provided);
-    if (!id) return done(id.error());
+    const auto id = process_.ConnectAnew(wire.required, wire.provided);
+    if (!id) {
+      ForgetOrder(wire.required);
+      return done(id.error());
+    }
     done(ConnectionDescription{.id = *id,
                                .required = wire.required,
                                .provided = wire.provided,
@@ -203,6 +244,8 @@ class Process::Parts final : public MembershipDelegate {
   Services services_;
   RemoteConnections connections_;
   LifeCycle life_;
+  // What the GCM ordered and the program has not asked for; under the manager's lock.
+  std::vector<message::Wire> ordered_;
   mutable std::mutex address_mutex_;
   std::string address_;  // as others are told it
   std::unique_ptr<Membership> membership_;
@@ -259,17 +302,28 @@ Result<ConnectionId> Process::Connect(const InterfaceName& required,
   const auto here = Here(required);
   if (!here) return here.error();
   const InterfaceName there = Full(provided);
-  if (there.process != name()) return parts_->Connect({.required = *here, .provided = there});
-  if (parts_->connections().Has(*here)) {
-    return Error{ErrorCode::kExists,
-                 ToString(*here) + " is connected already; disconnect it first"};
+  auto made = ConnectAnew(*here, there);
+  if (made || made.error().code != ErrorCode::kExists) return made;
+  const auto ordered = parts_->TakeOver({.required = *here, .provided = there});
+  return ordered ? Result<ConnectionId>(*ordered) : made;
+}
+
+Result<ConnectionId> Process::ConnectAnew(const InterfaceName& required,
+                                          const InterfaceName& provided) {
+  if (provided.process != name()) {
+    return parts_->Connect({.required = required, .provided = provided});
   }
-  return LocalManager::Connect(WithoutProcess(*here), WithoutProcess(there));
+  if (parts_->connections().Has(required)) {
+    return Error{ErrorCode::kExists,
+                 ToString(required) + " is connected already; disconnect it first"};
+  }
+  return LocalManager::Connect(WithoutProcess(required), WithoutProcess(provided));
 }
 
 Result<void> Process::Disconnect(const InterfaceName& required) {
   const auto here = Here(required);
   if (!here) return here.error();
+  parts_->ForgetOrder(*here);
   if (parts_->connections().Has(*here)) return parts_->connections().Disconnect(*here);
   return LocalManager::Disconnect(WithoutProcess(*here));
 }

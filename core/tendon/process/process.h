@@ -67,7 +67,8 @@ class Process final : public LocalManager, private ProcessHost {
 
   /// An end without a process means this one. The required interface must be here; the provided one
   /// may be anywhere: where its process, or its component, is not there yet, the connection is
-  /// pending. Blocks for at most two seconds. Otherwise as LocalManager::Connect().
+  /// pending. Blocks for at most two seconds. A connection of the two that the GCM ordered, as it
+  /// does for a process that returns, is this one. Otherwise as LocalManager::Connect().
   Result<ConnectionId> Connect(const InterfaceName& required,
                                const InterfaceName& provided) override;
   Result<void> Disconnect(const InterfaceName& required) override;
@@ -83,6 +84,7 @@ class Process final : public LocalManager, private ProcessHost {
  private:
   class Parts;
 
+  Result<ConnectionId> ConnectAnew(const InterfaceName& required, const InterfaceName& provided);
   void OnRemoving(const Component& component) override;
   [[nodiscard]] bool HasCallsUnderWay(const Component& client) const override;
   [[nodiscard]] InterfaceName Full(InterfaceName name) const;

@@ -325,6 +325,50 @@ TEST_P(RemoteConnection, OfALostProcessIsMadeAgainWhenItReturns) {
   EXPECT_EQ(lines.at(2), kEnds + "stands");
 }
 
+TEST_P(RemoteConnection, ThatTheGcmHandedBackIsTheOneTheProgramAsksFor) {
+  StartRobot();
+  StartDesk();
+  Connect();
+  desk.reset();
+  StartDesk();
+  ASSERT_TRUE(EventuallyActive(*desk, 1)) << "the GCM hands it back";
+  const auto handed_back = desk->connections().front().id;
+
+  const auto other = desk->Connect(kRobot, InterfaceName("robot", "other", "Control"));
+  const auto asked_for = desk->Connect(kRobot, kControl);
+  const auto again = desk->Connect(kRobot, kControl);
+
+  EXPECT_EQ(other.error().code, ErrorCode::kExists);
+  ASSERT_TRUE(asked_for.ok()) << asked_for.error().message;
+  EXPECT_EQ(*asked_for, handed_back);
+  EXPECT_EQ(again.error().code, ErrorCode::kExists) << "that is the program's own";
+  EXPECT_EQ(desk->connections().size(), 1U);
+
+  ASSERT_TRUE(desk->Disconnect(kRobot).ok());
+  EXPECT_TRUE(desk->connections().empty());
+}
+
+TEST_P(RemoteConnection, WithinAProcessThatTheGcmHandedBackIsTheOneTheProgramAsksFor) {
+  const InterfaceName control("desk", "plant", "Control");
+  const auto start = [&] {
+    desk = Start("desk");
+    desk->Add<Plant>("plant");
+    desk->Add<Operator>("operator");
+    ASSERT_TRUE(desk->StartAll().ok());
+  };
+  start();
+  ASSERT_TRUE(desk->Connect(kRobot, control).ok());
+  ASSERT_TRUE(EventuallyTrue([&] { return gcm().catalog().FindConnection(kRobot) != nullptr; }));
+  desk.reset();
+  start();
+  ASSERT_TRUE(EventuallyActive(*desk, 1)) << "the GCM hands it back";
+
+  const auto asked_for = desk->Connect(kRobot, control);
+
+  EXPECT_TRUE(asked_for.ok()) << asked_for.error().message;
+  EXPECT_EQ(desk->Connect(kRobot, control).error().code, ErrorCode::kExists);
+}
+
 TEST_P(RemoteConnection, OfARemovedComponentIsMadeAgainWhenItReturns) {
   StartRobot();
   StartDesk();

@@ -6,12 +6,12 @@
 #include <tests/core/gcm/samples.h>
 
 #include <algorithm>
-#include <clocale>
 #include <csignal>
 #include <regex>
 #include <sstream>
 
 #include "gcm_console/demo_fixture.h"
+#include "support/locales.h"
 
 namespace {
 
@@ -184,22 +184,6 @@ TEST(SheetOf, WhereSomethingIsNotShownElsewhereItStandsInColumns) {
   EXPECT_EQ(sheet.nodes.back().rect, columns.nodes.back().rect);
 }
 
-/// The first of these languages that is here, if any is.
-class CommaLocale {
- public:
-  CommaLocale() {
-    for (const char* const name : {"de_DE.UTF-8", "fr_FR.UTF-8", "de_AT.UTF-8", "nl_NL.UTF-8"}) {
-      if (std::setlocale(LC_NUMERIC, name) != nullptr) break;
-    }
-  }
-  CommaLocale(const CommaLocale&) = delete;
-  CommaLocale& operator=(const CommaLocale&) = delete;
-  ~CommaLocale() { std::setlocale(LC_NUMERIC, before_.c_str()); }
-
- private:
-  const std::string before_ = std::setlocale(LC_NUMERIC, nullptr);
-};
-
 TEST(PrintDot, WhatIsArrangedHasItsPlaceInEveryLanguage) {
   const Chain chain(1);
   Sheet sheet;
@@ -209,7 +193,8 @@ TEST(PrintDot, WhatIsArrangedHasItsPlaceInEveryLanguage) {
   std::ostringstream out;
 
   {
-    const CommaLocale german;
+    tendon::test::Locales german;
+    ASSERT_TRUE(german.Use("de_DE"));
     console::PrintDot(chain.catalog(), sheet, out);
   }
 

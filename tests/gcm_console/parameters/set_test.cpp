@@ -3,10 +3,12 @@
 #include <program/exit_code.h>
 
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "gcm_console/output/json_schema.h"
 #include "gcm_console/system_fixture.h"
+#include "support/locales.h"
 
 namespace {
 
@@ -57,6 +59,32 @@ TEST_F(SetVerbTest, OneParameterIsChangedAndTheOthersStayAsTheyWereTold) {
   EXPECT_EQ(Told()["noise"], 0.001);
   EXPECT_EQ(Gcm({"undo", "2"}).exit_code, program::kOk);
   EXPECT_EQ(Told(), json::parse(R"({"noise": 0.001})"));
+}
+
+TEST_F(SetVerbTest, ANumberIsTheSameInEveryLanguageOfTheShell) {
+  tendon::test::Locales locales;
+  for (const std::string& name : tendon::test::Locales::Names()) {
+    ASSERT_TRUE(locales.Use(name)) << "localedef did not make " << name;
+    const std::map<std::string, std::string> language{{"LC_ALL", name},
+                                                      {"LOCPATH", locales.path()}};
+    const auto in_language = [&](Program::Words words) {
+      words.insert(words.begin(), {Binary("gcm"), "--gcm", address, "--timeout", kPatience});
+      return RunProgram(words, language);
+    };
+
+    EXPECT_EQ(in_language({"set", "robot/arm", "noise", "0.25"}).out,
+              "robot/arm noise\tset from 0.001 to 0.25\n")
+        << name;
+    const Outcome refused = in_language({"set", "robot/arm", "noise", "0,125"});
+    EXPECT_EQ(refused.exit_code, program::kUsage) << name;
+    EXPECT_THAT(refused.err, HasSubstr("'0,125'; write 0.125: the decimal sign is a point"));
+    EXPECT_THAT(in_language({"watch", "robot/arm/state.Joints", "--hz", "0,5"}).err,
+                HasSubstr("'0,5'; write 0.5: the decimal sign is a point"));
+    EXPECT_THAT(in_language({"get", "robot/arm/state"}).out, testing::Not(HasSubstr("0,"))) << name;
+    EXPECT_EQ(in_language({"set", "robot/arm", "noise", "0.001"}).out,
+              "robot/arm noise\tset from 0.25 to 0.001\n")
+        << name;
+  }
 }
 
 TEST_F(SetVerbTest, ADryRunChecksEverythingAndChangesNothing) {
