@@ -64,7 +64,9 @@ void SimulatedArm::MoveTo(const JointGoal& goal) {
 }
 
 void SimulatedArm::MoveAt(const JointVelocity& velocity) {
-  if (!motion_.MoveAt(velocity.velocity)) ++refused_;
+  if (motion_.MoveAt(velocity.velocity)) return;
+  ++refused_;
+  EndMoveAt();  // the refused call has renewed the one before
 }
 
 void SimulatedArm::EndMoveAt() {

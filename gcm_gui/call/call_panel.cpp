@@ -13,6 +13,7 @@
 #include <tendon/gcm/lookup.h>
 #include <tendon/payload/json.h>
 #include <tendon/payload/json/strict_json.h>
+#include <tendon/payload/json/typed_value.h>
 
 #include <QClipboard>
 #include <QGuiApplication>
@@ -330,7 +331,8 @@ void CallPanel::hearValue(const std::string& read, const std::vector<std::string
     return tell(Words::tr("Not the present values: %1 does not say them").arg(ToQString(read)),
                 QStringLiteral("warning"));
   }
-  form_->setJson(fields.empty() ? *value : WithFieldsOf(form_->json(), *value, fields));
+  const std::string exact = WithExactDurations(*schema_, *value);
+  form_->setJson(fields.empty() ? exact : WithFieldsOf(form_->json(), exact, fields));
   check();
   if (!call_->isEnabled()) return;
   QStringList names;

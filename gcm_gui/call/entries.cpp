@@ -51,8 +51,9 @@ class NumberEntry final : public Entry {
   /// What is no number stays a text.
   [[nodiscard]] Json value() const override {
     const NumberWord word = field_.word();
-    if (word.flaw == NumberFlaw::kNone) return *ParseOrderedJson(word.json);
-    return field_.text().toStdString();
+    if (word.flaw != NumberFlaw::kNone) return field_.text().toStdString();
+    const bool is_fine = field_.isDuration() && IsFinerThanDouble(word.json);
+    return is_fine ? Json(word.json) : *ParseOrderedJson(word.json);
   }
   void setValue(const Json& value) override { field_.setText(TextOf(value)); }
   [[nodiscard]] QStringList refusals() const override {

@@ -29,6 +29,7 @@ class NumberField : public QLineEdit {
   void setHelp(const QString& help);
 
   [[nodiscard]] NumberWord word() const;
+  [[nodiscard]] bool isDuration() const { return schema_.kind() == Schema::Kind::kDuration; }
   /// Why there is no number of the type in it, and what to write; empty where there is one.
   [[nodiscard]] QString refusal() const;
   /// Why nothing was pasted; empty once anything is entered.

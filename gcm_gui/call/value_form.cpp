@@ -3,6 +3,7 @@
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
 #include <tendon/payload/json/strict_json.h>
+#include <tendon/payload/json/typed_value.h>
 
 #include <QGridLayout>
 #include <QLabel>
@@ -49,7 +50,7 @@ class ValueForm::Structure final : public Entry {
 };
 
 ValueForm::ValueForm(const Schema& schema, QWidget* parent)
-    : QWidget(parent), grid_(new QGridLayout(this)) {
+    : QWidget(parent), schema_(schema), grid_(new QGridLayout(this)) {
   grid_->setContentsMargins(kInset, kGrid, kInset, kGrid);
   grid_->setHorizontalSpacing(2 * kGrid);
   grid_->setVerticalSpacing(kGrid);
@@ -65,7 +66,8 @@ ValueForm::~ValueForm() = default;
 std::string ValueForm::json() const { return entry_->value().dump(); }
 
 void ValueForm::setJson(const std::string& json) {
-  if (const auto value = ParseOrderedJson(json)) entry_->setValue(*value);
+  const auto value = ParseOrderedJson(WithExactDurations(schema_, json));
+  if (value) entry_->setValue(*value);
 }
 
 QStringList ValueForm::wrongFields() const {

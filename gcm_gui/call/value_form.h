@@ -50,6 +50,7 @@ class ValueForm : public QWidget {
   void showRefusals();
   void addName(const Schema::Field& field, const QString& text, int level);
 
+  const Schema schema_;
   QGridLayout* grid_;
   std::unique_ptr<Entry> entry_;
   std::vector<Place> places_;  // of all that has no fields of its own

@@ -155,7 +155,14 @@ void Fence::cover(QWidget& view) {
       &view,
       [this, &view] {
         if (!covers_.contains(&view) || covers_.value(&view) != nullptr) return;
-        auto* built = new ViewCover(view);
+        ViewCover* built = nullptr;
+        try {
+          built = new ViewCover(view);
+        } catch (...) {
+          covers_.remove(&view);  // it is drawn again, and may find memory then
+          count();
+          return;
+        }
         covers_.insert(&view, built);
         connect(built, &ViewCover::shownAgainRequested, this, [this, &view] { showAgain(view); });
       },

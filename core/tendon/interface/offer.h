@@ -71,12 +71,12 @@ class Offer {
   }
 
   /// For queued commands of a task, in the constructor: what a call sets going must be renewed by
-  /// the next one. Where none was executed for `after`, or where the client of the last one is
-  /// gone, `method` runs in the component's thread: in ProcessQueuedCommands(), and at the latest
-  /// at the end of the first cycle after that. So a robot stops whose operator is cut off. It
-  /// also runs where another command has taken over since, or has ended all: the method must look
-  /// whether what it ends still goes on. `after` is 1 ms to 3600 s. ConfigurationError for what
-  /// does not wait for the component.
+  /// the next one; a call that the command refuses renews, too. Where none was executed for
+  /// `after`, or where the client of the last one is gone, `method` runs in the component's thread:
+  /// in ProcessQueuedCommands(), and at the latest at the end of the first cycle after that. So a
+  /// robot stops whose operator is cut off. It also runs where another command has taken over
+  /// since, or has ended all: the method must look whether what it ends still goes on. `after` is 1
+  /// ms to 3600 s. ConfigurationError for what does not wait for the component.
   template <typename Owner, std::derived_from<Owner> Object>
   Offer& ExpiresAfter(std::chrono::nanoseconds after, void (Owner::*method)(), Object* object) {
     return SetExpiry(after, [method, object] { (object->*method)(); });

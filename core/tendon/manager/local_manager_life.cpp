@@ -137,9 +137,12 @@ std::vector<OrderlyEnd::Member> LocalManager::InEndOrder(const IsMeant& is_meant
   Dependencies needed(entries_.size());
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     const auto* const task = dynamic_cast<const Task*>(entries_[i].component.get());
-    if (task != nullptr && task->leader() != nullptr) {
-      needed[i].push_back(numbers.at(task->leader()->name()));
-    }
+    const Task* const leader = task == nullptr ? nullptr : task->leader();
+    const auto own = std::ranges::find_if(
+        entries_, [&](const Entry& entry) { return entry.component.get() == leader; });
+    // Another manager may have the leader, or it has just been removed.
+    if (own != entries_.end())
+      needed[i].push_back(static_cast<std::size_t>(own - entries_.begin()));
   }
   for (const auto& [id, connection] : connections_) {
     const std::size_t client = numbers.at(connection.description.required.component);

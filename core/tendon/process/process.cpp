@@ -133,12 +133,6 @@ class Process::Parts final : public MembershipDelegate {
   }
 
   void RemoveComponent(const std::string& component) {
-    {
-      const auto lock = process_.Lock();
-      std::erase_if(ordered_, [&](const message::Wire& wire) {
-        return wire.required.component == component;
-      });
-    }
     connections_.RemoveComponent(component);
     services_.connections.RemoveComponent(component);
     services_.calls.RemoveComponent(component);
@@ -196,7 +190,10 @@ class Process::Parts final : public MembershipDelegate {
     if (!here) return done(here.error());
     {
       const auto lock = process_.Lock();
-      if (!ConnectionOf(wire.required)) ordered_.push_back(wire);
+      if (!ConnectionOf(wire.required)) {
+        ForgetOrder(wire.required);
+        ordered_.push_back(wire);
+      }
     }
     if (wire.provided.process != context_.name) {
       connections_.LearnPeer(wire.provided.process, wiring.address, wiring.instance);
@@ -303,6 +300,7 @@ Result<ConnectionId> Process::Connect(const InterfaceName& required,
   if (!here) return here.error();
   const InterfaceName there = Full(provided);
   auto made = ConnectAnew(*here, there);
+  if (made) parts_->ForgetOrder(*here);
   if (made || made.error().code != ErrorCode::kExists) return made;
   const auto ordered = parts_->TakeOver({.required = *here, .provided = there});
   return ordered ? Result<ConnectionId>(*ordered) : made;
@@ -323,7 +321,6 @@ Result<ConnectionId> Process::ConnectAnew(const InterfaceName& required,
 Result<void> Process::Disconnect(const InterfaceName& required) {
   const auto here = Here(required);
   if (!here) return here.error();
-  parts_->ForgetOrder(*here);
   if (parts_->connections().Has(*here)) return parts_->connections().Disconnect(*here);
   return LocalManager::Disconnect(WithoutProcess(*here));
 }

@@ -111,7 +111,7 @@ void Component::Seal() {
   if (expiries_.empty() || inbox_) return;
   throw ConfigurationError(
       "command '" + expiries_.front()->command() + "' of " + Quoted(name_) +
-      " cannot expire: a component without a thread cannot end it. Derive it " + "from a task");
+      " cannot expire: a component without a thread cannot end it. Derive it from a task");
 }
 
 Result<void> Component::Start(Patience patience, const std::function<bool()>& proceed) {
@@ -339,8 +339,7 @@ SteadyTime Component::next_expiry() const noexcept {
 void Component::HearOfPeer(RequiredInterface& interface) { (void)TellOfPeers(interface); }
 
 void Component::HearOfGoneClient(GoneClient client) {
-  if (state() == ComponentState::kSuspended) return KeepGoneClient(std::move(client));
-  if (state() == ComponentState::kActive) (void)TellOfGoneClient(client);
+  if (!is_at_rest()) (void)TellOfGoneClient(client);
 }
 
 void Component::KeepGoneClient(GoneClient client) {

@@ -135,6 +135,8 @@ class Component {
   /// A client that could call `interface` is disconnected or lost, and nothing that it has sent is
   /// executed any more; told while it runs, or once it is resumed. `client` is named as its manager
   /// knows it: "teleoperation/Robot" in this process, "desk/teleoperation/Robot" in another one.
+  /// A component without a thread is told at once, in the thread that disconnects. Consoles and
+  /// windows that call commands by name are no clients.
   virtual void OnClientGone(ProvidedInterface& /*interface*/, const std::string& /*client*/) {}
 
   // What the requests do, once they are known to be legal. They need not wait for their effect.

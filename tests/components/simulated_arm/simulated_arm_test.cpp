@@ -167,6 +167,24 @@ TEST_F(SimulatedArmTest, MovesAtAVelocityWithoutAJerk) {
   EXPECT_LE(greatest, 0.3 * ArmConfiguration().acceleration[0]);
 }
 
+TEST_F(SimulatedArmTest, AVelocityThatIsRefusedEndsTheOneBefore) {
+  JointVector velocity{};
+  velocity[0] = 0.5;
+  JointVector wrong = velocity;
+  wrong[3] = std::nan("");
+  EXPECT_TRUE(client_.move_at({velocity}));
+  arm_.Cycle(80);
+  ASSERT_GT(Joints().velocity[0], 0.2);
+
+  for (int i = 0; i < 100; ++i) {  // as often as would keep it in motion
+    EXPECT_TRUE(client_.move_at({wrong}));
+    arm_.Cycle(10);
+  }
+
+  EXPECT_EQ(arm_.Read<std::uint64_t>("Refused"), 100U);
+  EXPECT_NEAR(Joints().velocity[0], 0.0, 1e-6);
+}
+
 TEST_F(SimulatedArmTest, AVelocityThatIsNotRenewedEnds) {
   JointVector velocity{};
   velocity[0] = 0.5;

@@ -164,6 +164,20 @@ TEST_F(OrderlyEndTest, EndsFollowersBeforeTheirLeader) {
   EXPECT_EQ(story.lines(), in_order);
 }
 
+TEST_F(OrderlyEndTest, EndsOneWhoseLeaderBelongsToAnotherManager) {
+  LocalManager other;
+  auto& leader = other.Add<Task>("leader", story);
+  ASSERT_TRUE(client.RunAfter(leader));
+  ASSERT_TRUE(other.StartAll());
+  ASSERT_TRUE(manager->StartAll());
+
+  EXPECT_TRUE(manager->StopAll());
+
+  EXPECT_EQ(client.state(), ComponentState::kFinished);
+  manager.reset();
+  EXPECT_TRUE(other.StopAll());
+}
+
 TEST_F(OrderlyEndTest, EndsAClientThatLeadsItsServerAlsoInOneThread) {
   Lead("client", "server");
   ASSERT_TRUE(manager->RunAfter("server", "client"));

@@ -329,6 +329,7 @@ TEST_P(RemoteConnection, ThatTheGcmHandedBackIsTheOneTheProgramAsksFor) {
   StartRobot();
   StartDesk();
   Connect();
+  ASSERT_TRUE(EventuallyTrue([&] { return gcm().catalog().FindConnection(kRobot) != nullptr; }));
   desk.reset();
   StartDesk();
   ASSERT_TRUE(EventuallyActive(*desk, 1)) << "the GCM hands it back";

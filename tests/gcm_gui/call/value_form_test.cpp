@@ -142,5 +142,23 @@ TEST(ValueFormOfANumber, IsOneField) {
   EXPECT_EQ(form.json(), "2.5");
 }
 
+TEST(ValueFormOfDurations, KeepsEveryNanosecond) {
+  const Schema schema = *Schema::Parse(R"(struct hall.Times {
+  start: duration
+  others: duration[2]
+}
+)");
+  const std::string json = R"({"start":1700000000.123456789,"others":[0.5,-1700000000.000000001]})";
+  const auto body = FromJson(schema, json);
+  ValueForm form{schema};
+
+  form.setJson(json);
+
+  EXPECT_EQ(*FromJson(schema, form.json()), *body) << form.json();
+  form.findChild<QLineEdit*>(QStringLiteral("form.start"))->setText("1700000000.987654321");
+  EXPECT_EQ(*FromJson(schema, form.json()), *FromJson(schema, R"({"start":1700000000.987654321,
+                                  "others":[0.5,-1700000000.000000001]})"));
+}
+
 }  // namespace
 }  // namespace tendon::gui

@@ -104,7 +104,12 @@ class Transitions : public FaultTest {
     Lead(name);
     return PeakWithin(one);
   }
-  static void ExpectNoLeap(const std::string& what, const Peak& peak, const Peak& gentle) {
+  /// Whether `round` is one of so many, or one more because the machine stood still in all of them.
+  bool GoesOn(int round, int rounds) const {
+    constexpr int kMostRounds = 5;
+    return round < rounds || (judged_ == 0 && round < kMostRounds);
+  }
+  void ExpectNoLeap(const std::string& what, const Peak& peak, const Peak& gentle) {
     // An arm whose cycles are late falls behind who leads it, and makes up for it.
     constexpr double kCalm = 0.004;   // s
     constexpr double kStall = 0.020;  // s
@@ -112,12 +117,20 @@ class Transitions : public FaultTest {
     const bool is_judged = stall < kStall;
     Tell(what + ": " + ToString(peak) + "; from rest " + ToString(gentle) +
          (is_judged ? "" : "; the machine stood still: not judged"));
+    is_judge_ = true;
     if (!is_judged) return;
+    ++judged_;
     constexpr double kMargin = 1.2;
     EXPECT_LE(peak.speed, kMargin * gentle.speed) << what;
     EXPECT_LE(peak.acceleration, (stall < kCalm ? kMargin : 2.5) * gentle.acceleration) << what;
   }
 
+  void TearDown() override {
+    if (is_judge_ && judged_ == 0) GTEST_SKIP() << "the machine stood still in every round";
+  }
+
+  bool is_judge_ = false;
+  int judged_ = 0;
   const std::shared_ptr<MotionChecker> arm_ = std::make_shared<MotionChecker>();
   const std::shared_ptr<MotionChecker> arm2_ = std::make_shared<MotionChecker>();
 };
@@ -135,7 +148,7 @@ INSTANTIATE_TEST_SUITE_P(Over, Transitions, testing::ValuesIn(SomeMiddlewares())
 TEST_P(Transitions, AnotherArmIsLedFromWhereItStands) {
   ASSERT_NO_FATAL_FAILURE(StartArms());
   const int rounds = Size(1, 30);
-  for (int round = 0; round < rounds; ++round) {
+  for (int round = 0; GoesOn(round, rounds); ++round) {
     SCOPED_TRACE(round);
     ASSERT_NO_FATAL_FAILURE(Lead("arm2"));
     (void)PeakWithin(*arm2_);
@@ -161,24 +174,27 @@ TEST_P(Transitions, AnotherArmIsLedFromWhereItStands) {
 TEST_P(Transitions, AnArmThatWasStartedAnewIsLedFromWhereItStands) {
   ASSERT_NO_FATAL_FAILURE(StartArms());
   ASSERT_NO_FATAL_FAILURE(Lead("arm"));
-  (void)PeakWithin(*arm_);
+  for (int round = 0; GoesOn(round, 1); ++round) {
+    SCOPED_TRACE(round);
+    (void)PeakWithin(*arm_);
 
-  robot_->Signal(SIGKILL);
-  robot_->Wait();
-  const std::size_t rows = arm_->rows();
-  (void)arm_->TakePeak();
-  robot_ = MakeLcm("robot");
-  ASSERT_TRUE(Eventually([&] { return arm_->rows() > rows; })) << robot_->err();
-  ASSERT_TRUE(EventuallyMoves(*arm_)) << desk_->err();
-  const Peak anew = PeakWithin(*arm_);
+    robot_->Signal(SIGKILL);
+    robot_->Wait();
+    const std::size_t rows = arm_->rows();
+    (void)arm_->TakePeak();
+    robot_ = MakeLcm("robot");
+    ASSERT_TRUE(Eventually([&] { return arm_->rows() > rows; })) << robot_->err();
+    ASSERT_TRUE(EventuallyMoves(*arm_)) << desk_->err();
+    const Peak anew = PeakWithin(*arm_);
 
-  ExpectNoLeap("a new epoch", anew, GentleFrom("arm", *arm_, kHome));
+    ExpectNoLeap("a new epoch", anew, GentleFrom("arm", *arm_, kHome));
+  }
 }
 
 /// T2.
 TEST_P(Transitions, AClientThatIsResumedBeginsFromTheWorldAsItIs) {
   ASSERT_NO_FATAL_FAILURE(StartArms());
-  for (int round = 0; round < Size(1, 30); ++round) {
+  for (int round = 0; GoesOn(round, Size(1, 30)); ++round) {
     SCOPED_TRACE(round);
     ASSERT_NO_FATAL_FAILURE(Lead("arm"));
     (void)PeakWithin(*arm_);
@@ -219,18 +235,21 @@ TEST_P(Transitions, AServerThatIsResumedDoesNotGoOnToItsOldGoal) {
 TEST_P(Transitions, AServerThatIsResumedIsLedFromWhereItStands) {
   ASSERT_NO_FATAL_FAILURE(StartArms());
   ASSERT_NO_FATAL_FAILURE(Lead("arm"));
-  (void)PeakWithin(*arm_);
-  ASSERT_NO_FATAL_FAILURE(Do({"suspend", "robot/arm"}));
-  ASSERT_TRUE(EventuallyStandsStill(*arm_));
-  const std::size_t rows = arm_->rows();
+  for (int round = 0; GoesOn(round, 1); ++round) {
+    SCOPED_TRACE(round);
+    (void)PeakWithin(*arm_);
+    ASSERT_NO_FATAL_FAILURE(Do({"suspend", "robot/arm"}));
+    ASSERT_TRUE(EventuallyStandsStill(*arm_));
+    const std::size_t rows = arm_->rows();
 
-  ASSERT_NO_FATAL_FAILURE(Do({"start", "robot/arm"}));
-  ASSERT_TRUE(Eventually([&] { return arm_->rows() > rows; }));
-  const arm::JointVector stood = arm_->joints().position;
-  (void)arm_->TakePeak();
-  const Peak resumed = PeakWithin(*arm_);
+    ASSERT_NO_FATAL_FAILURE(Do({"start", "robot/arm"}));
+    ASSERT_TRUE(Eventually([&] { return arm_->rows() > rows; }));
+    const arm::JointVector stood = arm_->joints().position;
+    (void)arm_->TakePeak();
+    const Peak resumed = PeakWithin(*arm_);
 
-  ExpectNoLeap("resumed", resumed, GentleFrom("arm", *arm_, stood));
+    ExpectNoLeap("resumed", resumed, GentleFrom("arm", *arm_, stood));
+  }
 }
 
 /// T5.

@@ -211,9 +211,11 @@ void GcmLink::Receive(const SharedChannel& channel, message::Snapshot snapshot) 
     if (!catalog.Apply(change)) return channel->Close();
   }
   std::vector<Moved> moved;
+  std::chrono::nanoseconds pause{};
   {
     const std::scoped_lock lock(mutex_);
     if (channel_ != channel) return;
+    pause = std::exchange(untold_pause_, {});
     moved = Moves(PlacesOf(catalog_), PlacesOf(catalog));
     catalog_ = catalog;
     is_waiting_ = false;
@@ -221,6 +223,7 @@ void GcmLink::Receive(const SharedChannel& channel, message::Snapshot snapshot) 
     changed_.notify_all();
   }
   Tell([&] {
+    if (events_.listener && pause > pause.zero()) events_.listener->OnGcmLost(StoodStill(pause));
     if (events_.listener) events_.listener->OnSnapshot(catalog);
     if (!moved.empty()) events_.on_moved(moved);
   });
@@ -312,7 +315,8 @@ std::chrono::nanoseconds GcmLink::StoodStillFor() const {
   return now - awake_since_ < 2 * kPatienceOfOthers ? last_pause_ : std::chrono::nanoseconds(0);
 }
 
-/// Said once, not at each attempt. Where it was we who said nothing, the GCM may well be there.
+/// Said once, not at each attempt. Where it was we who said nothing, the GCM may well be there:
+/// that is said once it has answered again.
 void GcmLink::Lost(const Error& reason) {
   std::optional<Error> news;
   {
@@ -322,8 +326,9 @@ void GcmLink::Lost(const Error& reason) {
     if (is_new && pause >= kPatienceOfOthers / 2) {
       awake_since_ = {};
       last_tick_ = SteadyClock().Now();
-      news = StoodStill(pause);
+      untold_pause_ = pause;
     } else {
+      untold_pause_ = {};
       lost_ = reason;
       if (is_new) news = NoGcm();
     }

@@ -97,8 +97,9 @@ class GcmLink final : public std::enable_shared_from_this<GcmLink> {
   DescriptionPool pool_;
   std::optional<Error> lost_;  // why there is no channel
   SteadyTime last_tick_ = SteadyClock().Now();
-  SteadyTime awake_since_{};               // after the last pause of this program
-  std::chrono::nanoseconds last_pause_{};  // how long that was
+  SteadyTime awake_since_{};                 // after the last pause of this program
+  std::chrono::nanoseconds last_pause_{};    // how long that was
+  std::chrono::nanoseconds untold_pause_{};  // that has cost the link
   LogFeed log_;
   Worker opener_{"client-gcm"};
 };

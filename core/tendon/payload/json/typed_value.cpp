@@ -35,13 +35,40 @@ Result<void> CheckTyped(const Schema& schema, const std::string& name, const std
   return Error{ErrorCode::kInvalid, name + ": " + body.error().message};
 }
 
+/// `place` of `value`, as FineNumbers has it.
+void KeepDigits(const Schema& schema, const FineNumbers& fine, const std::string& place,
+                nlohmann::ordered_json& value) {
+  if (schema.kind() == Schema::Kind::kDuration && value.is_number()) {
+    if (const auto digits = fine.find(place); digits != fine.end()) value = digits->second;
+  } else if (schema.kind() == Schema::Kind::kStructure && value.is_object()) {
+    const std::string before = place.empty() ? "" : place + ".";
+    for (const Schema::Field& field : schema.fields()) {
+      if (!value.contains(field.name)) continue;
+      KeepDigits(field.schema, fine, before + field.name, value[field.name]);
+    }
+  } else if (value.is_array() &&
+             (schema.kind() == Schema::Kind::kArray || schema.kind() == Schema::Kind::kSequence)) {
+    for (std::size_t i = 0; i < value.size(); ++i) {
+      KeepDigits(schema.element(), fine, place + "[" + std::to_string(i) + "]", value[i]);
+    }
+  }
+}
+
 }  // namespace
+
+std::string WithExactDurations(const Schema& schema, const std::string& json) {
+  FineNumbers fine;
+  auto value = ParseOrderedJson(json);
+  if (!value || !ParseExactJson(json, &fine) || fine.empty()) return json;
+  KeepDigits(schema, fine, {}, *value);
+  return value->dump();
+}
 
 Result<nlohmann::ordered_json> TypedValue(const Schema& schema, const std::string& name,
                                           const std::string& typed) {
   const bool is_quoted = typed.starts_with('"');
   if (IsWrittenAsNumber(schema.kind()) && !is_quoted) return TypedNumber(schema, name, typed);
-  const auto parsed = ParseOrderedJson(typed);
+  const auto parsed = ParseOrderedJson(WithExactDurations(schema, typed));
   const bool is_word =
       schema.kind() == Schema::Kind::kString || schema.kind() == Schema::Kind::kEnum;
   const bool is_meant_as_it_is = is_word && !(parsed && parsed->is_string());

@@ -17,4 +17,9 @@ class Schema;
 Result<nlohmann::ordered_json> TypedValue(const Schema& schema, const std::string& name,
                                           const std::string& typed);
 
+/// JSON of the type for those who read numbers as doubles: a duration whose nanoseconds no double
+/// holds becomes its digits as a string, which FromJson() reads to the nanosecond. Members that the
+/// type does not have are left alone; text that is no JSON is returned as it is.
+[[nodiscard]] std::string WithExactDurations(const Schema& schema, const std::string& json);
+
 }  // namespace tendon

@@ -38,9 +38,8 @@ class ProcessEnd : public NetworkTest {
   void StartDesk() {
     desk = Start("desk");
     client = &desk->Add<Task>("client", story);
-    const auto connected = desk->Connect(kClient, kServer);  // unless the GCM has handed it back
-    ASSERT_TRUE(connected || connected.error().code == tendon::ErrorCode::kExists)
-        << connected.error().message;
+    const auto connected = desk->Connect(kClient, kServer);
+    ASSERT_TRUE(connected) << connected.error().message;
     ASSERT_TRUE(EventuallyActive(*desk, 1)) << desk->connections().front().reason;
     ASSERT_TRUE(desk->StartAll());
   }
